@@ -1,0 +1,32 @@
+# `cmake --install` and the CMake package `planish` (targets planish::job, planish::io, ...).
+
+include(CMakePackageConfigHelpers)
+
+get_property(planish_modules GLOBAL PROPERTY PLANISH_MODULES)
+if(NOT planish_modules)
+  return()
+endif()
+set(planish_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/planish")
+
+foreach(module IN LISTS planish_modules)
+  install(TARGETS planish_${module} EXPORT planish_targets)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/planish/${module}"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/planish" FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+if(TARGET planish)
+  install(TARGETS planish)
+endif()
+
+install(EXPORT planish_targets
+  FILE planishTargets.cmake NAMESPACE planish:: DESTINATION "${planish_cmake_dir}")
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/planishConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/planishConfig.cmake" INSTALL_DESTINATION "${planish_cmake_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/planishConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${PROJECT_BINARY_DIR}/planishConfig.cmake"
+  "${PROJECT_BINARY_DIR}/planishConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindDxflib.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindOcct.cmake"
+  DESTINATION "${planish_cmake_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that Planish needs and this machine does not have.
+#
+#   tools/install-packages.sh build        what it takes to build the program
+#   tools/install-packages.sh test         that, and what the tests use
+#   tools/install-packages.sh develop      that, and benchmarks, clang and its tools
+#
+# Where nothing is missing it says nothing and needs neither network nor root.
+set -euo pipefail
+
+build=(
+  g++ cmake ninja-build ccache
+  libexpected-dev libfmt-dev libeigen3-dev libgeos-dev libdxflib-dev nlohmann-json3-dev libcli11-dev
+  libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
+  libocct-ocaf-dev libocct-data-exchange-dev
+)
+test=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-ezdxf)
+develop=(libbenchmark-dev clang clang-format clang-tidy)
+
+case "${1:-}" in
+  build) wanted=("${build[@]}") ;;
+  test) wanted=("${build[@]}" "${test[@]}") ;;
+  develop) wanted=("${build[@]}" "${test[@]}" "${develop[@]}") ;;
+  *) echo "usage: $0 build|test|develop" >&2; exit 2 ;;
+esac
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "This is no Debian system; these have to be there some other way (names of Debian 12):" >&2
+  printf '  %s\n' "${wanted[@]}" >&2
+  exit 1
+fi
+
+# dpkg-query also knows packages that were removed; only "installed" counts.
+present=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${wanted[@]}" \
+  2>/dev/null | sed -n 's/^installed //p' || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF -- "$package" <<<"$present" || missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  if command -v sudo >/dev/null; then
+    as_root=(sudo)
+  else
+    echo "These packages are missing, and installing them needs root or sudo. As root, run:" >&2
+    echo "  apt-get update && apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+fi
+
+echo "Installing ${missing[*]}"
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y -o Dpkg::Use-Pty=0)
+"${apt[@]}" update
+"${apt[@]}" install --no-install-recommends "${missing[@]}"
