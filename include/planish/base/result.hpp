@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace planish {
+
+/// What went wrong, as a closed list: scripts branch on it. `code_name` gives the name used in
+/// reports (FORMATS, "reason.code"), `exit_status` the status a program ends with.
+enum class ErrorCode {
+  // The request is wrong (exit status 2).
+  bad_option,  ///< an option value outside its range or not understood
+  no_such_body,  ///< --body names a body that the file does not hold
+  no_such_face,  ///< --root or --up names a face that the body does not have
+  // The input cannot be read or is invalid (exit status 3).
+  cannot_read,  ///< the file is missing or may not be read
+  cannot_write,  ///< an output file cannot be created
+  empty_file,  ///< the file has no content
+  not_step,  ///< the content is not ISO 10303-21
+  truncated_file,  ///< the file starts as STEP but ends early
+  invalid_input,  ///< the content is understood but breaks its format
+  no_solid,  ///< the file holds no solid body (wires, points, nothing)
+  shell_not_solid,  ///< the file holds surfaces or open shells only
+  // Understood, but no flat pattern exists (exit status 4).
+  not_a_sheet,  ///< no two skins at one distance: a solid block, casting, machined part
+  thickness_not_constant,  ///< skins exist but their distance varies
+  doubly_curved,  ///< a bend or flange is curved two ways (drawn, not bent)
+  closed_loop,  ///< a loop of flanges and bends with nothing to open it
+  overlap,  ///< the flat pattern covers itself
+  pattern_wrong,  ///< the certificate's residuals exceed what can be trusted
+  unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
+  // Others.
+  cancelled,  ///< the caller asked to stop (exit status 1)
+  internal,  ///< a defect of Planish or its kernel (exit status 1)
+};
+
+/// Name of a code as reports spell it, e.g. "not_a_sheet".
+std::string_view code_name(ErrorCode code);
+
+/// Exit status of a program that ends with this error (FORMATS, "Exit status").
+int exit_status(ErrorCode code);
+
+/// A foreseeable failure. `message` is one sentence holding numbers, units and the remedy; `where`
+/// names the place (a file, a face, a bend, a JSON pointer), empty when the whole input is meant.
+struct Error {
+  ErrorCode code = ErrorCode::internal;
+  std::string message;
+  std::string where;
+};
+
+template <typename T>
+using Result = tl::expected<T, Error>;
+
+/// Shorthand for `tl::unexpected(Error{...})`.
+inline tl::unexpected<Error> fail(ErrorCode code, std::string message, std::string where = {}) {
+  return tl::unexpected<Error>(Error{code, std::move(message), std::move(where)});
+}
+
+}  // namespace planish

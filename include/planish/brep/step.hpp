@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <planish/base/progress.hpp>
+#include <planish/base/result.hpp>
+#include <planish/sheet/certificate.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/sheet.hpp>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// One solid body of a file. Cheap to copy; the kernel's shape stays behind the wall.
+class Body {
+ public:
+  struct Shape;
+  explicit Body(std::shared_ptr<const Shape> shape);
+  const Shape& shape() const { return *shape_; }
+  const std::string& name() const;   ///< STEP product name, or "body-<n>"
+  int quantity() const;              ///< how many identical ones the file holds (same hand)
+  int face_count() const;
+  double volume() const;             ///< mm³
+  Vec3 size() const;                 ///< extents along x, y, z, mm
+
+ private:
+  std::shared_ptr<const Shape> shape_;
+};
+
+/// What a STEP file holds. Lengths are mm whatever the file's unit was.
+struct StepFile {
+  std::string schema;        ///< e.g. "AP214 (AUTOMOTIVE_DESIGN)"
+  std::string cad_system;    ///< originating system as the header states it
+  std::string unit;          ///< length unit of the file, "mm", "inch", …
+  std::vector<Body> bodies;  ///< distinct bodies in file order
+  int surface_bodies = 0;    ///< shells that are not part of a solid
+};
+
+/// Reads a STEP file (AP203, AP214, AP242). Identical bodies are merged (`quantity`); mirror images
+/// are not identical. Errors: `cannot_read`, `empty_file`, `not_step`, `truncated_file`,
+/// `shell_not_solid`, `no_solid`, `cancelled`.
+Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress = {});
+/// The same from memory; `name` is used in messages.
+Result<StepFile> read_step_text(const std::string& text, const std::string& name, const Progress& progress = {});
+
+struct RecognizeOptions {
+  double surface_tolerance = 0.01;   ///< mm: a spline surface this near a plane, cylinder, … is one
+  double thickness_tolerance = 0.02; ///< of the thickness: spread allowed between skins
+};
+
+/// A recognised sheet with the measures that certify needs.
+struct Recognized {
+  Sheet sheet;
+  EdgeDistance distance;
+  std::vector<std::string> notes;  ///< what was noticed, one sentence each
+};
+
+/// Finds the sheet in a solid: thickness, two skins, flanges, bends, features. Errors: `not_a_sheet`,
+/// `thickness_not_constant`, `doubly_curved`, `closed_loop`, `unsupported_shape`.
+Result<Recognized> recognize(const Body& body, const RecognizeOptions& options = {});
+
+/// Flat solid of the sheet's thickness as STEP text (AP214, mm): the pattern in z = −t … 0.
+Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name);
+
+/// Folded solid of a sheet of real thickness as STEP text: planes, cylinders and cones stay analytic.
+Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name);
+
+}  // namespace planish

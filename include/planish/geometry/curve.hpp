@@ -1,0 +1,99 @@
+#pragma once
+
+#include <limits>
+#include <planish/geometry/frame.hpp>
+#include <variant>
+#include <vector>
+
+namespace planish {
+
+/// A straight line from `a` to `b`.
+struct Segment {
+  Vec2 a;
+  Vec2 b;
+};
+
+/// A circular arc from angle `start`, turned by `sweep` (radians, counter-clockwise positive,
+/// `0 < |sweep| <= 2π`). A full circle has `|sweep| = 2π` exactly.
+struct Arc {
+  Vec2 center;
+  double radius = 0.0;
+  double start = 0.0;
+  double sweep = 0.0;
+};
+
+/// A chain of cubic Bézier pieces: poles 3i … 3i+3 are piece i; 3n+1 poles in all. Fitted chains
+/// are tangent-continuous.
+struct CubicSpline {
+  std::vector<Vec2> poles;
+};
+
+using Curve2 = std::variant<Segment, Arc, CubicSpline>;
+
+/// Consecutive curves, each starting where the one before ends, the last ending where the first
+/// starts. Outer loops run counter-clockwise, openings clockwise.
+using Loop = std::vector<Curve2>;
+
+/// Point at `t` in [0, 1]; for a spline each piece takes an equal share of t.
+Vec2 point_at(const Curve2& curve, double t);
+/// Derivative with respect to that t.
+Vec2 derivative_at(const Curve2& curve, double t);
+Vec2 start_of(const Curve2& curve);
+Vec2 end_of(const Curve2& curve);
+Curve2 reversed(const Curve2& curve);
+/// Loop run through the other way.
+Loop reversed(const Loop& loop);
+/// Exact for segments, arcs and splines; reflections turn an arc's sweep round.
+Curve2 transformed(const Curve2& curve, const Isometry2& motion);
+Loop transformed(const Loop& loop, const Isometry2& motion);
+
+/// Length: exact for segments and arcs, relative error below 1e-12 for splines (adaptive Gauss).
+double length(const Curve2& curve);
+double length(const Loop& loop);
+/// Part of the Green integral ½∮(x dy − y dx) along this curve; exact for all three kinds.
+double green_area(const Curve2& curve);
+/// Signed enclosed area, positive for counter-clockwise loops.
+double signed_area(const Loop& loop);
+
+struct Box2 {
+  Vec2 lo = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 hi = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  void add(const Vec2& p) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  void add(const Box2& b) {
+    lo = lo.cwiseMin(b.lo);
+    hi = hi.cwiseMax(b.hi);
+  }
+  bool empty() const { return lo.x() > hi.x(); }
+  Vec2 size() const { return hi - lo; }
+  bool overlaps(const Box2& b) const {
+    return lo.x() < b.hi.x() && b.lo.x() < hi.x() && lo.y() < b.hi.y() && b.lo.y() < hi.y();
+  }
+};
+/// Exact bounding box for segments and arcs; for splines of the curve itself (extrema solved).
+Box2 bounds(const Curve2& curve);
+Box2 bounds(const Loop& loop);
+
+/// Points along the curve, first and last included, chords within `chord` of it (mm).
+std::vector<Vec2> sampled(const Curve2& curve, double chord);
+/// Closed polygon of a loop, last point not repeated.
+std::vector<Vec2> sampled(const Loop& loop, double chord);
+
+/// Distance from p to the curve, and the parameter of the nearest point.
+struct Nearest {
+  double distance = 0.0;
+  double t = 0.0;
+};
+Nearest nearest(const Curve2& curve, const Vec2& p);
+
+/// Parameters in [0, 1], ascending, where the curve meets the infinite line through `origin` with
+/// direction `direction`; a curve lying on the line yields none. Touching points may be missing
+/// or doubled.
+std::vector<double> crossings(const Curve2& curve, const Vec2& origin, const Vec2& direction);
+
+/// The part of the curve between parameters t0 < t1.
+Curve2 trimmed(const Curve2& curve, double t0, double t1);
+
+}  // namespace planish

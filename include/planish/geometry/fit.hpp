@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <planish/geometry/curve.hpp>
+
+namespace planish {
+
+/// A parametric curve with its derivative, as fitting sees it.
+struct CurveSample {
+  Vec2 point;
+  Vec2 derivative;
+};
+using CurveFunction = std::function<CurveSample(double)>;
+
+struct FitReport {
+  CubicSpline spline;
+  double deviation = 0.0;  ///< largest deviation seen at the check points, in the curve's units
+};
+
+/// Approximates f on [t0, t1] by tangent-continuous cubics: Hermite pieces, halved until the
+/// deviation at several points between the knots is below `tolerance`. Ends are met exactly.
+/// Halving stops at 2^12 pieces; `deviation` then tells.
+FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolerance);
+
+/// The simplest curve within `tolerance` of the spline: a segment, else an arc (full circle when
+/// it closes), else the spline itself.
+Curve2 recognized(const CubicSpline& spline, double tolerance);
+
+/// Splines become arcs and segments (biarcs) within `tolerance`; segments and arcs pass unchanged.
+/// Ends and, at inner joints, tangents are kept. Consecutive results meet exactly.
+std::vector<Curve2> to_arcs(const Curve2& curve, double tolerance);
+
+/// A loop with neighbouring curves joined where they are one line or one circle within
+/// `tolerance`; `first_input[i]` is the input index where output i begins (output i covers inputs
+/// first_input[i] … first_input[i+1]−1, cyclically). A circle met in pieces becomes one full-circle
+/// Arc. Curves of length below `tolerance` are absorbed by their neighbours.
+struct MergedLoop {
+  Loop loop;
+  std::vector<int> first_input;
+};
+MergedLoop merged(const Loop& loop, double tolerance);
+
+}  // namespace planish

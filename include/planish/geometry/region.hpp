@@ -1,0 +1,49 @@
+#pragma once
+
+#include <planish/geometry/curve.hpp>
+
+namespace planish {
+
+/// A plane region: one outer loop (counter-clockwise) and openings (clockwise).
+struct Region {
+  Loop outer;
+  std::vector<Loop> openings;
+};
+
+double area(const Region& region);
+bool contains(const Region& region, const Vec2& p);
+
+/// A polygon with holes, for overlay; rings closed implicitly.
+struct Polygon {
+  std::vector<Vec2> outer;
+  std::vector<std::vector<Vec2>> holes;
+};
+Polygon polygon_of(const Region& region, double chord);
+
+/// Signed area of a closed ring.
+double ring_area(const std::vector<Vec2>& ring);
+/// Even-odd test of a point against rings.
+bool inside(const std::vector<std::vector<Vec2>>& rings, const Vec2& p);
+
+/// One place where two of the polygons cover the same area.
+struct Overlap {
+  int first = 0;
+  int second = 0;
+  double area = 0.0;
+  std::vector<std::vector<Vec2>> outline;
+};
+/// Pairs of polygons whose interiors share more than `smallest_area` once each is shrunk by
+/// `clearance`. Bounding boxes are sorted first: near-linear when little overlaps.
+std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clearance, double smallest_area);
+
+/// Pairs of non-adjacent places where a closed ring crosses itself (proper crossings only).
+std::vector<Vec2> self_crossings(const std::vector<Vec2>& ring);
+
+/// Smallest enclosing rectangle: sizes (longer first), and the angle of its long side to the x axis.
+struct EnclosingRectangle {
+  Vec2 size;
+  double angle = 0.0;
+};
+EnclosingRectangle smallest_rectangle(const std::vector<Vec2>& points);
+
+}  // namespace planish

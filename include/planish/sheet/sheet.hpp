@@ -1,0 +1,100 @@
+#pragma once
+
+#include <optional>
+#include <planish/base/angle.hpp>
+#include <planish/geometry/developable.hpp>
+#include <planish/geometry/frame.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace planish {
+
+/// Index types: which row of the sheet's vectors is meant.
+enum class FaceId : int {};
+enum class FlangeId : int {};
+enum class BendId : int {};
+constexpr int index_of(FaceId id) { return static_cast<int>(id); }
+constexpr int index_of(FlangeId id) { return static_cast<int>(id); }
+constexpr int index_of(BendId id) { return static_cast<int>(id); }
+
+/// One border curve of a face, in the (u, v) of the face's surface: mm on a plane; see
+/// geometry/developable.hpp for bends. `edge` names the edge of the solid it came from (−1: none),
+/// so that a certificate can measure against the solid.
+struct Border {
+  Curve2 curve;
+  int edge = -1;
+  double edge_length = 0.0;  ///< length measured on the original edge, mm; 0 when not known
+};
+using BorderLoop = std::vector<Border>;
+
+/// A piece of the sheet's *reference skin*: a plane region (of a flange) or a region of a
+/// developable surface (of a bend). `sense` is +1 when the skin's outward normal (away from the
+/// material) is the surface's normal, −1 when it is the opposite; planes always have +1 (their z).
+/// Loops keep the face on their left seen from outside the material; loops[0] is the outer one.
+struct Face {
+  std::variant<Frame, Developable> surface;
+  int sense = 1;
+  std::vector<BorderLoop> loops;
+  std::variant<FlangeId, BendId> part_of;
+  int source_face = -1;  ///< face number in the solid (1-based, as `planish info` counts), −1: none
+};
+
+/// Position of a border: loops[loop][border] of a face.
+struct BorderRef {
+  FaceId face{};
+  int loop = 0;
+  int border = 0;
+  friend bool operator==(const BorderRef&, const BorderRef&) = default;
+};
+
+/// Two faces meeting along a border: the two borders are the same edge, run in opposite directions.
+/// Smooth (`sharp` empty) or folded sharply, then `sharp` names a bend without faces.
+struct Joint {
+  BorderRef a;
+  BorderRef b;
+  std::optional<BendId> sharp;
+};
+
+/// A planar part: its coplanar faces, connected or bridged by bends.
+struct Flange {
+  std::vector<FaceId> faces;
+};
+
+enum class BendKind { cylinder, cone, general, sharp };
+
+/// Everything that turns between two flanges about one developable surface.
+struct Bend {
+  BendKind kind = BendKind::cylinder;
+  std::vector<FaceId> faces;  ///< empty for sharp bends
+  Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
+  double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest
+  bool reference_inside = false;  ///< the reference skin is the inside (concave) one
+};
+
+/// What a maker saw that a flat pattern only outlines: countersinks, embosses, louvres, pockets.
+struct FormedFeature {
+  std::string kind;  ///< "countersink", "formed", "pocket", "boss"
+  FaceId face{};     ///< flange face it sits on
+  std::vector<BorderLoop> outlines;  ///< in the face's (u, v): where the feature meets the sheet
+};
+
+/// A sheet: one flat, inextensible region and the way it is folded. The reference skin is one of
+/// its two skins; the other lies `thickness` towards the material.
+struct Sheet {
+  double thickness = 0.0;         ///< mm
+  double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
+  double volume = 0.0;            ///< of the solid, mm³; 0 when there is none
+  std::vector<Face> faces;
+  std::vector<Joint> joints;
+  std::vector<Flange> flanges;
+  std::vector<Bend> bends;
+  std::vector<FormedFeature> features;
+};
+
+/// Outward unit normal of the reference skin at (u, v).
+Vec3 outward_normal(const Face& face, const Vec2& uv);
+/// Point of the reference skin at (u, v).
+Vec3 skin_point(const Face& face, const Vec2& uv);
+
+}  // namespace planish

@@ -1,0 +1,58 @@
+#include <planish/base/assert.hpp>
+#include <planish/base/result.hpp>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+namespace planish {
+namespace {
+
+struct CodeRow {
+  ErrorCode code;
+  std::string_view name;
+  int exit_status;
+};
+
+constexpr std::array kCodes{
+    CodeRow{ErrorCode::bad_option, "bad_option", 2},
+    CodeRow{ErrorCode::no_such_body, "no_such_body", 2},
+    CodeRow{ErrorCode::no_such_face, "no_such_face", 2},
+    CodeRow{ErrorCode::cannot_read, "cannot_read", 3},
+    CodeRow{ErrorCode::cannot_write, "cannot_write", 3},
+    CodeRow{ErrorCode::empty_file, "empty_file", 3},
+    CodeRow{ErrorCode::not_step, "not_step", 3},
+    CodeRow{ErrorCode::truncated_file, "truncated_file", 3},
+    CodeRow{ErrorCode::invalid_input, "invalid_input", 3},
+    CodeRow{ErrorCode::no_solid, "no_solid", 3},
+    CodeRow{ErrorCode::shell_not_solid, "shell_not_solid", 3},
+    CodeRow{ErrorCode::not_a_sheet, "not_a_sheet", 4},
+    CodeRow{ErrorCode::thickness_not_constant, "thickness_not_constant", 4},
+    CodeRow{ErrorCode::doubly_curved, "doubly_curved", 4},
+    CodeRow{ErrorCode::closed_loop, "closed_loop", 4},
+    CodeRow{ErrorCode::overlap, "overlap", 4},
+    CodeRow{ErrorCode::pattern_wrong, "pattern_wrong", 4},
+    CodeRow{ErrorCode::unsupported_shape, "unsupported_shape", 4},
+    CodeRow{ErrorCode::cancelled, "cancelled", 1},
+    CodeRow{ErrorCode::internal, "internal", 1},
+};
+
+const CodeRow& row_of(ErrorCode code) {
+  for (const CodeRow& row : kCodes) {
+    if (row.code == code) return row;
+  }
+  return kCodes.back();
+}
+
+}  // namespace
+
+std::string_view code_name(ErrorCode code) { return row_of(code).name; }
+
+int exit_status(ErrorCode code) { return row_of(code).exit_status; }
+
+void assertion_failed(const char* condition, const char* file, int line) {
+  std::fprintf(stderr, "planish: assertion failed: %s (%s:%d)\n", condition, file, line);
+  std::abort();
+}
+
+}  // namespace planish
