@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Standard_Failure.hxx>
+#include <exception>
+#include <planish/base/result.hpp>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace planish::brep {
+
+/// Takes the kernel's printers off its messenger, once per process: a library does not write to
+/// the console. `guarded` calls it.
+void silence_kernel();
+
+/// The error that stands for a foreign exception: `internal`, `what` with the message, `where`.
+Error foreign_error(const std::string& kind, const char* message, std::string where);
+
+template <typename T>
+struct ResultOf {
+  using type = Result<T>;
+};
+template <typename T>
+struct ResultOf<Result<T>> {
+  using type = Result<T>;
+};
+
+/// Runs `f` and hands back its result; whatever it throws becomes an `internal` error that holds
+/// the exception's message. `f` may return a Result or a plain value. The kernel's Standard_Failure
+/// is no std::exception, so it is caught first. Every call from outside into kernel code goes
+/// through here.
+template <typename F>
+typename ResultOf<std::invoke_result_t<F>>::type guarded(F&& f, std::string where = {}) {
+  silence_kernel();
+  try {
+    if constexpr (std::is_void_v<std::invoke_result_t<F>>) {
+      std::forward<F>(f)();
+      return {};
+    } else {
+      return std::forward<F>(f)();
+    }
+  } catch (const Standard_Failure& failure) {
+    return tl::unexpected(foreign_error(failure.DynamicType()->Name(), failure.GetMessageString(),
+                                        std::move(where)));
+  } catch (const std::exception& failure) {
+    return tl::unexpected(foreign_error("exception", failure.what(), std::move(where)));
+  }
+}
+
+}  // namespace planish::brep
