@@ -79,9 +79,13 @@ function(planish_module name)
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
     _planish_hide_libs(${target} ${arg_PRIVATE_LIBS})
+    # What its sources are compiled with, for tests/walls.
+    file(GENERATE OUTPUT "${wall}.includes"
+      CONTENT "$<JOIN:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,\n>\n")
     set(visible PUBLIC)
   else()
     add_library(${target} INTERFACE)
+    file(REMOVE "${wall}.includes")
     set(visible INTERFACE)
   endif()
   add_library(planish::${name} ALIAS ${target})
@@ -113,15 +117,6 @@ function(_planish_module_headers name)
   add_library(${name}_headers OBJECT ${probes})
   target_link_libraries(${name}_headers PRIVATE planish::${name})
   _planish_hide_libs(${name}_headers)
-
-  # What the sources of the module are compiled with, for tests/walls.
-  get_target_property(type planish_${name} TYPE)
-  set(seen planish_${name})
-  if(type STREQUAL INTERFACE_LIBRARY)
-    set(seen ${name}_headers)
-  endif()
-  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/walls/${name}.includes"
-    CONTENT "$<JOIN:$<TARGET_PROPERTY:${seen},INCLUDE_DIRECTORIES>,\n>\n")
 endfunction()
 
 # Tests see what the module's sources see, tests/ itself (`#include "support/..."`), and

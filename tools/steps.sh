@@ -21,7 +21,7 @@ _step() {
   log="$logs/${name//[^A-Za-z0-9]/-}.log"
   "$@" >"$log" 2>&1 </dev/null &
   pid=$!
-  # Ctrl-C must also end what runs in the background.
+  # A command in the background does not hear Ctrl-C by itself.
   trap 'kill "$pid" 2>/dev/null; exit 130' INT TERM
   while kill -0 "$pid" 2>/dev/null; do
     if [ "$announced" = no ] && [ $((SECONDS - started)) -ge "$patience" ]; then
@@ -56,4 +56,12 @@ configure() {
   if [ ! -f "$root/build/$preset/build.ninja" ] || [ "$root/CMakePresets.json" -nt "$cache" ]; then
     (cd "$root" && cmake --preset "$preset" "$@" && touch "$cache")
   fi
+}
+
+#   build <preset> <target>...
+# Ninja itself and not `cmake --build`, which on being ended leaves its Ninja running.
+build() {
+  local preset=$1
+  shift
+  exec ninja -C "$root/build/$preset" -j "$(nproc)" "$@"
 }
