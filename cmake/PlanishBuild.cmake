@@ -26,6 +26,10 @@ if(PLANISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
 endif()
 
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC 12 reports it, falsely, for every inlined copy of a std::variant that holds Eigen vectors.
+  add_compile_options(-Wno-maybe-uninitialized)
+endif()
 if(PLANISH_WERROR)
   add_compile_options(-Werror)
 endif()
