@@ -1,8 +1,9 @@
 #pragma once
 
-#include <planish/base/result.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/frame.hpp>
+
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -22,7 +23,11 @@ struct Cone {
 };
 
 /// General developable x(u, v) = b(u) + v·g(u), |g| = 1, det(b′, g, g′) = 0 (MATH 2.5), given by
-/// knots and interpolated by cubic Hermite pieces. The normal is b′ × g, normalised.
+/// two or more knots with growing u. b is interpolated by cubic Hermite pieces, g by such pieces
+/// scaled to unit length; past the first and last knot the end pieces go on. The normal is b′ × g,
+/// normalised; b′ and g must never be parallel. Between knots h apart the pieces leave the surface
+/// meant by O(h⁴), their normal by O(h³): whoever makes the knots chooses h for the accuracy
+/// wanted. The surface ends at its edge of regression: it is the side on which b lies (v = 0).
 struct Ruled {
   struct Knot {
     double u;
@@ -39,45 +44,66 @@ using Developable = std::variant<Cylinder, Cone, Ruled>;
 Vec3 point_on(const Developable& surface, const Vec2& uv, double offset = 0.0);
 
 /// Unit normal at azimuth u: away from the axis for cylinder and cone, b′ × g for a ruled surface.
+/// On all three it is the direction of ∂/∂u × ∂/∂v.
 Vec3 normal_on(const Developable& surface, double u);
 
 /// Unit direction of the ruling through u, towards growing v.
 Vec3 ruling_on(const Developable& surface, double u);
 
-/// (u, v) of the point of the surface nearest to p; u is taken in the turn nearest to `u_near`.
+/// (u, v) of the point of the surface nearest to p. Where several are equally near, as at every
+/// turn of a cylinder or at the seam of a closed ruled surface, the one with u nearest to `u_near`.
+/// A cone ends at its apex; the rulings of a ruled surface run on to the edge of regression, and a
+/// p past its first or last ruling gets that ruling or one slightly past it.
+/// Cost: constant for cylinder and cone, linear in the knots of a ruled surface.
 Vec2 parameters_of(const Developable& surface, const Vec3& p, double u_near);
 
+class RuledImage;
+
 /// The isometry between one offset of a developable surface and the plane, in both directions
-/// (MATH 2.2–2.5). Orientation: seen from the tip of the normal, the image is not mirrored.
+/// (MATH 2.2–2.6). Orientation: seen from the tip of the normal, the image is not mirrored.
+/// Placement: a cylinder's (u, v) goes to (ρu, v); a cone's apex to the origin, its ruling u = 0
+/// along +x; a ruled surface's first knot to the origin, its first ruling along +y.
+/// Requires a regular surface at that offset: ρ = radius + offset > 0, v + offset·cot(half-angle)
+/// > 0, and of a ruled surface the side of the edge of regression where b lies.
 /// Accuracy: cylinder and cone to machine precision; ruled surfaces to 1e-10 of their extent.
 class Development {
  public:
-  Development(const Developable& surface, double offset);
+  /// `u_near` chooses the turn that `fold` returns on a cone, of whose image every point has
+  /// azimuths 2π/sin(half-angle) apart: the one nearest to `u_near`. The middle of the patch is a
+  /// good choice. Cylinders and ruled surfaces do not need it.
+  /// Cost for a ruled surface: linear in its knots, some 20 evaluations each.
+  Development(const Developable& surface, double offset, double u_near = 0.0);
 
   /// Image in the plane of the point with parameters uv.
   Vec2 develop(const Vec2& uv) const;
-  /// Parameters of the point whose image is p; the inverse of `develop`.
+  /// Parameters of the point whose image is p; the inverse of `develop`. Where the image of a ruled
+  /// surface covers itself, the point nearest to b along its ruling; a p past its first or last
+  /// ruling gets that ruling or one slightly past it.
   Vec2 fold(const Vec2& p) const;
-  /// Derivative of `develop`: columns are ∂/∂u and ∂/∂v.
+  /// Derivative of `develop`: columns are ∂/∂u and ∂/∂v. Its determinant is positive.
   Eigen::Matrix2d jacobian(const Vec2& uv) const;
-  /// Image of a curve given in (u, v). Segments along rulings, and every segment on a cylinder, are
-  /// exact; a segment of constant v on a cone is an exact arc; all else is fitted to `tolerance`.
+  /// Image of a curve given in (u, v). Segments along rulings, and segments and splines on a
+  /// cylinder, are exact; a segment of constant v on a cone is an exact arc; all else is fitted to
+  /// `tolerance` (within the limit on pieces of `fit_cubics`). Ends are the images of the ends.
   Curve2 develop(const Curve2& uv_curve, double tolerance) const;
 
  private:
-  struct PlaneKnot {
-    double u;
-    Vec2 b, b_prime;
-    double angle, angle_prime;  // of the ruling's image
-  };
   struct Rolled {
     double radius;
   };
   struct Sector {
     double sine;   // of the half-angle
     double shift;  // added to v: the offset cone's apex lies that much further back
+    double u_near;
   };
-  std::variant<Rolled, Sector, std::vector<PlaneKnot>> image_;
+  using Unrolled = std::shared_ptr<const RuledImage>;
+  using Image = std::variant<Rolled, Sector, Unrolled>;
+
+  static Image image_of(const Cylinder& cylinder, double offset, double u_near);
+  static Image image_of(const Cone& cone, double offset, double u_near);
+  static Image image_of(const Ruled& ruled, double offset, double u_near);
+
+  Image image_;
 };
 
 }  // namespace planish

@@ -1,0 +1,376 @@
+#include "ruled.hpp"
+
+#include <planish/base/assert.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace planish {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+/// How far past its first and last ruling the surface is searched, in lengths of the end intervals:
+/// points of a border must be found though rounding puts them outside.
+constexpr double margin = 0.1;
+
+struct HermiteValue {
+  Vec3 value, first, second;
+};
+
+/// Cubic with values p0, p1 and derivatives m0, m1 at s = 0 and s = 1; derivatives are with respect
+/// to u = length · s.
+HermiteValue hermite(const Vec3& p0, const Vec3& m0, const Vec3& p1, const Vec3& m1, double length,
+                     double s) {
+  const Vec3 chord = p1 - p0;
+  const Vec3 c1 = length * m0;
+  const Vec3 c2 = 3.0 * chord - length * (2.0 * m0 + m1);
+  const Vec3 c3 = length * (m0 + m1) - 2.0 * chord;
+  return {p0 + s * (c1 + s * (c2 + s * c3)), (c1 + s * (2.0 * c2 + 3.0 * s * c3)) / length,
+          (2.0 * c2 + 6.0 * s * c3) / (length * length)};
+}
+
+/// Derivative of x/|x| when x has the derivative x_prime.
+Vec3 derivative_of_unit(const Vec3& x, const Vec3& x_prime) {
+  const Vec3 unit = x.normalized();
+  return (x_prime - unit * unit.dot(x_prime)) / x.norm();
+}
+
+double first_u(const Ruled& ruled) {
+  const auto& k = ruled.knots;
+  return k[0].u - margin * (k[1].u - k[0].u);
+}
+
+double last_u(const Ruled& ruled) {
+  const auto& k = ruled.knots;
+  return k.back().u + margin * (k.back().u - k[k.size() - 2].u);
+}
+
+/// A function of u that is zero where the ruling through u passes a given point, negative where the
+/// point lies ahead and positive where it lies behind.
+struct Passing {
+  double u;
+  double value, slope;
+};
+
+/// Root in a bracket with a.value <= 0 <= b.value: Newton, halving the bracket where a step would
+/// leave it or is not shorter than half the step before.
+template <class Function>
+double root_between(const Function& passing, Passing a, Passing b) {
+  const double finest = 4.0 * epsilon * std::max({std::abs(a.u), std::abs(b.u), b.u - a.u});
+  Passing x = std::abs(a.value) < std::abs(b.value) ? a : b;
+  double step = b.u - a.u;
+  while (x.value != 0.0 && std::abs(step) > finest) {
+    const double newton = -x.value / x.slope;
+    const double target = x.u + newton;
+    const bool use = target >= a.u && target <= b.u && std::abs(newton) < 0.5 * std::abs(step);
+    step = use ? newton : 0.5 * (b.u - a.u);
+    x = passing(use ? target : std::midpoint(a.u, b.u));
+    (x.value < 0.0 ? a : b) = x;
+  }
+  return x.u;
+}
+
+/// Where the slope changes sign between a and b.
+template <class Function>
+Passing turning_point(const Function& passing, Passing a, Passing b) {
+  const bool rises_first = a.slope > 0.0;
+  const double finest = std::sqrt(epsilon) * (b.u - a.u);
+  while (b.u - a.u > finest) {
+    const Passing middle = passing(std::midpoint(a.u, b.u));
+    ((middle.slope > 0.0) == rises_first ? a : b) = middle;
+  }
+  return a;
+}
+
+/// The roots at which the function rises. Falling roots lie past the edge of regression. Two roots
+/// between neighbouring nodes, one on either side of that edge, are told apart by the slopes.
+template <class Function>
+std::vector<double> rising_roots(const Function& passing, const std::vector<Passing>& nodes) {
+  std::vector<double> roots;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const Passing& a = nodes[i];
+    const Passing& b = nodes[i + 1];
+    if (a.value <= 0.0 && b.value > 0.0) {
+      roots.push_back(root_between(passing, a, b));
+    } else if (a.value * b.value > 0.0 && a.slope * b.slope < 0.0 && a.slope * a.value < 0.0) {
+      const Passing turn = turning_point(passing, a, b);
+      if (turn.value * a.value <= 0.0)
+        roots.push_back(a.slope > 0.0 ? root_between(passing, a, turn)
+                                      : root_between(passing, turn, b));
+    }
+  }
+  return roots;
+}
+
+/// Knots, and points between where knots are few, from slightly before the first to slightly past
+/// the last.
+std::vector<double> scan_positions(const Ruled& ruled) {
+  constexpr std::size_t enough = 64;
+  const auto& k = ruled.knots;
+  const std::size_t parts = 1 + enough / k.size();
+  std::vector<double> us{first_u(ruled)};
+  for (std::size_t i = 0; i + 1 < k.size(); ++i)
+    for (std::size_t j = 0; j < parts; ++j)
+      us.push_back(
+          std::lerp(k[i].u, k[i + 1].u, static_cast<double>(j) / static_cast<double>(parts)));
+  us.push_back(k.back().u);
+  us.push_back(last_u(ruled));
+  return us;
+}
+
+/// Distance from p to the ruling through u, as a line.
+double distance_to_ruling(const Ruled& ruled, const Vec3& p, double u) {
+  const RulingFrame f = frame_at(ruled, u);
+  return (p - f.b).cross(f.g).norm();
+}
+
+/// The ruling in `us` nearest to p; of those equally near, the one nearest to u_near.
+double nearest_ruling(const Ruled& ruled, const Vec3& p, double u_near,
+                      const std::vector<double>& us) {
+  constexpr double equally_near = 1e-9;  // of the distance to the directrix
+  const double scale = (p - frame_at(ruled, us.front()).b).norm();
+  double best = us.front();
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const double u : us) {
+    const double distance = distance_to_ruling(ruled, p, u);
+    const bool equal = std::abs(distance - best_distance) <= equally_near * scale;
+    if (equal ? std::abs(u - u_near) < std::abs(best - u_near) : distance < best_distance) {
+      best = u;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+template <std::size_t n>
+Vec3 series_at(const std::array<Vec3, n>& coefficients, double x) {
+  Vec3 next = Vec3::Zero();
+  Vec3 after = Vec3::Zero();
+  for (std::size_t i = n - 1; i > 0; --i) {
+    const Vec3 sum = coefficients[i] + 2.0 * x * next - after;
+    after = next;
+    next = sum;
+  }
+  return coefficients[0] + x * next - after;
+}
+
+template <std::size_t n>
+double chebyshev_node(std::size_t i) {
+  return std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
+}
+
+/// Chebyshev coefficients of the polynomial through the values at the Chebyshev nodes.
+template <std::size_t n>
+std::array<Vec3, n> series_through(const std::array<Vec3, n>& values) {
+  std::array<Vec3, n> coefficients;
+  for (std::size_t j = 0; j < n; ++j) {
+    coefficients[j] = Vec3::Zero();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle =
+          std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
+      coefficients[j] += std::cos(static_cast<double>(j) * angle) * values[i];
+    }
+    coefficients[j] *= (j == 0 ? 1.0 : 2.0) / static_cast<double>(n);
+  }
+  return coefficients;
+}
+
+/// Antiderivative of the series, times `scale`, with the given value at x = −1.
+template <std::size_t n>
+std::array<Vec3, n + 1> antiderivative(const std::array<Vec3, n>& series, double scale,
+                                       const Vec3& value_at_begin) {
+  std::array<Vec3, n + 1> result;
+  result[0] = value_at_begin;
+  for (std::size_t j = 1; j <= n; ++j) {
+    const Vec3 before = (j == 1 ? 2.0 : 1.0) * series[j - 1];
+    const Vec3 after = j + 1 < n ? series[j + 1] : Vec3::Zero();
+    result[j] = scale * (before - after) / (2.0 * static_cast<double>(j));
+    result[0] -= (j % 2 == 0 ? 1.0 : -1.0) * result[j];
+  }
+  return result;
+}
+
+Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// Perpendicular to the ruling at that angle, towards growing u.
+Vec2 across(double angle) { return {std::sin(angle), -std::cos(angle)}; }
+
+}  // namespace
+
+RulingFrame frame_at(const Ruled& ruled, double u) {
+  const auto& k = ruled.knots;
+  PLANISH_ASSERT(k.size() >= 2);
+  const auto past = std::upper_bound(k.begin() + 1, k.end() - 1, u,
+                                     [](double x, const Ruled::Knot& knot) { return x < knot.u; });
+  const Ruled::Knot& k0 = *(past - 1);
+  const Ruled::Knot& k1 = *past;
+  const double length = k1.u - k0.u;
+  const double s = (u - k0.u) / length;
+  const HermiteValue b = hermite(k0.b, k0.b_prime, k1.b, k1.b_prime, length, s);
+  const HermiteValue h = hermite(k0.g, k0.g_prime, k1.g, k1.g_prime, length, s);
+
+  RulingFrame f;
+  f.b = b.value;
+  f.b_prime = b.first;
+  f.g = h.value.normalized();
+  f.g_prime = derivative_of_unit(h.value, h.first);
+  const Vec3 normal = f.b_prime.cross(f.g);
+  f.n = normal.normalized();
+  f.n_prime = derivative_of_unit(normal, b.second.cross(f.g) + f.b_prime.cross(f.g_prime));
+  f.across = f.g.cross(f.n);
+  return f;
+}
+
+Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near) {
+  const auto passing = [&](double u) -> Passing {
+    const RulingFrame f = frame_at(ruled, u);
+    const Vec3 w = p - f.b;
+    const Vec3 velocity = f.b_prime + w.dot(f.g) * f.g_prime + w.dot(f.n) * f.n_prime;
+    return {u, -w.dot(f.across), velocity.dot(f.across)};
+  };
+  const std::vector<double> us = scan_positions(ruled);
+  std::vector<Passing> nodes;
+  nodes.reserve(us.size());
+  for (const double u : us)
+    nodes.push_back(passing(u));
+
+  const std::vector<double> feet = rising_roots(passing, nodes);
+  const double u = nearest_ruling(ruled, p, u_near, feet.empty() ? us : feet);
+  const RulingFrame f = frame_at(ruled, u);
+  return {u, (p - f.b).dot(f.g)};
+}
+
+RuledImage::RuledImage(const Ruled& ruled, double offset) {
+  const auto& k = ruled.knots;
+  PLANISH_ASSERT(k.size() >= 2);
+  double extent = 0.0;
+  for (std::size_t i = 0; i + 1 < k.size(); ++i) {
+    PLANISH_ASSERT(k[i].u < k[i + 1].u);
+    extent += (k[i + 1].b - k[i].b).norm();
+  }
+  constexpr int halvings = 12;
+  for (std::size_t i = 0; i + 1 < k.size(); ++i)
+    append(ruled, offset, i == 0 ? first_u(ruled) : k[i].u,
+           i + 2 == k.size() ? last_u(ruled) : k[i + 1].u, extent, halvings);
+  move_start_to_origin(k.front().u);
+
+  lines_.reserve(pieces_.size() + 1);
+  for (const Piece& piece : pieces_)
+    lines_.push_back(line_at(piece.begin));
+  lines_.push_back(line_at(pieces_.back().end));
+}
+
+RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, double begin,
+                                         double end, const Vec3& state_at_begin) {
+  const double half = 0.5 * (end - begin);
+  std::array<RulingFrame, terms> frames;
+  std::array<Vec3, terms> rates;
+  for (std::size_t i = 0; i < terms; ++i) {
+    frames[i] = frame_at(ruled, std::midpoint(begin, end) + half * chebyshev_node<terms>(i));
+    rates[i] = {0.0, 0.0, -frames[i].g_prime.dot(frames[i].across)};
+  }
+  // The angle first: the directrix needs it.
+  const auto angle = antiderivative(series_through(rates), half, state_at_begin);
+  for (std::size_t i = 0; i < terms; ++i) {
+    const double psi = series_at(angle, chebyshev_node<terms>(i)).z();
+    const Vec3 velocity = frames[i].b_prime + offset * frames[i].n_prime;
+    rates[i].head<2>() =
+        velocity.dot(frames[i].g) * direction(psi) + velocity.dot(frames[i].across) * across(psi);
+  }
+  const std::array<Vec3, terms> rate = series_through(rates);
+  return {begin, end, rate, antiderivative(rate, half, state_at_begin)};
+}
+
+void RuledImage::append(const Ruled& ruled, double offset, double begin, double end, double extent,
+                        int halvings) {
+  constexpr double accuracy = 1e-13;     // of the extent, and radians
+  constexpr double largest_turn = 0.25;  // radians; `fold` looks for rulings at the ends of pieces
+  const Vec3 start = pieces_.empty() ? Vec3(0.0, 0.0, 0.5 * std::numbers::pi)
+                                     : series_at(pieces_.back().state, 1.0);
+  const Piece piece = integrated(ruled, offset, begin, end, start);
+  // Two terms, because every other one of an even or odd function is zero.
+  const Vec3 tail = piece.state[terms].cwiseAbs().cwiseMax(piece.state[terms - 1].cwiseAbs());
+  const bool fine = tail.head<2>().maxCoeff() <= accuracy * extent && tail.z() <= accuracy &&
+                    std::abs(series_at(piece.state, 1.0).z() - start.z()) <= largest_turn;
+  if (fine || halvings == 0) {
+    pieces_.push_back(piece);
+    return;
+  }
+  const double middle = std::midpoint(begin, end);
+  append(ruled, offset, begin, middle, extent, halvings - 1);
+  append(ruled, offset, middle, end, extent, halvings - 1);
+}
+
+void RuledImage::move_start_to_origin(double u) {
+  const Vec3 start = line_at(u).state;
+  const double turn = 0.5 * std::numbers::pi - start.z();
+  const Eigen::AngleAxisd rotation(turn, Vec3::UnitZ());
+  for (Piece& piece : pieces_) {
+    piece.state[0] -= Vec3(start.x(), start.y(), 0.0);
+    for (Vec3& c : piece.state)
+      c = rotation * c;
+    for (Vec3& c : piece.rate)
+      c = rotation * c;
+    piece.state[0].z() += turn;
+  }
+}
+
+RuledImage::Line RuledImage::line_at(double u) const {
+  const auto past = std::upper_bound(pieces_.begin() + 1, pieces_.end(), u,
+                                     [](double x, const Piece& piece) { return x < piece.begin; });
+  const Piece& piece = *(past - 1);
+  const double x = ((u - piece.begin) - (piece.end - u)) / (piece.end - piece.begin);
+  return {u, series_at(piece.state, x), series_at(piece.rate, x)};
+}
+
+Vec2 RuledImage::develop(const Vec2& uv) const {
+  const Line line = line_at(uv.x());
+  return line.state.head<2>() + uv.y() * direction(line.state.z());
+}
+
+Eigen::Matrix2d RuledImage::jacobian(const Vec2& uv) const {
+  const Line line = line_at(uv.x());
+  const double psi = line.state.z();
+  Eigen::Matrix2d result;
+  result.col(0) = line.rate.head<2>() - uv.y() * line.rate.z() * across(psi);
+  result.col(1) = direction(psi);
+  return result;
+}
+
+Vec2 RuledImage::fold(const Vec2& p) const {
+  const auto passing_of = [&](const Line& line) -> Passing {
+    const double psi = line.state.z();
+    const Vec2 w = p - line.state.head<2>();
+    const double speed =
+        line.rate.head<2>().dot(across(psi)) - w.dot(direction(psi)) * line.rate.z();
+    return {line.u, -w.dot(across(psi)), speed};
+  };
+  const auto v_at = [&](double u) {
+    const Line line = line_at(u);
+    return (p - line.state.head<2>()).dot(direction(line.state.z()));
+  };
+  std::vector<Passing> nodes;
+  nodes.reserve(lines_.size());
+  for (const Line& line : lines_)
+    nodes.push_back(passing_of(line));
+
+  std::vector<double> us = rising_roots([&](double u) { return passing_of(line_at(u)); }, nodes);
+  if (us.empty()) {
+    const auto nearest = std::min_element(nodes.begin(), nodes.end(), [](auto& a, auto& b) {
+      return std::abs(a.value) < std::abs(b.value);
+    });
+    us.push_back(nearest->u);
+  }
+  const double u = *std::min_element(us.begin(), us.end(), [&](double a, double b) {
+    return std::abs(v_at(a)) < std::abs(v_at(b));
+  });
+  return {u, v_at(u)};
+}
+
+}  // namespace planish
