@@ -1,0 +1,126 @@
+#include <planish/geometry/fit.hpp>
+
+#include "planar.hpp"
+
+namespace planish {
+namespace {
+
+using namespace planar;
+
+constexpr std::size_t most_pieces = 4096;
+/// Halvings of one place, beyond which parameters of doubles stop being told apart.
+constexpr int most_halvings = 40;
+/// Where a Hermite piece is compared with the function. Its error behaves as t²(1−t)²(a + bt): the
+/// middle is the largest for b = 0 and 0.5 ± √5/10 for a = −b/2; the outer two see what is steeper.
+constexpr std::array<double, 5> checks{0.112, 0.276, 0.5, 0.724, 0.888};
+
+struct Knot {
+  double t = 0.0;
+  CurveSample sample;
+};
+
+struct Piece {
+  Knot from;
+  Knot to;
+  Bezier poles;
+  double deviation = 0.0;
+  int halvings = 0;
+};
+
+/// A derivative that moves the point less than this share of the size of the piece tells no
+/// direction: half the digits, as for a difference quotient.
+bool tells_direction(const Vec2& derivative, double step, double size) {
+  return (derivative * step).norm() > std::sqrt(epsilon) * size;
+}
+
+struct Fitter {
+  const CurveFunction& f;
+  double tolerance;
+
+  Knot knot(double t) const { return {t, f(t)}; }
+
+  /// Pole next to the knot `at`, on the side of the knot `other`.
+  Vec2 inner_pole(const Knot& at, const Knot& other, double size) const {
+    const double step = other.t - at.t;
+    if (tells_direction(at.sample.derivative, step, size)) {
+      return at.sample.point + at.sample.derivative * step / 3.0;
+    }
+    // The curve stops here: its direction is where it goes next.
+    const Vec2 chord = other.sample.point - at.sample.point;
+    const double nearby = std::cbrt(epsilon);
+    Vec2 ahead = f(at.t + nearby * step).point - at.sample.point;
+    if (ahead.norm() <= 64.0 * epsilon * (size + largest(at.sample.point))) ahead = chord;
+    if (ahead.isZero(0.0)) return at.sample.point;
+    return at.sample.point + ahead.normalized() * chord.norm() / 3.0;
+  }
+
+  Piece piece_between(const Knot& from, const Knot& to, int halvings) const {
+    std::array<Vec2, checks.size()> wanted;
+    Box2 box;
+    box.add(from.sample.point);
+    box.add(to.sample.point);
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+      wanted[i] = f(from.t + checks[i] * (to.t - from.t)).point;
+      box.add(wanted[i]);
+    }
+    const double size = largest(box.size());
+    Piece made{from, to, {}, 0.0, halvings};
+    made.poles = {from.sample.point, inner_pole(from, to, size), inner_pole(to, from, size), to.sample.point};
+    const CubicSpline alone{{made.poles.begin(), made.poles.end()}};
+    for (std::size_t i = 0; i < checks.size(); ++i) {
+      // The distance at equal parameters bounds the distance between the curves from above; the
+      // true one is looked for only where the bound is not enough.
+      double d = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
+      if (d > tolerance) d = nearest(alone, wanted[i]).distance;
+      made.deviation = std::max(made.deviation, d);
+    }
+    return made;
+  }
+
+  /// Knot near the middle, beside a place where f stands still: there no tangent could be shared.
+  Knot middle(const Piece& p) const {
+    const double step = p.to.t - p.from.t;
+    const double size = (p.to.sample.point - p.from.sample.point).norm();
+    for (const double share : {0.5, 0.4375, 0.5625}) {
+      const Knot k = knot(p.from.t + share * step);
+      if (tells_direction(k.sample.derivative, step, size)) return k;
+    }
+    return knot(p.from.t + 0.5 * step);
+  }
+};
+
+}  // namespace
+
+FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolerance) {
+  const Fitter fitter{f, tolerance};
+  std::vector<Piece> pieces{fitter.piece_between(fitter.knot(t0), fitter.knot(t1), 0)};
+  const auto wants_halving = [tolerance](const Piece& p) {
+    return p.deviation > tolerance && p.halvings < most_halvings;
+  };
+  // Level by level, so that the limit of pieces is shared by the whole curve.
+  while (std::any_of(pieces.begin(), pieces.end(), wants_halving) && pieces.size() < most_pieces) {
+    std::vector<Piece> finer;
+    finer.reserve(2 * pieces.size());
+    std::size_t room = most_pieces - pieces.size();
+    for (const Piece& p : pieces) {
+      if (!wants_halving(p) || room == 0) {
+        finer.push_back(p);
+        continue;
+      }
+      --room;
+      const Knot mid = fitter.middle(p);
+      finer.push_back(fitter.piece_between(p.from, mid, p.halvings + 1));
+      finer.push_back(fitter.piece_between(mid, p.to, p.halvings + 1));
+    }
+    pieces = std::move(finer);
+  }
+  FitReport report;
+  report.spline.poles.push_back(pieces.front().poles[0]);
+  for (const Piece& p : pieces) {
+    report.spline.poles.insert(report.spline.poles.end(), p.poles.begin() + 1, p.poles.end());
+    report.deviation = std::max(report.deviation, p.deviation);
+  }
+  return report;
+}
+
+}  // namespace planish
