@@ -1,0 +1,203 @@
+#include <optional>
+#include <planish/geometry/fit.hpp>
+
+#include "planar.hpp"
+#include "recognition.hpp"
+
+namespace planish {
+namespace {
+
+using namespace planar;
+
+/// A joint of pieces that turns by more (about 0.06°) is a corner to be kept, less is what fitting
+/// leaves at the joints of a smooth curve.
+constexpr double corner = 1e-3;
+/// An arc that turns by less is given as its chord: the tangent is off by half of this, and a
+/// radius 10⁵ times the length leaves eleven digits to its ends.
+constexpr double flat = 1e-5;
+/// Comparisons along a biarc: its distance from the curve has about four extremes.
+constexpr int comparisons = 32;
+
+/// A part of the spline in its own parameter: piece number plus parameter in the piece.
+struct Part {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+struct BiarcChain {
+  const CubicSpline& spline;
+  double tolerance;
+  std::vector<Curve2> made{};
+
+  Vec2 point(double x) const {
+    const auto [i, t] = local(x);
+    return bezier_point(piece(spline, i), t);
+  }
+
+  std::pair<std::size_t, double> local(double x) const {
+    const std::size_t i = std::min(static_cast<std::size_t>(x), piece_count(spline) - 1);
+    return {i, x - static_cast<double>(i)};
+  }
+
+  /// Tangent just after x (`ahead` > 0) or just before it: where the curve stops, the way it goes
+  /// on there.
+  Vec2 tangent(double x, double ahead) const {
+    auto [i, t] = local(x);
+    if (ahead < 0.0 && t == 0.0 && i > 0) {
+      --i;
+      t = 1.0;
+    }
+    const Bezier b = piece(spline, i);
+    const double size = (b[1] - b[0]).norm() + (b[2] - b[1]).norm() + (b[3] - b[2]).norm();
+    const Vec2 first = bezier_derivative(b, t);
+    if (first.norm() > std::sqrt(epsilon) * size) return first.normalized();
+    const Vec2 second = ahead * bezier_second(b, t);
+    if (second.norm() > std::sqrt(epsilon) * size) return second.normalized();
+    const Vec2 third = b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0];
+    return third.isZero(0.0) ? Vec2(Vec2::UnitX()) : third.normalized();
+  }
+
+  /// The part with one piece per piece of the spline, for measuring distances to it.
+  CubicSpline cut(const Part& part) const {
+    const double n = static_cast<double>(piece_count(spline));
+    return std::get<CubicSpline>(trimmed(spline, part.from / n, part.to / n));
+  }
+
+  /// Arc from a to b that leaves a along `tangent`, or its chord if it is nearly straight.
+  static Curve2 arc_leaving(const Vec2& a, const Vec2& along, const Vec2& b) {
+    const double sweep = 2.0 * turn(along, b - a);
+    if (std::abs(sweep) < flat) return Segment{a, b};
+    return arc_between(a, b, sweep);
+  }
+
+  /// Two arcs with the tangents of the part at its ends and a common one where they meet, at equal
+  /// distances along the end tangents. None where those tangents point apart.
+  std::optional<std::array<Curve2, 2>> biarc(const Part& part) const {
+    const Vec2 a = point(part.from);
+    const Vec2 b = point(part.to);
+    const Vec2 ta = tangent(part.from, 1.0);
+    const Vec2 tb = tangent(part.to, -1.0);
+    const Vec2 v = b - a;
+    const double forward = v.dot(ta + tb);
+    const double square = v.squaredNorm();
+    if (!(forward > 0.0) || v.dot(ta) <= 0.0 || v.dot(tb) <= 0.0) return std::nullopt;
+    const double d = square / (forward + std::sqrt(forward * forward + (ta - tb).squaredNorm() * square));
+    const Vec2 joint = 0.5 * ((a + d * ta) + (b - d * tb));
+    const Curve2 second = reversed(arc_leaving(b, -tb, joint));
+    return std::array<Curve2, 2>{arc_leaving(a, ta, joint), second};
+  }
+
+  bool close(const std::array<Curve2, 2>& arcs, const Part& part) const {
+    const double allowed = between_stations * tolerance;
+    const double pieces = std::ceil(part.to) - std::floor(part.from);
+    const int n = comparisons * std::max(1, static_cast<int>(pieces / 4.0));
+    for (int k = 1; k < n; ++k) {
+      const Vec2 p = point(part.from + (part.to - part.from) * k / n);
+      if (std::min(nearest(arcs[0], p).distance, nearest(arcs[1], p).distance) > allowed) return false;
+    }
+    const CubicSpline alone = cut(part);
+    for (const Curve2& arc : arcs) {
+      for (int k = 1; k <= comparisons / 4; ++k) {
+        const Vec2 p = point_at(arc, k / (comparisons / 4.0));
+        if (nearest(alone, p).distance > allowed) return false;
+      }
+    }
+    return true;
+  }
+
+  std::optional<std::array<Curve2, 2>> fitting(const Part& part) const {
+    auto arcs = biarc(part);
+    if (arcs && !close(*arcs, part)) arcs.reset();
+    return arcs;
+  }
+
+  void add(const Curve2& curve) {
+    if (length(curve) > 0.0) made.push_back(curve);
+  }
+
+  /// Longest biarcs first to last. The next step starts from the last one's length; three halvings
+  /// place its end within an eighth.
+  void follow(const Part& whole) {
+    double x = whole.from;
+    double step = whole.to - whole.from;
+    while (x < whole.to) {
+      const auto [reached, arcs] = longest(x, step, whole.to);
+      if (arcs && std::any_of(arcs->begin(), arcs->end(),
+                              [](const Curve2& c) { return std::holds_alternative<Arc>(c); })) {
+        add((*arcs)[0]);
+        add((*arcs)[1]);
+      } else {
+        add(Segment{point(x), point(reached)});
+      }
+      step = std::max(reached - x, 4.0 * epsilon * whole.to);
+      x = reached;
+    }
+  }
+
+  std::pair<double, std::optional<std::array<Curve2, 2>>> longest(double x, double step, double end) const {
+    double good = x;
+    double bad = std::numeric_limits<double>::infinity();
+    std::optional<std::array<Curve2, 2>> best;
+    int refinements = 0;
+    while (good < end && refinements < 4) {
+      double next = best ? (std::isinf(bad) ? x + 2.0 * (good - x) : 0.5 * (good + bad)) : x + step;
+      next = std::min(next, end);
+      if (auto arcs = fitting({x, next})) {
+        good = next;
+        best = std::move(arcs);
+      } else {
+        bad = next;
+        step *= 0.5;
+        // Shorter than the tolerance, or than parameters can tell: a chord will do.
+        if (!best && (short_part(x, next) || x + step <= x)) return {next, std::nullopt};
+      }
+      if (best && !std::isinf(bad)) ++refinements;
+    }
+    return {good, best};
+  }
+
+  bool short_part(double from, double to) const {
+    const double size = length(cut({from, to}));
+    return size <= tolerance || size <= 64.0 * epsilon * largest(point(from));
+  }
+};
+
+/// Joints where the spline turns a corner, with both ends.
+std::vector<std::size_t> corners(const CubicSpline& spline) {
+  const BiarcChain chain{spline, 0.0};
+  const std::size_t n = piece_count(spline);
+  std::vector<std::size_t> found{0};
+  for (std::size_t i = 1; i < n; ++i) {
+    const double x = static_cast<double>(i);
+    if (std::abs(turn(chain.tangent(x, -1.0), chain.tangent(x, 1.0))) > corner) found.push_back(i);
+  }
+  found.push_back(n);
+  return found;
+}
+
+}  // namespace
+
+std::vector<Curve2> to_arcs(const Curve2& curve, double tolerance) {
+  PLANISH_ASSERT(tolerance > 0.0);
+  const CubicSpline* spline = std::get_if<CubicSpline>(&curve);
+  if (!spline) return {curve};
+  std::vector<Curve2> made;
+  const std::vector<std::size_t> ends = corners(*spline);
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const auto first = spline->poles.begin() + static_cast<std::ptrdiff_t>(3 * ends[k - 1]);
+    const auto last = spline->poles.begin() + static_cast<std::ptrdiff_t>(3 * ends[k] + 1);
+    const CubicSpline smooth{{first, last}};
+    const Curve2 simple = recognized(smooth, tolerance);
+    if (!std::holds_alternative<CubicSpline>(simple)) {
+      if (length(simple) > 0.0) made.push_back(simple);
+      continue;
+    }
+    BiarcChain chain{smooth, tolerance};
+    chain.follow({0.0, static_cast<double>(piece_count(smooth))});
+    made.insert(made.end(), chain.made.begin(), chain.made.end());
+  }
+  if (made.empty()) made.push_back(Segment{start_of(curve), end_of(curve)});
+  return made;
+}
+
+}  // namespace planish

@@ -1,0 +1,288 @@
+#include <numbers>
+#include <optional>
+#include <planish/geometry/fit.hpp>
+
+#include "planar.hpp"
+#include "recognition.hpp"
+
+namespace planish {
+namespace {
+
+using namespace planar;
+constexpr double pi = std::numbers::pi;
+
+/// Grouping and absorbing are repeated while they find something; a loop of ordinary parts needs
+/// two rounds.
+constexpr int most_rounds = 8;
+
+struct Item {
+  Curve2 curve;
+  int first = 0;  // input it begins with
+};
+using Items = std::vector<Item>;
+
+enum class Kind { segment, left_arc, right_arc, spline };
+
+Kind kind_of(const Curve2& curve) {
+  if (std::holds_alternative<Segment>(curve)) return Kind::segment;
+  if (std::holds_alternative<CubicSpline>(curve)) return Kind::spline;
+  return std::get<Arc>(curve).sweep > 0.0 ? Kind::left_arc : Kind::right_arc;
+}
+bool is_arc(const Curve2& curve) { return std::holds_alternative<Arc>(curve); }
+
+/// Stations at the ends of segments and every 22.5° of arcs.
+std::vector<Station> path_along(const Items& items, std::size_t from, std::size_t to) {
+  std::vector<Station> path{{start_of(items[from].curve), 0.0}};
+  for (std::size_t i = from; i < to; ++i) {
+    const Curve2& curve = items[i].curve;
+    int n = 1;
+    if (const Arc* arc = std::get_if<Arc>(&curve)) {
+      n = std::max(2, static_cast<int>(std::ceil(std::abs(arc->sweep) * 8.0 / pi)));
+    }
+    const double weight = length(curve) / n;
+    for (int k = 1; k <= n; ++k) path.push_back({point_at(curve, k / static_cast<double>(n)), weight});
+  }
+  return path;
+}
+
+/// One curve for items [from, to), which are all of one kind.
+std::optional<Curve2> joined(const Items& items, std::size_t from, std::size_t to, double tolerance) {
+  if (to - from == 1) return items[from].curve;
+  const Kind kind = kind_of(items[from].curve);
+  if (kind == Kind::spline) return std::nullopt;
+  std::vector<Station> path = path_along(items, from, to);
+  if (kind == Kind::segment) {
+    const auto line = line_along(path, tolerance);
+    return line ? std::optional<Curve2>(*line) : std::nullopt;
+  }
+  const std::optional<Arc> arc = arc_through(path);
+  const bool same_sense = arc && kind_of(*arc) == kind;
+  if (!same_sense || !follows(path, *arc, between_stations * tolerance)) return std::nullopt;
+  return *arc;
+}
+
+/// The full circle that all items together are, if they are.
+std::optional<Arc> whole_circle(const Items& items, double tolerance) {
+  const Kind kind = kind_of(items.front().curve);
+  for (const Item& item : items) {
+    if (!is_arc(item.curve) || kind_of(item.curve) != kind) return std::nullopt;
+  }
+  std::vector<Station> path = path_along(items, 0, items.size());
+  if ((path.back().point - path.front().point).norm() > tolerance) return std::nullopt;
+  path.back().point = path.front().point;
+  std::optional<Arc> circle = arc_through(path);
+  if (!circle || kind_of(*circle) != kind) return std::nullopt;
+  // Pieces of one circle keep its centre and radius to the bit.
+  const Arc& model = std::get<Arc>(items.front().curve);
+  const double noise = same_point * size_of(path);
+  const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
+    const Arc& arc = std::get<Arc>(item.curve);
+    return largest(arc.center - model.center) <= noise && std::abs(arc.radius - model.radius) <= noise;
+  });
+  if (same) circle = Arc{model.center, model.radius, model.start, circle->sweep};
+  if (!follows(path, *circle, tolerance)) return std::nullopt;
+  return circle;
+}
+
+/// The longest group from `from` on that can be one curve, by doubling and halving its size: each
+/// item is looked at a logarithmic number of times.
+std::pair<std::size_t, Curve2> longest_group(const Items& items, std::size_t from, std::size_t end,
+                                             double tolerance) {
+  std::size_t good = 1;
+  std::size_t bad = end - from + 1;
+  Curve2 curve = items[from].curve;
+  while (bad - good > 1) {
+    const std::size_t size = bad > end - from ? std::min(2 * good, end - from) : (good + bad) / 2;
+    if (auto join = joined(items, from, from + size, tolerance)) {
+      good = size;
+      curve = std::move(*join);
+    } else {
+      bad = size;
+    }
+  }
+  return {good, std::move(curve)};
+}
+
+/// Neighbours joined, the last with the first too.
+Items grouped(const Items& items, double tolerance) {
+  if (items.size() < 2) return items;
+  if (const auto circle = whole_circle(items, tolerance)) return {{*circle, items.front().first}};
+  Items made;
+  std::vector<std::size_t> begins;
+  std::size_t run_end = 0;
+  for (std::size_t i = 0; i < items.size();) {
+    if (i == run_end) {
+      const Kind kind = kind_of(items[i].curve);
+      while (run_end < items.size() && kind_of(items[run_end].curve) == kind) ++run_end;
+    }
+    auto [size, curve] = longest_group(items, i, run_end, tolerance);
+    made.push_back({std::move(curve), items[i].first});
+    begins.push_back(i);
+    i += size;
+  }
+  if (made.size() < 3 || kind_of(made.front().curve) != kind_of(made.back().curve)) return made;
+  Items seam(items.begin() + static_cast<std::ptrdiff_t>(begins.back()), items.end());
+  seam.insert(seam.end(), items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begins[1]));
+  if (auto join = joined(seam, 0, seam.size(), tolerance)) {
+    made.front() = {std::move(*join), seam.front().first};
+    made.pop_back();
+  }
+  return made;
+}
+
+/// The curve with its ends moved to a and b. An arc keeps its middle; a spline takes the poles
+/// next to its ends along.
+Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
+  return std::visit(Overloaded{
+                        [&](const Segment&) -> Curve2 { return Segment{a, b}; },
+                        [&](const Arc& arc) -> Curve2 {
+                          const Vec2 middle = point_at(arc, 0.5);
+                          const double sweep = 2.0 * turn(middle - a, b - middle);
+                          if (std::abs(sweep) <= same_point) return Segment{a, b};
+                          return arc_between(a, b, sweep);
+                        },
+                        [&](const CubicSpline& s) -> Curve2 {
+                          CubicSpline moved = s;
+                          const std::size_t last = s.poles.size() - 1;
+                          moved.poles[1] += a - s.poles[0];
+                          moved.poles[last - 1] += b - s.poles[last];
+                          moved.poles[0] = a;
+                          moved.poles[last] = b;
+                          return moved;
+                        },
+                    },
+                    curve);
+}
+
+/// Where two curves shall meet when what lay between the end p of the one and the start q of the
+/// other is gone. Arcs stay as they are if they can: moving an end moves all of an arc.
+Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) {
+  const Vec2 p = end_of(before);
+  const Vec2 q = start_of(after);
+  if (is_arc(before) && is_arc(after)) {
+    return std::abs(std::get<Arc>(before).sweep) > std::abs(std::get<Arc>(after).sweep) ? p : q;
+  }
+  if (is_arc(before)) return p;
+  if (is_arc(after)) return q;
+  const Vec2 middle = 0.5 * (p + q);
+  const Segment* s = std::get_if<Segment>(&before);
+  const Segment* t = std::get_if<Segment>(&after);
+  if (!s || !t) return middle;
+  // Where the two lines cross, both keep their direction.
+  const Vec2 d = s->b - s->a;
+  const Vec2 e = t->b - t->a;
+  const Vec2 corner = p + cross(q - p, e) / cross(d, e) * d;
+  const bool near = (corner - p).norm() <= tolerance && (corner - q).norm() <= tolerance;
+  return near ? corner : middle;
+}
+
+/// Curves shorter than the tolerance go. Several in a row become segments as long as the tolerance
+/// until less than that is left, so that a chain of short curves is thinned and not lost.
+std::optional<Items> absorbed(const Items& items, double tolerance) {
+  const std::size_t n = items.size();
+  std::vector<char> is_short(n);
+  for (std::size_t i = 0; i < n; ++i) is_short[i] = length(items[i].curve) < tolerance;
+  const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
+  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return std::nullopt;
+  const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap round
+
+  Items kept;
+  std::vector<char> gap_after;
+  for (std::size_t k = 0; k < n;) {
+    const std::size_t i = (offset + k) % n;
+    if (!is_short[i]) {
+      kept.push_back(items[i]);
+      gap_after.push_back(0);
+      ++k;
+      continue;
+    }
+    const Vec2 anchor = start_of(items[i].curve);
+    Vec2 reached = anchor;
+    while (k < n && is_short[(offset + k) % n] && (reached - anchor).norm() < tolerance) {
+      reached = end_of(items[(offset + k) % n].curve);
+      ++k;
+    }
+    if ((reached - anchor).norm() >= tolerance) {
+      kept.push_back({Segment{anchor, reached}, items[i].first});
+      gap_after.push_back(0);
+    } else if (!kept.empty()) {
+      gap_after.back() = 1;
+    }
+  }
+
+  const std::size_t m = kept.size();
+  if (m == 1 && is_arc(kept[0].curve) && std::abs(std::get<Arc>(kept[0].curve).sweep) > pi) {
+    Arc& arc = std::get<Arc>(kept[0].curve);
+    arc.sweep = std::copysign(2.0 * pi, arc.sweep);
+    return kept;
+  }
+  const bool encloses = m > 2 || (m == 2 && kind_of(kept[0].curve) != kind_of(kept[1].curve)) ||
+                        (m == 2 && is_arc(kept[0].curve));
+  if (!encloses) return std::nullopt;  // a sliver, all of which would vanish
+  std::vector<Vec2> starts(m);
+  for (std::size_t i = 0; i < m; ++i) {
+    const std::size_t next = (i + 1) % m;
+    starts[next] = gap_after[i] ? meeting_point(kept[i].curve, kept[next].curve, tolerance)
+                                : start_of(kept[next].curve);
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    const std::size_t before = (i + m - 1) % m;
+    if (!gap_after[i] && !gap_after[before]) continue;
+    const Vec2 end = gap_after[i] ? starts[(i + 1) % m] : end_of(kept[i].curve);
+    kept[i].curve = with_ends(kept[i].curve, starts[i], end);
+  }
+  return kept;
+}
+
+/// Joints made one point: arcs say where, segments and splines follow to the bit; of two arcs that
+/// miss each other by more than rounding the first is moved.
+void snap(Items& items, double noise) {
+  const std::size_t n = items.size();
+  if (n == 1 && !std::holds_alternative<CubicSpline>(items[0].curve)) return;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Curve2& next = items[(i + 1) % n].curve;
+    if (!is_arc(items[i].curve) || !is_arc(next)) continue;
+    const Vec2 end = start_of(next);
+    if (largest(end_of(items[i].curve) - end) <= noise) continue;
+    items[i].curve = with_ends(items[i].curve, start_of(items[i].curve), end);
+  }
+  std::vector<Vec2> starts(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Curve2& before = items[(i + n - 1) % n].curve;
+    starts[i] = is_arc(before) && !is_arc(items[i].curve) ? end_of(before) : start_of(items[i].curve);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_arc(items[i].curve)) items[i].curve = with_ends(items[i].curve, starts[i], starts[(i + 1) % n]);
+  }
+}
+
+}  // namespace
+
+MergedLoop merged(const Loop& loop, double tolerance) {
+  Items items;
+  items.reserve(loop.size());
+  for (const Curve2& curve : loop) {
+    const CubicSpline* spline = std::get_if<CubicSpline>(&curve);
+    items.push_back({spline ? recognized(*spline, tolerance) : curve, static_cast<int>(items.size())});
+  }
+  std::vector<Station> joints;
+  for (const Item& item : items) joints.push_back({start_of(item.curve)});
+  const double noise = joints.empty() ? 0.0 : same_point * size_of(joints);
+  // Rounding alone must not keep a curve of no length, or two halves of a line, apart.
+  tolerance = std::max(tolerance, noise);
+  for (int round = 0; round < most_rounds && items.size() > 1; ++round) {
+    items = grouped(items, tolerance);
+    auto fewer = absorbed(items, tolerance);
+    if (!fewer) break;
+    items = std::move(*fewer);
+  }
+  if (!items.empty()) snap(items, noise);
+  MergedLoop result;
+  for (Item& item : items) {
+    result.loop.push_back(std::move(item.curve));
+    result.first_input.push_back(item.first);
+  }
+  return result;
+}
+
+}  // namespace planish

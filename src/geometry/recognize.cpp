@@ -1,0 +1,195 @@
+#include <numbers>
+#include <planish/geometry/fit.hpp>
+
+#include "recognition.hpp"
+
+namespace planish {
+namespace planar {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Circle through the first station and, by least squares, the others: |d|² = 2 v·d for d from
+/// the first station and v from there to the centre.
+std::optional<Vec2> center_through_one(const std::vector<Station>& path) {
+  const Vec2 a = path.front().point;
+  Eigen::Matrix2d m = Eigen::Matrix2d::Zero();
+  Vec2 r = Vec2::Zero();
+  for (const Station& s : path) {
+    const Vec2 d = s.point - a;
+    m += 4.0 * s.weight * d * d.transpose();
+    r += 2.0 * s.weight * d.squaredNorm() * d;
+  }
+  // Points of one line determine no circle.
+  if (m.determinant() <= same_point * m.trace() * m.trace()) return std::nullopt;
+  return Vec2(a + m.inverse() * r);
+}
+
+/// The same through both ends: the centre lies at height k over the middle of the chord, where
+/// x² + y² − h² = 2 k y for points (x, y) and half the chord h.
+std::optional<Vec2> center_through_two(const std::vector<Station>& path) {
+  const Vec2 middle = 0.5 * (path.front().point + path.back().point);
+  const Vec2 chord = path.back().point - path.front().point;
+  const double half = 0.5 * chord.norm();
+  const Vec2 normal = perpendicular(chord) / (2.0 * half);
+  double above = 0.0;
+  double below = 0.0;
+  for (const Station& s : path) {
+    const Vec2 d = s.point - middle;
+    const double y = normal.dot(d);
+    above += s.weight * y * (d.squaredNorm() - half * half);
+    below += 2.0 * s.weight * y * y;
+  }
+  if (!(below > 0.0)) return std::nullopt;
+  return Vec2(middle + above / below * normal);
+}
+
+double total_turn(const std::vector<Station>& path, const Vec2& center) {
+  double total = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    total += turn(path[i - 1].point - center, path[i].point - center);
+  }
+  return total;
+}
+
+}  // namespace
+
+double size_of(const std::vector<Station>& path) {
+  Box2 box;
+  double coordinates = 0.0;
+  for (const Station& s : path) {
+    box.add(s.point);
+    coordinates = std::max(coordinates, largest(s.point));
+  }
+  // Coordinates far from the origin carry rounding of their own.
+  return std::max(largest(box.size()), epsilon / same_point * coordinates);
+}
+
+std::optional<Segment> line_along(const std::vector<Station>& path, double tolerance) {
+  const Segment line{path.front().point, path.back().point};
+  const double size = (line.b - line.a).norm();
+  const Vec2 along = size > 0.0 ? Vec2((line.b - line.a) / size) : Vec2(Vec2::UnitX());
+  double farthest = 0.0;
+  for (const Station& s : path) {
+    const Vec2 d = s.point - line.a;
+    const double x = along.dot(d);
+    if (std::abs(cross(along, d)) > tolerance || x < farthest - tolerance || x > size + tolerance) {
+      return std::nullopt;
+    }
+    farthest = std::max(farthest, x);
+  }
+  return line;
+}
+
+std::optional<Arc> arc_through(const std::vector<Station>& path) {
+  const Vec2 a = path.front().point;
+  const Vec2 chord = path.back().point - a;
+  const bool closed = largest(chord) <= same_point * size_of(path);
+  const std::optional<Vec2> center = closed ? center_through_one(path) : center_through_two(path);
+  if (!center || !center->allFinite()) return std::nullopt;
+  const double turned = total_turn(path, *center);
+  const double sense = turned < 0.0 ? -1.0 : 1.0;
+  const Vec2 to_start = a - *center;
+  double sweep = 2.0 * pi;
+  if (!closed) {
+    // From the half chord and the height of the centre over it: exact however flat the arc.
+    const Vec2 to_middle = to_start + 0.5 * chord;
+    const double height = -cross(chord, to_middle) / chord.norm();
+    sweep = 2.0 * std::atan2(0.5 * chord.norm(), sense * height);
+  }
+  if (std::abs(turned - sense * sweep) > pi) return std::nullopt;  // goes round more than once
+  return Arc{*center, to_start.norm(), angle_of(to_start), sense * sweep};
+}
+
+bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance) {
+  const double sense = arc.sweep < 0.0 ? -1.0 : 1.0;
+  const double slack = tolerance / arc.radius;
+  double angle = 0.0;
+  double farthest = 0.0;
+  Vec2 last = path.front().point - arc.center;
+  for (const Station& s : path) {
+    const Vec2 d = s.point - arc.center;
+    if (!(std::abs(d.norm() - arc.radius) <= tolerance)) return false;
+    angle += sense * turn(last, d);
+    if (angle < farthest - slack) return false;
+    farthest = std::max(farthest, angle);
+    last = d;
+  }
+  return farthest <= std::abs(arc.sweep) + slack;
+}
+
+}  // namespace planar
+
+namespace {
+
+using namespace planar;
+
+/// Evenly spaced parameters of a piece: its distance from a circle has at most five extremes.
+constexpr int stations_per_piece = 24;
+
+/// Stations at every end, and wherever a piece turns back or is farthest out seen along `chord`:
+/// on them alone the test for a line is exact.
+std::vector<Station> extreme_stations(const CubicSpline& spline) {
+  const Vec2 chord = spline.poles.back() - spline.poles.front();
+  const Vec2 along = chord.isZero(0.0) ? Vec2(Vec2::UnitX()) : chord.stableNormalized();
+  std::vector<Station> path{{spline.poles.front()}};
+  for (std::size_t i = 0; i < piece_count(spline); ++i) {
+    const Bezier b = piece(spline, i);
+    Bezier turned;
+    for (std::size_t k = 0; k < 4; ++k) turned[k] = {along.dot(b[k] - b[0]), cross(along, b[k] - b[0])};
+    std::vector<double> at = extrema(turned, 0);
+    for (const double t : extrema(turned, 1)) at.push_back(t);
+    std::sort(at.begin(), at.end());
+    for (const double t : at) path.push_back({bezier_point(b, t)});
+    path.push_back({b[3]});
+  }
+  return path;
+}
+
+/// Where the direction from `center` stops turning: (B − c) × B' = 0, of degree five.
+std::vector<double> angular_extrema(const Bezier& b, const Vec2& center) {
+  constexpr std::array<double, 4> cubic{1.0, 3.0, 3.0, 1.0};
+  constexpr std::array<double, 3> quadratic{1.0, 2.0, 1.0};
+  constexpr std::array<double, 6> quintic{1.0, 5.0, 10.0, 10.0, 5.0, 1.0};
+  std::array<double, 6> c{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      c[i + j] += cubic[i] * quadratic[j] / quintic[i + j] * cross(b[i] - center, b[j + 1] - b[j]);
+    }
+  }
+  return roots(c);
+}
+
+/// Evenly spaced stations, and where the spline turns back round the centre (if given).
+std::vector<Station> even_stations(const CubicSpline& spline, const std::optional<Vec2>& center) {
+  std::vector<Station> path{{spline.poles.front(), 0.0}};
+  for (std::size_t i = 0; i < piece_count(spline); ++i) {
+    const Bezier b = piece(spline, i);
+    std::vector<double> at;
+    for (int k = 1; k < stations_per_piece; ++k) at.push_back(k / double{stations_per_piece});
+    if (center) {
+      for (const double t : angular_extrema(b, *center)) at.push_back(t);
+      std::sort(at.begin(), at.end());
+    }
+    for (const double t : at) {
+      const Vec2 p = bezier_point(b, t);
+      path.push_back({p, (p - path.back().point).norm()});
+    }
+    path.push_back({b[3], (b[3] - path.back().point).norm()});
+  }
+  return path;
+}
+
+}  // namespace
+
+Curve2 recognized(const CubicSpline& spline, double tolerance) {
+  if (const auto line = line_along(extreme_stations(spline), tolerance)) return *line;
+  const std::vector<Station> path = even_stations(spline, std::nullopt);
+  const double allowed = between_stations * tolerance;
+  const std::optional<Arc> arc = arc_through(path);
+  if (!arc || !follows(path, *arc, allowed)) return spline;
+  if (!follows(even_stations(spline, arc->center), *arc, allowed)) return spline;
+  return *arc;
+}
+
+}  // namespace planish

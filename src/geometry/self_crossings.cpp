@@ -1,0 +1,95 @@
+#include <planish/geometry/region.hpp>
+
+#include "planar.hpp"
+
+namespace planish {
+namespace {
+
+using namespace planar;
+
+/// Side of c on the line through a and b; 0 where rounding decides.
+int side(const Vec2& a, const Vec2& b, const Vec2& c) {
+  const double left = (b.x() - a.x()) * (c.y() - a.y());
+  const double right = (b.y() - a.y()) * (c.x() - a.x());
+  const double noise = 4.0 * epsilon * (std::abs(left) + std::abs(right));
+  if (left - right > noise) return 1;
+  return left - right < -noise ? -1 : 0;
+}
+
+/// Boxes of runs of neighbouring edges, halved down to single edges. Neighbours lie together, so
+/// that runs far apart along the ring are mostly told apart at once.
+class Runs {
+ public:
+  explicit Runs(const std::vector<Vec2>& ring) : ring_(ring), boxes_(4 * ring.size()) {
+    build(1, 0, ring.size());
+  }
+
+  std::vector<Vec2> crossings() {
+    within(1, 0, ring_.size());
+    return std::move(found_);
+  }
+
+ private:
+  const Vec2& corner(std::size_t i) const { return ring_[i < ring_.size() ? i : i - ring_.size()]; }
+
+  void build(std::size_t node, std::size_t from, std::size_t to) {
+    if (to - from == 1) {
+      boxes_[node].add(corner(from));
+      boxes_[node].add(corner(from + 1));
+      return;
+    }
+    const std::size_t mid = (from + to) / 2;
+    build(2 * node, from, mid);
+    build(2 * node + 1, mid, to);
+    boxes_[node] = boxes_[2 * node];
+    boxes_[node].add(boxes_[2 * node + 1]);
+  }
+
+  void within(std::size_t node, std::size_t from, std::size_t to) {
+    if (to - from < 2) return;
+    const std::size_t mid = (from + to) / 2;
+    within(2 * node, from, mid);
+    within(2 * node + 1, mid, to);
+    between(2 * node, from, mid, 2 * node + 1, mid, to);
+  }
+
+  void between(std::size_t a, std::size_t a0, std::size_t a1, std::size_t b, std::size_t b0, std::size_t b1) {
+    // Edges that cross properly share more than a border of their boxes, unless upright or level.
+    if ((boxes_[a].lo.array() > boxes_[b].hi.array()).any()) return;
+    if ((boxes_[b].lo.array() > boxes_[a].hi.array()).any()) return;
+    if (a1 - a0 == 1 && b1 - b0 == 1) {
+      compare(a0, b0);
+    } else if (a1 - a0 >= b1 - b0) {
+      const std::size_t mid = (a0 + a1) / 2;
+      between(2 * a, a0, mid, b, b0, b1);
+      between(2 * a + 1, mid, a1, b, b0, b1);
+    } else {
+      const std::size_t mid = (b0 + b1) / 2;
+      between(a, a0, a1, 2 * b, b0, mid);
+      between(a, a0, a1, 2 * b + 1, mid, b1);
+    }
+  }
+
+  void compare(std::size_t i, std::size_t k) {
+    const Vec2& a = corner(i);
+    const Vec2& b = corner(i + 1);
+    const Vec2& c = corner(k);
+    const Vec2& d = corner(k + 1);
+    if (side(a, b, c) * side(a, b, d) >= 0 || side(c, d, a) * side(c, d, b) >= 0) return;
+    const double t = cross(c - a, d - c) / cross(b - a, d - c);
+    found_.push_back(a + t * (b - a));
+  }
+
+  const std::vector<Vec2>& ring_;
+  std::vector<Box2> boxes_;
+  std::vector<Vec2> found_;
+};
+
+}  // namespace
+
+std::vector<Vec2> self_crossings(const std::vector<Vec2>& ring) {
+  if (ring.size() < 4) return {};
+  return Runs(ring).crossings();
+}
+
+}  // namespace planish
