@@ -2,6 +2,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/base/result.hpp>
+
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,12 +10,13 @@
 namespace planish {
 
 /// What a bend takes of the flat sheet, and where the number came from (MATH 1). Lengths in mm.
+/// Of the two readings of the deduction beyond 90° this is the one to the outer mould line (where
+/// the outside faces would meet); at 180°, where they do not, the one to the tangent plane (r + t).
 struct BendAllowance {
   double k_factor = 0.0;   ///< neutral surface at k·t from the inside face
   double allowance = 0.0;  ///< BA = α (r + k t)
-  double deduction = 0.0;  ///< BD = 2·OSSB − BA; OSSB to the outer mould line for α < π, else to the
-                           ///< tangent plane (r + t), as many shops do beyond 180°
-  std::string source;      ///< e.g. "constant", "DIN 6935", "table row 3–4 (R/T 1.5)"
+  double deduction = 0.0;  ///< BD = 2·outside_setback − BA
+  std::string source;  ///< e.g. "constant", "DIN 6935", "table steel.csv, rows 3 and 4 (R/T 1.5)"
 };
 
 struct ConstantK {
@@ -25,6 +27,7 @@ struct ConstantK {
 struct Din6935 {};
 
 /// A bend table (SHOPFLOOR, "Bend tables"): K by R/T, or K, BA or BD by radius, thickness, angle.
+/// BA and BD without angles are those of 90° bends; BD is read as `BendAllowance` says.
 struct BendTable {
   enum class Value { k_factor, allowance, deduction };
   struct Row {
@@ -42,18 +45,38 @@ struct BendTable {
 
 using AllowanceRule = std::variant<ConstantK, Din6935, BendTable>;
 
-/// Allowance of one bend. Tables are interpolated linearly and held constant outside; a table of BA
-/// or BD is turned into the K that gives it. Errors: `bad_option` when the resulting K is not
-/// finite or outside [0, 1]. The result depends on (thickness, inside radius, angle) only, so the
-/// same bend has the same K whichever side of the sheet is looked at.
-Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness, double inside_radius, Angle angle);
+/// Allowance of one bend. Every row of a table of BA or BD is the K that gives it, with the row's
+/// own radius, thickness and angle. K is interpolated linearly, between the rows of the two nearest
+/// thicknesses, in those between the two nearest angles, in those between the two nearest radii,
+/// and held constant outside; a thickness that agrees within 1e-6 needs no second one. `source`
+/// names the rows, counted from 1. Errors: `bad_option` when the thickness is not positive, radius
+/// or angle are negative, the table is empty, or the resulting K is not finite or outside [0, 1].
+/// The result depends on (thickness, inside radius, angle) only, so the same bend has the same K
+/// whichever side of the sheet is looked at.
+Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
+                                     double inside_radius, Angle angle);
 
-/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), at most 1 (MATH 1), and not below 0.
+/// OSSB = (r + t) tan(α/2) for α < 180°, r + t (to the tangent plane) from there on. What comes
+/// within 1e-6 rad of 180° counts as 180°: a hem in a CAD file is seldom closer, and the tangent
+/// has no meaning there.
+double outside_setback(double inside_radius, double thickness, Angle angle);
+
+/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (MATH 1), not below 0,
+/// which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its formula 0.9995.
 double din6935_k(double inside_radius, double thickness);
 
-/// Reads a CSV bend table. Header row names the columns, any order, case-insensitive:
-/// `r/t` or `r`,`t`, optional `angle`, and one of `k`, `ba`, `bd`. Comma or semicolon separated,
-/// `#` comments, decimal commas with semicolons. Errors: `invalid_input` with the line number.
+/// DIN 6935 compensation v, by opening angle β = 180° − α: flat length = sum of both legs,
+/// measured outside, + v. v = BA − 2 (r + t) for β ≤ 90° (legs to the tangent plane), BA −
+/// 2 (r + t) tan(α/2) above (legs to the outer mould line). From β = 165° on the standard neglects
+/// v; here the formula goes on.
+double din6935_compensation(double inside_radius, double thickness, Angle opening_angle);
+
+/// Reads a CSV bend table: one material, rows in any order. The header row names the columns, in
+/// any order and case: `r/t` or `r` and `t`, optional `angle`, and one of `k`, `ba`, `bd`. Long names
+/// ("Inside radius", "K-factor", "Bend deduction"), DIN's k, the Y-factor and opening angles are
+/// known too; columns of other names are skipped. Units may follow in brackets (mm, inch, deg, rad).
+/// Fields are separated by commas, semicolons or tabs and may be quoted; `#` starts a comment; a
+/// comma within a field is a decimal comma. Errors: `invalid_input`, `where` is name:line.
 Result<BendTable> parse_bend_table(const std::string& csv, const std::string& name);
 
 }  // namespace planish

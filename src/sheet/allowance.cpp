@@ -1,0 +1,242 @@
+#include <planish/sheet/allowance.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace planish {
+namespace {
+
+/// A K-factor and where it came from.
+struct SourcedK {
+  double k = 0.0;
+  std::string source;
+};
+
+/// The bend whose allowance is wanted.
+struct BendSize {
+  double thickness = 0.0;
+  double radius = 0.0;
+  Angle angle;
+};
+
+constexpr double kRightAngle = 90.0;  // degrees: what a BA or BD without angle is for
+
+// How far a K that was computed from BA or BD may leave [0, 1] by rounding.
+constexpr double kRounding = 1e-9;
+
+double k_of_allowance(double allowance, const BendSize& bend) {
+  return (allowance / bend.angle.radians() - bend.radius) / bend.thickness;
+}
+
+// ---- tables
+
+/// A row as a K-factor at a point of the table's up to three dimensions.
+struct TablePoint {
+  std::array<double, 3>
+      at;  // thickness, angle, radius (or R/T); 0 where the table has no such column
+  double k = 0.0;
+  int row = 0;
+};
+
+struct TableReading {
+  double k = 0.0;
+  std::set<int> rows;
+  bool beyond = false;  // outside the table in some dimension
+};
+
+double k_of_row(const BendTable& table, const BendTable::Row& row) {
+  const Angle angle = Angle::degrees(table.by_angle ? row.angle : kRightAngle);
+  const BendSize bend{row.thickness, row.radius, angle};
+  switch (table.value) {
+    case BendTable::Value::k_factor:
+      return row.value;
+    case BendTable::Value::allowance:
+      return k_of_allowance(row.value, bend);
+    case BendTable::Value::deduction: {
+      const double setback = outside_setback(row.radius, row.thickness, angle);
+      return k_of_allowance(2.0 * setback - row.value, bend);
+    }
+  }
+  return std::nan("");
+}
+
+std::vector<TablePoint> points_of(const BendTable& table) {
+  std::vector<TablePoint> points;
+  for (const BendTable::Row& row : table.rows) {
+    const double thickness = table.by_ratio ? 0.0 : row.thickness;
+    const double angle = table.by_angle ? row.angle : 0.0;
+    points.push_back({{thickness, angle, row.radius},
+                      k_of_row(table, row),
+                      static_cast<int>(points.size()) + 1});
+  }
+  return points;
+}
+
+/// The same place along one dimension: tables write 0.0598 where CAD has 0.05980001.
+bool same(double a, double b) {
+  constexpr double kRelative = 1e-6;
+  return std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
+}
+
+TableReading blended(const TableReading& low, const TableReading& high, double share) {
+  TableReading result = low;
+  result.k += share * (high.k - low.k);
+  result.rows.insert(high.rows.begin(), high.rows.end());
+  result.beyond |= high.beyond;
+  return result;
+}
+
+/// Reads the table at `at`, dimension by dimension: points that share the nearest coordinate below,
+/// and above, are read in the remaining dimensions, and the two readings blended.
+TableReading read(const std::vector<TablePoint>& points, const std::array<double, 3>& at,
+                  size_t dimension) {
+  if (dimension == at.size()) return {points.front().k, {points.front().row}, false};
+  const double x = at[dimension];
+  const auto coordinate = [&](const TablePoint& p) { return p.at[dimension]; };
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  for (const TablePoint& p : points) {
+    const double c = same(coordinate(p), x) ? x : coordinate(p);
+    if (c <= x) low = std::max(low, c);
+    if (c >= x) high = std::min(high, c);
+  }
+  const auto read_at = [&](double c) {
+    std::vector<TablePoint> there;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(there),
+                 [&](const TablePoint& p) { return same(coordinate(p), c); });
+    return read(there, at, dimension + 1);
+  };
+  if (std::isfinite(low) && std::isfinite(high)) {
+    if (low == high) return read_at(low);
+    return blended(read_at(low), read_at(high), (x - low) / (high - low));
+  }
+  TableReading reading = read_at(std::isfinite(low) ? low : high);
+  reading.beyond = true;
+  return reading;
+}
+
+std::string rows_text(const std::set<int>& rows) {
+  std::string text = rows.size() == 1 ? "row " : "rows ";
+  size_t left = rows.size();
+  for (const int row : rows) {
+    text += fmt::format("{}{}", row, left > 2 ? ", " : left == 2 ? " and " : "");
+    --left;
+  }
+  return text;
+}
+
+std::string place_text(const BendTable& table, const BendSize& bend) {
+  std::string text = table.by_ratio
+                         ? fmt::format("R/T {:.4g}", bend.radius / bend.thickness)
+                         : fmt::format("R {:.4g} mm, T {:.4g} mm", bend.radius, bend.thickness);
+  if (table.by_angle) text += fmt::format(", {:.4g}°", bend.angle.degrees());
+  return text;
+}
+
+/// Which of the two readings of BD the rows went through, empty when they do not differ.
+std::string deduction_text(const BendTable& table, const std::set<int>& rows) {
+  if (table.value != BendTable::Value::deduction || !table.by_angle) return {};
+  double largest = 0.0;
+  for (const int row : rows)
+    largest = std::max(largest, table.rows[static_cast<size_t>(row) - 1].angle);
+  if (largest <= kRightAngle) return {};
+  return largest < 180.0 ? "; BD to the outer mould line" : "; BD from 180° to the tangent plane";
+}
+
+Result<SourcedK> k_of(const BendTable& table, const BendSize& bend) {
+  const std::string name = table.name.empty() ? "bend table" : "table " + table.name;
+  if (table.rows.empty())
+    return fail(ErrorCode::bad_option, fmt::format("The {} has no rows.", name), table.name);
+  if (table.by_ratio && table.value != BendTable::Value::k_factor) {
+    return fail(
+        ErrorCode::bad_option,
+        fmt::format("The {} gives lengths by R/T, which has no unit; give R and T instead.", name),
+        table.name);
+  }
+  const double radius = table.by_ratio ? bend.radius / bend.thickness : bend.radius;
+  const double thickness = table.by_ratio ? 0.0 : bend.thickness;
+  const TableReading reading =
+      read(points_of(table), {thickness, table.by_angle ? bend.angle.degrees() : 0.0, radius}, 0);
+  return SourcedK{reading.k, fmt::format("{}, {} ({}{}){}", name, rows_text(reading.rows),
+                                         place_text(table, bend),
+                                         reading.beyond ? ", held constant beyond the table" : "",
+                                         deduction_text(table, reading.rows))};
+}
+
+// ---- the other rules
+
+Result<SourcedK> k_of(const ConstantK& rule, const BendSize&) {
+  return SourcedK{rule.k, rule.source};
+}
+
+Result<SourcedK> k_of(const Din6935&, const BendSize& bend) {
+  const double k = din6935_k(bend.radius, bend.thickness) / 2.0;
+  return SourcedK{k, k > 0.0 ? "DIN 6935" : "DIN 6935 (k held at 0, R/T is below 0.05)"};
+}
+
+tl::unexpected<Error> bad_size(const char* what, double value, const char* unit) {
+  return fail(ErrorCode::bad_option, fmt::format("A bend's {}; it is {} {}.", what, value, unit));
+}
+
+}  // namespace
+
+Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
+                                     double inside_radius, Angle angle) {
+  // Negated comparisons, so that NaN is refused as well.
+  if (!(thickness > 0.0 && std::isfinite(thickness)))
+    return bad_size("thickness must be positive", thickness, "mm");
+  if (!(inside_radius >= 0.0 && std::isfinite(inside_radius)))
+    return bad_size("inside radius must not be negative", inside_radius, "mm");
+  if (!(angle.radians() >= 0.0 && std::isfinite(angle.radians())))
+    return bad_size("angle must not be negative", angle.degrees(), "°");
+
+  const BendSize bend{thickness, inside_radius, angle};
+  const auto found = std::visit([&](const auto& r) { return k_of(r, bend); }, rule);
+  if (!found) return tl::unexpected(found.error());
+  if (!(found->k >= -kRounding && found->k <= 1.0 + kRounding)) {
+    return fail(
+        ErrorCode::bad_option,
+        fmt::format(
+            "K-factor {:.4g} ({}) is outside [0, 1] for a bend of inside radius {:.4g} mm, "
+            "thickness "
+            "{:.4g} mm and {:.4g}°; check the value, its units and whether it is K, BA or BD.",
+            found->k, found->source, inside_radius, thickness, angle.degrees()),
+        found->source);
+  }
+  BendAllowance result;
+  result.k_factor = std::clamp(found->k, 0.0, 1.0);
+  result.allowance = angle.radians() * (inside_radius + result.k_factor * thickness);
+  result.deduction = 2.0 * outside_setback(inside_radius, thickness, angle) - result.allowance;
+  result.source = found->source;
+  return result;
+}
+
+double outside_setback(double inside_radius, double thickness, Angle angle) {
+  constexpr double kHalfTurn = std::numbers::pi - 1e-6;
+  const double outside_radius = inside_radius + thickness;
+  return angle.radians() < kHalfTurn ? outside_radius * std::tan(angle.radians() / 2.0)
+                                     : outside_radius;
+}
+
+double din6935_k(double inside_radius, double thickness) {
+  const double ratio = inside_radius / thickness;
+  if (ratio >= 5.0) return 1.0;
+  return ratio > 0.0 ? std::max(0.0, 0.65 + 0.5 * std::log10(ratio)) : 0.0;
+}
+
+double din6935_compensation(double inside_radius, double thickness, Angle opening_angle) {
+  const Angle bend_angle = Angle::degrees(180.0) - opening_angle;
+  const double allowance = bend_angle.radians() *
+                           (inside_radius + din6935_k(inside_radius, thickness) * thickness / 2.0);
+  const double setback = bend_angle >= Angle::degrees(kRightAngle)
+                             ? inside_radius + thickness
+                             : outside_setback(inside_radius, thickness, bend_angle);
+  return allowance - 2.0 * setback;
+}
+
+}  // namespace planish

@@ -1,0 +1,165 @@
+#include "bend_table_columns.hpp"
+#include "csv.hpp"
+
+#include <planish/sheet/allowance.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace planish {
+namespace {
+
+/// Reads a number; a comma alone is a decimal comma.
+std::optional<double> number(std::string text) {
+  if (text.find('.') == std::string::npos && std::count(text.begin(), text.end(), ',') == 1)
+    text[text.find(',')] = '.';
+  const char* first = text.data();
+  const char* last = first + text.size();
+  if (first != last && *first == '+') ++first;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (error != std::errc() || end != last || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+/// Why a value cannot be, empty when it can.
+std::string_view objection(Column column, double value) {
+  switch (column) {
+    case Column::ratio:
+      return value < 0.0 ? "R/T must not be negative" : "";
+    case Column::radius:
+      return value < 0.0 ? "R must not be negative" : "";
+    case Column::thickness:
+      return value <= 0.0 ? "T must be positive" : "";
+    case Column::angle:
+      return value <= 0.0 || value >= 360.0 ? "the bend angle must lie between 0 and 360 degrees"
+                                            : "";
+    case Column::k:
+      return value < 0.0 || value > 1.0 ? "K must lie between 0 and 1" : "";
+    case Column::allowance:
+      return value < 0.0 ? "BA must not be negative" : "";
+    case Column::deduction:
+      return "";
+  }
+  return "";
+}
+
+Result<double> cell_value(const CsvRecord& record, const Heading& heading,
+                          const std::string& name) {
+  const std::string_view column = kColumnNames[static_cast<size_t>(heading.column)];
+  if (heading.field >= record.fields.size() || record.fields[heading.field].empty())
+    return tl::unexpected(
+        table_error(name, record.line, fmt::format("the value of {} is missing", column)));
+  const std::string& text = record.fields[heading.field];
+  const auto read = number(text);
+  if (!read) {
+    return tl::unexpected(table_error(
+        name, record.line,
+        fmt::format("\"{}\" in column {} is not a number; write 1.5 or 1,5, units belong "
+                    "in the header",
+                    text, column)));
+  }
+  const double value = heading.shift + heading.scale * *read;
+  if (const std::string_view why = objection(heading.column, value); !why.empty())
+    return tl::unexpected(
+        table_error(name, record.line, fmt::format("{}, but \"{}\" is given", why, text)));
+  return value;
+}
+
+Result<BendTable::Row> parse_row(const TableShape& shape, const CsvRecord& record,
+                                 const std::string& name) {
+  BendTable::Row row;
+  const auto into = [&](Column column, double BendTable::Row::*member) -> std::optional<Error> {
+    if (!shape.has(column)) return std::nullopt;
+    const auto value = cell_value(record, shape.at(column), name);
+    if (!value) return value.error();
+    row.*member = *value;
+    return std::nullopt;
+  };
+  if (auto error = into(shape.by_ratio() ? Column::ratio : Column::radius, &BendTable::Row::radius))
+    return tl::unexpected(*error);
+  if (auto error = into(Column::thickness, &BendTable::Row::thickness))
+    return tl::unexpected(*error);
+  if (auto error = into(Column::angle, &BendTable::Row::angle)) return tl::unexpected(*error);
+  if (auto error = into(shape.value(), &BendTable::Row::value)) return tl::unexpected(*error);
+  return row;
+}
+
+/// More fields than headings is how unquoted decimal commas show in comma-separated files.
+std::optional<Error> too_many_fields(const CsvRecord& header, const CsvRecord& record,
+                                     const std::string& name) {
+  size_t used = record.fields.size();
+  while (used > 0 && record.fields[used - 1].empty())
+    --used;
+  if (used <= header.fields.size()) return std::nullopt;
+  return table_error(
+      name, record.line,
+      fmt::format(
+          "{} fields, but the header names {}; if commas are decimal, separate the fields by "
+          "semicolons",
+          used, header.fields.size()));
+}
+
+/// Two rows for one bend: usually two materials in one file.
+std::optional<Error> contradiction(const BendTable& table, const std::vector<int>& lines) {
+  const auto key = [](const BendTable::Row& r) {
+    return std::array{r.thickness, r.angle, r.radius};
+  };
+  std::vector<size_t> order(table.rows.size());
+  for (size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](size_t a, size_t b) { return key(table.rows[a]) < key(table.rows[b]); });
+  for (size_t i = 0; i + 1 < order.size(); ++i) {
+    const BendTable::Row& a = table.rows[order[i]];
+    const BendTable::Row& b = table.rows[order[i + 1]];
+    if (key(a) != key(b) || a.value == b.value) continue;
+    return table_error(
+        table.name, lines[order[i + 1]],
+        fmt::format(
+            "the same bend as on line {} with another value ({} and {}); a table is for one "
+            "material, keep one of the rows",
+            lines[order[i]], a.value, b.value));
+  }
+  return std::nullopt;
+}
+
+BendTable::Value value_of(Column column) {
+  if (column == Column::k) return BendTable::Value::k_factor;
+  return column == Column::allowance ? BendTable::Value::allowance : BendTable::Value::deduction;
+}
+
+}  // namespace
+
+Result<BendTable> parse_bend_table(const std::string& csv, const std::string& name) {
+  const auto records = split_csv(csv, name);
+  if (!records) return tl::unexpected(records.error());
+  if (records->empty())
+    return fail(ErrorCode::invalid_input,
+                "The bend table is empty; it needs a header row such as \"R/T,K\".", name);
+  const CsvRecord& header = records->front();
+  const auto shape = TableShape::from(header, name);
+  if (!shape) return tl::unexpected(shape.error());
+
+  BendTable table{value_of(shape->value()), shape->by_ratio(), shape->has(Column::angle), {}, name};
+  std::vector<int> lines;
+  for (auto record = records->begin() + 1; record != records->end(); ++record) {
+    if (auto error = too_many_fields(header, *record, name)) return tl::unexpected(*error);
+    const auto row = parse_row(*shape, *record, name);
+    if (!row) return tl::unexpected(row.error());
+    table.rows.push_back(*row);
+    lines.push_back(record->line);
+  }
+  if (table.rows.empty())
+    return tl::unexpected(
+        table_error(name, header.line, "the header is followed by no rows; add at least one"));
+  if (auto error = contradiction(table, lines)) return tl::unexpected(*error);
+  return table;
+}
+
+}  // namespace planish

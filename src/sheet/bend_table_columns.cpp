@@ -1,0 +1,206 @@
+#include "bend_table_columns.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+/// How a header may spell a column: lower case, nothing but letters, digits and '/'. Values are
+/// turned into the column's own by `shift` + `scale` · value.
+struct Spelling {
+  std::string_view text;
+  Column column;
+  double scale = 1.0;
+  double shift = 0.0;
+};
+
+constexpr double kDinToK = 0.5;                   // DIN's k refers to T/2
+constexpr double kYToK = 2.0 / std::numbers::pi;  // K = 2 Y / π
+constexpr std::array kSpellings{
+    Spelling{"r/t", Column::ratio},
+    Spelling{"ri/t", Column::ratio},
+    Spelling{"r/s", Column::ratio},
+    Spelling{"radius/thickness", Column::ratio},
+    Spelling{"rtratio", Column::ratio},
+    Spelling{"r/tratio", Column::ratio},
+    Spelling{"ratio", Column::ratio},
+    Spelling{"r", Column::radius},
+    Spelling{"ri", Column::radius},
+    Spelling{"ir", Column::radius},
+    Spelling{"radius", Column::radius},
+    Spelling{"insideradius", Column::radius},
+    Spelling{"innerradius", Column::radius},
+    Spelling{"bendradius", Column::radius},
+    Spelling{"insidebendradius", Column::radius},
+    Spelling{"innerbendradius", Column::radius},
+    Spelling{"t", Column::thickness},
+    Spelling{"s", Column::thickness},
+    Spelling{"thickness", Column::thickness},
+    Spelling{"sheetthickness", Column::thickness},
+    Spelling{"materialthickness", Column::thickness},
+    Spelling{"angle", Column::angle},
+    Spelling{"bendangle", Column::angle},
+    Spelling{"alpha", Column::angle},
+    Spelling{"a", Column::angle},
+    Spelling{"openingangle", Column::angle, -1.0, 180.0},
+    Spelling{"includedangle", Column::angle, -1.0, 180.0},
+    Spelling{"k", Column::k},
+    Spelling{"kfactor", Column::k},
+    Spelling{"kvalue", Column::k},
+    Spelling{"dink", Column::k, kDinToK},
+    Spelling{"kdin", Column::k, kDinToK},
+    Spelling{"y", Column::k, kYToK},
+    Spelling{"yfactor", Column::k, kYToK},
+    Spelling{"ba", Column::allowance},
+    Spelling{"bendallowance", Column::allowance},
+    Spelling{"allowance", Column::allowance},
+    Spelling{"bd", Column::deduction},
+    Spelling{"benddeduction", Column::deduction},
+    Spelling{"deduction", Column::deduction},
+};
+
+struct UnitName {
+  std::string_view text;
+  bool is_angle;
+  double scale;  // to mm or degrees
+};
+
+constexpr std::array kUnits{
+    UnitName{"millimeters", false, 1.0},
+    UnitName{"millimetres", false, 1.0},
+    UnitName{"mm", false, 1.0},
+    UnitName{"inches", false, 25.4},
+    UnitName{"inch", false, 25.4},
+    UnitName{"in", false, 25.4},
+    UnitName{"\"", false, 25.4},
+    UnitName{"degrees", true, 1.0},
+    UnitName{"deg", true, 1.0},
+    UnitName{"°", true, 1.0},
+    UnitName{"\xB0", true, 1.0},  // the degree sign as Windows' own code page writes it
+    UnitName{"radians", true, 180.0 / std::numbers::pi},
+    UnitName{"rad", true, 180.0 / std::numbers::pi},
+};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+std::string squeezed(std::string_view text) {
+  std::string result = lower(text);
+  std::erase_if(result, [](char c) {
+    return !((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '/');
+  });
+  return result;
+}
+
+std::string without_blanks(std::string_view text) {
+  std::string result = lower(text);
+  std::erase(result, ' ');
+  return result;
+}
+
+const Spelling* spelling_of(std::string_view name) {
+  const auto found = std::find_if(kSpellings.begin(), kSpellings.end(),
+                                  [&](const Spelling& s) { return s.text == name; });
+  return found == kSpellings.end() ? nullptr : &*found;
+}
+
+bool has_unit(Column column, const UnitName& unit) {
+  switch (column) {
+    case Column::ratio:
+    case Column::k:
+      return false;
+    case Column::angle:
+      return unit.is_angle;
+    default:
+      return !unit.is_angle;
+  }
+}
+
+Heading heading(const Spelling& spelling, double unit_scale, size_t field) {
+  return {spelling.column, spelling.scale * unit_scale, spelling.shift, field};
+}
+
+/// The heading of one header cell; none for columns that are not ours.
+Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t field) {
+  const size_t open = cell.find_first_of("([");
+  if (const Spelling* spelling = spelling_of(squeezed(cell.substr(0, open)))) {
+    if (open == std::string::npos) return heading(*spelling, 1.0, field);
+    const std::string unit_text =
+        without_blanks(cell.substr(open + 1, cell.find_first_of(")]", open) - open - 1));
+    const bool unitless = spelling->column == Column::ratio || spelling->column == Column::k;
+    const bool remark = unitless && unit_text.find('%') == std::string::npos;  // as in "K (ANSI)"
+    if (unit_text.empty() || remark) return heading(*spelling, 1.0, field);
+    for (const UnitName& unit : kUnits)
+      if (unit.text == unit_text && has_unit(spelling->column, unit))
+        return heading(*spelling, unit.scale, field);
+    return fail(ErrorCode::invalid_input,
+                fmt::format("column \"{}\" has a unit that is not known here; lengths are in mm or "
+                            "inch, angles in deg "
+                            "or rad, R/T and K have none",
+                            cell));
+  }
+  // "R_mm", "T mm", "Angle deg": the unit without brackets.
+  const std::string whole = without_blanks(cell.substr(0, open));
+  for (const UnitName& unit : kUnits) {
+    if (!whole.ends_with(unit.text)) continue;
+    const Spelling* spelling =
+        spelling_of(squeezed(whole.substr(0, whole.size() - unit.text.size())));
+    if (spelling && has_unit(spelling->column, unit)) return heading(*spelling, unit.scale, field);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Error table_error(const std::string& name, int line, const std::string& message) {
+  return {ErrorCode::invalid_input, fmt::format("Line {}: {}.", line, message),
+          fmt::format("{}:{}", name, line)};
+}
+
+Result<TableShape> TableShape::from(const CsvRecord& header, const std::string& name) {
+  TableShape shape;
+  for (size_t i = 0; i < header.fields.size(); ++i) {
+    const auto found = parse_heading(header.fields[i], i);
+    if (!found) return tl::unexpected(table_error(name, header.line, found.error().message));
+    if (!found->has_value()) continue;
+    auto& place = shape.headings_[static_cast<size_t>((*found)->column)];
+    if (place) {
+      return tl::unexpected(
+          table_error(name, header.line,
+                      fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
+                                  header.fields[place->field], header.fields[i],
+                                  kColumnNames[static_cast<size_t>(place->column)])));
+    }
+    place = **found;
+  }
+  if (auto problem = shape.problem(header))
+    return tl::unexpected(table_error(name, header.line, *problem));
+  return shape;
+}
+
+std::optional<std::string> TableShape::problem(const CsvRecord& header) const {
+  const int values = has(Column::k) + has(Column::allowance) + has(Column::deduction);
+  if (values == 0 || (by_ratio() && !has(Column::ratio))) {
+    return fmt::format(
+        "the header must name R/T, or R and T, and one of K, BA, BD (optionally an angle); found "
+        "\"{}\"",
+        fmt::join(header.fields, "\", \""));
+  }
+  if (values > 1) return "more than one of K, BA and BD is given; keep one of them";
+  if (by_ratio() && (has(Column::radius) || has(Column::thickness)))
+    return "R/T is given together with R or T; give R/T alone, or both R and T";
+  if (by_ratio() && !has(Column::k))
+    return "BA and BD are lengths and need the columns R and T, not R/T";
+  return std::nullopt;
+}
+
+}  // namespace planish

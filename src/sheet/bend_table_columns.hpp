@@ -1,0 +1,52 @@
+#pragma once
+
+#include "csv.hpp"
+
+#include <planish/base/result.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace planish {
+
+/// What a column of a bend table can hold.
+enum class Column { ratio, radius, thickness, angle, k, allowance, deduction };
+inline constexpr size_t kColumns = 7;
+inline constexpr std::array<std::string_view, kColumns> kColumnNames{"R/T", "R",  "T", "angle",
+                                                                     "K",   "BA", "BD"};
+
+/// What a header cell says about its column: a value is shift + scale · number, in mm or degrees.
+struct Heading {
+  Column column;
+  double scale = 1.0;
+  double shift = 0.0;
+  size_t field = 0;
+};
+
+/// The error of a line of a table: `message` says what is wrong there and what to do.
+Error table_error(const std::string& name, int line, const std::string& message);
+
+/// Where the columns of a bend table are, and what kind of table they make.
+class TableShape {
+ public:
+  /// Reads the header row. Errors: `invalid_input` when it does not name a bend and one value.
+  static Result<TableShape> from(const CsvRecord& header, const std::string& name);
+
+  bool has(Column column) const { return headings_[static_cast<size_t>(column)].has_value(); }
+  const Heading& at(Column column) const { return *headings_[static_cast<size_t>(column)]; }
+  bool by_ratio() const { return !(has(Column::radius) && has(Column::thickness)); }
+  Column value() const {
+    return has(Column::k)           ? Column::k
+           : has(Column::allowance) ? Column::allowance
+                                    : Column::deduction;
+  }
+
+ private:
+  std::optional<std::string> problem(const CsvRecord& header) const;
+
+  std::array<std::optional<Heading>, kColumns> headings_;
+};
+
+}  // namespace planish

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planish {
+
+/// One record of a CSV text: trimmed fields without their quotes, and the line it begins on.
+struct CsvRecord {
+  int line = 0;
+  std::vector<std::string> fields;
+};
+
+/// Splits CSV as spreadsheets write it: a byte order mark, any kind of line end, fields quoted
+/// (doubled quotes and line ends inside), a first line "sep=;", empty lines, and comments from a
+/// `#` at the start of a field to the end of the line. The separator is the first record's: a
+/// semicolon if it has one, else a tab, else a comma. Errors: `invalid_input` with name:line.
+Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::string& name);
+
+}  // namespace planish
