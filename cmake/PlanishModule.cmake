@@ -99,7 +99,11 @@ function(planish_module name)
 
   if(PLANISH_TESTS)
     _planish_module_headers(${name} ${headers})
-    _planish_module_tests(${name} ${arg_PRIVATE_LIBS})
+    set(support "")
+    if(sheet IN_LIST arg_USES OR name STREQUAL sheet)
+      set(support planish_test_support) # made in tests/CMakeLists.txt
+    endif()
+    _planish_module_tests(${name} ${arg_PRIVATE_LIBS} ${support})
   endif()
   if(PLANISH_BENCH)
     _planish_module_bench(${name} ${arg_PRIVATE_LIBS})
@@ -119,7 +123,8 @@ function(_planish_module_headers name)
   _planish_hide_libs(${name}_headers)
 endfunction()
 
-# Tests see what the module's sources see, tests/ itself (`#include "support/..."`), and
+# Tests see what the module's sources see, tests/ itself (`#include "support/..."`; what has sources
+# there uses sheet, and is linked to the tests of sheet and of those that use it), and
 #   PLANISH_SOURCE_DIR   the repository
 #   PLANISH_PYTHON       the interpreter that has the packages the tests need
 function(_planish_module_tests name)
