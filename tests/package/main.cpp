@@ -1,6 +1,7 @@
 // What the smallest user of an installed planish looks like.
-#include <cstdio>
 #include <planish/job/unfold.hpp>
+
+#include <cstdio>
 
 int main(int, char** argv) {
   planish::job::UnfoldRequest request;
