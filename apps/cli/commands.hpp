@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <string>
+
+#include "unfold_arguments.hpp"
+
+namespace planish::cli {
+
+/// `planish unfold`; returns the exit status.
+int run_unfold(const UnfoldArguments& arguments);
+
+struct InfoArguments {
+  std::string input, body;
+  std::string json;  ///< file, or "-"; empty: none
+  bool sheets = false;
+  LengthUnit units = LengthUnit::mm;
+};
+
+/// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
+/// `planish info`; returns the exit status.
+int run_info(const InfoArguments& arguments);
+
+}  // namespace planish::cli

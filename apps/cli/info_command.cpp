@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+#include <planish/job/info.hpp>
+
+#include "commands.hpp"
+#include "option_parts.hpp"
+#include "terminal.hpp"
+#include "unfold_files.hpp"
+#include "unfold_plan.hpp"
+
+namespace planish::cli {
+namespace {
+
+constexpr auto kExamples = R"(Examples:
+  planish info part.step            schema, system, unit, bodies
+  planish info part.step --sheets   and what sheet is in each body
+  planish info part.step --json -
+
+More in docs/cli.md.)";
+
+}  // namespace
+
+CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
+  CLI::App* command = app.add_subcommand("info", "say what is in a STEP file");
+  add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
+      ->required();
+  add_text(*command, "--body", arguments.body, "N|NAME", "only this body: its number or name");
+  command->add_flag("--sheets", arguments.sheets,
+                    "look for the sheet in each body: thickness, bends, faces for --root, or why "
+                    "there is none");
+  add_text(*command, "--json", arguments.json, "FILE",
+           "the same as JSON; - writes it to standard output");
+  add_units(*command, arguments.units, "unit of what is printed; default mm");
+  command->footer(kExamples);
+  return command;
+}
+
+int run_info(const InfoArguments& arguments) {
+  if (arguments.input != "-" && !arguments.json.empty()) {
+    const auto spared = spare_inputs(arguments.json, {arguments.input});
+    if (!spared) return complain(spared.error());
+  }
+  ProgressLine line(true);
+  const auto report = job::info(
+      {arguments.input, arguments.body, arguments.sheets, arguments.units}, line.progress());
+  if (!report) return complain(report.error());
+  if (const auto error = write_report(arguments.json, job::info_json(*report))) {
+    return complain(*error);
+  }
+  if (arguments.json != "-") fmt::print("{}", job::info_text(*report));
+  return 0;
+}
+
+}  // namespace planish::cli

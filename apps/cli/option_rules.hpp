@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "unfold_arguments.hpp"
+
+namespace planish::cli {
+
+/// What is wrong with options that are each right by themselves, in one sentence; none if nothing.
+std::optional<std::string> contradiction_in(const UnfoldArguments& arguments);
+
+}  // namespace planish::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <planish/job/unfold.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "unfold_plan.hpp"
+
+namespace planish::cli {
+
+/// Composes and writes the pattern of a report as `planned.targets` say and enters the names in
+/// `report.files`. Nothing is written unless all of them can be composed.
+std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& plan);
+
+/// The same for every body that has a pattern, into `plan.folder`.
+std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports, const UnfoldPlan& plan);
+
+/// Writes a report to a file, or to standard output for "-"; nothing for "".
+std::optional<Error> write_report(const std::string& json_option, const std::string& text);
+
+}  // namespace planish::cli

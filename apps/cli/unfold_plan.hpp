@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <planish/base/result.hpp>
+#include <planish/job/outputs.hpp>
+#include <planish/job/unfold.hpp>
+#include <vector>
+
+#include "unfold_arguments.hpp"
+
+namespace planish::cli {
+
+/// A pattern file to write.
+struct Target {
+  std::filesystem::path path;
+  job::OutputFormat format;
+};
+
+/// What a command line means, options checked against each other and side files read.
+struct UnfoldPlan {
+  job::UnfoldRequest request;
+  DxfOptions dxf;
+  std::vector<Target> targets;                  ///< of one body
+  std::filesystem::path folder;                 ///< of `--all`; empty: none
+  std::vector<job::OutputFormat> formats;       ///< into `folder`
+  std::vector<std::filesystem::path> inputs;    ///< files read: no output may replace them
+};
+
+/// Errors: `bad_option` for options that contradict each other and outputs that would replace an
+/// input, `cannot_read` and `invalid_input` for bend tables and rules files, `cannot_write` where an
+/// output's folder does not exist.
+Result<UnfoldPlan> planned(const UnfoldArguments& arguments);
+
+/// Whether the value of `-o` means a folder: an existing one, or a name that ends in "/".
+bool is_folder(const std::string& output);
+
+/// `bad_option` when `output` is one of `inputs`, under whatever name.
+Result<void> spare_inputs(const std::filesystem::path& output,
+                          const std::vector<std::filesystem::path>& inputs);
+
+}  // namespace planish::cli

@@ -1,0 +1,84 @@
+#include <planish/job/info.hpp>
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <planish/brep/step.hpp>
+#include <planish/geometry/curve.hpp>
+
+#include "input.hpp"
+
+namespace planish::job {
+namespace {
+
+double area_of(const Face& face) {
+  double area = 0.0;
+  for (const BorderLoop& loop : face.loops) {
+    for (const Border& border : loop) area += green_area(border.curve);
+  }
+  return area;
+}
+
+// Plane faces have (u, v) in mm, so their area is that of their loops.
+std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
+  std::vector<FlangeFaceInfo> faces;
+  for (const Face& face : sheet.faces) {
+    if (face.source_face > 0 && std::holds_alternative<Frame>(face.surface)) {
+      faces.push_back({face.source_face, area_of(face)});
+    }
+  }
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  return faces;
+}
+
+SheetInfo sheet_info(const Body& body) {
+  SheetInfo info;
+  const auto found = recognize(body);
+  if (!found) {
+    info.refusal = found.error();
+    return info;
+  }
+  info.thickness = found->sheet.thickness;
+  info.flanges = static_cast<int>(found->sheet.flanges.size());
+  info.bends = static_cast<int>(found->sheet.bends.size());
+  info.faces = flange_faces(found->sheet);
+  return info;
+}
+
+BodyInfo body_info(const Body& body, int number) {
+  BodyInfo info;
+  info.number = number;
+  info.name = body.name();
+  info.quantity = body.quantity();
+  info.faces = body.face_count();
+  info.size = body.size();
+  info.volume = body.volume();
+  return info;
+}
+
+}  // namespace
+
+Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
+  progress.at("reading", 0.0);
+  const auto file = read_input(request.input, progress);
+  if (!file) return tl::unexpected(file.error());
+  int first = 0, last = static_cast<int>(file->bodies.size());
+  if (!request.body.empty()) {
+    const auto chosen = choose_body(*file, request.body);
+    if (!chosen) return tl::unexpected(chosen.error());
+    first = *chosen;
+    last = first + 1;
+  }
+  InfoReport report{request.input.string(), file->schema, file->cad_system, file->unit, {},
+                    file->surface_bodies,   request.units};
+  for (int i = first; i < last; ++i) {
+    if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+    const Body& body = file->bodies[i];
+    progress.at(fmt::format("body {} ({})", i + 1, body.name()), double(i - first) / (last - first));
+    report.bodies.push_back(body_info(body, i + 1));
+    if (request.recognize) report.bodies.back().sheet = sheet_info(body);
+  }
+  return report;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,79 @@
+#include "input.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <iostream>
+#include <iterator>
+#include <optional>
+#include <vector>
+
+#include "units.hpp"
+
+namespace planish::job {
+namespace {
+
+constexpr int kListedBodies = 12;  // in a message; `planish info` lists all
+
+std::string body_list(const StepFile& file) {
+  std::string text;
+  const int n = static_cast<int>(file.bodies.size());
+  for (int i = 0; i < n && i < kListedBodies; ++i) {
+    const Body& body = file.bodies[i];
+    text += fmt::format("{}{} \"{}\"", i ? ", " : "", i + 1, body.name());
+    if (body.quantity() > 1) text += fmt::format(" (×{})", body.quantity());
+  }
+  if (n > kListedBodies) text += fmt::format(" and {} more (see `planish info`)", n - kListedBodies);
+  return text;
+}
+
+std::optional<int> as_number(const std::string& text) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return number;
+}
+
+std::vector<int> bodies_named(const StepFile& file, const std::string& name) {
+  std::vector<int> found;
+  for (int i = 0; i < static_cast<int>(file.bodies.size()); ++i) {
+    if (file.bodies[i].name() == name) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace
+
+Result<StepFile> read_input(const std::filesystem::path& input, const Progress& progress) {
+  if (input != "-") return read_step(input, progress);
+  std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+  return read_step_text(text, "standard input", progress);
+}
+
+Result<int> choose_body(const StepFile& file, const std::string& wanted) {
+  const int n = static_cast<int>(file.bodies.size());
+  if (wanted.empty()) {
+    if (n == 1) return 0;
+    return fail(ErrorCode::no_such_body,
+                fmt::format("the file holds {} different bodies and none is chosen: take one with "
+                            "--body N or --body NAME, or all with --all -o FOLDER/; there are {}",
+                            n, body_list(file)));
+  }
+  // A number first: a body can be called anything, but every body has a number.
+  if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {
+    return *number - 1;
+  }
+  const std::vector<int> named = bodies_named(file, wanted);
+  if (named.size() == 1) return named.front();
+  if (named.empty()) {
+    return fail(ErrorCode::no_such_body,
+                fmt::format("there is no body \"{}\"; there {} {}", wanted,
+                            n == 1 ? "is" : "are", body_list(file)));
+  }
+  return fail(ErrorCode::no_such_body,
+              fmt::format("{} bodies are named \"{}\", take one by its number; there are {}",
+                          named.size(), wanted, body_list(file)));
+}
+
+}  // namespace planish::job

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <planish/base/result.hpp>
+#include <planish/geometry/frame.hpp>
+#include <planish/job/unfold.hpp>
+#include <string>
+
+#include "units.hpp"
+
+namespace planish::job {
+
+/// Keys stay in the order in which they are written here, so equal reports are equal bytes.
+using Json = nlohmann::ordered_json;
+
+/// What JSON cannot say (NaN, infinity) is null.
+Json number_json(double value);
+Json number_json(const std::optional<double>& value);
+Json point_json(const Vec2& p, const Units& units);
+/// FORMATS, "reason"; null for none.
+Json reason_json(const std::optional<Error>& error);
+/// A whole report as FORMATS has it.
+Json report_value(const UnfoldReport& report);
+/// Text of a document, two spaces deep, ending with a line break. Bytes that are not UTF-8 (names
+/// in files can be anything) become U+FFFD.
+std::string text_of(const Json& document);
+
+}  // namespace planish::job

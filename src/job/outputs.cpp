@@ -1,0 +1,100 @@
+#include <planish/job/outputs.hpp>
+
+#include <array>
+#include <fmt/format.h>
+#include <planish/base/assert.hpp>
+#include <planish/brep/step.hpp>
+#include <set>
+
+#include "units.hpp"
+#include "utf8.hpp"
+
+namespace planish::job {
+namespace {
+
+constexpr std::size_t kLongestName = 100;  // bytes; with thickness and suffix far below any limit
+
+struct Range {
+  char32_t first, last;
+};
+
+// Letters of other scripts, by blocks: what lies outside is punctuation, symbols, signs that turn
+// the direction of writing, private use and the like.
+constexpr std::array kLetters{Range{0xC0, 0xD6},       Range{0xD8, 0xF6},     Range{0xF8, 0x1FFF},
+                              Range{0x2C00, 0x2DFF},   Range{0x3041, 0xD7FF}, Range{0xF900, 0xFDFF},
+                              Range{0x20000, 0x323AF}};
+
+bool is_ascii_letter_or_digit(char32_t c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+bool stays(char32_t c) {
+  if (c < 0x80) return is_ascii_letter_or_digit(c) || c == '-' || c == '_' || c == '.';
+  for (const Range& range : kLetters) {
+    if (c >= range.first && c <= range.last) return true;
+  }
+  return false;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string file_name(const std::string& stem, OutputFormat format) {
+  switch (format) {
+    case OutputFormat::dxf: return stem + ".dxf";
+    case OutputFormat::svg: return stem + ".svg";
+    case OutputFormat::step: break;
+  }
+  return stem + "_flat.step";
+}
+
+Result<std::string> composed(const UnfoldReport& report, OutputFormat format, const DxfOptions& dxf,
+                             const SvgOptions& svg) {
+  PLANISH_ASSERT(report.has_pattern());
+  switch (format) {
+    case OutputFormat::dxf: return dxf_text(report.flat, dxf);
+    case OutputFormat::svg: return svg_text(report.flat, svg);
+    case OutputFormat::step: break;
+  }
+  return flat_solid_step(report.flat, report.body);
+}
+
+std::string safe_name(const std::string& name) {
+  std::string safe;
+  for (const CodePoint& c : code_points(name)) {
+    const bool keep = c.valid && stays(c.value);
+    const std::string_view next = keep ? c.bytes : "_";
+    if (!keep && !safe.empty() && safe.back() == '_') continue;
+    if (safe.size() + next.size() > kLongestName) break;
+    safe += next;
+  }
+  safe.erase(0, safe.find_first_not_of(".-"));
+  safe.erase(safe.find_last_not_of("._") + 1);
+  return safe.empty() ? "body" : safe;
+}
+
+std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
+  std::vector<std::string> all;
+  std::set<std::string> taken;
+  for (const UnfoldReport& report : reports) {
+    all.emplace_back();
+    if (!report.has_pattern()) continue;
+    const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
+                                           trimmed_number(report.sheet.thickness, 3));
+    std::string stem = wanted;
+    // "a-2" may itself be a body's name, so numbers are tried until the stem is free.
+    for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {
+      stem = fmt::format("{}-{}", wanted, n);
+    }
+    all.back() = stem;
+  }
+  return all;
+}
+
+}  // namespace planish::job

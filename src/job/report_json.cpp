@@ -1,0 +1,130 @@
+#include <planish/job/unfold.hpp>
+
+#include "facts.hpp"
+#include "json_parts.hpp"
+#include "units.hpp"
+
+namespace planish::job {
+namespace {
+
+Json line_json(const Segment& line, const Units& units) {
+  return Json::array({point_json(line.a, units), point_json(line.b, units)});
+}
+
+Json sheet_json(const UnfoldReport& report, const Units& units) {
+  if (!sheet_known(report)) return nullptr;
+  const SheetSummary& sheet = report.sheet;
+  Json json;
+  json["thickness"] = number_json(units.length(sheet.thickness));
+  json["thickness_spread"] = number_json(units.length(sheet.thickness_spread));
+  json["k_factor"] = number_json(sheet.k_factor);
+  json["k_source"] = sheet.k_source.empty() ? Json(nullptr) : Json(sheet.k_source);
+  json["flanges"] = sheet.flanges;
+  json["bends"] = sheet.bends;
+  json["volume"] = number_json(units.volume(sheet.volume));
+  json["mass"] = number_json(report.mass);
+  return json;
+}
+
+Json bend_json(const FlatBend& bend, int order, const Units& units) {
+  Json json;
+  json["id"] = bend.id;
+  json["order"] = order;
+  json["kind"] = kind_name(bend.kind);
+  json["angle"] = number_json(bend.angle.degrees());
+  json["inside_radius"] = number_json(units.length(bend.inside_radius));
+  json["k_factor"] = number_json(bend.allowance.k_factor);
+  json["k_source"] = bend.allowance.source;
+  json["allowance"] = number_json(units.length(bend.allowance.allowance));
+  json["deduction"] = number_json(units.length(bend.allowance.deduction));
+  json["direction"] = direction_name(bend.direction);
+  json["length"] = number_json(units.length(bend.length));
+  const auto longest = longest_line(bend);
+  json["line"] = longest ? line_json(*longest, units) : Json::array();
+  json["lines"] = Json::array();
+  for (const Segment& line : bend.lines) json["lines"].push_back(line_json(line, units));
+  return json;
+}
+
+Json feature_json(const FlatFeature& feature, const Units& units) {
+  Box2 box;
+  for (const Loop& outline : feature.outlines) box.add(bounds(outline));
+  Json json;
+  json["kind"] = feature.kind;
+  json["at"] = box.empty() ? Json(nullptr) : point_json(0.5 * (box.lo + box.hi), units);
+  json["size"] = box.empty() ? Json(nullptr) : point_json(box.size(), units);
+  return json;
+}
+
+Json flat_json(const UnfoldReport& report, const Units& units) {
+  if (!flat_known(report)) return nullptr;
+  const FlatPattern& flat = report.flat;
+  Json json;
+  json["area"] = number_json(units.area(flat.area));
+  json["perimeter"] = number_json(units.length(flat.perimeter));
+  json["size"] = point_json(report.size, units);
+  json["openings"] = flat.openings.size();
+  json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
+  json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
+  json["bends"] = Json::array();
+  int order = 0;
+  for (const FlatBend& bend : flat.bends) json["bends"].push_back(bend_json(bend, ++order, units));
+  json["features"] = Json::array();
+  for (const FlatFeature& feature : flat.features) {
+    json["features"].push_back(feature_json(feature, units));
+  }
+  return json;
+}
+
+Json verification_json(const UnfoldReport& report, const Units& units) {
+  if (!certificate_known(report)) return nullptr;
+  const Certificate& certificate = report.certificate;
+  Json json;
+  json["volume_ratio"] = number_json(certificate.volume_ratio);
+  json["length_error"] = number_json(units.length(certificate.length_error));
+  json["refold_deviation"] = number_json(units.length(certificate.refold_deviation));
+  json["closure"] = number_json(units.length(report.flat.closure));
+  json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
+  json["places"]["length_error"] = point_json(certificate.length_error_at, units);
+  json["places"]["refold_deviation"] = point_json(certificate.refold_at, units);
+  return json;
+}
+
+Json check_json(const Finding& finding, const Units& units) {
+  Json json;
+  json["code"] = finding.code;
+  json["severity"] = severity_name(finding.severity);
+  json["message"] = finding.message;
+  json["at"] = Json::array();
+  for (const Vec2& p : finding.at) json["at"].push_back(point_json(p, units));
+  return json;
+}
+
+}  // namespace
+
+Json report_value(const UnfoldReport& report) {
+  const Units units(report.units);
+  Json json;
+  json["format"] = "planish/report";
+  json["version"] = 1;
+  json["command"] = "unfold";
+  json["input"] = report.input;
+  json["body"] = report.body;
+  json["body_number"] = report.number;
+  json["quantity"] = report.quantity;
+  json["units"] = units.name();
+  json["status"] = status_name(report.status());
+  json["reason"] = reason_json(report.refusal);
+  json["sheet"] = sheet_json(report, units);
+  json["flat"] = flat_json(report, units);
+  json["verification"] = verification_json(report, units);
+  json["checks"] = Json::array();
+  for (const Finding& finding : report.findings) json["checks"].push_back(check_json(finding, units));
+  json["notes"] = report.notes;
+  json["files"] = report.files;
+  return json;
+}
+
+std::string report_json(const UnfoldReport& report) { return text_of(report_value(report)); }
+
+}  // namespace planish::job

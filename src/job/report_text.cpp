@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <planish/job/printable.hpp>
+#include <planish/job/unfold.hpp>
+
+#include "facts.hpp"
+#include "table.hpp"
+#include "units.hpp"
+
+namespace planish::job {
+namespace {
+
+std::string title(const UnfoldReport& report) {
+  const std::filesystem::path input(report.input);
+  std::string text = report.input == "-" ? "standard input" : input.filename().string();
+  if (report.number > 1 || (!report.body.empty() && report.body != input.stem())) {
+    text += fmt::format(", body {}", report.number);
+    if (!report.body.empty()) text += fmt::format(" \"{}\"", report.body);
+  }
+  if (report.quantity > 1) text += fmt::format(" ×{}", report.quantity);
+  return printable(text);
+}
+
+std::string sheet_line(const UnfoldReport& report, const Units& units) {
+  const SheetSummary& sheet = report.sheet;
+  std::string text = fmt::format("sheet {} {} (spread {}), {}, {}",
+                                 units.short_text(sheet.thickness), units.symbol(),
+                                 units.length_text(sheet.thickness_spread),
+                                 counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
+  if (report.mass) text += fmt::format(", {:.3f} kg", *report.mass);
+  return text;
+}
+
+std::string blank_line(const UnfoldReport& report, const Units& units) {
+  const FlatPattern& flat = report.flat;
+  const auto unit = units.symbol();
+  std::string text = fmt::format(
+      "blank {} × {} {}, area {} {}², cutting length {} {} outer", units.length_text(report.size.x()),
+      units.length_text(report.size.y()), unit, units.area_text(flat.area), unit,
+      units.length_text(outer_cutting_length(flat)), unit);
+  if (!flat.openings.empty()) {
+    text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
+                        counted(static_cast<int>(flat.openings.size()), "opening"));
+  }
+  return text + "\n";
+}
+
+std::string angle_text(Angle angle) {
+  std::string text = fmt::format("{:.2f}", angle.degrees());
+  if (text.back() == '0') text.pop_back();  // a tenth is always said, a hundredth where it matters
+  return text + "°";
+}
+
+std::string bend_table(const FlatPattern& flat, const Units& units) {
+  if (flat.bends.empty()) return {};
+  using Align = Table::Align;
+  Table table({{"bend"}, {"kind"}, {"angle", Align::right}, {"radius", Align::right},
+               {"direction"}, {"K", Align::right}, {"from"}, {"allowance", Align::right},
+               {"deduction", Align::right}, {"length", Align::right}});
+  for (const FlatBend& bend : flat.bends) {
+    table.add({bend.id, std::string(kind_name(bend.kind)), angle_text(bend.angle),
+               units.length_text(bend.inside_radius), std::string(direction_name(bend.direction)),
+               fmt::format("{:.3f}", bend.allowance.k_factor), bend.allowance.source,
+               units.length_text(bend.allowance.allowance),
+               units.length_text(bend.allowance.deduction), units.length_text(bend.length)});
+  }
+  return table.text();
+}
+
+std::string residual(double mm, const Units& units) {
+  if (!std::isfinite(mm)) return "not measured";
+  return fmt::format("within {} {}", units.tiny_text(mm), units.symbol());
+}
+
+std::string certificate_line(const UnfoldReport& report, const Units& units) {
+  if (!certificate_known(report)) return {};
+  const Certificate& certificate = report.certificate;
+  const std::string volume = std::isfinite(certificate.volume_ratio)
+                                 ? fmt::format("{:.6f} (K = ½)", certificate.volume_ratio)
+                                 : std::string("not measured");
+  return fmt::format("certificate: volume {}, edge lengths {}, refold {}\n", volume,
+                     residual(certificate.length_error, units),
+                     residual(certificate.refold_deviation, units));
+}
+
+std::string place_text(const Finding& finding, const Units& units) {
+  if (finding.at.empty()) return {};
+  const Vec2& p = finding.at.front();
+  return fmt::format(" at ({}, {})", units.length_text(p.x()), units.length_text(p.y()));
+}
+
+std::string findings_text(const UnfoldReport& report, const Units& units) {
+  std::string text;
+  for (const Finding& finding : report.findings) {
+    text += fmt::format("  {} [{}]{}: {}\n", severity_name(finding.severity), finding.code,
+                        place_text(finding, units), printable(finding.message));
+  }
+  return text.empty() ? text : "findings:\n" + text;
+}
+
+std::string lines_of(const std::vector<std::string>& items, std::string_view before) {
+  std::string text;
+  for (const std::string& item : items) text += fmt::format("{}{}\n", before, printable(item));
+  return text;
+}
+
+}  // namespace
+
+std::string report_text(const UnfoldReport& report) {
+  const Units units(report.units);
+  std::string text = title(report) + ": ";
+  if (report.refusal) {
+    text += fmt::format("refused [{}]: {}\n", code_name(report.refusal->code),
+                        printable(report.refusal->message));
+    if (sheet_known(report)) text += "  " + sheet_line(report, units) + "\n";
+  } else {
+    text += sheet_line(report, units) + "\n";
+  }
+  if (flat_known(report)) {
+    text += blank_line(report, units) + bend_table(report.flat, units);
+  }
+  text += certificate_line(report, units);
+  text += findings_text(report, units);
+  text += lines_of(report.notes, "note: ");
+  text += lines_of(report.files, "wrote ");
+  return text;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,89 @@
+#include "sides.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <functional>
+#include <vector>
+
+namespace planish::job {
+namespace {
+
+using FaceTest = std::function<bool(const Face&)>;
+
+bool is_flange_face(const Face& face) { return std::holds_alternative<FlangeId>(face.part_of); }
+
+// The sheet's face that came from face `number` of the solid.
+std::optional<FaceId> face_numbered(const Sheet& sheet, int number, const FaceTest& wanted) {
+  for (std::size_t i = 0; i < sheet.faces.size(); ++i) {
+    if (sheet.faces[i].source_face == number && wanted(sheet.faces[i])) {
+      return FaceId{static_cast<int>(i)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<int> numbers(const Sheet& sheet, const FaceTest& wanted) {
+  std::vector<int> found;
+  for (const Face& face : sheet.faces) {
+    if (face.source_face > 0 && wanted(face)) found.push_back(face.source_face);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+Result<int> face_number(const std::string& text, const std::string& option,
+                        const std::string& words) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc() && stop == end) return number;
+  return fail(ErrorCode::bad_option,
+              fmt::format("{} takes {} or a face number, not \"{}\"", option, words, text), option);
+}
+
+Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& root) {
+  if (root == "largest") return std::optional<FaceId>();
+  const Result<int> number = face_number(root, "--root", "\"largest\"");
+  if (!number) return tl::unexpected(number.error());
+  const auto found = face_numbered(sheet, *number, is_flange_face);
+  if (found) return found;
+  return fail(ErrorCode::no_such_face,
+              fmt::format("face {} is no flange on the skin that is unfolded; the faces that can be "
+                          "the root are {}",
+                          *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
+              fmt::format("face {}", *number));
+}
+
+Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
+  if (up == "auto") return UpSide::automatic;
+  if (up == "reference") return UpSide::reference;
+  if (up == "other") return UpSide::other;
+  const Result<int> number = face_number(up, "--up", "\"auto\", \"reference\", \"other\"");
+  if (!number) return tl::unexpected(number.error());
+  const FaceTest any = [](const Face&) { return true; };
+  if (face_numbered(sheet, *number, any)) return UpSide::reference;
+  return fail(ErrorCode::no_such_face,
+              fmt::format("face {} is not on the reference skin; that has the faces {}, and "
+                          "\"--up other\" turns the opposite skin up",
+                          *number, fmt::join(numbers(sheet, any), ", ")),
+              fmt::format("face {}", *number));
+}
+
+}  // namespace
+
+Result<FlattenOptions> flatten_options(const Sheet& sheet, const UnfoldRequest& request) {
+  FlattenOptions options;
+  options.allowance = request.allowance;
+  const auto root = root_face(sheet, request.root);
+  if (!root) return tl::unexpected(root.error());
+  options.root = *root;
+  const auto up = up_side(sheet, request.up);
+  if (!up) return tl::unexpected(up.error());
+  options.up = *up;
+  return options;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+#include <planish/base/result.hpp>
+#include <planish/job/unfold.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/sheet.hpp>
+
+namespace planish::job {
+
+/// What `flatten` needs to know, from the words and face numbers of a request. Errors:
+/// `no_such_face` (the message lists the valid ones), `bad_option` for a word not understood.
+Result<FlattenOptions> flatten_options(const Sheet& sheet, const UnfoldRequest& request);
+
+}  // namespace planish::job

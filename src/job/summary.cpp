@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <planish/job/printable.hpp>
+#include <planish/job/unfold.hpp>
+
+#include "facts.hpp"
+#include "json_parts.hpp"
+#include "table.hpp"
+#include "units.hpp"
+
+namespace planish::job {
+namespace {
+
+int unfolded(const std::vector<UnfoldReport>& reports) {
+  return static_cast<int>(std::count_if(reports.begin(), reports.end(),
+                                        [](const auto& report) { return report.has_pattern(); }));
+}
+
+// Of all bodies together: refused only when nothing at all came of it.
+Status status_of(const std::vector<UnfoldReport>& reports) {
+  if (unfolded(reports) == 0) return Status::refused;
+  const bool clean = std::all_of(reports.begin(), reports.end(), [](const auto& report) {
+    return report.status() == Status::ok;
+  });
+  return clean ? Status::ok : Status::warning;
+}
+
+LengthUnit unit_of(const std::vector<UnfoldReport>& reports) {
+  return reports.empty() ? LengthUnit::mm : reports.front().units;
+}
+
+int pieces(const std::vector<UnfoldReport>& reports) {
+  int sum = 0;
+  for (const UnfoldReport& report : reports) sum += report.quantity;
+  return sum;
+}
+
+// RFC 4180: quoted where a separator, quote or line break would be misread.
+std::string csv_cell(const std::string& cell) {
+  if (cell.find_first_of(",;\"\r\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  return quoted + '"';
+}
+
+std::string plain(double value) { return number_json(value).is_null() ? "" : fmt::format("{}", value); }
+
+using Cells = std::vector<std::string>;
+
+std::string csv_line(const Cells& cells) {
+  std::string line;
+  for (const std::string& cell : cells) line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
+  return line + "\n";
+}
+
+Cells fields(const UnfoldReport& report) {
+  const Units units(report.units);
+  Cells cells{fmt::format("{}", report.number), report.body, fmt::format("{}", report.quantity),
+              std::string(status_name(report.status())),
+              report.refusal ? std::string(code_name(report.refusal->code)) : "",
+              report.refusal ? report.refusal->message : "", std::string(units.name())};
+  const auto add = [&cells](bool known, const std::string& cell) {
+    cells.push_back(known ? cell : "");
+  };
+  const bool sheet = sheet_known(report), flat = flat_known(report);
+  const bool certified = certificate_known(report);
+  add(sheet, plain(units.length(report.sheet.thickness)));
+  add(flat, plain(units.length(report.size.x())));
+  add(flat, plain(units.length(report.size.y())));
+  add(flat, plain(units.area(report.flat.area)));
+  add(flat, plain(units.length(outer_cutting_length(report.flat))));
+  add(flat, plain(units.length(inner_cutting_length(report.flat))));
+  add(flat, fmt::format("{}", report.flat.openings.size()));
+  add(sheet, fmt::format("{}", report.sheet.bends));
+  add(report.mass.has_value(), plain(report.mass.value_or(0.0)));
+  add(certified, plain(report.certificate.volume_ratio));
+  add(certified, plain(units.length(report.certificate.length_error)));
+  add(certified, plain(units.length(report.certificate.refold_deviation)));
+  const auto warnings = std::count_if(report.findings.begin(), report.findings.end(),
+                                      [](const auto& f) { return f.severity != Severity::info; });
+  cells.push_back(fmt::format("{}", warnings));
+  cells.push_back(fmt::format("{}", fmt::join(report.files, ";")));
+  return cells;
+}
+
+const Cells& field_names() {
+  static const Cells names{
+      "number",        "body",          "quantity",     "status",       "reason",
+      "message",       "units",         "thickness",    "length",       "width",
+      "area",          "outer_cutting", "inner_cutting", "openings",    "bends",
+      "mass",          "volume_ratio",  "length_error", "refold_deviation", "warnings",
+      "files"};
+  return names;
+}
+
+// What the last column of the terminal's table says of a body.
+std::string outcome(const UnfoldReport& report) {
+  if (!report.refusal) return fmt::format("{}", fmt::join(report.files, ", "));
+  return fmt::format("{}: {}", code_name(report.refusal->code), report.refusal->message);
+}
+
+// Thickness, blank, number of bends and certificate, as far as known.
+Cells measures(const UnfoldReport& report, const Units& units) {
+  Cells cells(6);
+  if (sheet_known(report)) {
+    cells[0] = units.short_text(report.sheet.thickness);
+    cells[2] = fmt::format("{}", report.sheet.bends);
+  }
+  if (flat_known(report)) {
+    cells[1] = fmt::format("{} × {}", units.length_text(report.size.x()),
+                           units.length_text(report.size.y()));
+  }
+  if (certificate_known(report)) {
+    const Certificate& certificate = report.certificate;
+    cells[3] = fmt::format("{:.6f}", certificate.volume_ratio);
+    cells[4] = units.tiny_text(certificate.length_error);
+    cells[5] = units.tiny_text(certificate.refold_deviation);
+  }
+  return cells;
+}
+
+std::string warnings_text(const std::vector<UnfoldReport>& reports) {
+  std::string text;
+  for (const UnfoldReport& report : reports) {
+    for (const Finding& finding : report.findings) {
+      if (finding.severity == Severity::info) continue;
+      text += fmt::format("  body {}: {} [{}]: {}\n", report.number,
+                          severity_name(finding.severity), finding.code,
+                          printable(finding.message));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary_json(const std::vector<UnfoldReport>& reports) {
+  Json json;
+  json["format"] = "planish/summary";
+  json["version"] = 1;
+  json["command"] = "unfold";
+  json["input"] = reports.empty() ? "" : reports.front().input;
+  json["units"] = Units(unit_of(reports)).name();
+  json["status"] = status_name(status_of(reports));
+  json["unfolded"] = unfolded(reports);
+  json["refused"] = static_cast<int>(reports.size()) - unfolded(reports);
+  json["pieces"] = pieces(reports);
+  json["bodies"] = Json::array();
+  for (const UnfoldReport& report : reports) json["bodies"].push_back(report_value(report));
+  return text_of(json);
+}
+
+std::string summary_csv(const std::vector<UnfoldReport>& reports) {
+  std::string text = csv_line(field_names());
+  for (const UnfoldReport& report : reports) text += csv_line(fields(report));
+  return text;
+}
+
+std::string summary_text(const std::vector<UnfoldReport>& reports) {
+  using Align = Table::Align;
+  const Units units(unit_of(reports));
+  Table table({{"no", Align::right}, {"body"}, {"quantity", Align::right}, {"status"},
+               {"thickness", Align::right}, {"blank", Align::right}, {"bends", Align::right},
+               {"volume", Align::right}, {"edges", Align::right}, {"refold", Align::right},
+               {"file or reason"}});
+  for (const UnfoldReport& report : reports) {
+    Cells cells{fmt::format("{}", report.number), report.body,
+                fmt::format("{}", report.quantity), std::string(status_name(report.status()))};
+    for (std::string& cell : measures(report, units)) cells.push_back(std::move(cell));
+    cells.push_back(outcome(report));
+    table.add(std::move(cells));
+  }
+  return fmt::format("{} of {} different bodies unfolded ({} in all), lengths in {}\n{}{}",
+                     unfolded(reports), reports.size(), counted(pieces(reports), "piece"),
+                     units.name(), table.text("  "), warnings_text(reports));
+}
+
+}  // namespace planish::job

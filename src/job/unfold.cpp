@@ -1,0 +1,114 @@
+#include <planish/job/unfold.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <fmt/format.h>
+#include <planish/brep/step.hpp>
+
+#include "input.hpp"
+
+namespace planish::job {
+namespace {
+
+struct TimedFile {
+  StepFile file;
+  double seconds = 0.0;
+};
+
+Result<TimedFile> timed_read(const UnfoldRequest& request, const Progress& progress) {
+  progress.at("reading", 0.0);
+  const auto start = std::chrono::steady_clock::now();
+  auto file = read_input(request.input, progress);
+  if (!file) return tl::unexpected(file.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return TimedFile{std::move(*file), taken.count()};
+}
+
+// The one place where a defect that shows in one body is kept from the others.
+Result<UnfoldReport> unfold_carefully(const Body& body, const UnfoldRequest& request,
+                                      const Progress& progress) {
+  try {
+    return unfold_body(body, request, progress);
+  } catch (const std::exception& defect) {
+    return fail(ErrorCode::internal, defect.what());
+  } catch (...) {
+    return fail(ErrorCode::internal, "an exception of unknown type");
+  }
+}
+
+// Progress of one body of several: its stages fill its share of the whole.
+Progress share_of(const Progress& whole, int index, int count, const std::string& name) {
+  Progress part;
+  part.cancelled = whole.cancelled;
+  part.report = [&whole, index, count, name](std::string_view stage, double share) {
+    whole.at(fmt::format("body {} of {} ({}): {}", index + 1, count, name, stage),
+             (index + share) / count);
+  };
+  return part;
+}
+
+UnfoldReport refused(const Body& body, const UnfoldRequest& request, const Error& error) {
+  UnfoldReport report = failed(request, error);
+  report.body = body.name();
+  report.quantity = body.quantity();
+  return report;
+}
+
+}  // namespace
+
+bool UnfoldReport::has_warnings() const {
+  return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+    return finding.severity != Severity::info;
+  });
+}
+
+Status UnfoldReport::status() const {
+  if (refusal) return Status::refused;
+  return has_warnings() ? Status::warning : Status::ok;
+}
+
+UnfoldReport failed(const UnfoldRequest& request, const Error& error) {
+  UnfoldReport report;
+  report.input = request.input.string();
+  report.body = request.body;
+  report.units = request.units;
+  report.refusal = error;
+  return report;
+}
+
+Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progress) {
+  const auto read = timed_read(request, progress);
+  if (!read) return tl::unexpected(read.error());
+  const auto index = choose_body(read->file, request.body);
+  if (!index) return tl::unexpected(index.error());
+  auto report = unfold_body(read->file.bodies[*index], request, progress);
+  if (!report) return report;
+  report->input = request.input.string();
+  report->number = *index + 1;
+  report->read_seconds = read->seconds;
+  return report;
+}
+
+Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
+                                             const Progress& progress) {
+  const auto read = timed_read(request, progress);
+  if (!read) return tl::unexpected(read.error());
+  std::vector<UnfoldReport> reports;
+  const int count = static_cast<int>(read->file.bodies.size());
+  for (int i = 0; i < count; ++i) {
+    const Body& body = read->file.bodies[i];
+    if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+    auto report = unfold_carefully(body, request, share_of(progress, i, count, body.name()));
+    if (!report && report.error().code == ErrorCode::cancelled) {
+      return tl::unexpected(report.error());
+    }
+    reports.push_back(report ? std::move(*report) : refused(body, request, report.error()));
+    reports.back().input = request.input.string();
+    reports.back().number = i + 1;
+    reports.back().read_seconds = read->seconds;
+  }
+  return reports;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <planish/io/flat_writers.hpp>
+#include <string>
+#include <string_view>
+
+namespace planish::job {
+
+/// Lengths of a report: from millimetres to its unit, as numbers and as text.
+class Units {
+ public:
+  explicit Units(LengthUnit unit) : unit_(unit), millimetres_(millimetres_in(unit)) {}
+
+  double length(double mm) const { return mm / millimetres_; }
+  double area(double mm2) const { return mm2 / (millimetres_ * millimetres_); }
+  double volume(double mm3) const { return mm3 / (millimetres_ * millimetres_ * millimetres_); }
+
+  std::string_view name() const;    ///< as FORMATS spells it: "mm", "inch", "m"
+  std::string_view symbol() const;  ///< as people write it: "mm", "in", "m"
+
+  /// Fixed decimals, a micrometre or finer; without the symbol.
+  std::string length_text(double mm) const;
+  std::string area_text(double mm2) const;
+  /// Trailing zeros left out: "2", "0.978".
+  std::string short_text(double mm) const;
+  /// For residuals: "1.2e-13".
+  std::string tiny_text(double mm) const;
+
+ private:
+  int decimals() const;
+
+  LengthUnit unit_;
+  double millimetres_;
+};
+
+/// Fixed decimals with the zeros at the end left out, and the point with them.
+std::string trimmed_number(double value, int decimals);
+
+/// "1 bend", "2 bends".
+std::string counted(int n, std::string_view singular);
+
+}  // namespace planish::job

@@ -1,0 +1,119 @@
+#include "verdict.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+
+#include "units.hpp"
+
+namespace planish::job {
+namespace {
+
+std::string place_text(const Vec2& p) {
+  return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
+}
+
+// "2 countersinks, 1 boss": the usual reason why flat area times thickness misses the volume.
+std::string features_text(const FlatPattern& flat) {
+  std::map<std::string, int> count;
+  for (const FlatFeature& feature : flat.features) ++count[feature.kind];
+  std::string text;
+  for (const auto& [kind, n] : count) {
+    text += fmt::format("{}{} of kind {}", text.empty() ? "" : ", ", counted(n, "feature"), kind);
+  }
+  return text;
+}
+
+std::vector<Vec2> feature_places(const FlatPattern& flat) {
+  std::vector<Vec2> places;
+  for (const FlatFeature& feature : flat.features) {
+    if (feature.outlines.empty()) continue;
+    const Box2 box = bounds(feature.outlines.front());
+    places.push_back(0.5 * (box.lo + box.hi));
+  }
+  return places;
+}
+
+Finding volume_doubt(double ratio, const FlatPattern& flat) {
+  std::string message =
+      fmt::format("flat area at K = ½ times thickness is {:.6f} of the solid's volume", ratio);
+  const std::string features = features_text(flat);
+  if (features.empty()) {
+    message += "; cut edges that are not normal to the sheet, or a missed feature, do that";
+  } else {
+    message += fmt::format("; the sheet has {}, which a flat pattern only outlines", features);
+  }
+  return {"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
+}
+
+Finding residual_doubt(const std::string& code, const std::string& what, double value, double bound,
+                       const Vec2& at) {
+  return {code, Severity::warning,
+          fmt::format("{} {:.4f} mm, more than {} mm", what, value, trimmed_number(bound, 6)),
+          {at}};
+}
+
+constexpr auto kLengthText = "an edge of the solid and its image in the pattern differ in length by";
+constexpr auto kRefoldText = "the refolded contour leaves the solid's edge by";
+
+Error wrong(const std::string& what, const Vec2& at) {
+  return {ErrorCode::pattern_wrong, what + "; the pattern cannot be trusted and is not written",
+          place_text(at)};
+}
+
+}  // namespace
+
+std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
+                            double solid_volume, const CertificateBounds& bounds) {
+  std::vector<Finding> found;
+  if (solid_volume > 0.0 &&
+      std::abs(certificate.volume_ratio - 1.0) > bounds.volume_warning) {
+    found.push_back(volume_doubt(certificate.volume_ratio, flat));
+  }
+  if (certificate.length_error > bounds.length_warning) {
+    found.push_back(residual_doubt("edge_length", kLengthText, certificate.length_error,
+                                   bounds.length_warning, certificate.length_error_at));
+  }
+  if (certificate.refold_deviation > bounds.refold_warning) {
+    found.push_back(residual_doubt("refold", kRefoldText, certificate.refold_deviation,
+                                   bounds.refold_warning, certificate.refold_at));
+  }
+  return found;
+}
+
+std::optional<Error> disbelief(const Certificate& certificate, double solid_volume,
+                               const CertificateBounds& bounds) {
+  // The negated comparison also catches a ratio that is not a number.
+  if (solid_volume > 0.0 &&
+      !(std::abs(certificate.volume_ratio - 1.0) <= bounds.volume_refusal)) {
+    return Error{ErrorCode::pattern_wrong,
+                 fmt::format("flat area at K = ½ times thickness is {:.4f} of the solid's volume "
+                             "(1 is right, {} is the most it may be off); the pattern cannot be "
+                             "trusted and is not written",
+                             certificate.volume_ratio, bounds.volume_refusal),
+                 {}};
+  }
+  if (certificate.length_error > bounds.length_refusal) {
+    return wrong(fmt::format("{} {:.3f} mm", kLengthText, certificate.length_error),
+                 certificate.length_error_at);
+  }
+  if (certificate.refold_deviation > bounds.refold_refusal) {
+    return wrong(fmt::format("{} {:.3f} mm", kRefoldText, certificate.refold_deviation),
+                 certificate.refold_at);
+  }
+  return std::nullopt;
+}
+
+std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
+  if (overlaps.empty()) return std::nullopt;
+  const Finding& first = overlaps.front();
+  std::string message = first.message;
+  if (overlaps.size() > 1) {
+    message += fmt::format(", and at {}", counted(static_cast<int>(overlaps.size()) - 1, "more place"));
+  }
+  message += "; --write-overlapping writes the pattern all the same";
+  return Error{ErrorCode::overlap, std::move(message),
+               first.at.empty() ? std::string() : place_text(first.at.front())};
+}
+
+}  // namespace planish::job
