@@ -1,8 +1,9 @@
-#include <optional>
-#include <planish/geometry/fit.hpp>
-
 #include "planar.hpp"
 #include "recognition.hpp"
+
+#include <planish/geometry/fit.hpp>
+
+#include <optional>
 
 namespace planish {
 namespace {
@@ -81,7 +82,8 @@ struct BiarcChain {
     const double forward = v.dot(ta + tb);
     const double square = v.squaredNorm();
     if (!(forward > 0.0) || v.dot(ta) <= 0.0 || v.dot(tb) <= 0.0) return std::nullopt;
-    const double d = square / (forward + std::sqrt(forward * forward + (ta - tb).squaredNorm() * square));
+    const double d =
+        square / (forward + std::sqrt(forward * forward + (ta - tb).squaredNorm() * square));
     const Vec2 joint = 0.5 * ((a + d * ta) + (b - d * tb));
     const Curve2 second = reversed(arc_leaving(b, -tb, joint));
     return std::array<Curve2, 2>{arc_leaving(a, ta, joint), second};
@@ -93,7 +95,8 @@ struct BiarcChain {
     const int n = comparisons * std::max(1, static_cast<int>(pieces / 4.0));
     for (int k = 1; k < n; ++k) {
       const Vec2 p = point(part.from + (part.to - part.from) * k / n);
-      if (std::min(nearest(arcs[0], p).distance, nearest(arcs[1], p).distance) > allowed) return false;
+      if (std::min(nearest(arcs[0], p).distance, nearest(arcs[1], p).distance) > allowed)
+        return false;
     }
     const CubicSpline alone = cut(part);
     for (const Curve2& arc : arcs) {
@@ -115,8 +118,8 @@ struct BiarcChain {
     if (length(curve) > 0.0) made.push_back(curve);
   }
 
-  /// Longest biarcs first to last. The next step starts from the last one's length; three halvings
-  /// place its end within an eighth.
+  /// Longest biarcs first to last. The next step starts from the last one's length; five halvings
+  /// place its end within a thirtieth.
   void follow(const Part& whole) {
     double x = whole.from;
     double step = whole.to - whole.from;
@@ -134,12 +137,13 @@ struct BiarcChain {
     }
   }
 
-  std::pair<double, std::optional<std::array<Curve2, 2>>> longest(double x, double step, double end) const {
+  std::pair<double, std::optional<std::array<Curve2, 2>>> longest(double x, double step,
+                                                                  double end) const {
     double good = x;
     double bad = std::numeric_limits<double>::infinity();
     std::optional<std::array<Curve2, 2>> best;
     int refinements = 0;
-    while (good < end && refinements < 4) {
+    while (good < end && refinements < 6) {
       double next = best ? (std::isinf(bad) ? x + 2.0 * (good - x) : 0.5 * (good + bad)) : x + step;
       next = std::min(next, end);
       if (auto arcs = fitting({x, next})) {

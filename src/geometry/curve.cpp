@@ -8,7 +8,9 @@ namespace {
 using namespace planar;
 constexpr double pi = std::numbers::pi;
 
-Vec2 arc_point(const Arc& arc, double angle) { return arc.center + arc.radius * direction_of(angle); }
+Vec2 arc_point(const Arc& arc, double angle) {
+  return arc.center + arc.radius * direction_of(angle);
+}
 
 std::vector<Vec2> arc_samples(const Arc& arc, double chord) {
   // A chord over the angle s misses the arc by r (1 − cos(s/2)) = 2 r sin²(s/4). Never more than a
@@ -32,7 +34,8 @@ std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
     // A chord over a parameter step h misses the curve by at most h²/8 max|B''|, and B'' is
     // largest at an end of the piece.
     const double second = std::max(bezier_second(b, 0.0).norm(), bezier_second(b, 1.0).norm());
-    const auto n = static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(second / (8.0 * chord)))));
+    const auto n =
+        static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(second / (8.0 * chord)))));
     for (std::size_t k = 1; k < n; ++k) {
       points.push_back(bezier_point(b, static_cast<double>(k) / static_cast<double>(n)));
     }
@@ -64,7 +67,8 @@ std::vector<double> arc_crossings(const Arc& arc, const Vec2& origin, const Vec2
   return found;
 }
 
-std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& origin, const Vec2& normal) {
+std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& origin,
+                                     const Vec2& normal) {
   const std::size_t n = piece_count(spline);
   std::vector<double> found;
   for (std::size_t i = 0; i < n; ++i) {
@@ -75,7 +79,8 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
       height[k] = normal.dot(b[k] - origin);
       highest = std::max(highest, std::abs(height[k]));
     }
-    if (highest <= std::max(height_noise(b[0], b[1], origin), height_noise(b[2], b[3], origin))) continue;
+    if (highest <= std::max(height_noise(b[0], b[1], origin), height_noise(b[2], b[3], origin)))
+      continue;
     for (const double root : roots(height)) {
       const double t = (static_cast<double>(i) + root) / static_cast<double>(n);
       // A crossing at a joint is the end of one piece and the start of the next.
@@ -96,11 +101,13 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
   const double from = snapped(t0);
   const double to = snapped(t1);
   const std::size_t first = std::min(static_cast<std::size_t>(from), n - 1);
-  const std::size_t last = std::max(first + 1, std::min(static_cast<std::size_t>(std::ceil(to)), n));
+  const std::size_t last =
+      std::max(first + 1, std::min(static_cast<std::size_t>(std::ceil(to)), n));
   CubicSpline part;
   for (std::size_t i = first; i < last; ++i) {
     const double base = static_cast<double>(i);
-    const Bezier b = bezier_part(piece(spline, i), std::max(0.0, from - base), std::min(1.0, to - base));
+    const Bezier b =
+        bezier_part(piece(spline, i), std::max(0.0, from - base), std::min(1.0, to - base));
     part.poles.insert(part.poles.end(), b.begin() + (part.poles.empty() ? 0 : 1), b.end());
   }
   return part;
@@ -121,17 +128,18 @@ Vec2 point_at(const Curve2& curve, double t) {
 }
 
 Vec2 derivative_at(const Curve2& curve, double t) {
-  return std::visit(Overloaded{
-                        [](const Segment& s) -> Vec2 { return s.b - s.a; },
-                        [t](const Arc& a) -> Vec2 {
-                          return a.radius * a.sweep * perpendicular(direction_of(a.start + t * a.sweep));
-                        },
-                        [t](const CubicSpline& s) -> Vec2 {
-                          const auto [i, local] = locate(s, t);
-                          return static_cast<double>(piece_count(s)) * bezier_derivative(piece(s, i), local);
-                        },
-                    },
-                    curve);
+  return std::visit(
+      Overloaded{
+          [](const Segment& s) -> Vec2 { return s.b - s.a; },
+          [t](const Arc& a) -> Vec2 {
+            return a.radius * a.sweep * perpendicular(direction_of(a.start + t * a.sweep));
+          },
+          [t](const CubicSpline& s) -> Vec2 {
+            const auto [i, local] = locate(s, t);
+            return static_cast<double>(piece_count(s)) * bezier_derivative(piece(s, i), local);
+          },
+      },
+      curve);
 }
 
 Vec2 start_of(const Curve2& curve) { return point_at(curve, 0.0); }
@@ -139,7 +147,9 @@ Vec2 end_of(const Curve2& curve) { return point_at(curve, 1.0); }
 
 Curve2 reversed(const Curve2& curve) {
   return std::visit(Overloaded{
-                        [](const Segment& s) -> Curve2 { return Segment{s.b, s.a}; },
+                        [](const Segment& s) -> Curve2 {
+                          return Segment{s.b, s.a};
+                        },
                         [](const Arc& a) -> Curve2 {
                           return Arc{a.center, a.radius, a.start + a.sweep, -a.sweep};
                         },
@@ -153,14 +163,17 @@ Curve2 reversed(const Curve2& curve) {
 Loop reversed(const Loop& loop) {
   Loop back;
   back.reserve(loop.size());
-  for (auto it = loop.rbegin(); it != loop.rend(); ++it) back.push_back(reversed(*it));
+  for (auto it = loop.rbegin(); it != loop.rend(); ++it)
+    back.push_back(reversed(*it));
   return back;
 }
 
 Curve2 transformed(const Curve2& curve, const Isometry2& motion) {
   return std::visit(
       Overloaded{
-          [&](const Segment& s) -> Curve2 { return Segment{motion * s.a, motion * s.b}; },
+          [&](const Segment& s) -> Curve2 {
+            return Segment{motion * s.a, motion * s.b};
+          },
           [&](const Arc& a) -> Curve2 {
             const double sense = motion.linear().determinant() < 0.0 ? -1.0 : 1.0;
             const Vec2 to_start = motion.linear() * direction_of(a.start);
@@ -168,7 +181,8 @@ Curve2 transformed(const Curve2& curve, const Isometry2& motion) {
           },
           [&](const CubicSpline& s) -> Curve2 {
             CubicSpline moved = s;
-            for (Vec2& pole : moved.poles) pole = motion * pole;
+            for (Vec2& pole : moved.poles)
+              pole = motion * pole;
             return moved;
           },
       },
@@ -178,14 +192,17 @@ Curve2 transformed(const Curve2& curve, const Isometry2& motion) {
 Loop transformed(const Loop& loop, const Isometry2& motion) {
   Loop moved;
   moved.reserve(loop.size());
-  for (const Curve2& curve : loop) moved.push_back(transformed(curve, motion));
+  for (const Curve2& curve : loop)
+    moved.push_back(transformed(curve, motion));
   return moved;
 }
 
 std::vector<Vec2> sampled(const Curve2& curve, double chord) {
   PLANISH_ASSERT(chord > 0.0);
   return std::visit(Overloaded{
-                        [](const Segment& s) { return std::vector<Vec2>{s.a, s.b}; },
+                        [](const Segment& s) {
+                          return std::vector<Vec2>{s.a, s.b};
+                        },
                         [chord](const Arc& a) { return arc_samples(a, chord); },
                         [chord](const CubicSpline& s) { return spline_samples(s, chord); },
                     },
@@ -220,16 +237,17 @@ std::vector<double> crossings(const Curve2& curve, const Vec2& origin, const Vec
 
 Curve2 trimmed(const Curve2& curve, double t0, double t1) {
   PLANISH_ASSERT(t0 < t1);
-  return std::visit(Overloaded{
-                        [&](const Segment& s) -> Curve2 {
-                          return Segment{point_at(s, t0), point_at(s, t1)};
-                        },
-                        [&](const Arc& a) -> Curve2 {
-                          return Arc{a.center, a.radius, a.start + t0 * a.sweep, (t1 - t0) * a.sweep};
-                        },
-                        [&](const CubicSpline& s) -> Curve2 { return trimmed_spline(s, t0, t1); },
-                    },
-                    curve);
+  return std::visit(
+      Overloaded{
+          [&](const Segment& s) -> Curve2 {
+            return Segment{point_at(s, t0), point_at(s, t1)};
+          },
+          [&](const Arc& a) -> Curve2 {
+            return Arc{a.center, a.radius, a.start + t0 * a.sweep, (t1 - t0) * a.sweep};
+          },
+          [&](const CubicSpline& s) -> Curve2 { return trimmed_spline(s, t0, t1); },
+      },
+      curve);
 }
 
 }  // namespace planish

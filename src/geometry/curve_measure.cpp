@@ -52,7 +52,8 @@ double gauss_length(const Bezier& b, double t0, double t1) {
 
 /// Halves until two halves agree with the whole. At a cusp the speed has a corner; the error there
 /// shrinks with the square of the step, so that 30 halvings reach the last bit.
-double adaptive_length(const Bezier& b, double t0, double t1, double whole, double allowed, int depth) {
+double adaptive_length(const Bezier& b, double t0, double t1, double whole, double allowed,
+                       int depth) {
   const double mid = 0.5 * (t0 + t1);
   const double left = gauss_length(b, t0, mid);
   const double right = gauss_length(b, mid, t1);
@@ -73,8 +74,8 @@ double piece_green(const Bezier& b, const Vec2& o) {
   const Vec2 p1 = b[1] - o;
   const Vec2 p2 = b[2] - o;
   const Vec2 p3 = b[3] - o;
-  return (6.0 * (cross(p0, p1) + cross(p2, p3)) + 3.0 * (cross(p0, p2) + cross(p1, p2) + cross(p1, p3)) +
-          cross(p0, p3)) /
+  return (6.0 * (cross(p0, p1) + cross(p2, p3)) +
+          3.0 * (cross(p0, p2) + cross(p1, p2) + cross(p1, p3)) + cross(p0, p3)) /
          20.0;
 }
 
@@ -90,7 +91,8 @@ double green_area_about(const Curve2& curve, const Vec2& o) {
                         },
                         [&](const CubicSpline& s) {
                           double sum = 0.0;
-                          for (std::size_t i = 0; i < piece_count(s); ++i) sum += piece_green(piece(s, i), o);
+                          for (std::size_t i = 0; i < piece_count(s); ++i)
+                            sum += piece_green(piece(s, i), o);
                           return sum;
                         },
                     },
@@ -134,7 +136,7 @@ Nearest nearest_on_arc(const Arc& arc, const Vec2& p) {
 /// Finds the point of one piece nearest to the origin of `poles`, if it beats `best`.
 struct NearestOnPiece {
   Bezier poles;  // relative to the point
-  double best;  // squared distance to beat
+  double best;   // squared distance to beat
   double t = -1.0;
 
   using Square = std::array<double, 7>;  // |B|² in Bernstein form
@@ -181,7 +183,8 @@ struct NearestOnPiece {
     // |B|² lies above its least coefficient; what is within rounding of the best is no gain.
     if (*least >= best - 8.0 * epsilon * *most) return;
     std::array<double, 6> rise{};
-    for (std::size_t i = 0; i < 6; ++i) rise[i] = c[i + 1] - c[i];
+    for (std::size_t i = 0; i < 6; ++i)
+      rise[i] = c[i + 1] - c[i];
     offer(lo);
     offer(hi);
     const int changes = sign_changes(rise);
@@ -235,7 +238,8 @@ double length(const Curve2& curve) {
                         [](const Arc& a) { return a.radius * std::abs(a.sweep); },
                         [](const CubicSpline& s) {
                           double sum = 0.0;
-                          for (std::size_t i = 0; i < piece_count(s); ++i) sum += piece_length(piece(s, i));
+                          for (std::size_t i = 0; i < piece_count(s); ++i)
+                            sum += piece_length(piece(s, i));
                           return sum;
                         },
                     },
@@ -244,7 +248,8 @@ double length(const Curve2& curve) {
 
 double length(const Loop& loop) {
   double sum = 0.0;
-  for (const Curve2& curve : loop) sum += length(curve);
+  for (const Curve2& curve : loop)
+    sum += length(curve);
   return sum;
 }
 
@@ -255,7 +260,8 @@ double signed_area(const Loop& loop) {
   // About a point of the loop: far from the origin the products would swallow a small area.
   const Vec2 o = start_of(loop.front());
   double sum = 0.0;
-  for (const Curve2& curve : loop) sum += green_area_about(curve, o);
+  for (const Curve2& curve : loop)
+    sum += green_area_about(curve, o);
   return sum;
 }
 
@@ -275,7 +281,8 @@ Box2 bounds(const Curve2& curve) {
                             const Bezier b = piece(s, i);
                             box.add(b[3]);
                             for (const int axis : {0, 1}) {
-                              for (const double t : extrema(b, axis)) box.add(bezier_point(b, t));
+                              for (const double t : extrema(b, axis))
+                                box.add(bezier_point(b, t));
                             }
                           }
                           return box;
@@ -286,7 +293,8 @@ Box2 bounds(const Curve2& curve) {
 
 Box2 bounds(const Loop& loop) {
   Box2 box;
-  for (const Curve2& curve : loop) box.add(bounds(curve));
+  for (const Curve2& curve : loop)
+    box.add(bounds(curve));
   return box;
 }
 

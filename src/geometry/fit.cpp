@@ -1,6 +1,6 @@
-#include <planish/geometry/fit.hpp>
-
 #include "planar.hpp"
+
+#include <planish/geometry/fit.hpp>
 
 namespace planish {
 namespace {
@@ -65,13 +65,19 @@ struct Fitter {
     }
     const double size = largest(box.size());
     Piece made{from, to, {}, 0.0, halvings};
-    made.poles = {from.sample.point, inner_pole(from, to, size), inner_pole(to, from, size), to.sample.point};
+    made.poles = {from.sample.point, inner_pole(from, to, size), inner_pole(to, from, size),
+                  to.sample.point};
+    // Handles longer than the chord may make a piece double back, onto points that it should have
+    // passed once.
+    const double handles =
+        (made.poles[1] - made.poles[0]).norm() + (made.poles[3] - made.poles[2]).norm();
+    const bool orderly = handles <= (made.poles[3] - made.poles[0]).norm();
     const CubicSpline alone{{made.poles.begin(), made.poles.end()}};
     for (std::size_t i = 0; i < checks.size(); ++i) {
       // The distance at equal parameters bounds the distance between the curves from above; the
       // true one is looked for only where the bound is not enough.
       double d = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
-      if (d > tolerance) d = nearest(alone, wanted[i]).distance;
+      if (d > tolerance && orderly) d = nearest(alone, wanted[i]).distance;
       made.deviation = std::max(made.deviation, d);
     }
     return made;

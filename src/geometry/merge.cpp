@@ -1,9 +1,10 @@
-#include <numbers>
-#include <optional>
-#include <planish/geometry/fit.hpp>
-
 #include "planar.hpp"
 #include "recognition.hpp"
+
+#include <planish/geometry/fit.hpp>
+
+#include <numbers>
+#include <optional>
 
 namespace planish {
 namespace {
@@ -40,24 +41,32 @@ std::vector<Station> path_along(const Items& items, std::size_t from, std::size_
       n = std::max(2, static_cast<int>(std::ceil(std::abs(arc->sweep) * 8.0 / pi)));
     }
     const double weight = length(curve) / n;
-    for (int k = 1; k <= n; ++k) path.push_back({point_at(curve, k / static_cast<double>(n)), weight});
+    for (int k = 1; k <= n; ++k)
+      path.push_back({point_at(curve, k / static_cast<double>(n)), weight});
   }
   return path;
 }
 
+/// How far joined curves may lie off the one that replaces them.
+struct Allowance {
+  double line = 0.0;
+  double circle = 0.0;
+};
+
 /// One curve for items [from, to), which are all of one kind.
-std::optional<Curve2> joined(const Items& items, std::size_t from, std::size_t to, double tolerance) {
+std::optional<Curve2> joined(const Items& items, std::size_t from, std::size_t to,
+                             const Allowance& allowance) {
   if (to - from == 1) return items[from].curve;
   const Kind kind = kind_of(items[from].curve);
   if (kind == Kind::spline) return std::nullopt;
   std::vector<Station> path = path_along(items, from, to);
   if (kind == Kind::segment) {
-    const auto line = line_along(path, tolerance);
+    const auto line = line_along(path, allowance.line);
     return line ? std::optional<Curve2>(*line) : std::nullopt;
   }
   const std::optional<Arc> arc = arc_through(path);
   const bool same_sense = arc && kind_of(*arc) == kind;
-  if (!same_sense || !follows(path, *arc, between_stations * tolerance)) return std::nullopt;
+  if (!same_sense || !follows(path, *arc, between_stations * allowance.circle)) return std::nullopt;
   return *arc;
 }
 
@@ -77,7 +86,8 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   const double noise = same_point * size_of(path);
   const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
     const Arc& arc = std::get<Arc>(item.curve);
-    return largest(arc.center - model.center) <= noise && std::abs(arc.radius - model.radius) <= noise;
+    return largest(arc.center - model.center) <= noise &&
+           std::abs(arc.radius - model.radius) <= noise;
   });
   if (same) circle = Arc{model.center, model.radius, model.start, circle->sweep};
   if (!follows(path, *circle, tolerance)) return std::nullopt;
@@ -87,13 +97,13 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
 /// The longest group from `from` on that can be one curve, by doubling and halving its size: each
 /// item is looked at a logarithmic number of times.
 std::pair<std::size_t, Curve2> longest_group(const Items& items, std::size_t from, std::size_t end,
-                                             double tolerance) {
+                                             const Allowance& allowance) {
   std::size_t good = 1;
   std::size_t bad = end - from + 1;
   Curve2 curve = items[from].curve;
   while (bad - good > 1) {
     const std::size_t size = bad > end - from ? std::min(2 * good, end - from) : (good + bad) / 2;
-    if (auto join = joined(items, from, from + size, tolerance)) {
+    if (auto join = joined(items, from, from + size, allowance)) {
       good = size;
       curve = std::move(*join);
     } else {
@@ -103,27 +113,36 @@ std::pair<std::size_t, Curve2> longest_group(const Items& items, std::size_t fro
   return {good, std::move(curve)};
 }
 
+/// Whether nothing is left that could enclose an area.
+bool vanishes(const Items& items) {
+  return items.size() < 2 || (items.size() == 2 && kind_of(items[0].curve) == Kind::segment &&
+                              kind_of(items[1].curve) == Kind::segment);
+}
+
 /// Neighbours joined, the last with the first too.
-Items grouped(const Items& items, double tolerance) {
+Items grouped(const Items& items, const Allowance& allowance) {
   if (items.size() < 2) return items;
-  if (const auto circle = whole_circle(items, tolerance)) return {{*circle, items.front().first}};
+  if (const auto circle = whole_circle(items, allowance.circle))
+    return {{*circle, items.front().first}};
   Items made;
   std::vector<std::size_t> begins;
   std::size_t run_end = 0;
   for (std::size_t i = 0; i < items.size();) {
     if (i == run_end) {
       const Kind kind = kind_of(items[i].curve);
-      while (run_end < items.size() && kind_of(items[run_end].curve) == kind) ++run_end;
+      while (run_end < items.size() && kind_of(items[run_end].curve) == kind)
+        ++run_end;
     }
-    auto [size, curve] = longest_group(items, i, run_end, tolerance);
+    auto [size, curve] = longest_group(items, i, run_end, allowance);
     made.push_back({std::move(curve), items[i].first});
     begins.push_back(i);
     i += size;
   }
+  if (vanishes(made)) return items;
   if (made.size() < 3 || kind_of(made.front().curve) != kind_of(made.back().curve)) return made;
   Items seam(items.begin() + static_cast<std::ptrdiff_t>(begins.back()), items.end());
   seam.insert(seam.end(), items.begin(), items.begin() + static_cast<std::ptrdiff_t>(begins[1]));
-  if (auto join = joined(seam, 0, seam.size(), tolerance)) {
+  if (auto join = joined(seam, 0, seam.size(), allowance)) {
     made.front() = {std::move(*join), seam.front().first};
     made.pop_back();
   }
@@ -134,7 +153,9 @@ Items grouped(const Items& items, double tolerance) {
 /// next to its ends along.
 Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
   return std::visit(Overloaded{
-                        [&](const Segment&) -> Curve2 { return Segment{a, b}; },
+                        [&](const Segment&) -> Curve2 {
+                          return Segment{a, b};
+                        },
                         [&](const Arc& arc) -> Curve2 {
                           const Vec2 middle = point_at(arc, 0.5);
                           const double sweep = 2.0 * turn(middle - a, b - middle);
@@ -181,7 +202,8 @@ Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) 
 std::optional<Items> absorbed(const Items& items, double tolerance) {
   const std::size_t n = items.size();
   std::vector<char> is_short(n);
-  for (std::size_t i = 0; i < n; ++i) is_short[i] = length(items[i].curve) < tolerance;
+  for (std::size_t i = 0; i < n; ++i)
+    is_short[i] = length(items[i].curve) < tolerance;
   const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
   if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return std::nullopt;
   const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap round
@@ -216,9 +238,7 @@ std::optional<Items> absorbed(const Items& items, double tolerance) {
     arc.sweep = std::copysign(2.0 * pi, arc.sweep);
     return kept;
   }
-  const bool encloses = m > 2 || (m == 2 && kind_of(kept[0].curve) != kind_of(kept[1].curve)) ||
-                        (m == 2 && is_arc(kept[0].curve));
-  if (!encloses) return std::nullopt;  // a sliver, all of which would vanish
+  if (vanishes(kept)) return std::nullopt;  // a sliver shall not vanish
   std::vector<Vec2> starts(m);
   for (std::size_t i = 0; i < m; ++i) {
     const std::size_t next = (i + 1) % m;
@@ -249,10 +269,12 @@ void snap(Items& items, double noise) {
   std::vector<Vec2> starts(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Curve2& before = items[(i + n - 1) % n].curve;
-    starts[i] = is_arc(before) && !is_arc(items[i].curve) ? end_of(before) : start_of(items[i].curve);
+    starts[i] =
+        is_arc(before) && !is_arc(items[i].curve) ? end_of(before) : start_of(items[i].curve);
   }
   for (std::size_t i = 0; i < n; ++i) {
-    if (!is_arc(items[i].curve)) items[i].curve = with_ends(items[i].curve, starts[i], starts[(i + 1) % n]);
+    if (!is_arc(items[i].curve))
+      items[i].curve = with_ends(items[i].curve, starts[i], starts[(i + 1) % n]);
   }
 }
 
@@ -263,18 +285,23 @@ MergedLoop merged(const Loop& loop, double tolerance) {
   items.reserve(loop.size());
   for (const Curve2& curve : loop) {
     const CubicSpline* spline = std::get_if<CubicSpline>(&curve);
-    items.push_back({spline ? recognized(*spline, tolerance) : curve, static_cast<int>(items.size())});
+    items.push_back(
+        {spline ? recognized(*spline, tolerance) : curve, static_cast<int>(items.size())});
   }
   std::vector<Station> joints;
-  for (const Item& item : items) joints.push_back({start_of(item.curve)});
+  for (const Item& item : items)
+    joints.push_back({start_of(item.curve)});
   const double noise = joints.empty() ? 0.0 : same_point * size_of(joints);
   // Rounding alone must not keep a curve of no length, or two halves of a line, apart.
   tolerance = std::max(tolerance, noise);
-  for (int round = 0; round < most_rounds && items.size() > 1; ++round) {
-    items = grouped(items, tolerance);
+  // Pieces of one line or circle first, lest short ones be lost; but a short edge that is merely
+  // within the tolerance of its neighbour's line is better absorbed, which keeps both directions.
+  items = grouped(items, {noise, tolerance});
+  for (int round = 0; round < most_rounds; ++round) {
     auto fewer = absorbed(items, tolerance);
+    if (fewer) items = std::move(*fewer);
+    items = grouped(items, {tolerance, tolerance});
     if (!fewer) break;
-    items = std::move(*fewer);
   }
   if (!items.empty()) snap(items, noise);
   MergedLoop result;

@@ -1,11 +1,12 @@
+#include "planar.hpp"
+
+#include <planish/geometry/region.hpp>
+
 #include <geos_c.h>
 
 #include <cstdarg>
 #include <memory>
 #include <numeric>
-#include <planish/geometry/region.hpp>
-
-#include "planar.hpp"
 
 namespace planish {
 namespace {
@@ -67,7 +68,8 @@ class Geos {
 
   Geometry intersection(const Geometry& a, const Geometry& b, double extent) const {
     Geometry common = own(GEOSIntersection_r(handle_, a.get(), b.get()));
-    if (!common) common = own(GEOSIntersectionPrec_r(handle_, a.get(), b.get(), rescue_grid * extent));
+    if (!common)
+      common = own(GEOSIntersectionPrec_r(handle_, a.get(), b.get(), rescue_grid * extent));
     PLANISH_ASSERT(common);
     return common;
   }
@@ -84,7 +86,8 @@ class Geos {
     for (int i = 0; i < GEOSGetNumGeometries_r(handle_, g.get()); ++i) {
       const GEOSGeometry* part = GEOSGetGeometryN_r(handle_, g.get(), i);
       // An overlay may leave points and lines too, where boundaries touch.
-      if (GEOSGeomTypeId_r(handle_, part) != GEOS_POLYGON || GEOSisEmpty_r(handle_, part) == 1) continue;
+      if (GEOSGeomTypeId_r(handle_, part) != GEOS_POLYGON || GEOSisEmpty_r(handle_, part) == 1)
+        continue;
       found.push_back(corners(GEOSGetExteriorRing_r(handle_, part)));
       for (int k = 0; k < GEOSGetNumInteriorRings_r(handle_, part); ++k) {
         found.push_back(corners(GEOSGetInteriorRingN_r(handle_, part, k)));
@@ -157,7 +160,8 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
   std::vector<Box2> boxes(polygons.size());
   Box2 all;
   for (std::size_t i = 0; i < polygons.size(); ++i) {
-    for (const Vec2& p : polygons[i].outer) boxes[i].add(p);
+    for (const Vec2& p : polygons[i].outer)
+      boxes[i].add(p);
     all.add(boxes[i]);
     boxes[i].lo.array() += clearance;
     boxes[i].hi.array() -= clearance;
@@ -178,7 +182,8 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
     const Geos::Geometry common = geos.intersection(a, b, largest(all.size()));
     const double shared = geos.area(common);
     if (!(shared > smallest_area)) continue;
-    found.push_back({static_cast<int>(first), static_cast<int>(second), shared, geos.rings(common)});
+    found.push_back(
+        {static_cast<int>(first), static_cast<int>(second), shared, geos.rings(common)});
   }
   return found;
 }

@@ -2,13 +2,14 @@
 
 // Vectors, Bézier pieces and Bernstein polynomials as the sources of geometry use them.
 
+#include <planish/base/assert.hpp>
+#include <planish/geometry/curve.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <planish/base/assert.hpp>
-#include <planish/geometry/curve.hpp>
 #include <utility>
 #include <vector>
 
@@ -67,7 +68,8 @@ template <typename T, std::size_t M>
 std::pair<std::array<T, M>, std::array<T, M>> split(std::array<T, M> c, double t) {
   std::array<T, M> left = c;
   for (std::size_t level = 1; level < M; ++level) {
-    for (std::size_t i = 0; i + level < M; ++i) c[i] = (1.0 - t) * c[i] + t * c[i + 1];
+    for (std::size_t i = 0; i + level < M; ++i)
+      c[i] = (1.0 - t) * c[i] + t * c[i + 1];
     left[level] = c[0];
   }
   return {left, c};
@@ -108,7 +110,8 @@ double single_root(const std::array<double, M>& c) {
     double slope = 0.0;
     for (std::size_t level = 1; level < M; ++level) {
       if (level == M - 1) slope = static_cast<double>(M - 1) * (work[1] - work[0]);
-      for (std::size_t i = 0; i + level < M; ++i) work[i] = (1.0 - t) * work[i] + t * work[i + 1];
+      for (std::size_t i = 0; i + level < M; ++i)
+        work[i] = (1.0 - t) * work[i] + t * work[i + 1];
     }
     const double value = work[0];
     if (value == 0.0) return t;
@@ -122,7 +125,8 @@ double single_root(const std::array<double, M>& c) {
 }
 
 template <std::size_t M>
-void add_inner_roots(const std::array<double, M>& c, double lo, double hi, std::vector<double>& out) {
+void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
+                     std::vector<double>& out) {
   const int changes = sign_changes(c);
   if (changes == 0) return;
   if (changes == 1) {

@@ -3,10 +3,10 @@
 // Whether points in order along a path lie on one line or one circle. Shared by `recognized`
 // (points of a spline) and `merged` (points of neighbouring curves).
 
+#include "planar.hpp"
+
 #include <optional>
 #include <vector>
-
-#include "planar.hpp"
 
 namespace planish::planar {
 
@@ -36,7 +36,8 @@ std::optional<Segment> line_along(const std::vector<Station>& path, double toler
 /// nothing about how well it fits; none when the stations do not determine it.
 std::optional<Arc> arc_through(const std::vector<Station>& path);
 
-/// Whether the path keeps within `tolerance` of the arc from end to end and never runs back by more.
+/// Whether the path keeps within `tolerance` of the arc from end to end and never runs back by
+/// more.
 bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance);
 
 }  // namespace planish::planar

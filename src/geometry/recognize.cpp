@@ -1,7 +1,8 @@
-#include <numbers>
+#include "recognition.hpp"
+
 #include <planish/geometry/fit.hpp>
 
-#include "recognition.hpp"
+#include <numbers>
 
 namespace planish {
 namespace planar {
@@ -136,11 +137,14 @@ std::vector<Station> extreme_stations(const CubicSpline& spline) {
   for (std::size_t i = 0; i < piece_count(spline); ++i) {
     const Bezier b = piece(spline, i);
     Bezier turned;
-    for (std::size_t k = 0; k < 4; ++k) turned[k] = {along.dot(b[k] - b[0]), cross(along, b[k] - b[0])};
+    for (std::size_t k = 0; k < 4; ++k)
+      turned[k] = {along.dot(b[k] - b[0]), cross(along, b[k] - b[0])};
     std::vector<double> at = extrema(turned, 0);
-    for (const double t : extrema(turned, 1)) at.push_back(t);
+    for (const double t : extrema(turned, 1))
+      at.push_back(t);
     std::sort(at.begin(), at.end());
-    for (const double t : at) path.push_back({bezier_point(b, t)});
+    for (const double t : at)
+      path.push_back({bezier_point(b, t)});
     path.push_back({b[3]});
   }
   return path;
@@ -166,9 +170,11 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
   for (std::size_t i = 0; i < piece_count(spline); ++i) {
     const Bezier b = piece(spline, i);
     std::vector<double> at;
-    for (int k = 1; k < stations_per_piece; ++k) at.push_back(k / double{stations_per_piece});
+    for (int k = 1; k < stations_per_piece; ++k)
+      at.push_back(k / double{stations_per_piece});
     if (center) {
-      for (const double t : angular_extrema(b, *center)) at.push_back(t);
+      for (const double t : angular_extrema(b, *center))
+        at.push_back(t);
       std::sort(at.begin(), at.end());
     }
     for (const double t : at) {

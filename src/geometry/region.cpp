@@ -1,7 +1,8 @@
-#include <numbers>
+#include "planar.hpp"
+
 #include <planish/geometry/region.hpp>
 
-#include "planar.hpp"
+#include <numbers>
 
 namespace planish {
 namespace {
@@ -11,31 +12,32 @@ constexpr double pi = std::numbers::pi;
 
 /// Parameters inside (0, 1), ascending, where a curve turns from rising to falling or back.
 std::vector<double> turning_points(const Curve2& curve) {
-  return std::visit(Overloaded{
-                        [](const Segment&) { return std::vector<double>{}; },
-                        [](const Arc& arc) {
-                          std::vector<double> found;
-                          const double lo = std::min(arc.start, arc.start + arc.sweep);
-                          const double hi = std::max(arc.start, arc.start + arc.sweep);
-                          for (double k = std::ceil(lo / pi - 0.5); (k + 0.5) * pi <= hi; k += 1.0) {
-                            found.push_back(std::clamp(((k + 0.5) * pi - arc.start) / arc.sweep, 0.0, 1.0));
-                          }
-                          std::sort(found.begin(), found.end());
-                          return found;
-                        },
-                        [](const CubicSpline& spline) {
-                          const std::size_t n = piece_count(spline);
-                          std::vector<double> found;
-                          for (std::size_t i = 0; i < n; ++i) {
-                            if (i > 0) found.push_back(static_cast<double>(i) / static_cast<double>(n));
-                            for (const double t : extrema(piece(spline, i), 1)) {
-                              found.push_back((static_cast<double>(i) + t) / static_cast<double>(n));
-                            }
-                          }
-                          return found;
-                        },
-                    },
-                    curve);
+  return std::visit(
+      Overloaded{
+          [](const Segment&) { return std::vector<double>{}; },
+          [](const Arc& arc) {
+            std::vector<double> found;
+            const double lo = std::min(arc.start, arc.start + arc.sweep);
+            const double hi = std::max(arc.start, arc.start + arc.sweep);
+            for (double k = std::ceil(lo / pi - 0.5); (k + 0.5) * pi <= hi; k += 1.0) {
+              found.push_back(std::clamp(((k + 0.5) * pi - arc.start) / arc.sweep, 0.0, 1.0));
+            }
+            std::sort(found.begin(), found.end());
+            return found;
+          },
+          [](const CubicSpline& spline) {
+            const std::size_t n = piece_count(spline);
+            std::vector<double> found;
+            for (std::size_t i = 0; i < n; ++i) {
+              if (i > 0) found.push_back(static_cast<double>(i) / static_cast<double>(n));
+              for (const double t : extrema(piece(spline, i), 1)) {
+                found.push_back((static_cast<double>(i) + t) / static_cast<double>(n));
+              }
+            }
+            return found;
+          },
+      },
+      curve);
 }
 
 /// x where the monotone part of a curve between parameters t0 and t1 passes height y.
@@ -91,7 +93,8 @@ bool encloses(const Loop& loop, const Vec2& p) {
 
 double area(const Region& region) {
   double sum = std::abs(signed_area(region.outer));
-  for (const Loop& opening : region.openings) sum -= std::abs(signed_area(opening));
+  for (const Loop& opening : region.openings)
+    sum -= std::abs(signed_area(opening));
   return sum;
 }
 
@@ -103,7 +106,8 @@ bool contains(const Region& region, const Vec2& p) {
 Polygon polygon_of(const Region& region, double chord) {
   Polygon polygon;
   polygon.outer = sampled(region.outer, chord);
-  for (const Loop& opening : region.openings) polygon.holes.push_back(sampled(opening, chord));
+  for (const Loop& opening : region.openings)
+    polygon.holes.push_back(sampled(opening, chord));
   return polygon;
 }
 
@@ -171,7 +175,8 @@ EnclosingRectangle smallest_rectangle(const std::vector<Vec2>& points) {
   const std::vector<Vec2> hull = hull_of(points);
   const std::size_t n = hull.size();
   if (n < 2) return {Vec2::Zero(), 0.0};
-  if (n == 2) return rectangle((hull[1] - hull[0]).norm(), 0.0, (hull[1] - hull[0]).stableNormalized());
+  if (n == 2)
+    return rectangle((hull[1] - hull[0]).norm(), 0.0, (hull[1] - hull[0]).stableNormalized());
 
   // A smallest rectangle has a side on an edge of the hull. The three corners farthest ahead,
   // across and behind only move on as the edges turn.

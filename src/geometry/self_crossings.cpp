@@ -1,6 +1,6 @@
-#include <planish/geometry/region.hpp>
-
 #include "planar.hpp"
+
+#include <planish/geometry/region.hpp>
 
 namespace planish {
 namespace {
@@ -53,7 +53,8 @@ class Runs {
     between(2 * node, from, mid, 2 * node + 1, mid, to);
   }
 
-  void between(std::size_t a, std::size_t a0, std::size_t a1, std::size_t b, std::size_t b0, std::size_t b1) {
+  void between(std::size_t a, std::size_t a0, std::size_t a1, std::size_t b, std::size_t b0,
+               std::size_t b1) {
     // Edges that cross properly share more than a border of their boxes, unless upright or level.
     if ((boxes_[a].lo.array() > boxes_[b].hi.array()).any()) return;
     if ((boxes_[b].lo.array() > boxes_[a].hi.array()).any()) return;
