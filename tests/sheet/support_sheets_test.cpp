@@ -51,7 +51,9 @@ void expect_joints_to_match(const Sheet& sheet) {
     EXPECT_LT((end_point(sheet, joint.a, 0) - end_point(sheet, joint.b, 1)).norm(), 1e-9);
     EXPECT_LT((end_point(sheet, joint.a, 1) - end_point(sheet, joint.b, 0)).norm(), 1e-9);
     EXPECT_EQ(border_of(sheet, joint.a).edge, border_of(sheet, joint.b).edge);
-    EXPECT_NEAR(border_of(sheet, joint.a).edge_length, border_of(sheet, joint.b).edge_length, 1e-9);
+    EXPECT_NEAR(border_of(sheet, joint.a).edge_length,
+                (end_point(sheet, joint.a, 1) - end_point(sheet, joint.a, 0)).norm(), 1e-9);
+    EXPECT_NEAR(border_of(sheet, joint.b).edge_length, border_of(sheet, joint.a).edge_length, 1e-9);
     const double turned = std::acos(
         std::clamp(end_normal(sheet, joint.a, 0).dot(end_normal(sheet, joint.b, 1)), -1.0, 1.0));
     EXPECT_NEAR(turned, joint.sharp ? sheet.bends[index_of(*joint.sharp)].angle.radians() : 0.0,
@@ -113,6 +115,8 @@ TEST(SupportSheets, WithInterruptedBendsHaveMoreJointsThanATree) {
 TEST(SupportSheets, HaveTheVolumeOfTheirClosedForm) {
   EXPECT_NEAR(l_bracket().volume, 2 * 40 * (80 + pi / 2 * 4), 1e-9);
   EXPECT_NEAR(l_bracket_down().volume, l_bracket().volume, 1e-9);
+  EXPECT_NEAR(strip({Straight{30}, Crease{Angle::degrees(90)}, Straight{20}}, 10, 2).volume,
+              10 * (2 * 50 + 4), 1e-9);
   EXPECT_NEAR(ring(20, 10, 2).volume, 2 * pi * 300, 1e-9);
   // A frustum's shell between two cones and two cones perpendicular to them (Pappus).
   const double slant = std::hypot(20, 50), mid = 30 - 0.75 * 50 / slant;

@@ -79,7 +79,7 @@ FaceId SheetBuilder::add_face(Face face, const std::vector<Loop>& loops) {
   for (const Loop& loop : loops) {
     BorderLoop borders;
     for (const Curve2& curve : loop)
-      borders.push_back({curve, -1, skin_length(face, curve)});
+      borders.push_back({.curve = curve, .edge_length = skin_length(face, curve)});
     face.loops.push_back(std::move(borders));
   }
   sheet_.faces.push_back(std::move(face));
