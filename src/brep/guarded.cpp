@@ -3,15 +3,15 @@
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <Message_Printer.hxx>
+
 #include <mutex>
 
 namespace planish::brep {
 
 void silence_kernel() {
   static std::once_flag once;
-  std::call_once(once, [] {
-    Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer));
-  });
+  std::call_once(
+      once, [] { Message::DefaultMessenger()->RemovePrinters(STANDARD_TYPE(Message_Printer)); });
 }
 
 Error foreign_error(const std::string& kind, const char* message, std::string where) {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <Standard_Failure.hxx>
-#include <exception>
 #include <planish/base/result.hpp>
+
+#include <Standard_Failure.hxx>
+
+#include <exception>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -40,8 +42,8 @@ typename ResultOf<std::invoke_result_t<F>>::type guarded(F&& f, std::string wher
       return std::forward<F>(f)();
     }
   } catch (const Standard_Failure& failure) {
-    return tl::unexpected(foreign_error(failure.DynamicType()->Name(), failure.GetMessageString(),
-                                        std::move(where)));
+    return tl::unexpected(
+        foreign_error(failure.DynamicType()->Name(), failure.GetMessageString(), std::move(where)));
   } catch (const std::exception& failure) {
     return tl::unexpected(foreign_error("exception", failure.what(), std::move(where)));
   }

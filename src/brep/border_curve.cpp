@@ -1,0 +1,192 @@
+#include "border_curve.hpp"
+
+#include "fitted_curve.hpp"
+#include "kernel_points.hpp"
+
+#include <Geom2d_BSplineCurve.hxx>
+#include <Geom2d_Circle.hxx>
+#include <Geom2d_Line.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_Circle.hxx>
+#include <Geom_Line.hxx>
+#include <TColgp_Array1OfPnt.hxx>
+#include <gp_Circ2d.hxx>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brep {
+namespace {
+
+using Shape = BorderCurve::Shape;
+
+/// Corners below this are rounding of a fit.
+constexpr double kink = 1e-7;
+
+const Developable* developable(const Face& face) { return std::get_if<Developable>(&face.surface); }
+
+/// Millimetres per unit of u at height v of the reference skin; 0 where circles are none.
+double circle_radius(const Developable& surface, double v) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface)) return cylinder->radius;
+  if (const auto* cone = std::get_if<Cone>(&surface)) return v * std::sin(cone->half_angle);
+  return 0.0;
+}
+
+Shape shape_of_segment(const Face& face, const Segment& segment, double tolerance) {
+  const Developable* surface = developable(face);
+  if (surface == nullptr) return Shape::line;
+  const Vec2 d = (segment.b - segment.a).cwiseAbs();
+  const double radius =
+      std::max(circle_radius(*surface, segment.a.y()), circle_radius(*surface, segment.b.y()));
+  if (radius == 0.0) {
+    // On a ruled surface u is any parameter: the points decide.
+    const Vec3 drift =
+        point_on(*surface, segment.b) - point_on(*surface, {segment.a.x(), segment.b.y()});
+    return drift.norm() < tolerance && d.y() > tolerance ? Shape::line : Shape::general;
+  }
+  if (d.x() * radius < tolerance) return Shape::line;
+  return d.y() < tolerance ? Shape::circle : Shape::general;
+}
+
+/// Where a fit has to have a knot: where the curve or the surface under it is not smooth.
+std::vector<double> breaks_of(const Face& face, const BorderCurve& border) {
+  std::vector<double> breaks{0.0, border.length};
+  if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(border.uv); !spline.IsNull())
+    for (int i = 2; i < spline->NbKnots(); ++i)
+      breaks.push_back(spline->Knot(i));
+  const Developable* surface = developable(face);
+  const auto* ruled = surface != nullptr ? std::get_if<Ruled>(surface) : nullptr;
+  if (ruled != nullptr && !Handle(Geom2d_Line)::DownCast(border.uv).IsNull()) {
+    const double u0 = border.at(0).x(), u1 = border.at(border.length).x();
+    for (const Ruled::Knot& knot : ruled->knots) {
+      const double s = (knot.u - u0) / (u1 - u0) * border.length;
+      if (s > 1e-9 * border.length && s < (1 - 1e-9) * border.length) breaks.push_back(s);
+    }
+  }
+  std::ranges::sort(breaks);
+  const auto repeated =
+      std::ranges::unique(breaks, [&](double a, double b) { return b - a < 1e-9 * border.length; });
+  breaks.erase(repeated.begin(), repeated.end());
+  return breaks;
+}
+
+Handle(Geom_Curve) lifted(const Face& face, const BorderCurve& border, double depth) {
+  const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(border.uv);
+  TColgp_Array1OfPnt poles(1, spline->NbPoles());
+  for (int i = 1; i <= spline->NbPoles(); ++i) {
+    const gp_Pnt2d p = spline->Pole(i);
+    poles.SetValue(i, kernel_point(point_below(face, {p.X(), p.Y()}, depth)));
+  }
+  return new Geom_BSplineCurve(poles, spline->Knots(), spline->Multiplicities(), 3);
+}
+
+}  // namespace
+
+Vec3 point_below(const Face& face, const Vec2& uv, double depth) {
+  if (const Developable* surface = developable(face))
+    return point_on(*surface, uv, -face.sense * depth);
+  const Frame& frame = std::get<Frame>(face.surface);
+  return frame.point(uv) - depth * frame.z;
+}
+
+Vec2 BorderCurve::at(double s) const {
+  const gp_Pnt2d p = uv->Value(s);
+  return {p.X(), p.Y()};
+}
+
+BorderCurve border_curve(const Face& face, const Curve2& border, double tolerance) {
+  if (const auto* segment = std::get_if<Segment>(&border)) {
+    const Vec2 d = segment->b - segment->a;
+    return {shape_of_segment(face, *segment, tolerance),
+            new Geom2d_Line(kernel_point(segment->a), gp_Dir2d(d.x(), d.y())), d.norm()};
+  }
+  const bool plane = developable(face) == nullptr;
+  if (const auto* arc = std::get_if<Arc>(&border)) {
+    const gp_Ax2d axis(kernel_point(arc->center),
+                       gp_Dir2d(std::cos(arc->start), std::sin(arc->start)));
+    return {plane ? Shape::circle : Shape::general,
+            new Geom2d_Circle(axis, arc->radius, arc->sweep > 0), std::abs(arc->sweep)};
+  }
+  const Handle(Geom2d_BSplineCurve) curve = plane_curve(std::get<CubicSpline>(border), kink);
+  return {plane ? Shape::planar_spline : Shape::general, curve.get(), curve->LastParameter()};
+}
+
+SpaceCircle circle_below(const Face& face, const BorderCurve& border, double depth) {
+  const Vec2 first = border.at(0);
+  const Vec3 start = point_below(face, first, depth);
+  SpaceCircle circle;
+  if (const Developable* surface = developable(face)) {
+    const Frame& frame = std::holds_alternative<Cylinder>(*surface)
+                             ? std::get<Cylinder>(*surface).frame
+                             : std::get<Cone>(*surface).frame;
+    circle.center = frame.origin + (start - frame.origin).dot(frame.z) * frame.z;
+    circle.axis = border.at(border.length).x() > first.x() ? frame.z : Vec3(-frame.z);
+  } else {
+    const auto planar = Handle(Geom2d_Circle)::DownCast(border.uv);
+    const gp_Pnt2d center = planar->Location();
+    circle.center = point_below(face, {center.X(), center.Y()}, depth);
+    const Vec3& z = std::get<Frame>(face.surface).z;
+    circle.axis = planar->Circ2d().IsDirect() ? z : Vec3(-z);
+  }
+  circle.radius = (start - circle.center).norm();
+  circle.start = (start - circle.center) / circle.radius;
+  return circle;
+}
+
+Handle(Geom_Curve)
+    space_curve_below(const Face& face, const BorderCurve& border, double depth, double tolerance) {
+  switch (border.shape) {
+    case Shape::line: {
+      const Vec3 start = point_below(face, border.at(0), depth);
+      const Vec3 d = point_below(face, border.at(border.length), depth) - start;
+      return new Geom_Line(kernel_point(start), kernel_direction(d));
+    }
+    case Shape::circle: {
+      const SpaceCircle c = circle_below(face, border, depth);
+      return new Geom_Circle(kernel_axes(c.center, c.axis, c.start), c.radius);
+    }
+    case Shape::planar_spline:
+      return lifted(face, border, depth);
+    case Shape::general:
+      break;
+  }
+  return space_curve(fit_two_depths(face, border, depth, depth, tolerance), 0);
+}
+
+FittedPath fit_two_depths(const Face& face, const BorderCurve& border, double depth0, double depth1,
+                          double tolerance) {
+  const auto points = [&](double s) {
+    Eigen::VectorXd both(6);
+    const Vec2 uv = border.at(s);
+    both << point_below(face, uv, depth0), point_below(face, uv, depth1);
+    return both;
+  };
+  return fit_path(points, breaks_of(face, border), tolerance);
+}
+
+Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, const Face& other,
+                                  const Curve2& reversed_other, double tolerance) {
+  const Developable* surface = developable(other);
+  if (surface == nullptr) return {};
+  const auto on_face = [&](double s) { return point_below(face, border.at(s), 0.0); };
+  const BorderCurve candidate = border_curve(other, reversed_other, tolerance);
+  double deviation = std::abs(candidate.length - border.length);
+  for (int i = 0; i <= 16; ++i) {
+    const double s = border.length * i / 16;
+    deviation = std::max(deviation, (point_below(other, candidate.at(s), 0.0) - on_face(s)).norm());
+  }
+  if (deviation < tolerance) return candidate.uv;
+
+  // Straight along a ruling or a circle the two differ by inaccuracy of the input only, which the
+  // edge's tolerance will tell; a projection would not agree better.
+  const bool same_shape = candidate.shape == border.shape && border.shape != Shape::general;
+  if (same_shape) return plane_line(candidate.at(0), candidate.at(candidate.length), border.length);
+
+  const double u0 = candidate.at(0).x(), u1 = candidate.at(candidate.length).x();
+  const auto projected = [&](double s) -> Eigen::VectorXd {
+    return parameters_of(*surface, on_face(s), u0 + (u1 - u0) * s / border.length);
+  };
+  return plane_curve(fit_path(projected, breaks_of(face, border), tolerance));
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,41 @@
+#include "guarded.hpp"
+#include "step_out.hpp"
+#include "thicken.hpp"
+
+#include <planish/brep/step.hpp>
+
+namespace planish {
+namespace {
+
+BorderLoop borders_of(const Contour& contour) {
+  BorderLoop borders;
+  for (const Curve2& curve : contour.loop)
+    borders.push_back({curve});
+  return borders;
+}
+
+/// The pattern as a sheet of one flange: the reference skin at z = 0, the material below.
+Sheet flat_sheet(const FlatPattern& pattern) {
+  Face face{Frame{}, 1, {borders_of(pattern.outer)}, FlangeId{0}};
+  for (const Contour& opening : pattern.openings)
+    face.loops.push_back(borders_of(opening));
+  Sheet sheet;
+  sheet.thickness = pattern.thickness;
+  sheet.faces.push_back(std::move(face));
+  sheet.flanges.push_back({{FaceId{0}}});
+  return sheet;
+}
+
+}  // namespace
+
+Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name) {
+  return brep::guarded(
+      [&]() -> Result<std::string> {
+        const auto solid = brep::thicken(flat_sheet(pattern));
+        if (!solid) return tl::unexpected(solid.error());
+        return brep::step_text(*solid, name);
+      },
+      name);
+}
+
+}  // namespace planish

@@ -1,0 +1,140 @@
+#include "sheet_topology.hpp"
+
+#include "border_curve.hpp"
+
+#include <Eigen/QR>
+#include <fmt/format.h>
+
+#include <numbers>
+#include <numeric>
+
+namespace planish::brep {
+namespace {
+
+/// Sets of rows that are the same corner.
+class Corners {
+ public:
+  explicit Corners(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int root(int i) {
+    while (parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void unite(int a, int b) { parent_[root(a)] = root(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Row of every border: first_row[face][loop] + border.
+std::vector<std::vector<int>> rows_of(const Sheet& sheet, SheetTopology& topology) {
+  std::vector<std::vector<int>> first_row(sheet.faces.size());
+  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
+    for (std::size_t l = 0; l < sheet.faces[f].loops.size(); ++l) {
+      const int first = static_cast<int>(topology.borders.size());
+      const int count = static_cast<int>(sheet.faces[f].loops[l].size());
+      first_row[f].push_back(first);
+      for (int b = 0; b < count; ++b)
+        topology.borders.push_back(
+            {{static_cast<FaceId>(f), static_cast<int>(l), b}, first + (b + 1) % count});
+    }
+  return first_row;
+}
+
+bool exists(const Sheet& sheet, const BorderRef& ref) {
+  const auto within = [](int i, std::size_t size) {
+    return i >= 0 && static_cast<std::size_t>(i) < size;
+  };
+  return within(index_of(ref.face), sheet.faces.size()) &&
+         within(ref.loop, face_of(sheet, ref).loops.size()) &&
+         within(ref.border, face_of(sheet, ref).loops[ref.loop].size());
+}
+
+/// The tangent planes that meet in a corner: one of each direction.
+void add_direction(std::vector<Vec3>& normals, const Vec3& normal) {
+  constexpr double same = 1e-4;
+  for (const Vec3& n : normals)
+    if ((n - normal).norm() < same) return;
+  normals.push_back(normal);
+}
+
+/// The shortest step from the reference skin that gains the thickness below every plane.
+Vec3 mitre(const std::vector<Vec3>& normals, double thickness) {
+  Eigen::MatrixXd rows(normals.size(), 3);
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    rows.row(static_cast<int>(i)) = normals[i];
+  const Eigen::VectorXd depths =
+      Eigen::VectorXd::Constant(static_cast<int>(normals.size()), -thickness);
+  return rows.completeOrthogonalDecomposition().solve(depths);
+}
+
+}  // namespace
+
+Result<SheetTopology> sheet_topology(const Sheet& sheet) {
+  SheetTopology topology;
+  const auto first_row = rows_of(sheet, topology);
+  const auto row_of = [&](const BorderRef& ref) {
+    return first_row[index_of(ref.face)][ref.loop] + ref.border;
+  };
+  Corners corners(topology.borders.size());
+  std::vector<int> sharp_rows;
+  for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
+    const Joint& joint = sheet.joints[j];
+    if (!exists(sheet, joint.a) || !exists(sheet, joint.b))
+      return fail(ErrorCode::invalid_input, "A joint names a border that does not exist.",
+                  fmt::format("joint {}", j));
+    const int a = row_of(joint.a), b = row_of(joint.b);
+    auto& first = topology.borders[a];
+    auto& second = topology.borders[b];
+    if (a == b || first.mate >= 0 || second.mate >= 0)
+      return fail(ErrorCode::invalid_input, "Two joints name the same border.",
+                  fmt::format("joint {}", j));
+    first.mate = b;
+    second.mate = a;
+    second.leads = false;
+    corners.unite(a, second.next);
+    corners.unite(first.next, b);
+    if (joint.sharp) sharp_rows.insert(sharp_rows.end(), {a, b});
+  }
+
+  std::vector<int> number(topology.borders.size(), -1);
+  for (std::size_t i = 0; i < topology.borders.size(); ++i) {
+    int& n = number[corners.root(static_cast<int>(i))];
+    if (n < 0) n = topology.corners++;
+    topology.borders[i].corner = n;
+  }
+  topology.sharp.resize(topology.corners);
+  for (int row : sharp_rows)
+    topology.sharp[topology.borders[row].corner] = true;
+  return topology;
+}
+
+Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetTopology& topology) {
+  std::vector<CornerPoints> points(topology.corners);
+  std::vector<int> count(topology.corners, 0);
+  std::vector<std::vector<Vec3>> normals(topology.corners);
+  for (const auto& node : topology.borders) {
+    const Face& face = face_of(sheet, node.ref);
+    const Vec2 uv = start_of(border_of(sheet, node.ref).curve);
+    points[node.corner].reference += skin_point(face, uv);
+    points[node.corner].other += point_below(face, uv, sheet.thickness);
+    add_direction(normals[node.corner], outward_normal(face, uv));
+    ++count[node.corner];
+  }
+  for (int c = 0; c < topology.corners; ++c) {
+    points[c].reference /= count[c];
+    points[c].other /= count[c];
+    if (!topology.sharp[c]) continue;
+    const Vec3 step = mitre(normals[c], sheet.thickness);
+    if (!(step.norm() < 10 * sheet.thickness))
+      return fail(ErrorCode::unsupported_shape,
+                  "A sharp bend turns by more than 168°, so its mitre would be longer than ten "
+                  "times the thickness; give it an inside radius.");
+    points[c].other = points[c].reference + step;
+  }
+  return points;
+}
+
+}  // namespace planish::brep

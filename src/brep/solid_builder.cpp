@@ -1,0 +1,126 @@
+#include "solid_builder.hpp"
+
+#include "kernel_points.hpp"
+
+#include <BRep_Tool.hxx>
+#include <Geom_Line.hxx>
+#include <Geom_Plane.hxx>
+#include <Precision.hxx>
+#include <TopLoc_Location.hxx>
+#include <TopoDS_Wire.hxx>
+
+#include <algorithm>
+#include <gp_Pln.hxx>
+
+namespace planish::brep {
+namespace {
+
+/// Largest distance between the edge's curve and its place in the surface, at equal parameters.
+double deviation(const EdgeUse& use, const Handle(Geom_Surface) & surface) {
+  const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(surface);
+  constexpr int samples = 24;
+  double largest = 0.0;
+  for (int i = 0; i <= samples; ++i) {
+    const double s = use.edge->length * i / samples;
+    const gp_Pnt on_edge = use.edge->curve->Value(s);
+    if (!plane.IsNull()) {
+      largest = std::max(largest, plane->Pln().Distance(on_edge));
+    } else {
+      const gp_Pnt2d uv = use.curve->Value(s);
+      largest = std::max(largest, surface->Value(uv.X(), uv.Y()).Distance(on_edge));
+    }
+  }
+  return largest;
+}
+
+TopAbs_Orientation orientation(bool forward) { return forward ? TopAbs_FORWARD : TopAbs_REVERSED; }
+
+/// The other use of the same edge in the loop, when it is a seam.
+const EdgeUse* other_use(const std::vector<EdgeUse>& loop, const EdgeUse& use) {
+  const auto other = std::ranges::find_if(
+      loop, [&](const EdgeUse& u) { return &u != &use && u.edge->edge.IsSame(use.edge->edge); });
+  return other == loop.end() ? nullptr : &*other;
+}
+
+}  // namespace
+
+TopoDS_Vertex SolidBuilder::vertex(const Vec3& point) {
+  TopoDS_Vertex v;
+  builder_.MakeVertex(v, kernel_point(point), Precision::Confusion());
+  return v;
+}
+
+BuiltEdge SolidBuilder::edge(const Handle(Geom_Curve) & curve, double length,
+                             const TopoDS_Vertex& start, const TopoDS_Vertex& end) {
+  BuiltEdge built{{}, curve, length, start, end};
+  builder_.MakeEdge(built.edge, curve, Precision::Confusion());
+  builder_.Add(built.edge, start.Oriented(TopAbs_FORWARD));
+  builder_.Add(built.edge, end.Oriented(TopAbs_REVERSED));
+  builder_.Range(built.edge, 0.0, length);
+  loosen(built, 0.0);
+  return built;
+}
+
+BuiltEdge SolidBuilder::straight_edge(const TopoDS_Vertex& start, const TopoDS_Vertex& end) {
+  const gp_Pnt a = BRep_Tool::Pnt(start), b = BRep_Tool::Pnt(end);
+  return edge(new Geom_Line(a, gp_Dir(gp_Vec(a, b))), a.Distance(b), start, end);
+}
+
+void SolidBuilder::loosen(const BuiltEdge& built, double deviation) {
+  // A little more than measured, because the kernel samples elsewhere.
+  constexpr double margin = 1.5;
+  const double tolerance = std::max(Precision::Confusion(), margin * deviation);
+  builder_.UpdateEdge(built.edge, tolerance);
+  const auto reach = [&](const TopoDS_Vertex& v, double s) {
+    const double gap = BRep_Tool::Pnt(v).Distance(built.curve->Value(s));
+    builder_.UpdateVertex(v, std::max(tolerance, margin * gap));
+  };
+  reach(built.start, 0.0);
+  reach(built.end, built.length);
+}
+
+void SolidBuilder::attach(const EdgeUse& use, const Handle(Geom_Surface) & surface) {
+  if (!use.curve.IsNull())
+    builder_.UpdateEdge(use.edge->edge, use.curve, surface, TopLoc_Location(),
+                        Precision::Confusion());
+  loosen(*use.edge, deviation(use, surface));
+}
+
+void SolidBuilder::face(const Handle(Geom_Surface) & surface, int outside,
+                        const std::vector<std::vector<EdgeUse>>& loops) {
+  TopoDS_Face result;
+  builder_.MakeFace(result, surface, Precision::Confusion());
+  for (std::vector<EdgeUse> loop : loops) {
+    // The kernel wants loops that run counter-clockwise about the surface's own normal.
+    if (outside < 0) {
+      std::ranges::reverse(loop);
+      for (EdgeUse& use : loop)
+        use.forward = !use.forward;
+    }
+    TopoDS_Wire wire;
+    builder_.MakeWire(wire);
+    for (const EdgeUse& use : loop) {
+      attach(use, surface);
+      if (const EdgeUse* seam = other_use(loop, use); seam != nullptr && !use.curve.IsNull())
+        builder_.UpdateEdge(use.edge->edge, use.forward ? use.curve : seam->curve,
+                            use.forward ? seam->curve : use.curve, surface, TopLoc_Location(),
+                            Precision::Confusion());
+      builder_.Add(wire, use.edge->edge.Oriented(orientation(use.forward)));
+    }
+    wire.Closed(true);
+    builder_.Add(result, wire);
+  }
+  faces_.push_back(TopoDS_Face(result));
+  faces_.back().Orientation(orientation(outside > 0));
+}
+
+TopoDS_Shell SolidBuilder::shell() const {
+  TopoDS_Shell shell;
+  builder_.MakeShell(shell);
+  for (const TopoDS_Face& face : faces_)
+    builder_.Add(shell, face);
+  shell.Closed(true);
+  return shell;
+}
+
+}  // namespace planish::brep
