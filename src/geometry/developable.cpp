@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace planish {
 namespace {
@@ -86,7 +85,8 @@ Vec3 ruling_on(const Developable& surface, double u) {
 }
 
 Vec3 point_on(const Developable& surface, const Vec2& uv, double offset) {
-  const auto [u, v] = std::pair(uv.x(), uv.y());
+  const double u = uv.x();
+  const double v = uv.y();
   return std::visit(
       Overloaded{[&](const Cylinder& c) -> Vec3 {
                    return c.frame.origin + (c.radius + offset) * radial(c.frame, u) + v * c.frame.z;
@@ -135,7 +135,8 @@ Development::Image Development::image_of(const Ruled& ruled, double offset, doub
 }
 
 Vec2 Development::develop(const Vec2& uv) const {
-  const auto [u, v] = std::pair(uv.x(), uv.y());
+  const double u = uv.x();
+  const double v = uv.y();
   return std::visit(
       Overloaded{[&](const Rolled& rolled) -> Vec2 {
                    return {rolled.radius * u, v};
@@ -164,7 +165,8 @@ Vec2 Development::fold(const Vec2& p) const {
 }
 
 Eigen::Matrix2d Development::jacobian(const Vec2& uv) const {
-  const auto [u, v] = std::pair(uv.x(), uv.y());
+  const double u = uv.x();
+  const double v = uv.y();
   return std::visit(
       Overloaded{
           [&](const Rolled& rolled) -> Eigen::Matrix2d {

@@ -160,22 +160,29 @@ Vec3 series_at(const std::array<Vec3, n>& coefficients, double x) {
   return coefficients[0] + x * next - after;
 }
 
+/// cosines[j][i] = T_j at the i-th of n Chebyshev nodes; row 1 holds the nodes themselves.
 template <std::size_t n>
-double chebyshev_node(std::size_t i) {
-  return std::cos(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
+const std::array<std::array<double, n>, n>& chebyshev_cosines() {
+  static const auto cosines = [] {
+    std::array<std::array<double, n>, n> table;
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i)
+        table[j][i] = std::cos(std::numbers::pi * static_cast<double>(j * (2 * i + 1)) /
+                               static_cast<double>(2 * n));
+    return table;
+  }();
+  return cosines;
 }
 
 /// Chebyshev coefficients of the polynomial through the values at the Chebyshev nodes.
 template <std::size_t n>
 std::array<Vec3, n> series_through(const std::array<Vec3, n>& values) {
+  const auto& cosines = chebyshev_cosines<n>();
   std::array<Vec3, n> coefficients;
   for (std::size_t j = 0; j < n; ++j) {
     coefficients[j] = Vec3::Zero();
-    for (std::size_t i = 0; i < n; ++i) {
-      const double angle =
-          std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-      coefficients[j] += std::cos(static_cast<double>(j) * angle) * values[i];
-    }
+    for (std::size_t i = 0; i < n; ++i)
+      coefficients[j] += cosines[j][i] * values[i];
     coefficients[j] *= (j == 0 ? 1.0 : 2.0) / static_cast<double>(n);
   }
   return coefficients;
@@ -240,7 +247,10 @@ Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near) {
   for (const double u : us)
     nodes.push_back(passing(u));
 
-  const std::vector<double> feet = rising_roots(passing, nodes);
+  std::vector<double> feet = rising_roots(passing, nodes);
+  const auto regular = [](const Passing& node) { return node.slope > 0.0; };
+  if (regular(nodes.front()) && nodes.front().value > 0.0) feet.push_back(us.front());
+  if (regular(nodes.back()) && nodes.back().value < 0.0) feet.push_back(us.back());
   const double u = nearest_ruling(ruled, p, u_near, feet.empty() ? us : feet);
   const RulingFrame f = frame_at(ruled, u);
   return {u, (p - f.b).dot(f.g)};
@@ -269,16 +279,17 @@ RuledImage::RuledImage(const Ruled& ruled, double offset) {
 RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, double begin,
                                          double end, const Vec3& state_at_begin) {
   const double half = 0.5 * (end - begin);
+  const std::array<double, terms>& nodes = chebyshev_cosines<terms>()[1];
   std::array<RulingFrame, terms> frames;
   std::array<Vec3, terms> rates;
   for (std::size_t i = 0; i < terms; ++i) {
-    frames[i] = frame_at(ruled, std::midpoint(begin, end) + half * chebyshev_node<terms>(i));
+    frames[i] = frame_at(ruled, std::midpoint(begin, end) + half * nodes[i]);
     rates[i] = {0.0, 0.0, -frames[i].g_prime.dot(frames[i].across)};
   }
   // The angle first: the directrix needs it.
   const auto angle = antiderivative(series_through(rates), half, state_at_begin);
   for (std::size_t i = 0; i < terms; ++i) {
-    const double psi = series_at(angle, chebyshev_node<terms>(i)).z();
+    const double psi = series_at(angle, nodes[i]).z();
     const Vec3 velocity = frames[i].b_prime + offset * frames[i].n_prime;
     rates[i].head<2>() =
         velocity.dot(frames[i].g) * direction(psi) + velocity.dot(frames[i].across) * across(psi);
