@@ -120,6 +120,8 @@ function(_planish_module_headers name)
   endforeach()
   add_library(${name}_headers OBJECT ${probes})
   target_link_libraries(${name}_headers PRIVATE planish::${name})
+  # Nobody runs them.
+  target_compile_options(${name}_headers PRIVATE -O0 -g0)
   _planish_hide_libs(${name}_headers)
 endfunction()
 
