@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <planish/base/angle.hpp>
+#include <planish/base/result.hpp>
 #include <planish/geometry/developable.hpp>
 #include <planish/geometry/frame.hpp>
 #include <string>
@@ -24,7 +25,9 @@ constexpr int index_of(BendId id) { return static_cast<int>(id); }
 struct Border {
   Curve2 curve;
   int edge = -1;
+  double edge_depth = 0.0;   ///< how far below the reference skin that edge lies, mm (0, or the thickness)
   double edge_length = 0.0;  ///< length measured on the original edge, mm; 0 when not known
+  int feature = -1;          ///< formed feature that the material goes on into beyond this border; −1: a cut
 };
 using BorderLoop = std::vector<Border>;
 
@@ -72,11 +75,14 @@ struct Bend {
   bool reference_inside = false;  ///< the reference skin is the inside (concave) one
 };
 
-/// What a maker saw that a flat pattern only outlines: countersinks, embosses, louvres, pockets.
+/// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
+/// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
 struct FormedFeature {
-  std::string kind;  ///< "countersink", "formed", "pocket", "boss"
-  FaceId face{};     ///< flange face it sits on
-  std::vector<BorderLoop> outlines;  ///< in the face's (u, v): where the feature meets the sheet
+  std::string kind;  ///< "countersink", "formed" (emboss, louvre, lance, burr, boss), "pocket"
+  FaceId face{};     ///< face on which `outlines` are given
+  std::vector<BorderLoop> outlines;  ///< in that face's (u, v)
+  int source_face = -1;              ///< a face of the feature in the solid (1-based)
+  Error at_rim;                      ///< why there is no flat pattern when it reaches the outer contour
 };
 
 /// A sheet: one flat, inextensible region and the way it is folded. The reference skin is one of

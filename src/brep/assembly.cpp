@@ -1,0 +1,355 @@
+#include "assembly.hpp"
+
+#include "borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace planish::brep {
+namespace {
+
+
+class Assembler {
+ public:
+  Assembler(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins, const Rim& rim,
+            const Groups& groups, Side side, double tolerance)
+      : model_(model), outlines_(outlines), skins_(skins), rim_(rim), groups_(groups), side_(side),
+        tolerance_(tolerance), face_id_(model.faces.size(), -1) {}
+
+  Result<Sheet> run() {
+    sheet_.thickness = skins_.thickness;
+    sheet_.thickness_spread = skins_.spread;
+    number_groups();
+    for (size_t g = 0; g < groups_.rows.size(); ++g) add_faces(static_cast<int>(g));
+    align_turns();
+    if (auto done = add_joints(); !done) return tl::unexpected(done.error());
+    for (size_t g = 0; g < groups_.rows.size(); ++g)
+      if (!groups_.rows[g].flange) measure_bend(static_cast<int>(g));
+    add_features();
+    for (const SolidFace& face : model_.faces) sheet_.volume += face.volume;
+    sheet_.volume = std::abs(sheet_.volume);
+    return std::move(sheet_);
+  }
+
+ private:
+  const SolidFace& solid_face(int f) const { return model_.faces[static_cast<size_t>(f)]; }
+  Face& face_of(int f) { return sheet_.faces[static_cast<size_t>(face_id_[static_cast<size_t>(f)])]; }
+
+  void number_groups() {
+    for (const Group& group : groups_.rows) {
+      if (group.flange) {
+        group_part_.emplace_back(FlangeId{static_cast<int>(sheet_.flanges.size())});
+        sheet_.flanges.emplace_back();
+      } else {
+        group_part_.emplace_back(BendId{static_cast<int>(sheet_.bends.size())});
+        sheet_.bends.emplace_back();
+      }
+    }
+  }
+
+  void add_faces(int g) {
+    const Group& group = groups_.rows[static_cast<size_t>(g)];
+    for (const int f : group.faces) {
+      const FaceId id{static_cast<int>(sheet_.faces.size())};
+      face_id_[static_cast<size_t>(f)] = index_of(id);
+      sheet_.faces.push_back(read_face(f, group.leader, g));
+      if (group.flange)
+        sheet_.flanges[static_cast<size_t>(index_of(std::get<FlangeId>(group_part_[static_cast<size_t>(g)])))].faces.push_back(id);
+      else
+        sheet_.bends[static_cast<size_t>(index_of(std::get<BendId>(group_part_[static_cast<size_t>(g)])))].faces.push_back(id);
+    }
+  }
+
+  Face read_face(int f, int leader, int g) {
+    const SolidFace& stands = solid_face(leader);
+    Face face;
+    face.source_face = f + 1;
+    face.sense = stands.sense;
+    face.part_of = group_part_[static_cast<size_t>(g)];
+    if (const auto* plane = std::get_if<Frame>(&stands.surface))
+      face.surface = *plane;
+    else
+      face.surface = std::get<Developable>(stands.surface);
+    const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
+    double u_near = outlines_[static_cast<size_t>(leader)].u_middle;
+    face.loops.push_back(read_loop(f, outer, stands.surface, u_near));
+    Box2 box;
+    for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
+    u_near = (box.lo.x() + box.hi.x()) / 2;
+    for (size_t l = 0; l < solid_face(f).loops.size(); ++l)
+      if (static_cast<int>(l) != outer)
+        face.loops.push_back(centred(read_loop(f, static_cast<int>(l), stands.surface, u_near), face.surface, u_near));
+    return face;
+  }
+
+  BorderLoop read_loop(int f, int l, const SolidSurface& surface, double u_near) {
+    const auto& loop = solid_face(f).loops[static_cast<size_t>(l)];
+    BorderLoop borders = read_borders(model_, loop, surface, u_near, tolerance_);
+    for (size_t i = 0; i < loop.size(); ++i) loop_of_use_[{f, loop[i].edge, loop[i].forward}] = {l, static_cast<int>(i)};
+    return borders;
+  }
+
+  /// A hole read from its own first point may lie a turn away from the face's outer loop.
+  static BorderLoop centred(BorderLoop loop, const std::variant<Frame, Developable>& surface, double u_near) {
+    if (!std::holds_alternative<Developable>(surface) || std::holds_alternative<Ruled>(std::get<Developable>(surface)))
+      return loop;
+    Box2 box;
+    for (const Border& border : loop) box.add(bounds(border.curve));
+    const double turns = std::round((u_near - (box.lo.x() + box.hi.x()) / 2) / (2 * std::numbers::pi));
+    if (turns != 0.0)
+      for (Border& border : loop) border.curve = shifted_u(border.curve, turns * 2 * std::numbers::pi);
+    return loop;
+  }
+
+  /// Position of a use of an edge in the sheet: the outer loop of every face comes first there.
+  BorderRef border_ref(int f, int edge, bool forward) const {
+    const auto [l, i] = loop_of_use_.at({f, edge, forward});
+    const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
+    const int loop = l == outer ? 0 : (l < outer ? l + 1 : l);
+    return {FaceId{face_id_[static_cast<size_t>(f)]}, loop, i};
+  }
+  std::pair<BorderRef, BorderRef> refs_of(int e) const {
+    const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
+    return {border_ref(edge.faces[0], e, edge.forward[0]), border_ref(edge.faces[1], e, edge.forward[1])};
+  }
+  const Border& border_at(const BorderRef& ref) const {
+    return sheet_.faces[static_cast<size_t>(index_of(ref.face))].loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+  }
+
+  /// Faces of one bend meet along seams: each follows the turn of its neighbour.
+  void align_turns() {
+    for (const Group& group : groups_.rows) {
+      if (group.flange || group.faces.size() < 2) continue;
+      if (!std::holds_alternative<Developable>(face_of(group.leader).surface) ||
+          std::holds_alternative<Ruled>(std::get<Developable>(face_of(group.leader).surface)))
+        continue;
+      std::set<int> settled{group.leader};
+      for (bool moved = true; moved;) {
+        moved = false;
+        for (const GroupJoint& joint : groups_.joints) {
+          if (joint.a != joint.b || groups_.of_face[static_cast<size_t>(group.leader)] != joint.a) continue;
+          const SolidEdge& edge = model_.edges[static_cast<size_t>(joint.edge)];
+          const bool has0 = settled.count(edge.faces[0]) > 0;
+          if (has0 == (settled.count(edge.faces[1]) > 0)) continue;
+          auto [known, loose] = refs_of(joint.edge);
+          if (!has0) std::swap(known, loose);
+          shift_face(loose.face, start_of(border_at(known).curve).x() - end_of(border_at(loose).curve).x());
+          settled.insert(has0 ? edge.faces[1] : edge.faces[0]);
+          moved = true;
+        }
+      }
+      for (const int f : group.faces)
+        if (!settled.count(f)) shift_face(FaceId{face_id_[static_cast<size_t>(f)]}, middle_u(face_of(group.leader)) - middle_u(face_of(f)));
+    }
+  }
+
+  static double middle_u(const Face& face) {
+    Box2 box;
+    for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
+    return (box.lo.x() + box.hi.x()) / 2;
+  }
+
+  void shift_face(FaceId id, double by) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const double turns = kTurn * std::round(by / kTurn);
+    if (turns == 0.0) return;
+    for (BorderLoop& loop : sheet_.faces[static_cast<size_t>(index_of(id))].loops)
+      for (Border& border : loop) border.curve = shifted_u(border.curve, turns);
+  }
+
+  Result<void> add_joints() {
+    std::map<std::pair<int, int>, BendId> sharp_bends;
+    for (const GroupJoint& joint : groups_.joints) {
+      const auto [a, b] = refs_of(joint.edge);
+      Joint row{a, b, {}};
+      if (joint.sharp) {
+        const auto key = std::minmax(joint.a, joint.b);
+        const auto found = sharp_bends.find(key);
+        row.sharp = found != sharp_bends.end() ? found->second : add_sharp_bend(joint.edge);
+        sharp_bends.emplace(key, *row.sharp);
+      } else if (joint.a != joint.b && !(straight(a) && straight(b))) {
+        const SolidEdge& edge = model_.edges[static_cast<size_t>(joint.edge)];
+        return fail(ErrorCode::doubly_curved,
+                    fmt::format("Faces {} and {} run into each other along a curved line; no flat shape bends to that.",
+                                edge.faces[0] + 1, edge.faces[1] + 1),
+                    fmt::format("faces {} and {}", edge.faces[0] + 1, edge.faces[1] + 1));
+      }
+      sheet_.joints.push_back(row);
+    }
+    return {};
+  }
+
+  /// A joint between different surfaces runs along a ruling.
+  bool straight(const BorderRef& ref) const {
+    const Face& face = sheet_.faces[static_cast<size_t>(index_of(ref.face))];
+    const auto* line = std::get_if<Segment>(&border_at(ref).curve);
+    if (!line) return false;
+    return std::holds_alternative<Frame>(face.surface) || line->a.x() == line->b.x();
+  }
+
+  BendId add_sharp_bend(int e) {
+    const double angle = *dihedral(model_, e);
+    Bend bend;
+    bend.kind = BendKind::sharp;
+    bend.angle = Angle::radians(std::abs(angle));
+    bend.reference_inside = angle < 0;
+    sheet_.bends.push_back(bend);
+    return BendId{static_cast<int>(sheet_.bends.size()) - 1};
+  }
+
+  void measure_bend(int g) {
+    Bend& bend = sheet_.bends[static_cast<size_t>(index_of(std::get<BendId>(group_part_[static_cast<size_t>(g)])))];
+    const Face& face = sheet_.faces[static_cast<size_t>(index_of(bend.faces.front()))];
+    Box2 box;
+    for (const FaceId id : bend.faces)
+      for (const Border& border : sheet_.faces[static_cast<size_t>(index_of(id))].loops.front()) box.add(bounds(border.curve));
+    const double turn = box.size().x();
+    const double skin_to_inside = face.sense > 0 ? sheet_.thickness : 0.0;
+    bend.reference_inside = face.sense < 0;
+    const auto& surface = std::get<Developable>(face.surface);
+    if (const auto* cylinder = std::get_if<Cylinder>(&surface)) {
+      bend.kind = BendKind::cylinder;
+      bend.angle = Angle::radians(turn);
+      bend.inside_radius = std::max(0.0, cylinder->radius - skin_to_inside);
+    } else if (const auto* cone = std::get_if<Cone>(&surface)) {
+      bend.kind = BendKind::cone;
+      const double s = std::sin(cone->half_angle);
+      const double c = std::cos(cone->half_angle);
+      const double between = std::acos(std::clamp(c * c * std::cos(turn) + s * s, -1.0, 1.0));
+      bend.angle = Angle::radians(turn <= std::numbers::pi ? between : 2 * std::numbers::pi - between);
+      bend.inside_radius = std::max(0.0, (box.lo.y() + box.hi.y()) / 2 * std::tan(cone->half_angle) - skin_to_inside);
+    } else {
+      measure_general(bend, face, box);
+    }
+  }
+
+  /// Normals along the middle of the bend tell its turn, its smallest radius and its inside.
+  void measure_general(Bend& bend, const Face& face, const Box2& box) const {
+    constexpr int kSteps = 256;
+    const double v = (box.lo.y() + box.hi.y()) / 2;
+    double turned = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < kSteps; ++i) {
+      const Vec2 a(box.lo.x() + box.size().x() * i / kSteps, v);
+      const Vec2 b(box.lo.x() + box.size().x() * (i + 1) / kSteps, v);
+      const Vec3 n0 = outward_normal(face, a);
+      const Vec3 n1 = outward_normal(face, b);
+      const Vec3 d = skin_point(face, b) - skin_point(face, a);
+      const Vec3 ruling = ruling_on(std::get<Developable>(face.surface), a.x());
+      const double across = (d - d.dot(ruling) * ruling).norm();
+      const double step = std::atan2(n0.cross(n1).norm(), n0.dot(n1));
+      turned += d.dot(n1 - n0) > 0 ? step : -step;
+      if (step > 0) smallest = std::min(smallest, across / step);
+    }
+    bend.kind = BendKind::general;
+    bend.angle = Angle::radians(std::abs(turned));
+    bend.reference_inside = turned < 0;
+    bend.inside_radius = std::max(0.0, smallest - (bend.reference_inside ? 0.0 : sheet_.thickness));
+  }
+
+  void add_features() {
+    for (size_t p = 0; p < rim_.parts.size(); ++p) {
+      const RimPart& part = rim_.parts[p];
+      const auto& here = side_ == Side::first ? part.first : part.second;
+      const auto& there = side_ == Side::first ? part.second : part.first;
+      if (!part.within && !here.empty()) {
+        mark(static_cast<int>(p), here, "formed", part.refusal);
+      } else if (part.within && there.empty() && !here.empty()) {
+        mark(static_cast<int>(p), here, "pocket",
+             {ErrorCode::not_a_sheet, fmt::format("A recess at face {} opens the outer contour on one skin only.", part.faces.front() + 1),
+              fmt::format("face {}", part.faces.front() + 1)});
+      } else if (part.within && here.size() == 1 && there.size() == 1) {
+        compare_openings(part, here.front(), there.front());
+      }
+    }
+  }
+
+  void mark(int part, const std::vector<LoopRef>& loops, const char* kind, const Error& at_rim) {
+    FormedFeature feature;
+    feature.kind = kind;
+    feature.source_face = rim_.parts[static_cast<size_t>(part)].faces.front() + 1;
+    feature.face = FaceId{face_id_[static_cast<size_t>(loops.front().face)]};
+    feature.at_rim = at_rim;
+    const int index = static_cast<int>(sheet_.features.size());
+    for (const LoopRef& ref : loops)
+      for (const CoEdge& use : solid_face(ref.face).loops[static_cast<size_t>(ref.loop)]) {
+        const auto& faces = model_.edges[static_cast<size_t>(use.edge)].faces;
+        const int other = faces[0] == ref.face ? faces[1] : faces[0];
+        if (other < 0 || rim_.part_of[static_cast<size_t>(other)] != part) continue;
+        const BorderRef border = border_ref(ref.face, use.edge, use.forward);
+        sheet_.faces[static_cast<size_t>(index_of(border.face))].loops[static_cast<size_t>(border.loop)][static_cast<size_t>(border.border)].feature = index;
+      }
+    sheet_.features.push_back(std::move(feature));
+  }
+
+  double ring_area_of(const LoopRef& ref) const {
+    const auto& ring = outlines_[static_cast<size_t>(ref.face)].flat[static_cast<size_t>(ref.loop)];
+    double sum = 0.0;
+    for (size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& a = ring[i];
+      const Vec2& b = ring[(i + 1) % ring.size()];
+      sum += a.x() * b.y() - a.y() * b.x();
+    }
+    return std::abs(sum) / 2;
+  }
+
+  /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrower side;
+  /// the wider outline is drawn. Both loops must be openings of planar faces.
+  void compare_openings(const RimPart& part, const LoopRef& here, const LoopRef& there) {
+    const bool plain = outer_loop(outlines_[static_cast<size_t>(here.face)]) != here.loop &&
+                       outer_loop(outlines_[static_cast<size_t>(there.face)]) != there.loop;
+    const auto* plane = std::get_if<Frame>(&solid_face(here.face).surface);
+    if (!plain || !plane || !std::holds_alternative<Frame>(solid_face(there.face).surface)) return;
+    const double mine = ring_area_of(here);
+    const double theirs = ring_area_of(there);
+    constexpr double kWider = 1.001;  // area ratio that drilling noise and sampling do not reach
+    if (std::max(mine, theirs) < kWider * std::min(mine, theirs)) return;
+    Face& face = face_of(here.face);
+    const BorderRef first = border_ref(here.face, solid_face(here.face).loops[static_cast<size_t>(here.loop)].front().edge,
+                                       solid_face(here.face).loops[static_cast<size_t>(here.loop)].front().forward);
+    BorderLoop& own = face.loops[static_cast<size_t>(first.loop)];
+    BorderLoop other = projected_loop(there, std::get<Frame>(face.surface));
+    FormedFeature feature;
+    feature.kind = "countersink";
+    feature.source_face = part.faces.front() + 1;
+    feature.face = first.face;
+    if (theirs < mine) std::swap(own, other);
+    feature.outlines.push_back(std::move(other));
+    sheet_.features.push_back(std::move(feature));
+  }
+
+  /// A loop of the other skin seen on this one: run the other way round, a thickness below.
+  BorderLoop projected_loop(const LoopRef& ref, const Frame& plane) const {
+    std::vector<CoEdge> loop = solid_face(ref.face).loops[static_cast<size_t>(ref.loop)];
+    std::reverse(loop.begin(), loop.end());
+    for (CoEdge& use : loop) use.forward = !use.forward;
+    BorderLoop borders = read_borders(model_, loop, plane, 0.0, tolerance_);
+    for (Border& border : borders) border.edge_depth = sheet_.thickness;
+    return borders;
+  }
+
+  const SolidModel& model_;
+  const std::vector<Outline>& outlines_;
+  const Skins& skins_;
+  const Rim& rim_;
+  const Groups& groups_;
+  Side side_;
+  double tolerance_;
+  Sheet sheet_;
+  std::vector<int> face_id_;
+  std::vector<std::variant<FlangeId, BendId>> group_part_;
+  std::map<std::tuple<int, int, bool>, std::pair<int, int>> loop_of_use_;
+};
+
+}  // namespace
+
+Result<Sheet> assemble_sheet(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
+                             const Rim& rim, const Groups& groups, Side side, double tolerance) {
+  return Assembler(model, outlines, skins, rim, groups, side, tolerance).run();
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <planish/geometry/developable.hpp>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace planish::brep {
+
+/// Kernel-free picture of a solid's boundary: what recognition reads. All lengths mm.
+
+/// An edge's curve in space over [t0, t1].
+struct SpaceCurve {
+  enum class Kind { line, circle, other };
+  Kind kind = Kind::other;
+  double t0 = 0.0;
+  double t1 = 1.0;
+  Vec3 start = Vec3::Zero();
+  Vec3 end = Vec3::Zero();
+  Frame circle;         ///< circle: centre, axis z; the parameter is the angle from x
+  double radius = 0.0;  ///< circle
+  std::function<void(double t, Vec3& point, Vec3& derivative)> evaluate;  ///< for kind `other`
+
+  Vec3 point(double t) const;
+  Vec3 derivative(double t) const;
+  Vec3 tangent(double t) const;  ///< unit
+  /// Length: closed form for lines and circles, adaptive Gauss quadrature else.
+  double length() const;
+  /// Distance of p from the curve.
+  double distance(const Vec3& p) const;
+};
+
+struct SolidEdge {
+  SpaceCurve curve;
+  std::array<int, 2> faces{-1, -1};  ///< faces on both sides, equal for a seam
+  std::array<bool, 2> forward{true, true};  ///< whether that face runs along the curve's sense
+  std::array<int, 2> vertices{-1, -1};      ///< at the curve's start and end
+  int uses = 0;                             ///< coedges; 2 on a closed solid
+};
+
+/// An edge as a face runs along it, the face on the left seen from outside.
+struct CoEdge {
+  int edge = 0;
+  bool forward = true;
+};
+
+/// A surface neither plane nor developable as far as its kind tells.
+struct DoublyCurved {
+  std::string kind;  ///< "sphere", "torus", "spline", …
+};
+using SolidSurface = std::variant<Frame, Developable, DoublyCurved>;
+
+struct SolidFace {
+  SolidSurface surface;  ///< planes: z outward
+  int sense = 1;         ///< outward normal = sense · surface normal
+  std::vector<std::vector<CoEdge>> loops;
+  double fitted = 0.0;   ///< deviation when the surface was recognised from another kind, mm
+  double volume = 0.0;   ///< contribution ⅓∮x·n dA of faces that are not planar, mm³
+};
+
+struct SolidModel {
+  std::vector<SolidFace> faces;  ///< face i is number i+1 for users
+  std::vector<SolidEdge> edges;
+  double size = 0.0;             ///< diagonal of the bounding box, mm
+};
+
+}  // namespace planish::brep

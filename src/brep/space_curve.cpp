@@ -1,0 +1,109 @@
+#include "solid_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish::brep {
+namespace {
+
+double speed(const SpaceCurve& curve, double t) {
+  Vec3 point, derivative;
+  curve.evaluate(t, point, derivative);
+  return derivative.norm();
+}
+
+/// Gauss–Legendre with 5 points.
+double gauss(const SpaceCurve& curve, double a, double b) {
+  constexpr std::array<double, 3> kNodes{0.0, 0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 3> kWeights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  const double middle = (a + b) / 2;
+  const double half = (b - a) / 2;
+  double sum = kWeights[0] * speed(curve, middle);
+  for (size_t i = 1; i < kNodes.size(); ++i)
+    sum += kWeights[i] * (speed(curve, middle - half * kNodes[i]) + speed(curve, middle + half * kNodes[i]));
+  return sum * half;
+}
+
+double adaptive_length(const SpaceCurve& curve, double a, double b, double whole, int depth) {
+  constexpr double kRelative = 1e-12;
+  constexpr int kDeepest = 12;
+  const double middle = (a + b) / 2;
+  const double left = gauss(curve, a, middle);
+  const double right = gauss(curve, middle, b);
+  if (depth >= kDeepest || std::abs(left + right - whole) <= kRelative * std::abs(whole)) return left + right;
+  return adaptive_length(curve, a, middle, left, depth + 1) + adaptive_length(curve, middle, b, right, depth + 1);
+}
+
+double distance_to_circle(const SpaceCurve& curve, const Vec3& p) {
+  const Vec3 local = curve.circle.local(p);
+  double angle = std::atan2(local.y(), local.x());
+  const double turn = 2 * std::numbers::pi;
+  angle += turn * std::ceil((curve.t0 - angle) / turn);
+  if (angle > curve.t1) return std::min((p - curve.start).norm(), (p - curve.end).norm());
+  return std::hypot(local.head<2>().norm() - curve.radius, local.z());
+}
+
+/// Coarse search, then golden section about the best sample.
+double distance_to_other(const SpaceCurve& curve, const Vec3& p) {
+  constexpr int kSamples = 64;
+  const double step = (curve.t1 - curve.t0) / kSamples;
+  int best = 0;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kSamples; ++i) {
+    const double d = (curve.point(curve.t0 + i * step) - p).norm();
+    if (d < best_distance) {
+      best_distance = d;
+      best = i;
+    }
+  }
+  double a = curve.t0 + std::max(best - 1, 0) * step;
+  double b = curve.t0 + std::min(best + 1, kSamples) * step;
+  constexpr double kGolden = 0.6180339887498949;
+  constexpr int kRefinements = 40;
+  for (int i = 0; i < kRefinements; ++i) {
+    const double c = b - kGolden * (b - a);
+    const double d = a + kGolden * (b - a);
+    if ((curve.point(c) - p).squaredNorm() < (curve.point(d) - p).squaredNorm())
+      b = d;
+    else
+      a = c;
+  }
+  return (curve.point((a + b) / 2) - p).norm();
+}
+
+}  // namespace
+
+Vec3 SpaceCurve::point(double t) const {
+  if (kind == Kind::line) return start + (t - t0) / (t1 - t0) * (end - start);
+  if (kind == Kind::circle) return circle.point(radius * Vec2(std::cos(t), std::sin(t)));
+  Vec3 point, derivative;
+  evaluate(t, point, derivative);
+  return point;
+}
+
+Vec3 SpaceCurve::derivative(double t) const {
+  if (kind == Kind::line) return (end - start) / (t1 - t0);
+  if (kind == Kind::circle) return radius * (-std::sin(t) * circle.x + std::cos(t) * circle.y);
+  Vec3 point, derivative;
+  evaluate(t, point, derivative);
+  return derivative;
+}
+
+Vec3 SpaceCurve::tangent(double t) const { return derivative(t).normalized(); }
+
+double SpaceCurve::length() const {
+  if (kind == Kind::line) return (end - start).norm();
+  if (kind == Kind::circle) return radius * (t1 - t0);
+  return adaptive_length(*this, t0, t1, gauss(*this, t0, t1), 0);
+}
+
+double SpaceCurve::distance(const Vec3& p) const {
+  if (kind == Kind::circle) return distance_to_circle(*this, p);
+  if (kind == Kind::other) return distance_to_other(*this, p);
+  const Vec3 chord = end - start;
+  const double share = std::clamp((p - start).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  return (p - start - share * chord).norm();
+}
+
+}  // namespace planish::brep

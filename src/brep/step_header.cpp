@@ -1,0 +1,86 @@
+#include "step_header.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <vector>
+
+namespace planish::brep {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r\n";
+
+std::string_view trimmed_left(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const size_t first = text.find_first_not_of(kBlank);
+  return first == std::string_view::npos ? std::string_view{} : text.substr(first);
+}
+
+/// The quoted strings of one header entity, in order; '' inside a string is one quote.
+std::vector<std::string> strings_of(std::string_view header, std::string_view entity) {
+  std::vector<std::string> strings;
+  size_t at = header.find(entity);
+  if (at == std::string_view::npos) return strings;
+  bool quoted = false;
+  for (at += entity.size(); at < header.size(); ++at) {
+    const char c = header[at];
+    if (!quoted && c == ';') break;
+    if (c == '\'') {
+      if (quoted && at + 1 < header.size() && header[at + 1] == '\'') {
+        strings.back() += c;
+        ++at;
+        continue;
+      }
+      quoted = !quoted;
+      if (quoted) strings.emplace_back();
+    } else if (quoted) {
+      strings.back() += c;
+    }
+  }
+  return strings;
+}
+
+std::string application_protocol(const std::string& schema) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kProtocols{{
+      {"CONFIG_CONTROL_DESIGN", "AP203"},
+      {"AP203", "AP203"},
+      {"AUTOMOTIVE_DESIGN", "AP214"},
+      {"AP214", "AP214"},
+      {"AP242", "AP242"},
+  }};
+  std::string upper = schema;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  for (const auto& [key, name] : kProtocols)
+    if (upper.find(key) != std::string::npos) return fmt::format("{} ({})", name, schema);
+  return schema;
+}
+
+}  // namespace
+
+Result<StepHeader> read_step_header(std::string_view text, const std::string& name) {
+  const std::string_view body = trimmed_left(text);
+  if (body.empty()) return fail(ErrorCode::empty_file, fmt::format("{} is empty; export the part again.", name), name);
+  if (!body.starts_with("ISO-10303-21"))
+    return fail(ErrorCode::not_step,
+                fmt::format("{} is not a STEP file (it does not start with ISO-10303-21); export the part as "
+                            "STEP AP203, AP214 or AP242.", name), name);
+  constexpr size_t kTail = 4096;  // comments may follow the end mark
+  const std::string_view tail = body.substr(body.size() - std::min(kTail, body.size()));
+  if (tail.find("END-ISO-10303-21") == std::string_view::npos)
+    return fail(ErrorCode::truncated_file,
+                fmt::format("{} ends in the middle (END-ISO-10303-21 is missing after {} bytes); copy or export it "
+                            "again.", name, text.size()), name);
+  const std::string_view header = body.substr(0, body.find("ENDSEC"));
+  StepHeader result;
+  if (const auto schema = strings_of(header, "FILE_SCHEMA"); !schema.empty())
+    result.schema = application_protocol(schema.front());
+  // FILE_NAME: name, time stamp, authors, organisations, preprocessor, originating system, approval.
+  if (const auto strings = strings_of(header, "FILE_NAME"); strings.size() >= 3) {
+    result.cad_system = strings[strings.size() - 2];
+    if (trimmed_left(result.cad_system).empty()) result.cad_system = strings[strings.size() - 3];
+  }
+  return result;
+}
+
+}  // namespace planish::brep

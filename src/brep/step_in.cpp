@@ -1,0 +1,230 @@
+#include "body.hpp"
+#include "exchange_lock.hpp"
+#include "guarded.hpp"
+#include "identical.hpp"
+#include "step_header.hpp"
+
+#include <STEPCAFControl_Reader.hxx>
+#include <STEPControl_Reader.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <unistd.h>
+
+namespace planish {
+namespace {
+
+using brep::Fingerprint;
+using brep::guarded;
+
+std::string label_name(const TDF_Label& label) {
+  Handle(TDataStd_Name) attribute;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), attribute)) return {};
+  const TCollection_ExtendedString& text = attribute->Get();
+  std::string name(static_cast<size_t>(text.LengthOfCString()), '\0');
+  Standard_PCharacter raw = name.data();
+  text.ToUTF8CString(raw);
+  return name;
+}
+
+/// Collects the solids of a document: a TShape that returns is the same body once more.
+class BodyCollector {
+ public:
+  void add_tree(const TDF_Label& label, const TopLoc_Location& place) {
+    TDF_Label definition = label;
+    TopLoc_Location here = place;
+    if (XCAFDoc_ShapeTool::IsReference(label)) {
+      XCAFDoc_ShapeTool::GetReferredShape(label, definition);
+      here = place * XCAFDoc_ShapeTool::GetLocation(label);
+    }
+    if (XCAFDoc_ShapeTool::IsAssembly(definition)) {
+      TDF_LabelSequence parts;
+      XCAFDoc_ShapeTool::GetComponents(definition, parts);
+      for (int i = 1; i <= parts.Length(); ++i) add_tree(parts.Value(i), here);
+      return;
+    }
+    add_shape(XCAFDoc_ShapeTool::GetShape(definition).Moved(here), label_name(definition));
+  }
+
+  StepFile take() && {
+    merge_congruent();
+    StepFile file;
+    for (Row& row : rows_) {
+      if (row.shape.name.empty()) row.shape.name = fmt::format("body-{}", file.bodies.size() + 1);
+      file.bodies.emplace_back(std::make_shared<const Body::Shape>(std::move(row.shape)));
+    }
+    file.surface_bodies = surface_bodies_;
+    return file;
+  }
+
+ private:
+  struct Row {
+    Body::Shape shape;
+    Fingerprint fingerprint;
+  };
+
+  void add_shape(const TopoDS_Shape& shape, const std::string& name) {
+    for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
+      add_solid(TopoDS::Solid(solids.Current()), name);
+    for (TopExp_Explorer shells(shape, TopAbs_SHELL, TopAbs_SOLID); shells.More(); shells.Next()) ++surface_bodies_;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next()) ++surface_bodies_;
+  }
+
+  void add_solid(const TopoDS_Solid& solid, const std::string& name) {
+    for (Row& row : rows_) {
+      if (!row.shape.solid.IsPartner(solid)) continue;
+      ++row.shape.quantity;
+      return;
+    }
+    TopTools_IndexedMapOfShape faces;
+    TopExp::MapShapes(solid, TopAbs_FACE, faces);
+    rows_.push_back({{solid, name, 1, faces.Extent()}, {}});
+  }
+
+  void merge_congruent() {
+    if (rows_.size() < 2) return;
+    std::vector<Row> distinct;
+    for (Row& row : rows_) {
+      row.fingerprint = brep::fingerprint_of(row.shape.solid);
+      const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Row& known) {
+        return brep::identical(known.fingerprint, row.fingerprint);
+      });
+      if (same == distinct.end())
+        distinct.push_back(std::move(row));
+      else
+        same->shape.quantity += row.shape.quantity;
+    }
+    rows_ = std::move(distinct);
+  }
+
+  std::vector<Row> rows_;
+  int surface_bodies_ = 0;
+};
+
+Handle(TDocStd_Document) new_document() {
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
+  return document;
+}
+
+std::string file_unit(STEPControl_Reader& reader) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  if (lengths.IsEmpty()) return "mm";
+  const std::string name = lengths.First().ToCString();
+  if (name == "millimetre" || name == "MILLIMETRE") return "mm";
+  if (name == "metre" || name == "METRE") return "m";
+  return name;
+}
+
+Result<StepFile> transfer(const std::filesystem::path& file, const std::string& name, const Progress& progress) {
+  return guarded(
+      [&]() -> Result<StepFile> {
+        const auto lock = brep::exchange_lock();
+        STEPCAFControl_Reader reader;
+        reader.SetColorMode(false);
+        reader.SetLayerMode(false);
+        reader.SetPropsMode(false);
+        reader.SetGDTMode(false);
+        reader.SetMatMode(false);
+        reader.SetViewMode(false);
+        progress.at("reading", 0.0);
+        if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+          return fail(ErrorCode::invalid_input, fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name), name);
+        if (progress.should_stop()) return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
+        progress.at("translating", 0.4);
+        Handle(TDocStd_Document) document = new_document();
+        if (!reader.Transfer(document))
+          return fail(ErrorCode::no_solid, fmt::format("{} holds no shape that can be read; export a solid body.", name), name);
+        BodyCollector collector;
+        TDF_LabelSequence roots;
+        XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
+        for (int i = 1; i <= roots.Length(); ++i) collector.add_tree(roots.Value(i), {});
+        StepFile result = std::move(collector).take();
+        result.unit = file_unit(reader.ChangeReader());
+        XCAFApp_Application::GetApplication()->Close(document);
+        return result;
+      },
+      name);
+}
+
+Result<StepFile> check_bodies(StepFile file, const std::string& name) {
+  if (!file.bodies.empty()) return file;
+  if (file.surface_bodies > 0)
+    return fail(ErrorCode::shell_not_solid,
+                fmt::format("{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.", name,
+                            file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"), name);
+  return fail(ErrorCode::no_solid, fmt::format("{} holds no solid body; export the part as a solid.", name), name);
+}
+
+Result<StepFile> read_checked(const std::filesystem::path& file, const std::string& text, const std::string& name,
+                              const Progress& progress) {
+  auto header = brep::read_step_header(text, name);
+  if (!header) return tl::unexpected(header.error());
+  auto content = transfer(file, name, progress);
+  if (!content) return content;
+  content->schema = header->schema;
+  content->cad_system = header->cad_system;
+  return check_bodies(std::move(*content), name);
+}
+
+/// A file that is gone when its owner is.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& content) {
+    std::string pattern = (std::filesystem::temp_directory_path() / "planish-XXXXXX").string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor >= 0) close(descriptor);
+    path_ = pattern;
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress) {
+  const std::string name = file.filename().string();
+  std::error_code status;
+  if (std::filesystem::is_directory(file, status))
+    return fail(ErrorCode::cannot_read, fmt::format("{} is a folder, not a STEP file.", file.string()), file.string());
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} cannot be opened: {}.", file.string(),
+                            std::filesystem::exists(file, status) ? "permission denied" : "there is no such file"),
+                file.string());
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  return read_checked(file, text, name, progress);
+}
+
+Result<StepFile> read_step_text(const std::string& text, const std::string& name, const Progress& progress) {
+  if (auto header = brep::read_step_header(text, name); !header) return tl::unexpected(header.error());
+  const TemporaryFile file(text);
+  return read_checked(file.path(), text, name, progress);
+}
+
+}  // namespace planish

@@ -1,0 +1,221 @@
+#include "surface_reader.hpp"
+
+#include "fit_surface.hpp"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepTools.hxx>
+#include <algorithm>
+#include <cmath>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+
+namespace planish::brep {
+namespace {
+
+Vec3 vec(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
+
+struct Domain {
+  double u0, u1, v0, v1;
+};
+
+/// The kernel's surface with the part of its parameters that the face uses.
+struct Patch {
+  BRepAdaptor_Surface surface;
+  Domain domain;
+  bool reversed;
+
+  gp_Vec normal(double u, double v) const {
+    gp_Pnt p;
+    gp_Vec du, dv;
+    surface.D1(u, v, p, du, dv);
+    gp_Vec n = du.Crossed(dv);
+    if (reversed) n.Reverse();
+    return n;
+  }
+};
+
+std::vector<SurfaceSample> samples_of(const Patch& patch) {
+  constexpr int kGrid = 7;
+  std::vector<SurfaceSample> samples;
+  for (int i = 0; i < kGrid; ++i)
+    for (int j = 0; j < kGrid; ++j) {
+      const double u = patch.domain.u0 + (patch.domain.u1 - patch.domain.u0) * i / (kGrid - 1);
+      const double v = patch.domain.v0 + (patch.domain.v1 - patch.domain.v0) * j / (kGrid - 1);
+      const gp_Vec n = patch.normal(u, v);
+      if (n.Magnitude() < gp::Resolution()) continue;  // a pole of the parametrisation
+      samples.push_back({vec(patch.surface.Value(u, v).XYZ()), vec(n.Normalized().XYZ())});
+    }
+  return samples;
+}
+
+/// +1 when the outward normal at a sample is the surface's normal, −1 else.
+int sense_of(const Developable& surface, const SurfaceSample& sample) {
+  const Vec2 uv = parameters_of(surface, sample.point, 0.0);
+  return normal_on(surface, uv.x()).dot(sample.normal) >= 0 ? 1 : -1;
+}
+
+Frame frame_of(const gp_Ax3& axes) {
+  return frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()), vec(axes.XDirection().XYZ()));
+}
+
+Cone cone_of(const gp_Cone& cone) {
+  Frame frame = frame_of(cone.Position());
+  const double half_angle = cone.SemiAngle();
+  frame.origin = vec(cone.Apex().XYZ());
+  // A negative angle narrows towards +z: the used part opens the other way.
+  if (half_angle < 0) frame = frame_from_axes(frame.origin, -frame.z, frame.x);
+  return {frame, std::abs(half_angle)};
+}
+
+/// Cones of the kernel run through their apex; the used nappe decides the axis.
+Cone towards(Cone cone, const Vec3& point) {
+  if ((point - cone.frame.origin).dot(cone.frame.z) < 0)
+    cone.frame = frame_from_axes(cone.frame.origin, -cone.frame.z, cone.frame.x);
+  return cone;
+}
+
+/// A parameter direction along which the patch is straight, with its rulings.
+class RulingReader {
+ public:
+  RulingReader(const Patch& patch, bool along_v) : patch_(patch), along_v_(along_v) {}
+
+  double first() const { return along_v_ ? patch_.domain.u0 : patch_.domain.v0; }
+  double last() const { return along_v_ ? patch_.domain.u1 : patch_.domain.v1; }
+
+  /// Lines of the patch are straight and the normal stays constant along them.
+  bool developable(double tolerance) const {
+    constexpr int kLines = 9;
+    constexpr int kPoints = 5;
+    constexpr double kTwist = 2e-3;  // radians a tangent plane may turn along a ruling
+    for (int i = 0; i < kLines; ++i) {
+      const double u = first() + (last() - first()) * (i + 0.5) / kLines;
+      const Vec3 a = point(u, 0.0);
+      const Vec3 b = point(u, 1.0);
+      const Vec3 along = (b - a).normalized();
+      const Vec3 n0 = normal(u, 0.0);
+      for (int j = 1; j <= kPoints; ++j) {
+        const double share = static_cast<double>(j) / kPoints;
+        const Vec3 d = point(u, share) - a;
+        if ((d - d.dot(along) * along).norm() > tolerance) return false;
+        if (normal(u, share).dot(n0) < std::cos(kTwist)) return false;
+      }
+    }
+    return true;
+  }
+
+  Ruled ruled() const {
+    constexpr int kKnots = 129;
+    Ruled result;
+    for (int i = 0; i < kKnots; ++i) {
+      const double u = first() + (last() - first()) * i / (kKnots - 1);
+      const Vec3 b = point(u, 0.0);
+      const Vec3 d = point(u, 1.0) - b;
+      const Vec3 b_prime = across(u, 0.0);
+      const Vec3 d_prime = across(u, 1.0) - b_prime;
+      const Vec3 g = d.normalized();
+      result.knots.push_back({u, b, b_prime, g, (d_prime - g * g.dot(d_prime)) / d.norm()});
+    }
+    return result;
+  }
+
+ private:
+  std::pair<double, double> uv(double u, double share) const {
+    const Domain& d = patch_.domain;
+    return along_v_ ? std::pair{u, d.v0 + share * (d.v1 - d.v0)} : std::pair{d.u0 + share * (d.u1 - d.u0), u};
+  }
+  Vec3 point(double u, double share) const {
+    const auto [a, b] = uv(u, share);
+    return vec(patch_.surface.Value(a, b).XYZ());
+  }
+  Vec3 normal(double u, double share) const {
+    const auto [a, b] = uv(u, share);
+    const gp_Vec n = patch_.normal(a, b);
+    return n.Magnitude() < gp::Resolution() ? Vec3(Vec3::Zero()) : vec(n.Normalized().XYZ());
+  }
+  Vec3 across(double u, double share) const {
+    const auto [a, b] = uv(u, share);
+    gp_Pnt p;
+    gp_Vec du, dv;
+    patch_.surface.D1(a, b, p, du, dv);
+    return vec((along_v_ ? du : dv).XYZ());
+  }
+
+  const Patch& patch_;
+  bool along_v_;
+};
+
+std::optional<Ruled> ruled_of(const Patch& patch, double tolerance) {
+  for (const bool along_v : {true, false}) {
+    const RulingReader reader(patch, along_v);
+    if (reader.developable(tolerance)) return reader.ruled();
+  }
+  return {};
+}
+
+std::string kind_name(GeomAbs_SurfaceType type) {
+  switch (type) {
+    case GeomAbs_Sphere: return "sphere";
+    case GeomAbs_Torus: return "torus";
+    case GeomAbs_BSplineSurface:
+    case GeomAbs_BezierSurface: return "spline";
+    case GeomAbs_SurfaceOfRevolution: return "surface of revolution";
+    case GeomAbs_OffsetSurface: return "offset surface";
+    default: return "free-form";
+  }
+}
+
+SolidFace fitted_face(const Patch& patch, double tolerance) {
+  SolidFace face;
+  const std::vector<SurfaceSample> samples = samples_of(patch);
+  face.surface = DoublyCurved{kind_name(patch.surface.GetType())};
+  const GeomAbs_SurfaceType type = patch.surface.GetType();
+  if (samples.empty() || type == GeomAbs_Sphere || type == GeomAbs_Torus) return face;
+  if (auto fit = fit_surface(samples, tolerance)) {
+    face.fitted = fit->deviation;
+    if (const auto* developable = std::get_if<Developable>(&fit->surface)) {
+      face.sense = sense_of(*developable, samples[samples.size() / 2]);
+      face.surface = *developable;
+    } else {
+      face.surface = std::get<Frame>(fit->surface);
+    }
+  } else if (auto ruled = ruled_of(patch, tolerance)) {
+    const Developable developable = std::move(*ruled);
+    face.sense = sense_of(developable, samples[samples.size() / 2]);
+    face.surface = developable;
+  }
+  return face;
+}
+
+}  // namespace
+
+SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
+  Patch patch{BRepAdaptor_Surface(face, false), {}, face.Orientation() == TopAbs_REVERSED};
+  SolidFace result;
+  const GeomAbs_SurfaceType type = patch.surface.GetType();
+  if (type == GeomAbs_Plane) {
+    const gp_Pln plane = patch.surface.Plane();
+    Vec3 normal = vec(plane.Position().Direction().XYZ());
+    if (!plane.Direct()) normal = -normal;
+    if (patch.reversed) normal = -normal;
+    result.surface = frame_from_axes(vec(plane.Location().XYZ()), normal, vec(plane.XAxis().Direction().XYZ()));
+    return result;
+  }
+  BRepTools::UVBounds(face, patch.domain.u0, patch.domain.u1, patch.domain.v0, patch.domain.v1);
+  if (type != GeomAbs_Cylinder && type != GeomAbs_Cone) return fitted_face(patch, tolerance);
+  const double u = (patch.domain.u0 + patch.domain.u1) / 2;
+  const double v = (patch.domain.v0 + patch.domain.v1) / 2;
+  const SurfaceSample sample{vec(patch.surface.Value(u, v).XYZ()), vec(patch.normal(u, v).Normalized().XYZ())};
+  Developable developable;
+  if (type == GeomAbs_Cylinder) {
+    const gp_Cylinder cylinder = patch.surface.Cylinder();
+    developable = Cylinder{frame_of(cylinder.Position()), cylinder.Radius()};
+  } else {
+    developable = towards(cone_of(patch.surface.Cone()), sample.point);
+  }
+  result.sense = sense_of(developable, sample);
+  result.surface = std::move(developable);
+  return result;
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,117 @@
+#include "bend_lines.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace planish {
+namespace {
+
+struct Range {
+  double lo = std::numeric_limits<double>::infinity();
+  double hi = -std::numeric_limits<double>::infinity();
+};
+
+Range u_range(const Sheet& sheet, const Bend& bend) {
+  Range range;
+  for (const FaceId id : bend.faces)
+    for (const Border& border : sheet.faces[static_cast<size_t>(index_of(id))].loops.front()) {
+      const Box2 box = bounds(border.curve);
+      range.lo = std::min(range.lo, box.lo.x());
+      range.hi = std::max(range.hi, box.hi.x());
+    }
+  return range;
+}
+
+/// v-intervals of material along the ruling u of a face, by even-odd crossing of its loops.
+void add_material(const Face& face, double u, std::vector<std::pair<double, double>>& intervals) {
+  std::vector<double> heights;
+  for (const BorderLoop& loop : face.loops)
+    for (const Border& border : loop)
+      for (const double t : crossings(border.curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
+        heights.push_back(point_at(border.curve, t).y());
+  std::sort(heights.begin(), heights.end());
+  for (size_t i = 0; i + 1 < heights.size(); i += 2) intervals.emplace_back(heights[i], heights[i + 1]);
+}
+
+/// Neighbouring faces of one bend share seams: intervals that touch become one.
+std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, double>> intervals) {
+  std::sort(intervals.begin(), intervals.end());
+  std::vector<std::pair<double, double>> result;
+  if (intervals.empty()) return result;
+  const double extent = intervals.back().second - intervals.front().first;
+  const double touching = 1e-6 * std::abs(extent);  // share of the bend's length: far below any cut
+  for (const auto& interval : intervals) {
+    if (!result.empty() && interval.first - result.back().second <= touching)
+      result.back().second = std::max(result.back().second, interval.second);
+    else
+      result.push_back(interval);
+  }
+  return result;
+}
+
+/// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked up
+/// a little aside, because seams and tangent lines run exactly along rulings.
+std::vector<Segment> ruling_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
+                                  const Range& range, double at) {
+  constexpr double kAside = 1e-6;  // share of the range
+  const double u = range.lo + at * (range.hi - range.lo);
+  const double looked_at = range.lo + std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
+  std::vector<std::pair<double, double>> intervals;
+  for (const FaceId id : bend.faces)
+    add_material(sheet.faces[static_cast<size_t>(index_of(id))], looked_at, intervals);
+  std::vector<Segment> lines;
+  for (const auto& [from, to] : joined(std::move(intervals)))
+    lines.push_back({tree.image(sheet, bend.faces.front(), {u, from}), tree.image(sheet, bend.faces.front(), {u, to})});
+  return lines;
+}
+
+void add_sharp_lines(const Sheet& sheet, const UnfoldingTree& tree, BendId id, FlatBend& flat) {
+  for (const Joint& joint : sheet.joints) {
+    if (joint.sharp != id) continue;
+    const Curve2& a = border_at(sheet, joint.a).curve;
+    const Curve2& b = border_at(sheet, joint.b).curve;
+    const Vec2 a0 = tree.image(sheet, joint.a.face, start_of(a));
+    const Vec2 a1 = tree.image(sheet, joint.a.face, end_of(a));
+    const Vec2 b0 = tree.image(sheet, joint.b.face, end_of(b));
+    const Vec2 b1 = tree.image(sheet, joint.b.face, start_of(b));
+    flat.lines.push_back({(a0 + b0) / 2, (a1 + b1) / 2});
+    flat.tangent_lines.push_back({a0, a1});
+    flat.tangent_lines.push_back({b0, b1});
+  }
+}
+
+double total_length(const std::vector<Segment>& lines) {
+  double sum = 0.0;
+  for (const Segment& line : lines) sum += (line.b - line.a).norm();
+  return sum;
+}
+
+}  // namespace
+
+std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree) {
+  std::vector<FlatBend> result;
+  for (size_t i = 0; i < sheet.bends.size(); ++i) {
+    const Bend& bend = sheet.bends[i];
+    FlatBend flat;
+    flat.id = fmt::format("B{}", i + 1);
+    flat.bend = BendId{static_cast<int>(i)};
+    flat.kind = bend.kind;
+    flat.angle = bend.angle;
+    flat.inside_radius = bend.inside_radius;
+    flat.allowance = tree.allowance[i];
+    flat.direction = bend.reference_inside ? BendDirection::up : BendDirection::down;
+    if (bend.faces.empty()) {
+      add_sharp_lines(sheet, tree, flat.bend, flat);
+    } else {
+      const Range range = u_range(sheet, bend);
+      flat.lines = ruling_lines(sheet, tree, bend, range, 0.5);
+      flat.tangent_lines = ruling_lines(sheet, tree, bend, range, 0.0);
+      for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0)) flat.tangent_lines.push_back(line);
+    }
+    flat.length = total_length(flat.lines);
+    result.push_back(std::move(flat));
+  }
+  return result;
+}
+
+}  // namespace planish

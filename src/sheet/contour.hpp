@@ -1,0 +1,19 @@
+#pragma once
+
+#include "unfolding_tree.hpp"
+
+namespace planish {
+
+/// The free borders of the flat sheet chained to closed contours, the outer one first.
+struct Contours {
+  Contour outer;
+  std::vector<Contour> openings;
+  std::vector<std::pair<int, Loop>> formed;  ///< feature, outline: drawn, not cut
+};
+
+/// Walks along free borders and across joints, so that contours close by topology, not by nearness.
+/// Errors: `closed_loop` when the borders do not bound one region (a ring of bends was closed);
+/// a feature's own error when it reaches the outer contour.
+Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, const FlattenOptions& options);
+
+}  // namespace planish
