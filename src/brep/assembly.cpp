@@ -68,6 +68,7 @@ class Assembler {
     const SolidFace& stands = solid_face(leader);
     Face face;
     face.source_face = f + 1;
+    for (const int other : solid_face(f).merged) face.merged_faces.push_back(other + 1);
     face.sense = stands.sense;
     face.part_of = group_part_[static_cast<size_t>(g)];
     if (const auto* plane = std::get_if<Frame>(&stands.surface))

@@ -38,9 +38,11 @@ int outward_sharp_edges(const SolidModel& model, const Skins& skins, Side side) 
   }));
 }
 
-/// The skin that the pattern is drawn from: the one folded sharply outwards least (its borders need no
+/// The skin that the pattern is drawn from: the one in one piece, then the one folded sharply outwards least (its borders need no
 /// setting back), then the one with more material (openings and rims are narrower there).
 Side reference_side(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins) {
+  if (skins.islands_first != skins.islands_second)
+    return skins.islands_first < skins.islands_second ? Side::first : Side::second;
   const int first = outward_sharp_edges(model, skins, Side::first);
   const int second = outward_sharp_edges(model, skins, Side::second);
   if (first != second) return first < second ? Side::first : Side::second;
@@ -72,15 +74,66 @@ bool drop_closed_forms(const SolidModel& model, const std::vector<Outline>& outl
   return dropped;
 }
 
-Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model, const RecognizeOptions& options) {
-  const std::vector<Outline> outlines = outlines_of(*model);
-  auto skins = find_skins(*model, outlines, options.thickness_tolerance);
+Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
+                                 double tolerance) {
+  auto skins = find_skins(model, outlines, thickness, tolerance);
   if (!skins) return tl::unexpected(skins.error());
-  drop_closed_forms(*model, outlines, *skins);
-  const Rim rim = find_rim(*model, outlines, *skins);
-  const Side side = reference_side(*model, outlines, *skins);
-  const Groups groups = group_faces(*model, outlines, *skins, side);
-  auto sheet = assemble_sheet(*model, outlines, *skins, rim, groups, side, kBorderTolerance);
+  drop_closed_forms(model, outlines, *skins);
+  const Rim rim = find_rim(model, outlines, *skins);
+  const Side side = reference_side(model, outlines, *skins);
+  const Groups groups = group_faces(model, outlines, *skins, side);
+  return assemble_sheet(model, outlines, *skins, rim, groups, side, kBorderTolerance);
+}
+
+/// Formed features and sharp corners hold material that no flat sheet explains.
+bool has_causes(const Sheet& sheet) {
+  return !sheet.features.empty() || std::any_of(sheet.bends.begin(), sheet.bends.end(), [](const Bend& bend) {
+    return bend.kind == BendKind::sharp;
+  });
+}
+
+/// Whether a sheet accounts for the solid it was seen in: it lies flat, it is wider than thick, and it
+/// has the solid's volume as closely as what was seen on it allows.
+Result<void> accounts_for_solid(const Sheet& sheet) {
+  const auto pattern = flatten(sheet, {.allowance = ConstantK{0.5, "recognition"}});
+  if (!pattern) return tl::unexpected(pattern.error());
+  constexpr double kNarrowest = 1.3;  // mean width by thickness; wires and bars of square section have 1
+  const double width = 2 * pattern->area / pattern->perimeter;
+  if (width < kNarrowest * sheet.thickness)
+    return fail(ErrorCode::not_a_sheet,
+                fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a bar, wire or profile, not "
+                            "a sheet.", sheet.thickness, width));
+  constexpr double kPlain = 0.02;
+  constexpr double kWithCauses = 0.15;
+  const double ratio = pattern->area * sheet.thickness / sheet.volume;
+  if (!(std::abs(ratio - 1.0) <= (has_causes(sheet) ? kWithCauses : kPlain)))
+    return fail(ErrorCode::not_a_sheet,
+                fmt::format("A sheet of {:.4g} mm explains {:.1f} % of the volume of the body; this is not a part made "
+                            "of one sheet.", sheet.thickness, 100 * ratio));
+  return {};
+}
+
+/// The likeliest thickness that accounts for the solid; when none does, what stood against the first.
+Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& options) {
+  const std::vector<Outline> outlines = outlines_of(model);
+  tl::unexpected<Error> first = fail(
+      ErrorCode::not_a_sheet, "No two faces lie opposite each other with material between them; this is not a sheet.");
+  bool tried = false;
+  for (const double thickness : likely_thicknesses(model, outlines, options.thickness_tolerance)) {
+    auto sheet = sheet_of_thickness(model, outlines, thickness, options.thickness_tolerance);
+    if (sheet) {
+      auto accounted = accounts_for_solid(*sheet);
+      if (accounted) return sheet;
+      sheet = tl::unexpected(accounted.error());
+    }
+    if (!tried) first = tl::unexpected(sheet.error());
+    tried = true;
+  }
+  return first;
+}
+
+Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model, const RecognizeOptions& options) {
+  auto sheet = likeliest_sheet(*model, options);
   if (!sheet) return tl::unexpected(sheet.error());
   Recognized result;
   result.sheet = std::move(*sheet);

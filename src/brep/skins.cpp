@@ -8,8 +8,9 @@
 namespace planish::brep {
 namespace {
 
-/// A smaller dihedral angle is a tangent transition (CAD systems hold tangency to about 0.1°)…
-constexpr double kSmooth = 0.0175;  // 1°
+/// A smaller dihedral angle beside a bend is a tangent transition: CAD systems hold tangency to 0.1°,
+/// but radii rounded by hand leave some degrees…
+constexpr double kSmooth = 0.0873;  // 5°
 /// …but two planes are one flange only when they are parallel, as bends of less are not made.
 constexpr double kSamePlane = 0.002;  // 0.1°
 /// A face is a skin when this share of it has material of the sheet's thickness below.
@@ -25,52 +26,26 @@ bool boxes_near(const Outline& a, const Outline& b, double reach) {
   return ((a.lo.array() - reach) <= b.hi.array()).all() && ((b.lo.array() - reach) <= a.hi.array()).all();
 }
 
-class SkinFinder {
+/// Each large face votes for the depth of its nearest opposite, with the area they share.
+class ThicknessPoll {
  public:
-  SkinFinder(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance)
-      : model_(model), outlines_(outlines), tolerance_(tolerance), count_(static_cast<int>(model.faces.size())),
-        order_(static_cast<size_t>(count_)) {
-    std::iota(order_.begin(), order_.end(), 0);
-    std::sort(order_.begin(), order_.end(), [&](int a, int b) { return outline(a).lo.x() < outline(b).lo.x(); });
-  }
+  ThicknessPoll(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance)
+      : model_(model), outlines_(outlines), tolerance_(tolerance), count_(static_cast<int>(model.faces.size())) {}
 
-  Result<Skins> run() {
-    if (!infer_thickness())
-      return fail(ErrorCode::not_a_sheet,
-                  "No two faces lie opposite each other with material between them; this is not a sheet.");
-    pair_faces();
-    find_rounded_outsides();
-    find_sharp_edges();
-    label_components();
-    return settle();
+  std::vector<double> run() {
+    for (const int a : largest_faces()) vote(a);
+    std::vector<std::pair<double, double>> rows = clusters();
+    std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    constexpr double kWorthTrying = 0.15;  // of the heaviest
+    constexpr size_t kMost = 3;
+    std::vector<double> depths;
+    for (const auto& [depth, weight] : rows)
+      if (depths.size() < kMost && weight >= kWorthTrying * rows.front().second) depths.push_back(depth);
+    return depths;
   }
 
  private:
   const Outline& outline(int face) const { return outlines_[static_cast<size_t>(face)]; }
-  const SolidFace& face(int index) const { return model_.faces[static_cast<size_t>(index)]; }
-
-  /// The depth that most area agrees on: each face votes with the area of its nearest opposite.
-  bool infer_thickness() {
-    std::vector<std::pair<double, double>> votes;  // depth, area
-    for (const int a : largest_faces()) {
-      double nearest = std::numeric_limits<double>::infinity();
-      double weight = 0.0;
-      for (int b = 0; b < count_; ++b) {
-        if (a == b || outline(b).flat.empty()) continue;
-        const auto seen = opposite(model_, outlines_, a, b);
-        if (!seen || seen->depth <= 0 || seen->depth >= nearest) continue;
-        constexpr double kShare = 0.1;  // of the smaller face: less is a chance meeting
-        if (seen->overlap < kShare * std::min(outline(a).area, outline(b).area)) continue;
-        if (seen->spread > 0.1 * seen->depth) continue;
-        nearest = seen->depth;
-        weight = seen->overlap;
-      }
-      if (weight > 0) votes.emplace_back(nearest, weight);
-    }
-    if (votes.empty()) return false;
-    skins_.thickness = heaviest(votes);
-    return true;
-  }
 
   /// The faces that decide: large ones hold the vote, and their number bounds the cost.
   std::vector<int> largest_faces() const {
@@ -83,23 +58,68 @@ class SkinFinder {
     return faces;
   }
 
-  double heaviest(std::vector<std::pair<double, double>>& votes) const {
-    std::sort(votes.begin(), votes.end());
-    double best = 0.0;
-    double best_weight = 0.0;
-    for (size_t first = 0; first < votes.size(); ++first) {
-      double weight = 0.0;
-      double mean = 0.0;
-      for (size_t i = first; i < votes.size() && votes[i].first <= votes[first].first * (1 + tolerance_); ++i) {
-        weight += votes[i].second;
-        mean += votes[i].first * votes[i].second;
-      }
-      if (weight <= best_weight) continue;
-      best_weight = weight;
-      best = mean / weight;
+  void vote(int a) {
+    double nearest = std::numeric_limits<double>::infinity();
+    double weight = 0.0;
+    for (int b = 0; b < count_; ++b) {
+      if (a == b || outline(b).flat.empty()) continue;
+      const auto seen = opposite(model_, outlines_, a, b);
+      if (!seen || seen->depth <= 0 || seen->depth >= nearest) continue;
+      constexpr double kShare = 0.1;  // of the smaller face: less is a chance meeting
+      if (seen->overlap < kShare * std::min(outline(a).area, outline(b).area)) continue;
+      if (seen->spread > 0.1 * seen->depth) continue;
+      nearest = seen->depth;
+      weight = seen->overlap;
     }
-    return best;
+    if (weight > 0) votes_.emplace_back(nearest, weight);
   }
+
+  /// Votes within the tolerance of each other, with their mean depth and total weight.
+  std::vector<std::pair<double, double>> clusters() {
+    std::sort(votes_.begin(), votes_.end());
+    std::vector<std::pair<double, double>> rows;
+    for (size_t first = 0; first < votes_.size();) {
+      double weight = 0.0;
+      double moment = 0.0;
+      size_t i = first;
+      for (; i < votes_.size() && votes_[i].first <= votes_[first].first * (1 + tolerance_); ++i) {
+        weight += votes_[i].second;
+        moment += votes_[i].first * votes_[i].second;
+      }
+      rows.emplace_back(moment / weight, weight);
+      first = i;
+    }
+    return rows;
+  }
+
+  const SolidModel& model_;
+  const std::vector<Outline>& outlines_;
+  double tolerance_;
+  int count_;
+  std::vector<std::pair<double, double>> votes_;  // depth, area
+};
+
+class SkinFinder {
+ public:
+  SkinFinder(const SolidModel& model, const std::vector<Outline>& outlines, double thickness, double tolerance)
+      : model_(model), outlines_(outlines), tolerance_(tolerance), count_(static_cast<int>(model.faces.size())),
+        order_(static_cast<size_t>(count_)) {
+    skins_.thickness = thickness;
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](int a, int b) { return outline(a).lo.x() < outline(b).lo.x(); });
+  }
+
+  Result<Skins> run() {
+    pair_faces();
+    find_rounded_outsides();
+    find_sharp_edges();
+    label_components();
+    return settle();
+  }
+
+ private:
+  const Outline& outline(int face) const { return outlines_[static_cast<size_t>(face)]; }
+  const SolidFace& face(int index) const { return model_.faces[static_cast<size_t>(index)]; }
 
   double slack() const { return tolerance_ * skins_.thickness; }
 
@@ -265,6 +285,7 @@ class SkinFinder {
       if (label == first) skins_.side[static_cast<size_t>(f)] = Side::first;
       if (label == second) skins_.side[static_cast<size_t>(f)] = Side::second;
     }
+    adopt_islands();
     skins_.area_first = component_area_[static_cast<size_t>(first)];
     skins_.area_second = component_area_[static_cast<size_t>(second)];
     double lo = std::numeric_limits<double>::infinity();
@@ -282,11 +303,32 @@ class SkinFinder {
     skins_.spread = std::max(0.0, hi - lo);
   }
 
+  /// Faces opposite one skin but cut off from the other (a tongue that a bend runs past) belong to that
+  /// other skin.
+  void adopt_islands() {
+    for (int f = 0; f < count_; ++f) {
+      if (!candidate(f) || skins_.side[static_cast<size_t>(f)] != Side::none) continue;
+      const auto& partners = skins_.partners[static_cast<size_t>(f)];
+      const auto all_on = [&](Side side) {
+        return !partners.empty() && std::all_of(partners.begin(), partners.end(), [&](int p) {
+          return component_[static_cast<size_t>(p)] >= 0 && skins_.side[static_cast<size_t>(p)] == side;
+        });
+      };
+      if (all_on(Side::first)) islands_.emplace_back(f, Side::second);
+      if (all_on(Side::second)) islands_.emplace_back(f, Side::first);
+    }
+    for (const auto& [f, side] : islands_) {
+      skins_.side[static_cast<size_t>(f)] = side;
+      (side == Side::first ? skins_.islands_first : skins_.islands_second) += 1;
+    }
+  }
+
   const SolidModel& model_;
   const std::vector<Outline>& outlines_;
   double tolerance_;
   int count_;
   std::vector<int> order_;
+  std::vector<std::pair<int, Side>> islands_;
   Skins skins_;
   std::vector<double> covered_;
   std::vector<Pair> depths_;
@@ -313,8 +355,13 @@ std::optional<double> dihedral(const SolidModel& model, int index) {
   return n_g.dot(n_f.cross(x)) > 0 ? -angle : angle;
 }
 
-Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness_tolerance) {
-  return SkinFinder(model, outlines, thickness_tolerance).run();
+std::vector<double> likely_thicknesses(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance) {
+  return ThicknessPoll(model, outlines, tolerance).run();
+}
+
+Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
+                         double tolerance) {
+  return SkinFinder(model, outlines, thickness, tolerance).run();
 }
 
 bool smooth_edge(const SolidModel& model, int index) {

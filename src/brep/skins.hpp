@@ -23,6 +23,7 @@ struct Skins {
   std::vector<std::vector<int>> partners;   ///< by face: faces opposite at the thickness
   std::vector<SharpEdge> sharp;             ///< on both skins
   double area_first = 0.0, area_second = 0.0;  ///< mm², coarse
+  int islands_first = 0, islands_second = 0;   ///< faces of a skin that are not connected to it
 };
 
 /// Angle in space between the outward normals of the two faces of an edge, at its middle; negative
@@ -32,8 +33,12 @@ std::optional<double> dihedral(const SolidModel& model, int edge);
 /// Whether the faces of an edge continue each other: tangent, and parallel when both are planes.
 bool smooth_edge(const SolidModel& model, int edge);
 
-/// Infers the thickness from opposite faces (largest area agreeing) and grows both skins over smooth
-/// and sharp-bent edges from the largest face. Errors: `not_a_sheet`, `thickness_not_constant`.
-Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness_tolerance);
+/// Depths that much area of opposite faces agrees on (within `tolerance`, a share), likeliest first.
+std::vector<double> likely_thicknesses(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance);
+
+/// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the largest
+/// face. Errors: `not_a_sheet`, `unsupported_shape`.
+Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
+                         double tolerance);
 
 }  // namespace planish::brep

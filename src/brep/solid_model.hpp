@@ -57,6 +57,7 @@ struct SolidFace {
   SolidSurface surface;  ///< planes: z outward
   int sense = 1;         ///< outward normal = sense · surface normal
   std::vector<std::vector<CoEdge>> loops;
+  std::vector<int> merged;  ///< other faces that are part of this one since healing
   double fitted = 0.0;   ///< deviation when the surface was recognised from another kind, mm
   double volume = 0.0;   ///< contribution ⅓∮x·n dA of faces that are not planar, mm³
 };

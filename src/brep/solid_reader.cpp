@@ -1,5 +1,6 @@
 #include "solid_reader.hpp"
 
+#include "heal.hpp"
 #include "surface_reader.hpp"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -132,6 +133,7 @@ class Reader {
       model_.faces.push_back(std::move(row));
     }
     add_plane_volumes();
+    heal(model_);
     return std::move(model_);
   }
 

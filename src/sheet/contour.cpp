@@ -1,7 +1,6 @@
 #include "contour.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 #include <planish/geometry/fit.hpp>
 
 namespace planish {
@@ -128,19 +127,17 @@ Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, c
     RawContour raw = walk(sheet, tree, table, row, options.curve_tolerance, seen);
     const double area = signed_area(raw.loop);
     const int feature = feature_of(sheet, raw);
-    if (feature >= 0 && area > 0) return tl::unexpected(sheet.features[static_cast<size_t>(feature)].at_rim);
+    if (feature >= 0 && area > outer_area) return tl::unexpected(sheet.features[static_cast<size_t>(feature)].at_rim);
     if (feature >= 0) {
       contours.formed.emplace_back(feature, merged(raw.loop, options.merge_tolerance).loop);
       continue;
     }
     Contour contour = finished(std::move(raw), options.merge_tolerance);
-    if (area > 0 && outer_area > 0)
-      return fail(ErrorCode::closed_loop,
-                  fmt::format("The sheet has two outer contours when flat ({:.4g} and {:.4g} mm²): its bends form a "
-                              "closed ring with nothing to open it.", outer_area, area));
-    if (area > 0) {
-      outer_area = area;
+    if (area > outer_area) {
+      // What was taken for the outer contour before is an opening whose rim covers itself.
+      if (outer_area > 0) contours.openings.push_back(std::move(contours.outer));
       contours.outer = std::move(contour);
+      outer_area = area;
     } else {
       contours.openings.push_back(std::move(contour));
     }

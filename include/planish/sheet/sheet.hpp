@@ -41,6 +41,7 @@ struct Face {
   std::vector<BorderLoop> loops;
   std::variant<FlangeId, BendId> part_of;
   int source_face = -1;  ///< face number in the solid (1-based, as `planish info` counts), −1: none
+  std::vector<int> merged_faces;  ///< numbers of coplanar faces that became part of this one
 };
 
 /// Position of a border: loops[loop][border] of a face.
