@@ -139,20 +139,6 @@ struct NearestOnPiece {
   double best;   // squared distance to beat
   double t = -1.0;
 
-  using Square = std::array<double, 7>;  // |B|² in Bernstein form
-
-  Square square() const {
-    constexpr std::array<double, 4> cubic{1.0, 3.0, 3.0, 1.0};
-    constexpr std::array<double, 7> sextic{1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0};
-    Square c{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        c[i + j] += cubic[i] * cubic[j] / sextic[i + j] * poles[i].dot(poles[j]);
-      }
-    }
-    return c;
-  }
-
   void offer(double at) {
     const double d = bezier_point(poles, at).squaredNorm();
     if (d < best) {
@@ -178,7 +164,7 @@ struct NearestOnPiece {
     offer(x);
   }
 
-  void search(const Square& c, double lo, double hi) {
+  void search(const std::array<double, 7>& c, double lo, double hi) {
     const auto [least, most] = std::minmax_element(c.begin(), c.end());
     // |B|² lies above its least coefficient; what is within rounding of the best is no gain.
     if (*least >= best - 8.0 * epsilon * *most) return;
@@ -221,7 +207,7 @@ Nearest nearest_on_spline(const CubicSpline& spline, const Vec2& p) {
     }
     const Vec2 gap = hull.lo.cwiseMax(-hull.hi).cwiseMax(Vec2::Zero());
     if (gap.squaredNorm() >= best) continue;
-    task.search(task.square(), 0.0, 1.0);
+    task.search(square(task.poles), 0.0, 1.0);
     if (task.best < best) {
       best = task.best;
       at = static_cast<double>(i) + task.t;

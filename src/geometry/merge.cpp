@@ -90,7 +90,7 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
            std::abs(arc.radius - model.radius) <= noise;
   });
   if (same) circle = Arc{model.center, model.radius, model.start, circle->sweep};
-  if (!follows(path, *circle, tolerance)) return std::nullopt;
+  if (!follows(path, *circle, between_stations * tolerance)) return std::nullopt;
   return circle;
 }
 

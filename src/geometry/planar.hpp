@@ -157,6 +157,19 @@ std::vector<double> roots(const std::array<double, M>& c) {
   return found;
 }
 
+/// |B|² in Bernstein form, of degree six. Its coefficients enclose its values.
+inline std::array<double, 7> square(const Bezier& b) {
+  constexpr std::array<double, 4> cubic{1.0, 3.0, 3.0, 1.0};
+  constexpr std::array<double, 7> sextic{1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0};
+  std::array<double, 7> c{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      c[i + j] += cubic[i] * cubic[j] / sextic[i + j] * b[i].dot(b[j]);
+    }
+  }
+  return c;
+}
+
 /// Parameters inside (0, 1) where coordinate `axis` of a piece is extremal.
 inline std::vector<double> extrema(const Bezier& b, int axis) {
   return roots(std::array<double, 3>{b[1][axis] - b[0][axis], b[2][axis] - b[1][axis],

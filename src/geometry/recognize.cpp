@@ -71,14 +71,18 @@ std::optional<Segment> line_along(const std::vector<Station>& path, double toler
   const double size = (line.b - line.a).norm();
   const Vec2 along = size > 0.0 ? Vec2((line.b - line.a) / size) : Vec2(Vec2::UnitX());
   double farthest = 0.0;
+  double beyond = 0.0;
+  double aside = 0.0;
   for (const Station& s : path) {
     const Vec2 d = s.point - line.a;
     const double x = along.dot(d);
-    if (std::abs(cross(along, d)) > tolerance || x < farthest - tolerance || x > size + tolerance) {
-      return std::nullopt;
-    }
+    if (x < farthest - tolerance) return std::nullopt;
     farthest = std::max(farthest, x);
+    beyond = std::max({beyond, -x, x - size});
+    aside = std::max(aside, std::abs(cross(along, d)));
   }
+  // What is beyond an end may be aside too; taking the worst of both is safe.
+  if (!(std::hypot(beyond, aside) <= tolerance)) return std::nullopt;
   return line;
 }
 
@@ -102,21 +106,31 @@ std::optional<Arc> arc_through(const std::vector<Station>& path) {
   return Arc{*center, to_start.norm(), angle_of(to_start), sense * sweep};
 }
 
-bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance) {
+std::optional<double> beyond_ends(const std::vector<Station>& path, const Arc& arc,
+                                  double tolerance) {
   const double sense = arc.sweep < 0.0 ? -1.0 : 1.0;
-  const double slack = tolerance / arc.radius;
   double angle = 0.0;
   double farthest = 0.0;
+  double beyond = 0.0;
   Vec2 last = path.front().point - arc.center;
   for (const Station& s : path) {
     const Vec2 d = s.point - arc.center;
-    if (!(std::abs(d.norm() - arc.radius) <= tolerance)) return false;
     angle += sense * turn(last, d);
-    if (angle < farthest - slack) return false;
+    if ((farthest - angle) * arc.radius > tolerance) return std::nullopt;
     farthest = std::max(farthest, angle);
+    beyond = std::max({beyond, -angle, angle - std::abs(arc.sweep)});
     last = d;
   }
-  return farthest <= std::abs(arc.sweep) + slack;
+  return beyond * (arc.radius + tolerance);  // where the path is outside the circle
+}
+
+bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance) {
+  if (arc.radius <= tolerance) return false;
+  const auto beyond = beyond_ends(path, arc, tolerance);
+  return beyond && std::all_of(path.begin(), path.end(), [&](const Station& s) {
+           const double aside = (s.point - arc.center).norm() - arc.radius;
+           return std::hypot(*beyond, aside) <= tolerance;
+         });
 }
 
 }  // namespace planar
@@ -125,7 +139,7 @@ namespace {
 
 using namespace planar;
 
-/// Evenly spaced parameters of a piece: its distance from a circle has at most five extremes.
+/// Evenly spaced stations of a piece, to fit a circle to and to follow its turning.
 constexpr int stations_per_piece = 24;
 
 /// Stations at every end, and wherever a piece turns back or is farthest out seen along `chord`:
@@ -186,15 +200,44 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
   return path;
 }
 
+/// Whether |B|² of these coefficients lies in [low, high] all along: surely if the coefficients
+/// do, surely not if an end does not; halving decides the rest.
+bool within(const std::array<double, 7>& c, double low, double high, int halvings) {
+  if (!(c.front() >= low && c.front() <= high && c.back() >= low && c.back() <= high)) return false;
+  const auto [least, most] = std::minmax_element(c.begin(), c.end());
+  if (*least >= low && *most <= high) return true;
+  if (halvings == 0) return false;
+  const auto [left, right] = split(c, 0.5);
+  return within(left, low, high, halvings - 1) && within(right, low, high, halvings - 1);
+}
+
+/// Whether no point of the spline is more than `tolerance` off the arc's circle.
+bool within_ring(const CubicSpline& spline, const Arc& arc, double tolerance) {
+  const double inner = std::max(0.0, arc.radius - tolerance);
+  const double outer = arc.radius + tolerance;
+  for (std::size_t i = 0; i < piece_count(spline); ++i) {
+    Bezier b = piece(spline, i);
+    for (Vec2& pole : b)
+      pole -= arc.center;
+    constexpr int halvings = 20;  // a millionth of the piece
+    if (!within(square(b), inner * inner, outer * outer, halvings)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Curve2 recognized(const CubicSpline& spline, double tolerance) {
   if (const auto line = line_along(extreme_stations(spline), tolerance)) return *line;
   const std::vector<Station> path = even_stations(spline, std::nullopt);
-  const double allowed = between_stations * tolerance;
   const std::optional<Arc> arc = arc_through(path);
-  if (!arc || !follows(path, *arc, allowed)) return spline;
-  if (!follows(even_stations(spline, arc->center), *arc, allowed)) return spline;
+  // A path that may pass through the centre has no direction of turning.
+  if (!arc || arc->radius <= tolerance || !within_ring(spline, *arc, tolerance)) return spline;
+  const auto beyond = beyond_ends(even_stations(spline, arc->center), *arc, tolerance);
+  if (!beyond || *beyond > tolerance) return spline;
+  // What is beyond an end may be aside too; taking the worst of both is safe.
+  const double aside = std::sqrt(tolerance * tolerance - *beyond * *beyond);
+  if (*beyond > 0.0 && !within_ring(spline, *arc, aside)) return spline;
   return *arc;
 }
 

@@ -228,6 +228,13 @@ TEST(Recognized, HoldsALineToTheTolerance) {
   EXPECT_FALSE(std::holds_alternative<Segment>(recognized(s, height * (1 - 1e-9))));
 }
 
+TEST(Recognized, CountsWhatIsBeyondAndAsideTogether) {
+  // Runs 0.24 past its end while up to 0.24 aside of the line: 0.34 away from it at most.
+  const CubicSpline s{{{0, 0}, {10, 0.32}, {10.96, 0.32}, {10, 0}}};
+  const Curve2 found = recognized(s, 0.3);
+  EXPECT_LE(farthest({s}, {found}, 2000), 0.3);
+}
+
 TEST(Recognized, DoesNotTakeDoublingBackForALine) {
   const CubicSpline overshoots{{{0, 0}, {20, 0}, {20, 0}, {10, 0}}};
   EXPECT_TRUE(std::holds_alternative<CubicSpline>(recognized(overshoots, 1e-3)));
