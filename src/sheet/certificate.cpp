@@ -1,4 +1,5 @@
 #include "contour.hpp"
+#include "set_back.hpp"
 #include "unfolding_tree.hpp"
 
 #include <cmath>
@@ -18,7 +19,10 @@ double middle_u(const Face& face) {
 }
 
 /// The area at K = ½, from contours chained anew with that K.
-Result<double> area_at_half(const Sheet& sheet, FlattenOptions options) {
+Result<double> area_at_half(const Sheet& made, FlattenOptions options) {
+  const auto moved = needs_setback(made) ? with_setback(made) : Result<Sheet>(made);
+  if (!moved) return tl::unexpected(moved.error());
+  const Sheet& sheet = *moved;
   options.allowance = ConstantK{0.5, "certificate"};
   const auto tree = grow_unfolding_tree(sheet, options);
   if (!tree) return tl::unexpected(tree.error());

@@ -1,5 +1,6 @@
 #include "bend_lines.hpp"
 #include "contour.hpp"
+#include "set_back.hpp"
 #include "unfolding_tree.hpp"
 
 #include <algorithm>
@@ -120,9 +121,7 @@ void measure(FlatPattern& pattern) {
   }
 }
 
-}  // namespace
-
-Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options) {
+Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& options) {
   auto tree = grow_unfolding_tree(sheet, options);
   if (!tree) return tl::unexpected(tree.error());
   auto contours = chain_contours(sheet, *tree, options);
@@ -146,6 +145,17 @@ Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options) {
   align(pattern);
   measure(pattern);
   return pattern;
+}
+
+}  // namespace
+
+Result<FlatPattern> flatten(const Sheet& made, const FlattenOptions& options) {
+  if (needs_setback(made)) {
+    auto moved = with_setback(made);
+    if (!moved) return tl::unexpected(moved.error());
+    return flatten_set_back(*moved, options);
+  }
+  return flatten_set_back(made, options);
 }
 
 }  // namespace planish

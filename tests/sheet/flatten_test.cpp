@@ -1,0 +1,261 @@
+#include "support/sheets.hpp"
+
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/certificate.hpp>
+#include <planish/sheet/trihedron.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double kK = 0.44;
+
+FlatPattern flat(const Sheet& sheet, double k = kK) {
+  auto pattern = flatten(sheet, {.allowance = ConstantK{k, "test"}});
+  EXPECT_TRUE(pattern.has_value()) << (pattern ? "" : pattern.error().message);
+  return pattern.value_or(FlatPattern{});
+}
+
+Vec2 size_of(const FlatPattern& pattern) { return bounds(pattern.outer.loop).size(); }
+
+void expect_strip(const std::vector<StripPart>& parts, double width, double thickness) {
+  const FlatPattern pattern = flat(strip(parts, width, thickness));
+  const double expected = flat_length(parts, thickness, kK);
+  EXPECT_NEAR(pattern.area, expected * width, 1e-9 * expected * width);
+  const Vec2 size = size_of(pattern);
+  EXPECT_NEAR(std::max(size.x(), size.y()), std::max(expected, width), 1e-9 * expected);
+  EXPECT_NEAR(std::min(size.x(), size.y()), std::min(expected, width), 1e-9 * expected);
+  EXPECT_NEAR(pattern.perimeter, 2 * (expected + width), 1e-9 * expected);
+  EXPECT_EQ(pattern.outer.loop.size(), 4u) << "collinear sides of flanges and bends must be one line";
+}
+
+TEST(FlattenStrip, HasTheClosedFormLengthForAnyTurnUpOrDown) {
+  for (const double degrees : {1.0, 45.0, 90.0, 135.0, 180.0, 250.0})
+    for (const BendDirection direction : {BendDirection::up, BendDirection::down})
+      expect_strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
+}
+
+TEST(FlattenStrip, HasTheClosedFormLengthForTwoBendsOf270Degrees) {
+  const Turn turn{Angle::degrees(270), 6.0, BendDirection::up};
+  expect_strip({Straight{60}, turn, Straight{8}, turn, Straight{4}}, 25.0, 1.0);
+}
+
+TEST(FlattenStrip, UnrollsPartsWithoutAnyFlange) {
+  expect_strip({Turn{Angle::degrees(340), 12.0, BendDirection::up}}, 30.0, 1.0);
+}
+
+TEST(FlattenStrip, SetsSharpCornersBackOnTheOutsideAndSpacesThemOnTheInside) {
+  for (const BendDirection direction : {BendDirection::up, BendDirection::down})
+    expect_strip({Straight{50}, Crease{Angle::degrees(90), direction}, Straight{30},
+                  Crease{Angle::degrees(60), BendDirection::up}, Straight{20}}, 40.0, 2.0);
+}
+
+TEST(FlattenStaircase, KeepsTheClosedFormUpToAThousandFlanges) {
+  for (const int steps : {5, 50, 500}) {
+    const FlatPattern pattern = flat(staircase(steps));
+    const double allowance = pi / 2 * (1.0 + kK * 1.0);
+    const double expected = 20.0 * (2 * steps + 1) + 2 * steps * allowance;
+    EXPECT_NEAR(pattern.area, expected * 30.0, 1e-9 * expected * 30.0);
+    EXPECT_NEAR(size_of(pattern).x(), expected, 1e-9 * expected);
+    EXPECT_EQ(pattern.bends.size(), static_cast<size_t>(2 * steps));
+  }
+}
+
+TEST(FlattenCone, IsTwoRectanglesAndASector) {
+  const ConeJoint joint;
+  const FlatPattern pattern = flat(cone_joined(joint), 0.5);
+  // Radii of the sector on the neutral surface: the apex of the offset cone lies further back.
+  const double w = joint.turn.half_angle.radians();
+  const double shift = joint.thickness / 2 / std::tan(w);
+  const double near = joint.turn.near_distance + shift;
+  const double far = near + joint.width;
+  const double sector = joint.turn.azimuth.radians() * std::sin(w) / 2 * (far * far - near * near);
+  const double expected = joint.width * (joint.first + joint.second) + sector;
+  EXPECT_NEAR(pattern.area, expected, 1e-7 * expected);
+}
+
+TEST(FlattenCone, RollsOutAFrustumToAnAnnularSector) {
+  const double r1 = 30.0, r2 = 50.0, height = 40.0, t = 1.5;
+  const Angle sweep = Angle::degrees(300);
+  const FlatPattern pattern = flat(truncated_cone(r1, r2, height, sweep, t), 0.5);
+  const double w = std::atan2(r2 - r1, height);
+  const double shift = -t / 2 / std::tan(w);
+  const double a = r1 / std::sin(w) + shift;
+  const double b = r2 / std::sin(w) + shift;
+  const double expected = sweep.radians() * std::sin(w) / 2 * (b * b - a * a);
+  EXPECT_NEAR(pattern.area, expected, 1e-9 * expected);
+  EXPECT_EQ(pattern.outer.loop.size(), 4u);
+}
+
+TEST(FlattenOpenings, KeepCirclesAsFullCircles) {
+  const FlatPattern pattern = flat(plate_with_holes());
+  ASSERT_EQ(pattern.openings.size(), 3u);
+  int circles = 0;
+  for (const Contour& opening : pattern.openings)
+    if (opening.loop.size() == 1)
+      if (const auto* arc = std::get_if<Arc>(&opening.loop.front()))
+        circles += std::abs(std::abs(arc->sweep) - 2 * pi) < 1e-12;
+  EXPECT_EQ(circles, 2);
+}
+
+TEST(FlattenOpenings, AcrossABendAreRoundWhenMadeRound) {
+  for (const double diameter : {6.0, 30.0}) {
+    const Sheet sheet = diameter < 10.0 ? hole_in_bend(diameter, kK) : hole_across_bend(diameter, kK);
+    const FlatPattern pattern = flat(sheet);
+    ASSERT_EQ(pattern.openings.size(), 1u);
+    EXPECT_NEAR(-signed_area(pattern.openings.front().loop), pi * diameter * diameter / 4, 1e-4 * diameter * diameter);
+    EXPECT_EQ(pattern.bends.front().lines.size(), 2u) << "the bend line stops at the hole";
+  }
+}
+
+TEST(FlattenOpenings, InterruptABendWithoutMakingALoop) {
+  for (const Sheet& sheet : {slot_across_bend(), slot_into_bend()}) {
+    const FlatPattern pattern = flat(sheet);
+    EXPECT_LT(pattern.closure, 1e-9);
+    EXPECT_EQ(pattern.bends.size(), 1u);
+  }
+}
+
+TEST(FlattenBox, HasFourBendLinesAsLongAsTheWalls) {
+  const FlatPattern pattern = flat(box());
+  ASSERT_EQ(pattern.bends.size(), 4u);
+  for (const FlatBend& bend : pattern.bends) EXPECT_EQ(bend.direction, BendDirection::up);
+}
+
+TEST(FlattenUpSide, MirrorsThePatternAndTurnsTheBendsRound) {
+  const Sheet sheet = z_profile();
+  const auto up = flatten(sheet, {.up = UpSide::reference});
+  const auto down = flatten(sheet, {.up = UpSide::other});
+  ASSERT_TRUE(up && down);
+  EXPECT_NEAR(up->area, down->area, 1e-9);
+  for (size_t i = 0; i < up->bends.size(); ++i) EXPECT_NE(up->bends[i].direction, down->bends[i].direction);
+  EXPECT_GT(signed_area(down->outer.loop), 0.0);
+}
+
+TEST(FlattenUpSide, AutomaticPutsMostBendsUp) {
+  const auto pattern = flatten(l_bracket_down());
+  ASSERT_TRUE(pattern);
+  EXPECT_EQ(pattern->bends.front().direction, BendDirection::up);
+}
+
+TEST(FlattenRoot, DoesNotChangeThePattern) {
+  const Sheet sheet = u_channel();
+  const double area = flat(sheet).area;
+  for (int f = 0; f < static_cast<int>(sheet.faces.size()); ++f) {
+    const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .root = FaceId{f}});
+    ASSERT_TRUE(pattern);
+    EXPECT_NEAR(pattern->area, area, 1e-9 * area);
+    EXPECT_NEAR(size_of(*pattern).x(), size_of(flat(sheet)).x(), 1e-9);
+  }
+}
+
+TEST(FlattenLoop, IsRefusedWithTheEdgeToRip) {
+  Sheet sheet = u_channel();
+  // Joining the channel's free ends makes a tube.
+  const auto last = sheet.faces.size() - 1;
+  Joint joint;
+  joint.a = {FaceId{0}, 0, 3};
+  joint.b = {FaceId{static_cast<int>(last)}, 0, 2};
+  sheet.joints.push_back(joint);
+  const auto pattern = flatten(sheet);
+  ASSERT_FALSE(pattern);
+  EXPECT_EQ(pattern.error().code, ErrorCode::closed_loop);
+  EXPECT_NE(pattern.error().message.find("rip"), std::string::npos);
+}
+
+TEST(FlattenFormedFeature, IsDrawnAndNotCut) {
+  Sheet sheet = plate_with_holes();
+  const double plain = flat(sheet).area;
+  sheet.features.push_back({"formed", FaceId{0}, {}, -1, {}});
+  for (Border& border : sheet.faces.front().loops[1]) border.feature = 0;
+  const FlatPattern pattern = flat(sheet);
+  EXPECT_NEAR(pattern.area, plain + pi * 25.0, 1e-9 * plain);
+  EXPECT_EQ(pattern.openings.size(), 2u);
+  ASSERT_EQ(pattern.features.size(), 1u);
+  EXPECT_EQ(pattern.features.front().outlines.size(), 1u);
+}
+
+TEST(FlattenMetamorphic, MovingChangesNothingAndScalingScales) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.rotate(Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized())).pretranslate(Vec3(100, -50, 7));
+  for (const Sheet& sheet : {z_profile(), cone_joined(), box(), hole_across_bend(30.0, kK)}) {
+    const FlatPattern plain = flat(sheet);
+    EXPECT_NEAR(flat(moved(sheet, motion)).area, plain.area, 1e-8 * plain.area);
+    EXPECT_NEAR(flat(scaled(sheet, 10.0)).area, 100 * plain.area, 1e-6 * 100 * plain.area);
+  }
+}
+
+TEST(BorderTrihedra, BothFormsOfTheUnfoldingMotionAgreeWithThePlacement) {
+  for (const double degrees : {30.0, 90.0, 200.0})
+    for (const BendDirection direction : {BendDirection::up, BendDirection::down}) {
+      const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
+      const double sign = direction == BendDirection::up ? 1.0 : -1.0;
+      const double allowance = Angle::degrees(degrees).radians() * (3.0 + kK * 2.0);
+      // The flanges' own borders at the bend: joints run flange–bend and bend–flange.
+      const auto flange_side = [&](const Joint& joint) {
+        const bool a_flat = std::holds_alternative<Frame>(sheet.faces[static_cast<size_t>(index_of(joint.a.face))].surface);
+        return a_flat ? joint.a : joint.b;
+      };
+      const Frame parent = border_trihedron(sheet, flange_side(sheet.joints.front()));
+      const Frame child = border_trihedron(sheet, flange_side(sheet.joints.back()));
+      const auto steps = unfolding_by_steps(parent, child, Angle::radians(sign * Angle::degrees(degrees).radians()), allowance);
+      const auto trihedra = unfolding_by_trihedra(parent, child, 40.0, allowance);
+      EXPECT_LT((steps.matrix() - trihedra.matrix()).cwiseAbs().maxCoeff(), 1e-12) << degrees;
+      const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .up = UpSide::reference});
+      ASSERT_TRUE(pattern);
+      // Distances in the pattern are distances after T: both far corners of the child flange.
+      const Face& far = sheet.faces[static_cast<size_t>(index_of(sheet.flanges.back().faces.front()))];
+      const Face& near = sheet.faces[static_cast<size_t>(index_of(sheet.flanges.front().faces.front()))];
+      for (const Border& border : far.loops.front()) {
+        const Vec2 uv = start_of(border.curve);
+        const Vec3 unfolded = trihedra * skin_point(far, uv);
+        const Vec2 in_pattern = pattern->placement[static_cast<size_t>(index_of(sheet.flanges.back().faces.front()))] * uv;
+        const Vec2 origin = pattern->placement[static_cast<size_t>(index_of(sheet.flanges.front().faces.front()))] * Vec2(0, 0);
+        EXPECT_NEAR((unfolded - skin_point(near, Vec2(0, 0))).norm(), (in_pattern - origin).norm(), 1e-10);
+        EXPECT_NEAR(std::get<Frame>(near.surface).local(unfolded).z(), 0.0, 1e-10);
+      }
+    }
+}
+
+TEST(CertificateOfAStrip, HasTheVolumeLengthsAndRefoldOfItsSolid) {
+  for (const Sheet& sheet : {l_bracket(), u_channel(), z_profile(), box(), cone_joined(), plate_with_holes(),
+                             hole_across_bend(30.0, kK), truncated_cone(30, 50, 40, Angle::degrees(300), 1.5)}) {
+    const FlattenOptions options{.allowance = ConstantK{kK, "test"}};
+    const auto pattern = flatten(sheet, options);
+    ASSERT_TRUE(pattern);
+    const auto certificate = certify(sheet, *pattern, edge_distance(sheet), options);
+    ASSERT_TRUE(certificate);
+    EXPECT_NEAR(certificate->volume_ratio, 1.0, 1e-6);
+    EXPECT_LT(certificate->length_error, 1e-5);
+    EXPECT_LT(certificate->refold_deviation, 1e-3);
+  }
+}
+
+TEST(CertificateOfAStrip, NoticesAWrongContour) {
+  const Sheet sheet = l_bracket();
+  auto pattern = flatten(sheet);
+  ASSERT_TRUE(pattern);
+  for (Curve2& curve : pattern->outer.loop)
+    if (auto* line = std::get_if<Segment>(&curve)) line->a.x() += 0.5, line->b.x() += 0.5;
+  const auto certificate = certify(sheet, *pattern, edge_distance(sheet));
+  ASSERT_TRUE(certificate);
+  EXPECT_GT(certificate->refold_deviation, 0.4);
+}
+
+TEST(CertificateOfAStrip, NoticesAWrongThicknessByTheVolume) {
+  Sheet sheet = l_bracket();
+  sheet.volume *= 1.01;
+  const auto pattern = flatten(sheet);
+  ASSERT_TRUE(pattern);
+  const auto certificate = certify(sheet, *pattern, edge_distance(sheet));
+  ASSERT_TRUE(certificate);
+  EXPECT_NEAR(certificate->volume_ratio, 1 / 1.01, 1e-6);
+}
+
+}  // namespace
+}  // namespace planish::test
