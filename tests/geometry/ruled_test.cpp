@@ -316,6 +316,12 @@ TEST(ParametersOfRuled, PastTheEndGivesTheLastRuling) {
   EXPECT_NEAR(uv.y(), 1.0, 1e-12);
 }
 
+TEST(ParametersOfRuled, PrefersTheEndToAFartherFoot) {
+  // The other leg of the parabola has a foot at distance 3, the end of this leg is at 1.35.
+  const Developable strip = ruled_from(over_parabola(), -2, 1, 300);
+  EXPECT_NEAR(parameters_of(strip, Vec3(1.5, 2.25, 1), -1.5).x(), 1.0, 0.002);
+}
+
 TEST(ParametersOfRuled, InTheGapOfAnOpenRingGivesTheNearerEnd) {
   const Developable ring = ruled_from(over_ellipse(3, 2), 0, 5, 500);
   for (const double u : {5.1, 5.5, 6.0, 6.2}) {
