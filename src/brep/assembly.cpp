@@ -263,6 +263,8 @@ class Assembler {
         mark(static_cast<int>(p), here, "pocket",
              {ErrorCode::not_a_sheet, fmt::format("A recess at face {} opens the outer contour on one skin only.", part.faces.front() + 1),
               fmt::format("face {}", part.faces.front() + 1)});
+      } else if (part.within && here.empty()) {
+        for (const LoopRef& ref : there) add_far_pocket(part, ref);
       } else if (part.within && here.size() == 1 && there.size() == 1) {
         compare_openings(part, here.front(), there.front());
       }
@@ -285,6 +287,27 @@ class Assembler {
         sheet_.faces[static_cast<size_t>(index_of(border.face))].loops[static_cast<size_t>(border.loop)][static_cast<size_t>(border.border)].feature = index;
       }
     sheet_.features.push_back(std::move(feature));
+  }
+
+  /// A recess in the other skin: drawn where it lies, seen through the sheet.
+  void add_far_pocket(const RimPart& part, const LoopRef& ref) {
+    const bool opening = outer_loop(outlines_[static_cast<size_t>(ref.face)]) != ref.loop;
+    if (!opening || !std::holds_alternative<Frame>(solid_face(ref.face).surface)) return;
+    const Vec3 first = outlines_[static_cast<size_t>(ref.face)].rings[static_cast<size_t>(ref.loop)].front();
+    for (const int partner : skins_.partners[static_cast<size_t>(ref.face)]) {
+      const Outline& outline = outlines_[static_cast<size_t>(partner)];
+      if (skins_.side[static_cast<size_t>(partner)] != side_ || !std::holds_alternative<Frame>(solid_face(partner).surface)) continue;
+      const Face& face = face_of(partner);
+      const double reach = sheet_.thickness;
+      if (((outline.lo.array() - reach) > first.array()).any() || ((outline.hi.array() + reach) < first.array()).any()) continue;
+      FormedFeature feature;
+      feature.kind = "pocket";
+      feature.source_face = part.faces.front() + 1;
+      feature.face = FaceId{face_id_[static_cast<size_t>(partner)]};
+      feature.outlines.push_back(projected_loop(ref, std::get<Frame>(face.surface)));
+      sheet_.features.push_back(std::move(feature));
+      return;
+    }
   }
 
   double ring_area_of(const LoopRef& ref) const {

@@ -115,6 +115,13 @@ double overlap_area(const Outline& a, const std::vector<std::vector<Vec2>>& b, c
   return sum * (hi - lo) / kLines;
 }
 
+/// Offsets keep a surface's kind: only like faces can be opposite.
+bool same_kind(const SolidFace& a, const SolidFace& b) {
+  if (a.surface.index() != b.surface.index()) return false;
+  const auto* first = std::get_if<Developable>(&a.surface);
+  return !first || first->index() == std::get<Developable>(b.surface).index();
+}
+
 /// Depth of a point below face A, and its image in A's outline plane.
 struct Projection {
   Vec2 flat;
@@ -149,7 +156,7 @@ std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outl
   const SolidFace& face = model.faces[static_cast<size_t>(a)];
   const Outline& from = outlines[static_cast<size_t>(a)];
   const Outline& to = outlines[static_cast<size_t>(b)];
-  if (from.flat.empty() || to.flat.empty()) return {};
+  if (from.flat.empty() || to.flat.empty() || !same_kind(face, model.faces[static_cast<size_t>(b)])) return {};
   constexpr double kAntiparallel = -0.9995;  // cosine; 1.8°
   if (outward_normal_at(face, to.inner_point).dot(to.inner_normal) > kAntiparallel) return {};
   Opposite result;

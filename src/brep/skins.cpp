@@ -52,10 +52,19 @@ class ThicknessPoll {
     constexpr size_t kVoters = 60;
     std::vector<int> faces;
     for (int f = 0; f < count_; ++f)
-      if (!outline(f).flat.empty()) faces.push_back(f);
+      if (!outline(f).flat.empty() && !general(f)) faces.push_back(f);
+    if (faces.empty())
+      for (int f = 0; f < count_; ++f)
+        if (!outline(f).flat.empty()) faces.push_back(f);
     std::sort(faces.begin(), faces.end(), [&](int a, int b) { return outline(a).area > outline(b).area; });
     if (faces.size() > kVoters) faces.resize(kVoters);
     return faces;
+  }
+
+  /// General surfaces are dear to compare and are asked only where there is nothing else.
+  bool general(int f) const {
+    const auto* surface = std::get_if<Developable>(&model_.faces[static_cast<size_t>(f)].surface);
+    return surface && std::holds_alternative<Ruled>(*surface);
   }
 
   void vote(int a) {

@@ -104,11 +104,21 @@ class RulingReader {
     return true;
   }
 
-  Ruled ruled() const {
-    constexpr int kKnots = 129;
+  /// As many knots as it takes for the directrix and the far border to be within the tolerance.
+  Ruled ruled(double tolerance) const {
+    constexpr int kFewest = 8;
+    constexpr int kMost = 512;
+    for (int pieces = kFewest;; pieces *= 2) {
+      Ruled result = with_knots(pieces);
+      if (pieces >= kMost || deviation(result) <= tolerance) return result;
+    }
+  }
+
+ private:
+  Ruled with_knots(int pieces) const {
     Ruled result;
-    for (int i = 0; i < kKnots; ++i) {
-      const double u = first() + (last() - first()) * i / (kKnots - 1);
+    for (int i = 0; i <= pieces; ++i) {
+      const double u = first() + (last() - first()) * i / pieces;
       const Vec3 b = point(u, 0.0);
       const Vec3 d = point(u, 1.0) - b;
       const Vec3 b_prime = across(u, 0.0);
@@ -119,7 +129,20 @@ class RulingReader {
     return result;
   }
 
- private:
+  /// Half-way between knots the interpolation is worst.
+  double deviation(const Ruled& ruled) const {
+    const Developable surface = ruled;
+    double worst = 0.0;
+    for (size_t i = 0; i + 1 < ruled.knots.size(); ++i) {
+      const double u = (ruled.knots[i].u + ruled.knots[i + 1].u) / 2;
+      const Vec3 near = point(u, 0.0);
+      const Vec3 far = point(u, 1.0);
+      worst = std::max(worst, (point_on(surface, {u, 0.0}) - near).norm());
+      worst = std::max(worst, (point_on(surface, {u, (far - near).norm()}) - far).norm());
+    }
+    return worst;
+  }
+
   std::pair<double, double> uv(double u, double share) const {
     const Domain& d = patch_.domain;
     return along_v_ ? std::pair{u, d.v0 + share * (d.v1 - d.v0)} : std::pair{d.u0 + share * (d.u1 - d.u0), u};
@@ -145,10 +168,13 @@ class RulingReader {
   bool along_v_;
 };
 
+/// mm; far below what borders are read to.
+constexpr double kInterpolation = 1e-7;
+
 std::optional<Ruled> ruled_of(const Patch& patch, double tolerance) {
   for (const bool along_v : {true, false}) {
     const RulingReader reader(patch, along_v);
-    if (reader.developable(tolerance)) return reader.ruled();
+    if (reader.developable(tolerance)) return reader.ruled(kInterpolation);
   }
   return {};
 }

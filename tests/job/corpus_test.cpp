@@ -1,0 +1,152 @@
+#include <planish/brep/step.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <iomanip>
+#include <set>
+#include <unistd.h>
+
+// Real parts made by others (../shared/parts beside the repository). Every part unfolds, or is refused for
+// its reason; what differs from the parts' labels is named, with its cause, in corpus_exceptions.json.
+
+namespace planish::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path kSource = fs::path(__FILE__).parent_path();
+const fs::path kParts = kSource / "../../../shared/parts";
+
+Json read_json(const fs::path& path) {
+  std::ifstream stream(path);
+  return Json::parse(stream);
+}
+
+job::UnfoldRequest request_for(const fs::path& part) {
+  job::UnfoldRequest request;
+  request.input = part;
+  request.rules.enabled = false;
+  return request;
+}
+
+class Corpus : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(kParts / "manifest.json")) GTEST_SKIP() << "no real parts at " << kParts;
+    manifest_ = read_json(kParts / "manifest.json");
+    exceptions_ = read_json(kSource / "corpus_exceptions.json");
+    folder_ = fs::temp_directory_path() / ("planish-corpus-" + std::to_string(::getpid()));
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Json exception_for(const std::string& id) const { return exceptions_.value(id, Json::object()); }
+
+  void check_pattern(const Json& row, const job::UnfoldReport& report) {
+    const std::string id = row["id"];
+    const Json exception = exception_for(id);
+    const double off = std::abs(report.certificate.volume_ratio - 1.0);
+    const bool strict = row["class"] == "sheet_metal" || row["class"] == "flat_plate";
+    if (exception.contains("volume_within"))
+      EXPECT_LE(off, exception["volume_within"].get<double>()) << exception["cause"];
+    else if (strict)
+      EXPECT_LE(off, 1e-3) << "volume ratio " << report.certificate.volume_ratio;
+    if (strict && !row["thickness"].is_null())
+      EXPECT_NEAR(report.sheet.thickness, row["thickness"].get<double>(), 0.02 * row["thickness"].get<double>());
+    EXPECT_LE(report.certificate.length_error, 0.01);
+    EXPECT_LE(report.certificate.refold_deviation, 0.02);
+    write_dxf(id, report.flat);
+  }
+
+  void write_dxf(const std::string& id, const FlatPattern& flat) {
+    const auto text = dxf_text(flat);
+    ASSERT_TRUE(text) << text.error().message;
+    const fs::path path = folder_ / (id + ".dxf");
+    ASSERT_TRUE(write_file(path, *text));
+    std::ofstream(folder_ / "list.tsv", std::ios::app) << path.string() << '\t' << std::setprecision(17) << flat.area << "\t1e-4\n";
+  }
+
+  void check_refusal(const Json& row, const Error& refusal) {
+    const Json exception = exception_for(row["id"]);
+    static const std::map<std::string, std::set<std::string>> kCodes{
+        {"tube", {"closed_loop", "doubly_curved", "thickness_not_constant"}},
+        {"closed_corner", {"closed_loop", "doubly_curved"}},
+        {"not_sheet", {"not_a_sheet", "thickness_not_constant", "doubly_curved", "closed_loop", "overlap"}}};
+    const std::string code(code_name(refusal.code));
+    EXPECT_FALSE(refusal.message.empty());
+    EXPECT_EQ(exit_status(refusal.code), 4) << code << ": " << refusal.message;
+    if (exception.contains("refused"))
+      EXPECT_EQ(code, exception["refused"]) << refusal.message;
+    else if (const auto codes = kCodes.find(row["class"]); codes != kCodes.end())
+      EXPECT_TRUE(codes->second.count(code)) << code << ": " << refusal.message;
+    else
+      ADD_FAILURE() << "refused without a named cause: " << code << ": " << refusal.message;
+  }
+
+  void check_part(const Json& row) {
+    const std::string id = row["id"];
+    const auto report = job::unfold(request_for(kParts / (id + ".step")));
+    ASSERT_TRUE(report) << report.error().message;
+    const Json exception = exception_for(id);
+    const bool must_refuse = row["class"] == "tube" || row["class"] == "closed_corner" || row["class"] == "not_sheet";
+    if (report->refusal) {
+      check_refusal(row, *report->refusal);
+    } else {
+      EXPECT_TRUE(!must_refuse || exception.value("unfolds", false)) << "unfolded, but is labelled " << row["class"];
+      EXPECT_FALSE(exception.contains("refused")) << "unfolds now: take it off the list";
+      check_pattern(row, *report);
+    }
+  }
+
+  Json manifest_;
+  Json exceptions_;
+  fs::path folder_;
+};
+
+TEST_F(Corpus, EveryBodyUnfoldsOrIsRefusedForItsReasonAndEveryDxfReadsBack) {
+  int parts = 0;
+  for (const Json& row : manifest_) {
+    if (row["class"] == "assembly") continue;
+    SCOPED_TRACE(row["id"].get<std::string>());
+    check_part(row);
+    ++parts;
+  }
+  EXPECT_GT(parts, 150);
+  const std::string check = "/usr/bin/python3 '" + (kSource / "../../tools/check_dxf.py").string() + "' --list '" +
+                            (folder_ / "list.tsv").string() + "' > '" + (folder_ / "dxf.json").string() + "'";
+  EXPECT_EQ(std::system(check.c_str()), 0) << read_json(folder_ / "dxf.json").dump(1).substr(0, 4000);
+}
+
+TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
+  for (const Json& row : manifest_) {
+    if (row["class"] != "assembly") continue;
+    SCOPED_TRACE(row["id"].get<std::string>());
+    const auto reports = job::unfold_all(request_for(kParts / (row["id"].get<std::string>() + ".step")));
+    ASSERT_TRUE(reports) << reports.error().message;
+    EXPECT_GE(reports->size(), 1u);
+    for (const job::UnfoldReport& report : *reports)
+      if (report.refusal) {
+        EXPECT_NE(report.refusal->code, ErrorCode::internal) << report.refusal->message;
+        EXPECT_FALSE(report.refusal->message.empty());
+      }
+    for (const Json& known : manifest_) {
+      const bool member = known["class"] == "sheet_metal" && known["repo"] == row["repo"] && known["path"] == row["path"];
+      if (!member || exception_for(known["id"]).contains("refused")) continue;
+      const bool found = std::any_of(reports->begin(), reports->end(), [&](const job::UnfoldReport& report) {
+        return report.has_pattern() && std::abs(report.sheet.volume - known["volume"].get<double>()) < 1e-3 * report.sheet.volume;
+      });
+      EXPECT_TRUE(found) << "the sheet " << known["id"] << " did not unfold out of the assembly";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace planish::test
