@@ -1,0 +1,206 @@
+#include "dxf_writer.hpp"
+
+#include <planish/io/flat_writers.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace planish {
+namespace {
+
+struct Styles {
+  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features;
+};
+
+Styles styles_of(LayerProfile profile) {
+  const LayerNames names = layer_names(profile);
+  Styles styles{.outer = {names.outer, 7},
+                .openings = {names.openings, 4},
+                .bend_up = {names.bend_up, 5, true},
+                .bend_down = {names.bend_down, 1, true},
+                // Not dashed: there are shops that bend along whatever is.
+                .bend_zone = {names.bend_zone, 8},
+                .features = {names.features, 3}};
+  if (names.openings == names.outer) styles.openings.color = styles.outer.color;
+  return styles;
+}
+
+struct Entity {
+  EntityStyle style;
+  std::variant<Segment, Outline> geometry;
+};
+
+/// Entities in the order in which they are to be worked.
+class Drawing {
+ public:
+  Drawing(const FlatPattern& pattern, const DxfOptions& options)
+      : styles_(styles_of(options.profile)),
+        options_(options),
+        scale_(1.0 / millimetres_in(options.units)) {
+    for (const FlatBend& bend : pattern.bends)
+      add_bend(bend);
+    for (const FlatBend& bend : pattern.bends)
+      add_tangent_lines(bend);
+    for (const FlatFeature& feature : pattern.features) {
+      for (const Loop& loop : feature.outlines)
+        add_outline(styles_.features, loop);
+    }
+    for (const Contour& opening : pattern.openings)
+      add_outline(styles_.openings, opening.loop);
+    add_outline(styles_.outer, pattern.outer.loop);
+  }
+
+  const std::vector<Entity>& entities() const { return entities_; }
+  const Box2& extents() const { return extents_; }
+  /// A contour that cannot be cut: the pattern is not one.
+  bool has_empty_outline() const { return has_empty_outline_; }
+
+  /// The layers in use, once each.
+  std::vector<EntityStyle> layers() const {
+    std::vector<EntityStyle> layers;
+    for (const Entity& entity : entities_) {
+      const auto same = [&](const EntityStyle& s) { return s.layer == entity.style.layer; };
+      if (std::ranges::none_of(layers, same)) layers.push_back(entity.style);
+    }
+    return layers;
+  }
+
+ private:
+  void add_line(const EntityStyle& style, const Vec2& a, const Vec2& b) {
+    if ((b - a).norm() < 1e-6) return;  // mm; no tool marks a line that short
+    const Segment line{a * scale_, b * scale_};
+    extents_.add(bounds(Curve2(line)));
+    entities_.push_back({style, line});
+  }
+
+  void add_bend(const FlatBend& bend) {
+    const auto& style = bend.direction == BendDirection::up ? styles_.bend_up : styles_.bend_down;
+    for (const Segment& line : bend.lines) {
+      const Vec2 whole = line.b - line.a;
+      const double tick = std::min(options_.tick_length, whole.norm() / 3.0);
+      if (options_.bend_marks == BendMarks::lines || tick < 1e-6) {
+        add_line(style, line.a, line.b);
+      } else {
+        add_line(style, line.a, line.a + tick * whole.normalized());
+        add_line(style, line.b - tick * whole.normalized(), line.b);
+      }
+    }
+  }
+
+  void add_tangent_lines(const FlatBend& bend) {
+    if (!options_.tangent_lines || styles_.bend_zone.layer.empty()) return;
+    for (const Segment& line : bend.tangent_lines)
+      add_line(styles_.bend_zone, line.a, line.b);
+  }
+
+  void add_outline(const EntityStyle& style, const Loop& loop) {
+    const bool keep = options_.splines == Splines::keep && options_.version != DxfVersion::r12;
+    const Outline outline = outline_of(loop, {.splines = keep ? Splines::keep : Splines::arcs,
+                                              .arc_tolerance = options_.arc_tolerance,
+                                              .scale = scale_});
+    const Box2 box = bounds(outline);
+    if (box.empty() || box.size().minCoeff() <= 0.0) {
+      // A formed feature is only marked: one that has shrunk to nothing is left out.
+      has_empty_outline_ |= style.layer != styles_.features.layer;
+      return;
+    }
+    extents_.add(box);
+    entities_.push_back({style, outline});
+  }
+
+  Styles styles_;
+  DxfOptions options_;
+  double scale_;
+  std::vector<Entity> entities_;
+  Box2 extents_;
+  bool has_empty_outline_ = false;
+};
+
+/// Two periods of dash and gap at least, so that a short bend line is seen to be dashed.
+double dash_scale(const Segment& line, double unit) {
+  const double periods = (line.b - line.a).norm() * unit / (kDash + kGap);
+  return std::clamp(periods / 2.0, 0.01, 1.0);
+}
+
+void write(DxfWriter& writer, const Entity& entity, double unit) {
+  if (const auto* line = std::get_if<Segment>(&entity.geometry)) {
+    const double scale = entity.style.dashed ? dash_scale(*line, unit) : 1.0;
+    write_line(writer, entity.style, *line, scale);
+  } else {
+    write_outline(writer, entity.style, std::get<Outline>(entity.geometry));
+  }
+}
+
+Result<void> checked(const DxfOptions& options) {
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0.0; };
+  if (!positive(options.arc_tolerance)) {
+    return fail(ErrorCode::bad_option, fmt::format("the arc tolerance is {} mm; it must be above 0",
+                                                   options.arc_tolerance));
+  }
+  if (!positive(options.tick_length)) {
+    return fail(ErrorCode::bad_option,
+                fmt::format("the tick length is {} mm; it must be above 0", options.tick_length));
+  }
+  return {};
+}
+
+bool is_finite(const Curve2& curve) {
+  if (const auto* s = std::get_if<Segment>(&curve)) return s->a.allFinite() && s->b.allFinite();
+  if (const auto* arc = std::get_if<Arc>(&curve)) {
+    return arc->center.allFinite() && std::isfinite(arc->radius) && std::isfinite(arc->start) &&
+           std::isfinite(arc->sweep);
+  }
+  return std::ranges::all_of(std::get<CubicSpline>(curve).poles,
+                             [](const Vec2& pole) { return pole.allFinite(); });
+}
+
+bool is_finite(const std::vector<Segment>& lines) {
+  return std::ranges::all_of(lines, [](const Segment& line) { return is_finite(Curve2(line)); });
+}
+
+bool is_contour(const Loop& loop) {
+  return !loop.empty() && std::ranges::all_of(loop, [](const Curve2& c) { return is_finite(c); });
+}
+
+/// Checked before anything is fitted to a curve.
+bool is_drawable(const FlatPattern& pattern) {
+  return is_contour(pattern.outer.loop) &&
+         std::ranges::all_of(pattern.openings,
+                             [](const Contour& c) { return is_contour(c.loop); }) &&
+         std::ranges::all_of(pattern.features,
+                             [](const FlatFeature& feature) {
+                               return std::ranges::all_of(feature.outlines, is_contour);
+                             }) &&
+         std::ranges::all_of(pattern.bends, [](const FlatBend& bend) {
+           return is_finite(bend.lines) && is_finite(bend.tangent_lines);
+         });
+}
+
+}  // namespace
+
+Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options) {
+  if (auto good = checked(options); !good) return tl::unexpected(good.error());
+  if (!is_drawable(pattern)) {
+    return fail(ErrorCode::internal,
+                "the pattern has a contour or a line that is empty or not finite");
+  }
+  const Drawing drawing(pattern, options);
+  if (drawing.has_empty_outline()) {
+    return fail(ErrorCode::internal, "the pattern has a contour without extent");
+  }
+
+  DL_Dxf dxf;
+  // dxflib learns the version only where it opens a file; an empty name opens none.
+  const std::unique_ptr<DL_WriterA> unused(dxf.out("", dxflib_version(options.version)));
+  DxfWriter writer(options.version);
+  write_prolog(dxf, writer, {drawing.extents(), options.units, drawing.layers()});
+  for (const Entity& entity : drawing.entities())
+    write(writer, entity, millimetres_in(options.units));
+  write_epilog(dxf, writer);
+  return writer.text();
+}
+
+}  // namespace planish

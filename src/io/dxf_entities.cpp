@@ -1,0 +1,150 @@
+#include "dxf_writer.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+constexpr int kPlanarSpline = 8;
+constexpr int kClosed = 1;
+
+/// Head of an entity. Not dxflib's: with R12 that one leaves the linetype out.
+void begin(DxfWriter& w, const char* type, const char* subclass, const EntityStyle& style,
+           double dash_scale = 1.0) {
+  w.entity(type);
+  if (!w.r12()) w.subClass("AcDbEntity");
+  w.dxfString(8, style.layer);
+  w.linetype(style.dashed ? "DASHED" : "CONTINUOUS");
+  w.color(style.color);
+  if (!w.r12() && dash_scale != 1.0) w.linetypeScale(dash_scale);
+  if (!w.r12()) w.subClass(subclass);
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const Circle& circle) {
+  begin(w, "CIRCLE", "AcDbCircle", style);
+  w.coord(10, circle.center.x(), circle.center.y());
+  w.dxfReal(40, circle.radius);
+}
+
+void write_lwpolyline(DxfWriter& w, const EntityStyle& style, const Polyline& polyline) {
+  begin(w, "LWPOLYLINE", "AcDbPolyline", style);
+  w.dxfInt(90, static_cast<int>(polyline.vertices.size()));
+  w.dxfInt(70, kClosed);
+  for (const BulgeVertex& v : polyline.vertices) {
+    w.dxfReal(10, v.point.x());
+    w.dxfReal(20, v.point.y());
+    if (v.bulge != 0.0) w.dxfReal(42, v.bulge);
+  }
+}
+
+void write_r12_polyline(DxfWriter& w, const EntityStyle& style, const Polyline& polyline) {
+  begin(w, "POLYLINE", "", style);
+  w.dxfInt(66, 1);  // vertices follow
+  w.coord(10, 0.0, 0.0);
+  w.dxfInt(70, kClosed);
+  for (const BulgeVertex& v : polyline.vertices) {
+    w.entity("VERTEX");
+    w.dxfString(8, style.layer);
+    w.coord(10, v.point.x(), v.point.y());
+    if (v.bulge != 0.0) w.dxfReal(42, v.bulge);
+  }
+  w.entity("SEQEND");
+  w.dxfString(8, style.layer);
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const Polyline& polyline) {
+  if (w.r12()) {
+    write_r12_polyline(w, style, polyline);
+  } else {
+    write_lwpolyline(w, style, polyline);
+  }
+}
+
+double degrees_in_turn(double radians) {
+  const double degrees = std::fmod(radians * 180.0 / std::numbers::pi, 360.0);
+  return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const Arc& arc) {
+  const double end = arc.start + arc.sweep;
+  begin(w, "ARC", "AcDbCircle", style);
+  w.coord(10, arc.center.x(), arc.center.y());
+  w.dxfReal(40, arc.radius);
+  if (!w.r12()) w.subClass("AcDbArc");
+  // DXF arcs run counter-clockwise.
+  w.dxfReal(50, degrees_in_turn(arc.sweep > 0.0 ? arc.start : end));
+  w.dxfReal(51, degrees_in_turn(arc.sweep > 0.0 ? end : arc.start));
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const Segment& line) {
+  write_line(w, style, line, 1.0);
+}
+
+/// A Bézier chain as a B-spline: at a joint either all three knots stay, or, where the pieces can
+/// be run through at one speed, the joint's pole and one of its knots go, which makes the curve C1
+/// also for readers that cut it at threefold knots.
+struct BSpline {
+  std::vector<Vec2> poles;
+  std::vector<double> knots;
+};
+
+BSpline b_spline(const CubicSpline& chain) {
+  const auto& p = chain.poles;
+  BSpline result{{p[0], p[1]}, {0.0, 0.0, 0.0, 0.0}};
+  double knot = 1.0;
+  double width = 1.0;
+  for (std::size_t joint = 3; joint + 1 < p.size(); joint += 3) {
+    const Vec2 before = p[joint] - p[joint - 1];
+    const Vec2 after = p[joint + 1] - p[joint];
+    const double speed = after.norm() / before.norm();
+    // Widths that run away are a sign of handles without length; then start afresh.
+    const bool sane = speed > 1e-3 && speed < 1e3 && width * speed < 1e6 && width * speed > 1e-6;
+    const bool smooth = sane && (after - speed * before).norm() < 1e-10;
+    result.poles.push_back(p[joint - 1]);
+    if (!smooth) result.poles.push_back(p[joint]);
+    result.poles.push_back(p[joint + 1]);
+    result.knots.insert(result.knots.end(), smooth ? 2 : 3, knot);
+    width = smooth ? width * speed : 1.0;
+    knot += width;
+  }
+  result.poles.push_back(p[p.size() - 2]);
+  result.poles.push_back(p.back());
+  result.knots.insert(result.knots.end(), 4, knot);
+  return result;
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const CubicSpline& chain) {
+  const BSpline spline = b_spline(chain);
+  begin(w, "SPLINE", "AcDbSpline", style);
+  w.coord(210, 0.0, 0.0, 1.0);
+  w.dxfInt(70, kPlanarSpline);
+  w.dxfInt(71, 3);
+  w.dxfInt(72, static_cast<int>(spline.knots.size()));
+  w.dxfInt(73, static_cast<int>(spline.poles.size()));
+  w.dxfInt(74, 0);
+  for (const double knot : spline.knots)
+    w.dxfReal(40, knot);
+  for (const Vec2& pole : spline.poles)
+    w.coord(10, pole.x(), pole.y());
+}
+
+void write(DxfWriter& w, const EntityStyle& style, const Loop& chain) {
+  for (const Curve2& curve : chain) {
+    std::visit([&](const auto& c) { write(w, style, c); }, curve);
+  }
+}
+
+}  // namespace
+
+void write_line(DxfWriter& w, const EntityStyle& style, const Segment& line, double dash_scale) {
+  begin(w, "LINE", "AcDbLine", style, dash_scale);
+  w.coord(10, line.a.x(), line.a.y());
+  w.coord(11, line.b.x(), line.b.y());
+}
+
+void write_outline(DxfWriter& w, const EntityStyle& style, const Outline& outline) {
+  std::visit([&](const auto& o) { write(w, style, o); }, outline);
+}
+
+}  // namespace planish

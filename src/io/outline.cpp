@@ -1,0 +1,180 @@
+#include "outline.hpp"
+
+#include <planish/geometry/fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+using std::numbers::pi;
+
+// In units of the file, whatever the unit: vertices nearer than this are one vertex.
+constexpr double kSamePoint = 1e-9;
+constexpr double kStraightBulge = 1e-12;
+// Beyond this radius the angles of an ARC, as doubles in degrees, no longer place its ends to 1e-9.
+constexpr double kLargestArcRadius = 1e5;
+
+bool has_spline(const Loop& loop) {
+  return std::ranges::any_of(
+      loop, [](const Curve2& c) { return std::holds_alternative<CubicSpline>(c); });
+}
+
+Loop without_splines(const Loop& loop, double tolerance) {
+  Loop result;
+  for (const Curve2& curve : loop) {
+    const std::vector<Curve2> arcs = to_arcs(curve, tolerance);
+    result.insert(result.end(), arcs.begin(), arcs.end());
+  }
+  return result;
+}
+
+/// Arcs of more than half a turn halved: some readers take the shorter way round.
+Loop with_short_arcs(const Loop& loop) {
+  Loop result;
+  for (const Curve2& curve : loop) {
+    const Arc* arc = std::get_if<Arc>(&curve);
+    // Half turns come with rounding; they stay one piece.
+    if (arc && std::abs(arc->sweep) > pi * (1.0 + 1e-9)) {
+      Arc half = *arc;
+      half.sweep *= 0.5;
+      result.emplace_back(half);
+      half.start += half.sweep;
+      result.emplace_back(half);
+    } else {
+      result.push_back(curve);
+    }
+  }
+  return result;
+}
+
+Curve2 scaled(Curve2 curve, double scale) {
+  if (auto* s = std::get_if<Segment>(&curve)) {
+    s->a *= scale;
+    s->b *= scale;
+  } else if (auto* arc = std::get_if<Arc>(&curve)) {
+    arc->center *= scale;
+    arc->radius *= scale;
+  } else {
+    for (Vec2& pole : std::get<CubicSpline>(curve).poles)
+      pole *= scale;
+  }
+  return curve;
+}
+
+/// Where `next` starts. The end that is a stored point is taken rather than the one computed from
+/// an arc's angle, so that written coordinates stay the designer's.
+Vec2 joint(const Curve2& previous, const Curve2& next) {
+  const bool computed = std::holds_alternative<Arc>(next);
+  return computed && !std::holds_alternative<Arc>(previous) ? end_of(previous) : start_of(next);
+}
+
+/// The pieces that have a length, each with the point where it starts: a piece without length would
+/// double a vertex, which cutting programs stumble over.
+struct Piece {
+  Curve2 curve;
+  Vec2 start;
+};
+
+std::vector<Piece> pieces_of(const Loop& loop) {
+  std::vector<Vec2> joints;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    joints.push_back(joint(loop[(i + loop.size() - 1) % loop.size()], loop[i]));
+  }
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double gap = (joints[(i + 1) % loop.size()] - joints[i]).norm();
+    const bool closed_spline = loop.size() == 1 && std::holds_alternative<CubicSpline>(loop[i]);
+    if (gap >= kSamePoint || closed_spline) pieces.push_back({loop[i], joints[i]});
+  }
+  return pieces;
+}
+
+double bulge_of(const Curve2& curve) {
+  const Arc* arc = std::get_if<Arc>(&curve);
+  const double bulge = arc ? std::tan(arc->sweep / 4.0) : 0.0;
+  return std::abs(bulge) < kStraightBulge ? 0.0 : bulge;
+}
+
+Polyline polyline_of(const Loop& loop) {
+  Polyline result;
+  for (const Piece& piece : pieces_of(loop))
+    result.vertices.push_back({piece.start, bulge_of(piece.curve)});
+  return result;
+}
+
+/// Cubic that is the arc to rounding: only for the small sweeps of very large radii.
+CubicSpline flat_arc(const Vec2& a, const Vec2& b, double bulge) {
+  const Vec2 chord = b - a;
+  const double handle = (1.0 + bulge * bulge) / 3.0;
+  const Eigen::Rotation2Dd half_sweep(2.0 * std::atan(bulge));
+  return {{a, a + handle * (half_sweep.inverse() * chord), b - handle * (half_sweep * chord), b}};
+}
+
+Curve2 between(const Curve2& curve, const Vec2& a, const Vec2& b) {
+  if (const auto* spline = std::get_if<CubicSpline>(&curve)) {
+    CubicSpline moved = *spline;
+    moved.poles.front() = a;
+    moved.poles.back() = b;
+    return moved;
+  }
+  Curve2 result = bulge_curve(a, b, bulge_of(curve));
+  const Arc* arc = std::get_if<Arc>(&result);
+  if (arc && arc->radius > kLargestArcRadius) return flat_arc(a, b, bulge_of(curve));
+  return result;
+}
+
+Loop chain_of(const Loop& loop) {
+  const std::vector<Piece> pieces = pieces_of(loop);
+  Loop result;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Vec2& end = pieces[(i + 1) % pieces.size()].start;
+    result.push_back(between(pieces[i].curve, pieces[i].start, end));
+  }
+  return result;
+}
+
+}  // namespace
+
+Curve2 bulge_curve(const Vec2& a, const Vec2& b, double bulge) {
+  if (std::abs(bulge) < kStraightBulge) return Segment{a, b};
+  const Vec2 chord = b - a;
+  const Vec2 left(-chord.y(), chord.x());
+  const Vec2 center = 0.5 * (a + b) + (1.0 - bulge * bulge) / (4.0 * bulge) * left;
+  const double radius = chord.norm() * (1.0 + bulge * bulge) / (4.0 * std::abs(bulge));
+  const Vec2 from = a - center;
+  return Arc{center, radius, std::atan2(from.y(), from.x()), 4.0 * std::atan(bulge)};
+}
+
+Outline outline_of(const Loop& loop, const OutlineOptions& options) {
+  const bool keep = options.splines == Splines::keep && has_spline(loop);
+  Loop curves = keep ? loop : without_splines(loop, options.arc_tolerance);
+  for (Curve2& curve : curves)
+    curve = scaled(curve, options.scale);
+  if (curves.size() == 1) {
+    if (const Arc* arc = std::get_if<Arc>(&curves[0])) return Circle{arc->center, arc->radius};
+  }
+  curves = with_short_arcs(curves);
+  if (keep) return chain_of(curves);
+  return polyline_of(curves);
+}
+
+Box2 bounds(const Outline& outline) {
+  Box2 box;
+  if (const auto* circle = std::get_if<Circle>(&outline)) {
+    box.add(Vec2(circle->center.array() - circle->radius));
+    box.add(Vec2(circle->center.array() + circle->radius));
+  } else if (const auto* polyline = std::get_if<Polyline>(&outline)) {
+    const auto& v = polyline->vertices;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+      box.add(bounds(bulge_curve(v[i].point, v[(i + 1) % v.size()].point, v[i].bulge)));
+    }
+  } else {
+    box.add(bounds(std::get<Loop>(outline)));
+  }
+  return box;
+}
+
+}  // namespace planish

@@ -1,0 +1,153 @@
+#include "svg_labels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ranges>
+
+namespace planish {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kBoxHeight = 1.05;   // of a line of text, in heights of the font
+constexpr double kClearance = 0.8;    // from a line to the middle of the text beside it
+constexpr double kWidestStrip = 2.5;  // a wider strip about the line takes the text inside
+constexpr double kSmallest = 0.55;    // letters may shrink to this share to fit
+
+Vec2 half_size(const PlacedLabel& label) {
+  return 0.5 * Vec2(text_width(label.text, label.font), kBoxHeight * label.font);
+}
+
+/// Whether the segment enters the label's box (clipping in the box's own axes).
+bool meets(const PlacedLabel& label, const Segment& segment) {
+  const Eigen::Rotation2Dd back(-label.angle);
+  const Vec2 a = back * (segment.a - label.center);
+  const Vec2 d = back * (segment.b - label.center) - a;
+  const Vec2 half = half_size(label);
+  double enter = 0.0;
+  double leave = 1.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (d[axis] == 0.0) {
+      if (std::abs(a[axis]) > half[axis]) return false;
+      continue;
+    }
+    const double t0 = (-half[axis] - a[axis]) / d[axis];
+    const double t1 = (half[axis] - a[axis]) / d[axis];
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  return enter < leave;
+}
+
+bool meets(const PlacedLabel& label, const PlacedLabel& other) {
+  const std::vector<Vec2> c = corners(other);
+  // The middle line too: a box wholly inside the other has no side that crosses it.
+  return meets(label, Segment{c[0], c[1]}) || meets(label, Segment{c[1], c[2]}) ||
+         meets(label, Segment{c[2], c[3]}) || meets(label, Segment{c[3], c[0]}) ||
+         meets(label, Segment{c[0], c[2]});
+}
+
+double cost(const PlacedLabel& label, const std::vector<PlacedLabel>& placed,
+            const std::vector<Segment>& obstacles) {
+  const auto labels =
+      std::ranges::count_if(placed, [&](const PlacedLabel& other) { return meets(label, other); });
+  const auto lines =
+      std::ranges::count_if(obstacles, [&](const Segment& line) { return meets(label, line); });
+  return 50.0 * static_cast<double>(labels) +
+         10.0 * std::min<double>(static_cast<double>(lines), 4.0);
+}
+
+/// Direction of the line turned so that text along it is read from below or from the right.
+double reading_angle(const Segment& line) {
+  const Vec2 d = line.b - line.a;
+  double angle = std::atan2(d.y(), d.x());
+  // A hair of slack, so that upright lines drawn either way are labelled the same.
+  if (angle > pi / 2 + 1e-6) angle -= pi;
+  if (angle <= -pi / 2 + 1e-6) angle += pi;
+  return angle;
+}
+
+std::vector<PlacedLabel> along(const LabelRequest& request, double font) {
+  const double length = (request.line.b - request.line.a).norm();
+  const double room = 1.0 - text_width(request.text, font) / length;
+  const double angle = reading_angle(request.line);
+  const double strip = request.clearance < kWidestStrip * font ? request.clearance : 0.0;
+  const Vec2 up = Eigen::Rotation2Dd(angle) * Vec2(0.0, strip + kClearance * font);
+  std::vector<PlacedLabel> places;
+  if (room < 0.0) return places;
+  for (const double share : {0.0, -0.4, 0.4, -0.8, 0.8}) {
+    const double t = 0.5 + 0.5 * share * room;
+    const Vec2 at = request.line.a + t * (request.line.b - request.line.a);
+    places.push_back({request.text, at + up, angle, font, {}});
+    places.push_back({request.text, at - up, angle, font, {}});
+  }
+  return places;
+}
+
+/// Level text on all sides of a line too short to write along.
+std::vector<PlacedLabel> beside(const LabelRequest& request, double font) {
+  const Vec2 middle = 0.5 * (request.line.a + request.line.b);
+  const Vec2 half = 0.5 * Vec2(text_width(request.text, font), kBoxHeight * font);
+  const Vec2 reach =
+      0.5 * (request.line.b - request.line.a).cwiseAbs() + half + Vec2(0.5 * font, 0.4 * font);
+  std::vector<PlacedLabel> places;
+  for (const double away : {1.0, 1.5, 2.2}) {
+    for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1), Vec2(1, 1),
+                             Vec2(1, -1), Vec2(-1, 1), Vec2(-1, -1)}) {
+      const Vec2 center = middle + away * side.cwiseProduct(reach);
+      const Vec2 near = center + (middle - center).cwiseMax(-half).cwiseMin(half);
+      places.push_back({request.text, center, 0.0, font, Segment{middle, near}});
+    }
+  }
+  return places;
+}
+
+PlacedLabel place(const LabelRequest& request, const std::vector<PlacedLabel>& placed,
+                  const std::vector<Segment>& obstacles, double font) {
+  std::vector<PlacedLabel> places;
+  for (double size = font; size > kSmallest * font; size *= 0.85) {
+    std::ranges::copy(along(request, size), std::back_inserter(places));
+  }
+  std::ranges::copy(beside(request, font), std::back_inserter(places));
+  std::ranges::copy(beside(request, 0.7 * font), std::back_inserter(places));
+  // Earlier places are better ones: a small price by rank decides between equals.
+  double best_cost = std::numeric_limits<double>::infinity();
+  PlacedLabel best;
+  for (std::size_t rank = 0; rank < places.size() && best_cost > static_cast<double>(rank) * 0.1;
+       ++rank) {
+    const double c = cost(places[rank], placed, obstacles) + 0.1 * static_cast<double>(rank);
+    if (c >= best_cost) continue;
+    best_cost = c;
+    best = places[rank];
+  }
+  return best;
+}
+
+}  // namespace
+
+double text_width(const std::string& text, double font) {
+  const auto letters = std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  return 0.58 * font * static_cast<double>(letters);
+}
+
+std::vector<Vec2> corners(const PlacedLabel& label) {
+  const Vec2 half = half_size(label);
+  const Eigen::Rotation2Dd turn(label.angle);
+  std::vector<Vec2> result;
+  for (const Vec2& sign : {Vec2(-1, -1), Vec2(1, -1), Vec2(1, 1), Vec2(-1, 1)}) {
+    result.emplace_back(label.center + turn * sign.cwiseProduct(half));
+  }
+  return result;
+}
+
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Segment>& obstacles, double font) {
+  std::vector<PlacedLabel> placed;
+  for (const LabelRequest& request : requests)
+    placed.push_back(place(request, placed, obstacles, font));
+  return placed;
+}
+
+}  // namespace planish

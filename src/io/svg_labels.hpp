@@ -1,0 +1,40 @@
+#pragma once
+
+#include <planish/geometry/curve.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// A text that belongs to a line.
+struct LabelRequest {
+  std::string text;
+  Segment line;
+  double clearance = 0.0;  ///< what to keep free on both sides of the line, when that is not much
+};
+
+/// Where it goes: `center` of the text, turned counter-clockwise by `angle` in (−90°, 90°],
+/// radians.
+struct PlacedLabel {
+  std::string text;
+  Vec2 center;
+  double angle = 0.0;
+  double font = 0.0;              ///< height of the letters' box
+  std::optional<Segment> leader;  ///< from the line to a text that does not lie along it
+};
+
+/// Width of a text in a plain sans-serif face, roughly.
+double text_width(const std::string& text, double font);
+
+/// The four corners of a label's box.
+std::vector<Vec2> corners(const PlacedLabel& label);
+
+/// Places each text along its line, beside it where the line is too short, in the order given;
+/// chosen among some places is the one that meets the fewest earlier labels and obstacles.
+/// Obstacles may contain the lines themselves.
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Segment>& obstacles, double font);
+
+}  // namespace planish
