@@ -154,8 +154,10 @@ function(_planish_module_bench name)
     return()
   endif()
   add_executable(${name}_bench ${benches})
-  target_link_libraries(${name}_bench PRIVATE planish::${name} ${ARGN} benchmark::benchmark_main)
+  # Benches measure the same sheets that tests check.
+  target_link_libraries(${name}_bench
+    PRIVATE planish::${name} ${ARGN} benchmark::benchmark_main planish_test_support)
   target_include_directories(${name}_bench
-    PRIVATE "${PROJECT_SOURCE_DIR}/bench" "${PROJECT_SOURCE_DIR}/src/${name}")
+    PRIVATE "${PROJECT_SOURCE_DIR}/bench" "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src/${name}")
   target_compile_definitions(${name}_bench PRIVATE PLANISH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()

@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "borders.hpp"
+#include "widest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,9 +90,46 @@ class Assembler {
 
   BorderLoop read_loop(int f, int l, const SolidSurface& surface, double u_near) {
     const auto& loop = solid_face(f).loops[static_cast<size_t>(l)];
-    BorderLoop borders = read_borders(model_, loop, surface, u_near, tolerance_);
-    for (size_t i = 0; i < loop.size(); ++i) loop_of_use_[{f, loop[i].edge, loop[i].forward}] = {l, static_cast<int>(i)};
+    std::vector<CoEdge> widened;
+    for (const CoEdge& use : loop) {
+      widened.push_back(widest_edge(model_, rim_, f, use));
+      if (widened.back().edge != use.edge) widened_loops_.emplace(f, l);
+    }
+    BorderLoop read = read_borders(model_, widened, surface, u_near, tolerance_);
+    BorderLoop borders;
+    for (size_t i = 0; i < loop.size(); ++i) {
+      if (widened[i].edge != loop[i].edge) set_depth(f, read[i]);
+      if (widened_loops_.count({f, l})) connect(borders, read[i]);
+      loop_of_use_[{f, loop[i].edge, loop[i].forward}] = {l, static_cast<int>(borders.size())};
+      borders.push_back(std::move(read[i]));
+    }
+    if (widened_loops_.count({f, l})) connect(borders, Border(borders.front()));
     return borders;
+  }
+
+  /// Beside a chamfer that ends, its short side closes the contour.
+  void connect(BorderLoop& borders, const Border& next) const {
+    if (borders.empty()) return;
+    const Vec2 from = end_of(borders.back().curve);
+    const Vec2 to = start_of(next.curve);
+    constexpr double kStep = 1e-3;  // mm: less is the rounding of the file, which merging closes
+    if ((to - from).norm() <= kStep) return;
+    Border step;
+    step.curve = Segment{from, to};
+    borders.push_back(step);
+  }
+
+  void set_depth(int f, Border& border) const {
+    const SolidFace& face = solid_face(f);
+    const Vec3 point = model_.edges[static_cast<size_t>(border.edge)].curve.start;
+    if (const auto* plane = std::get_if<Frame>(&face.surface)) {
+      border.edge_depth = -plane->local(point).z();
+    } else {
+      const auto& surface = std::get<Developable>(face.surface);
+      const Vec2 uv = parameters_of(surface, point, 0.0);
+      border.edge_depth = -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+      border.edge_length = 0.0;  // a length below the skin is not the skin's
+    }
   }
 
   /// A hole read from its own first point may lie a turn away from the face's outer loop.
@@ -263,12 +301,13 @@ class Assembler {
         mark(static_cast<int>(p), here, "pocket",
              {ErrorCode::not_a_sheet, fmt::format("A recess at face {} opens the outer contour on one skin only.", part.faces.front() + 1),
               fmt::format("face {}", part.faces.front() + 1)});
-      } else if (part.within && here.empty()) {
-        for (const LoopRef& ref : there) add_far_pocket(part, ref);
+      } else if (here.empty() && (part.within || !formed_here(part))) {
+        for (const LoopRef& ref : there) add_far_outline(part, ref, part.within ? "pocket" : "formed");
       } else if (part.within && here.size() == 1 && there.size() == 1) {
         compare_openings(part, here.front(), there.front());
       }
     }
+    add_chamfered_rims();
   }
 
   void mark(int part, const std::vector<LoopRef>& loops, const char* kind, const Error& at_rim) {
@@ -289,8 +328,29 @@ class Assembler {
     sheet_.features.push_back(std::move(feature));
   }
 
-  /// A recess in the other skin: drawn where it lies, seen through the sheet.
-  void add_far_pocket(const RimPart& part, const LoopRef& ref) {
+  /// Whether a form that leaves the sheet also shows on the reference skin (an emboss has two sides).
+  bool formed_here(const RimPart& part) const {
+    const auto [lo, hi] = box_of(part);
+    return std::any_of(rim_.parts.begin(), rim_.parts.end(), [&, lo = lo, hi = hi](const RimPart& other) {
+      const auto& loops = side_ == Side::first ? other.first : other.second;
+      if (&other == &part || other.within || loops.empty()) return false;
+      const auto [other_lo, other_hi] = box_of(other);
+      return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+    });
+  }
+
+  std::pair<Vec3, Vec3> box_of(const RimPart& part) const {
+    Vec3 lo = outlines_[static_cast<size_t>(part.faces.front())].lo;
+    Vec3 hi = outlines_[static_cast<size_t>(part.faces.front())].hi;
+    for (const int f : part.faces) {
+      lo = lo.cwiseMin(outlines_[static_cast<size_t>(f)].lo);
+      hi = hi.cwiseMax(outlines_[static_cast<size_t>(f)].hi);
+    }
+    return {lo.array() - sheet_.thickness, hi.array() + sheet_.thickness};
+  }
+
+  /// A recess in, or a boss on, the other skin: drawn where it lies, seen through the sheet.
+  void add_far_outline(const RimPart& part, const LoopRef& ref, const char* kind) {
     const bool opening = outer_loop(outlines_[static_cast<size_t>(ref.face)]) != ref.loop;
     if (!opening || !std::holds_alternative<Frame>(solid_face(ref.face).surface)) return;
     const Vec3 first = outlines_[static_cast<size_t>(ref.face)].rings[static_cast<size_t>(ref.loop)].front();
@@ -301,7 +361,7 @@ class Assembler {
       const double reach = sheet_.thickness;
       if (((outline.lo.array() - reach) > first.array()).any() || ((outline.hi.array() + reach) < first.array()).any()) continue;
       FormedFeature feature;
-      feature.kind = "pocket";
+      feature.kind = kind;
       feature.source_face = part.faces.front() + 1;
       feature.face = FaceId{face_id_[static_cast<size_t>(partner)]};
       feature.outlines.push_back(projected_loop(ref, std::get<Frame>(face.surface)));
@@ -310,40 +370,50 @@ class Assembler {
     }
   }
 
-  double ring_area_of(const LoopRef& ref) const {
-    const auto& ring = outlines_[static_cast<size_t>(ref.face)].flat[static_cast<size_t>(ref.loop)];
+  static double loop_area(const BorderLoop& borders) {
     double sum = 0.0;
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
-      sum += a.x() * b.y() - a.y() * b.x();
-    }
-    return std::abs(sum) / 2;
+    for (const Border& border : borders) sum += green_area(border.curve);
+    return std::abs(sum);
   }
 
-  /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrower side;
-  /// the wider outline is drawn. Both loops must be openings of planar faces.
+  /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrowest
+  /// section; the wider outlines are drawn. Both loops must be openings of planar faces.
   void compare_openings(const RimPart& part, const LoopRef& here, const LoopRef& there) {
     const bool plain = outer_loop(outlines_[static_cast<size_t>(here.face)]) != here.loop &&
                        outer_loop(outlines_[static_cast<size_t>(there.face)]) != there.loop;
     const auto* plane = std::get_if<Frame>(&solid_face(here.face).surface);
     if (!plain || !plane || !std::holds_alternative<Frame>(solid_face(there.face).surface)) return;
-    const double mine = ring_area_of(here);
-    const double theirs = ring_area_of(there);
-    constexpr double kWider = 1.001;  // area ratio that drilling noise and sampling do not reach
-    if (std::max(mine, theirs) < kWider * std::min(mine, theirs)) return;
+    const CoEdge& first_use = solid_face(here.face).loops[static_cast<size_t>(here.loop)].front();
+    const BorderRef first = border_ref(here.face, first_use.edge, first_use.forward);
     Face& face = face_of(here.face);
-    const BorderRef first = border_ref(here.face, solid_face(here.face).loops[static_cast<size_t>(here.loop)].front().edge,
-                                       solid_face(here.face).loops[static_cast<size_t>(here.loop)].front().forward);
+    const auto& frame = std::get<Frame>(face.surface);
     BorderLoop& own = face.loops[static_cast<size_t>(first.loop)];
-    BorderLoop other = projected_loop(there, std::get<Frame>(face.surface));
+    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[static_cast<size_t>(here.loop)], frame, 0.0, tolerance_);
+    BorderLoop theirs = projected_loop(there, frame);
+    constexpr double kWider = 1.001;  // area ratio that drilling noise does not reach
+    if (loop_area(theirs) * kWider < loop_area(own)) own = theirs;
     FormedFeature feature;
     feature.kind = "countersink";
     feature.source_face = part.faces.front() + 1;
     feature.face = first.face;
-    if (theirs < mine) std::swap(own, other);
-    feature.outlines.push_back(std::move(other));
+    for (BorderLoop* wider : {&mine, &theirs})
+      if (loop_area(*wider) > kWider * loop_area(own)) feature.outlines.push_back(std::move(*wider));
+    if (feature.outlines.empty()) return;
+    widened_loops_.erase({here.face, here.loop});
     sheet_.features.push_back(std::move(feature));
+  }
+
+  /// Chamfers and fillets left over are on the outer contour: the skin's own outline is drawn.
+  void add_chamfered_rims() {
+    for (const auto& [f, l] : widened_loops_) {
+      const auto* plane = std::get_if<Frame>(&face_of(f).surface);
+      FormedFeature feature;
+      feature.kind = "chamfer";
+      feature.source_face = f + 1;
+      feature.face = FaceId{face_id_[static_cast<size_t>(f)]};
+      if (plane) feature.outlines.push_back(read_borders(model_, solid_face(f).loops[static_cast<size_t>(l)], *plane, 0.0, tolerance_));
+      sheet_.features.push_back(std::move(feature));
+    }
   }
 
   /// A loop of the other skin seen on this one: run the other way round, a thickness below.
@@ -365,6 +435,7 @@ class Assembler {
   double tolerance_;
   Sheet sheet_;
   std::vector<int> face_id_;
+  std::set<std::pair<int, int>> widened_loops_;  // face, loop: cut wider than the skin
   std::vector<std::variant<FlangeId, BendId>> group_part_;
   std::map<std::tuple<int, int, bool>, std::pair<int, int>> loop_of_use_;
 };

@@ -86,7 +86,8 @@ class Grouper {
       const SolidEdge& edge = model_.edges[e];
       if (edge.uses != 2 || !mine(edge.faces[0]) || !mine(edge.faces[1])) continue;
       const bool bent = sharp.count(static_cast<int>(e)) > 0;
-      if (!bent && !smooth_edge(model_, static_cast<int>(e))) continue;
+      const bool seam = edge.faces[0] == edge.faces[1];
+      if (!bent && !seam && !smooth_edge(model_, static_cast<int>(e))) continue;
       groups_.joints.push_back({static_cast<int>(e), edge.faces[0], edge.faces[1], bent});
     }
   }

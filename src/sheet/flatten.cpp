@@ -152,7 +152,11 @@ Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& o
 Result<FlatPattern> flatten(const Sheet& made, const FlattenOptions& options) {
   if (needs_setback(made)) {
     auto moved = with_setback(made);
-    if (!moved) return tl::unexpected(moved.error());
+    if (!moved) {
+      // Corners that leave no room are mostly corners closed all round: that is the better answer.
+      const auto tree = grow_unfolding_tree(made, options);
+      return tl::unexpected(!tree && tree.error().code == ErrorCode::closed_loop ? tree.error() : moved.error());
+    }
     return flatten_set_back(*moved, options);
   }
   return flatten_set_back(made, options);

@@ -1,0 +1,68 @@
+#include "widest.hpp"
+
+#include <cmath>
+
+namespace planish::brep {
+namespace {
+
+/// Sine of the slope from which a wall is no straight cut: 3°, more than draft and tolerance make.
+constexpr double kSlope = 0.05;
+
+int across(const SolidEdge& edge, int face) { return edge.faces[0] == face ? edge.faces[1] : edge.faces[0]; }
+
+/// Outward normal of a wall near a point of its border; empty where it cannot be told.
+std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
+  const SolidFace& face = model.faces[static_cast<size_t>(wall)];
+  if (std::holds_alternative<DoublyCurved>(face.surface)) return {};
+  return outward_normal_at(face, point);
+}
+
+/// The edge across a strip: the other loop of a ring, the opposite side of a four-sided face.
+std::optional<int> opposite_edge(const SolidFace& strip, int edge) {
+  if (strip.loops.size() == 2 && strip.loops[0].size() == 1 && strip.loops[1].size() == 1)
+    return strip.loops[strip.loops[0].front().edge == edge ? 1 : 0].front().edge;
+  if (strip.loops.size() != 1 || strip.loops.front().size() != 4) return {};
+  const auto& loop = strip.loops.front();
+  for (size_t i = 0; i < 4; ++i)
+    if (loop[i].edge == edge) return loop[(i + 2) % 4].edge;
+  return {};
+}
+
+Vec3 middle(const SpaceCurve& curve) { return curve.point((curve.t0 + curve.t1) / 2); }
+
+/// Whether two edges along a strip run the same way.
+bool same_way(const SpaceCurve& a, const SpaceCurve& b) {
+  if (a.kind == SpaceCurve::Kind::circle && b.kind == SpaceCurve::Kind::circle) return a.circle.z.dot(b.circle.z) > 0;
+  return (a.end - a.start).dot(b.end - b.start) > 0;
+}
+
+}  // namespace
+
+CoEdge widest_edge(const SolidModel& model, const Rim& rim, int skin_face, const CoEdge& border) {
+  CoEdge at = border;
+  int from = skin_face;
+  constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a wall
+  for (int i = 0; i < kMostStrips; ++i) {
+    const SolidEdge& edge = model.edges[static_cast<size_t>(at.edge)];
+    const int wall = across(edge, from);
+    if (edge.uses != 2 || wall < 0 || rim.part_of[static_cast<size_t>(wall)] < 0) break;
+    if (!rim.parts[static_cast<size_t>(rim.part_of[static_cast<size_t>(wall)])].within) break;
+    const auto next = opposite_edge(model.faces[static_cast<size_t>(wall)], at.edge);
+    if (!next) break;
+    // A slanted wall from skin to skin is a slanted cut: the skin's own border stands for it.
+    if (const int beyond = across(model.edges[static_cast<size_t>(*next)], wall);
+        beyond < 0 || rim.part_of[static_cast<size_t>(beyond)] < 0)
+      break;
+    // A wall widens where its middle faces towards the skin's outside.
+    const SpaceCurve& far = model.edges[static_cast<size_t>(*next)].curve;
+    const Vec3 half_way = (middle(edge.curve) + middle(far)) / 2;
+    const auto normal = wall_normal(model, wall, half_way);
+    const Vec3 outwards = outward_normal_at(model.faces[static_cast<size_t>(skin_face)], middle(edge.curve));
+    if (!normal || normal->dot(outwards) < kSlope) break;
+    at = {*next, same_way(edge.curve, far) == at.forward};
+    from = wall;
+  }
+  return at;
+}
+
+}  // namespace planish::brep
