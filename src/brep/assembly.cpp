@@ -92,7 +92,7 @@ class Assembler {
     const auto& loop = solid_face(f).loops[static_cast<size_t>(l)];
     std::vector<CoEdge> widened;
     for (const CoEdge& use : loop) {
-      widened.push_back(widest_edge(model_, rim_, f, use));
+      widened.push_back(widest_edge(model_, rim_, skins_.thickness, f, use));
       if (widened.back().edge != use.edge) widened_loops_.emplace(f, l);
     }
     BorderLoop read = read_borders(model_, widened, surface, u_near, tolerance_);

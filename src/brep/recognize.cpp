@@ -85,11 +85,18 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
   return assemble_sheet(model, outlines, *skins, rim, groups, side, kBorderTolerance);
 }
 
-/// Formed features and sharp corners hold material that no flat sheet explains.
-bool has_causes(const Sheet& sheet) {
-  return !sheet.features.empty() || std::any_of(sheet.bends.begin(), sheet.bends.end(), [](const Bend& bend) {
-    return bend.kind == BendKind::sharp;
-  });
+/// How far the volume may be off: formed features and sharp corners hold material that no flat sheet
+/// explains, chamfers take a little away.
+double volume_allowed(const Sheet& sheet) {
+  constexpr double kPlain = 0.02;
+  constexpr double kChamfered = 0.05;
+  constexpr double kFormed = 0.15;
+  const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
+                                  [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
+  const bool sharp = std::any_of(sheet.bends.begin(), sheet.bends.end(),
+                                 [](const Bend& bend) { return bend.kind == BendKind::sharp; });
+  if (formed || sharp) return kFormed;
+  return sheet.features.empty() ? kPlain : kChamfered;
 }
 
 /// Whether a sheet accounts for the solid it was seen in: it lies flat, it is wider than thick, and it
@@ -103,10 +110,8 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
     return fail(ErrorCode::not_a_sheet,
                 fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a bar, wire or profile, not "
                             "a sheet.", sheet.thickness, width));
-  constexpr double kPlain = 0.02;
-  constexpr double kWithCauses = 0.15;
   const double ratio = pattern->area * sheet.thickness / sheet.volume;
-  if (!(std::abs(ratio - 1.0) <= (has_causes(sheet) ? kWithCauses : kPlain)))
+  if (!(std::abs(ratio - 1.0) <= volume_allowed(sheet)))
     return fail(ErrorCode::not_a_sheet,
                 fmt::format("A sheet of {:.4g} mm explains {:.1f} % of the volume of the body; this is not a part made "
                             "of one sheet.", sheet.thickness, 100 * ratio));

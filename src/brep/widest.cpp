@@ -7,6 +7,10 @@ namespace {
 
 /// Sine of the slope from which a wall is no straight cut: 3°, more than draft and tolerance make.
 constexpr double kSlope = 0.05;
+/// Cosine of the flattest chamfer; what is flatter is a step or a neighbouring flange's rim.
+constexpr double kFlattest = 0.99;
+/// Share of the thickness that a chamfer goes down at least, and leaves at least.
+constexpr double kShallowest = 1e-3;
 
 int across(const SolidEdge& edge, int face) { return edge.faces[0] == face ? edge.faces[1] : edge.faces[0]; }
 
@@ -38,8 +42,9 @@ bool same_way(const SpaceCurve& a, const SpaceCurve& b) {
 
 }  // namespace
 
-CoEdge widest_edge(const SolidModel& model, const Rim& rim, int skin_face, const CoEdge& border) {
+CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face, const CoEdge& border) {
   CoEdge at = border;
+  double reached = 0.0;
   int from = skin_face;
   constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a wall
   for (int i = 0; i < kMostStrips; ++i) {
@@ -58,7 +63,11 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, int skin_face, const
     const Vec3 half_way = (middle(edge.curve) + middle(far)) / 2;
     const auto normal = wall_normal(model, wall, half_way);
     const Vec3 outwards = outward_normal_at(model.faces[static_cast<size_t>(skin_face)], middle(edge.curve));
-    if (!normal || normal->dot(outwards) < kSlope) break;
+    const double slope = normal ? normal->dot(outwards) : 0.0;
+    if (slope < kSlope || slope > kFlattest) break;
+    const double depth = (middle(edge.curve) - middle(far)).dot(outwards);
+    if (depth <= kShallowest * thickness || reached + depth >= (1.0 - kShallowest) * thickness) break;
+    reached += depth;
     at = {*next, same_way(edge.curve, far) == at.forward};
     from = wall;
   }
