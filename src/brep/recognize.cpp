@@ -90,7 +90,7 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
 double volume_allowed(const Sheet& sheet) {
   constexpr double kPlain = 0.02;
   constexpr double kChamfered = 0.05;
-  constexpr double kFormed = 0.15;
+  constexpr double kFormed = 0.08;
   const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
                                   [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
   const bool sharp = std::any_of(sheet.bends.begin(), sheet.bends.end(),
