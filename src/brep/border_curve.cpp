@@ -80,6 +80,22 @@ Handle(Geom_Curve) lifted(const Face& face, const BorderCurve& border, double de
   return new Geom_BSplineCurve(poles, spline->Knots(), spline->Multiplicities(), 3);
 }
 
+/// The border's (u, v) curve run over 0 … length; null when it cannot be stretched to that.
+Handle(Geom2d_Curve) with_length(const BorderCurve& border, double length) {
+  constexpr double same = 1e-12;
+  if (std::abs(border.length - length) < same * length) return border.uv;
+  if (!Handle(Geom2d_Line)::DownCast(border.uv).IsNull()) return border.uv;
+  const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(border.uv);
+  if (spline.IsNull()) return {};
+  TColStd_Array1OfReal knots = spline->Knots();
+  for (int i = knots.Lower(); i <= knots.Upper(); ++i)
+    knots(i) *= length / border.length;
+  const Handle(Geom2d_BSplineCurve) stretched =
+      Handle(Geom2d_BSplineCurve)::DownCast(spline->Copy());
+  stretched->SetKnots(knots);
+  return stretched.get();
+}
+
 }  // namespace
 
 Vec3 point_below(const Face& face, const Vec2& uv, double depth) {
@@ -168,25 +184,32 @@ Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, c
                                   const Curve2& reversed_other, double tolerance) {
   const Developable* surface = developable(other);
   if (surface == nullptr) return {};
-  const auto on_face = [&](double s) { return point_below(face, border.at(s), 0.0); };
-  const BorderCurve candidate = border_curve(other, reversed_other, tolerance);
-  double deviation = std::abs(candidate.length - border.length);
-  for (int i = 0; i <= 16; ++i) {
-    const double s = border.length * i / 16;
-    deviation = std::max(deviation, (point_below(other, candidate.at(s), 0.0) - on_face(s)).norm());
-  }
-  if (deviation < tolerance) return candidate.uv;
-
-  // Straight along a ruling or a circle the two differ by inaccuracy of the input only, which the
-  // edge's tolerance will tell; a projection would not agree better.
-  const bool same_shape = candidate.shape == border.shape && border.shape != Shape::general;
-  if (same_shape) return plane_line(candidate.at(0), candidate.at(candidate.length), border.length);
-
-  const double u0 = candidate.at(0).x(), u1 = candidate.at(candidate.length).x();
-  const auto projected = [&](double s) -> Eigen::VectorXd {
-    return parameters_of(*surface, on_face(s), u0 + (u1 - u0) * s / border.length);
+  const BorderCurve own = border_curve(other, reversed_other, tolerance);
+  const auto on_edge = [&](double s) { return point_below(face, border.at(s), 0.0); };
+  const auto gap = [&](double share) {
+    return (point_below(other, own.at(share * own.length), 0.0) - on_edge(share * border.length))
+        .norm();
   };
-  return plane_curve(fit_path(projected, breaks_of(face, border), tolerance));
+  double apart = 0.0;
+  for (int i = 1; i < 16; ++i)
+    apart = std::max(apart, gap(i / 16.0));
+  // Where the ends miss each other as much, the borders do and not their parameters.
+  if (apart < tolerance + 2 * std::max(gap(0.0), gap(1.0)))
+    if (const Handle(Geom2d_Curve) same = with_length(own, border.length); !same.IsNull())
+      return same;
+
+  const Vec2 start = own.at(0.0), end = own.at(own.length);
+  const auto projection = [&](double s) {
+    const double near = start.x() + (end.x() - start.x()) * s / border.length;
+    return parameters_of(*surface, on_edge(s), near);
+  };
+  // Ends as the face's loop has them, so that it stays closed in (u, v).
+  const Vec2 start_gap = start - projection(0.0), end_gap = end - projection(border.length);
+  const auto path = [&](double s) -> Eigen::VectorXd {
+    const double share = s / border.length;
+    return projection(s) + (1.0 - share) * start_gap + share * end_gap;
+  };
+  return plane_curve(fit_path(path, breaks_of(face, border), tolerance));
 }
 
 }  // namespace planish::brep

@@ -62,8 +62,8 @@ FittedPath fit_two_depths(const Face& face, const BorderCurve& border, double de
 
 /// The same border seen from the face across a joint, with the parameter of `border`: its points
 /// are those of `border`, its (u, v) those of `other`. `reversed_other` is the border as `other`
-/// has it, turned round. It serves as it stands where its points agree within `tolerance`,
-/// otherwise `border` is projected onto `other`.
+/// has it, turned round; it serves where its points agree within `tolerance`, or as well as its
+/// ends do. Otherwise, when it runs at another speed, `border` is projected onto `other`.
 Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, const Face& other,
                                   const Curve2& reversed_other, double tolerance);
 

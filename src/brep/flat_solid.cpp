@@ -16,7 +16,10 @@ BorderLoop borders_of(const Contour& contour) {
 
 /// The pattern as a sheet of one flange: the reference skin at z = 0, the material below.
 Sheet flat_sheet(const FlatPattern& pattern) {
-  Face face{Frame{}, 1, {borders_of(pattern.outer)}, FlangeId{0}};
+  Face face;
+  face.surface = Frame{};
+  face.loops = {borders_of(pattern.outer)};
+  face.part_of = FlangeId{0};
   for (const Contour& opening : pattern.openings)
     face.loops.push_back(borders_of(opening));
   Sheet sheet;

@@ -88,7 +88,7 @@ FaceId SheetBuilder::add_face(Face face, const std::vector<Loop>& loops) {
 
 FaceId SheetBuilder::flange(const Frame& frame, const std::vector<Loop>& loops) {
   const auto id = static_cast<FlangeId>(sheet_.flanges.size());
-  const FaceId face = add_face({frame, 1, {}, id}, loops);
+  const FaceId face = add_face({.surface = frame, .part_of = id}, loops);
   sheet_.flanges.push_back({{face}});
   return face;
 }
@@ -113,7 +113,7 @@ BendId SheetBuilder::new_bend(const Bend& bend) {
 
 FaceId SheetBuilder::bend_face(BendId id, const Developable& surface, int sense,
                                const std::vector<Loop>& loops) {
-  const FaceId face = add_face({surface, sense, {}, id}, loops);
+  const FaceId face = add_face({.surface = surface, .sense = sense, .part_of = id}, loops);
   sheet_.bends[index_of(id)].faces.push_back(face);
   return face;
 }

@@ -59,6 +59,26 @@ Curve2 stretched(const Curve2& curve, const Vec2& factors) {
   return spline;
 }
 
+/// Knots of the surface along the curve v = `at`, over the azimuths of the face.
+Ruled ruled_from(const Developable& surface, const Box2& extent, double at, double step) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(extent.size().x() / step)));
+  Ruled ruled;
+  for (int i = 0; i <= pieces; ++i) {
+    const double u = extent.lo.x() + extent.size().x() * i / pieces;
+    const Vec3 g = ruling_on(surface, u), n = normal_on(surface, u);
+    const Vec3 along = g.cross(n);  // ∂/∂u, normalised
+    const auto* cone = std::get_if<Cone>(&surface);
+    const double sine = cone == nullptr ? 0.0 : std::sin(cone->half_angle);
+    const double speed = cone == nullptr ? std::get<Cylinder>(surface).radius : at * sine;
+    ruled.knots.push_back({u, point_on(surface, {u, at}), speed * along, g, sine * along});
+  }
+  return ruled;
+}
+
+Curve2 shifted(const Curve2& curve, double dv) {
+  return transformed(curve, Isometry2(Eigen::Translation2d(0.0, dv)));
+}
+
 /// Smallest distance from p to the curve: the best of the samples, refined by golden section on
 /// the distance itself, whose minimum is a corner where it is zero.
 double distance(const Face& face, const Curve2& curve, const Vec3& p) {
@@ -104,6 +124,23 @@ Sheet scaled(Sheet sheet, double factor) {
         border.curve = stretched(border.curve, {plane ? factor : 1.0, factor});
         border.edge_length *= factor;
       }
+  }
+  return sheet;
+}
+
+Sheet as_ruled(Sheet sheet, Angle step) {
+  for (Face& face : sheet.faces) {
+    const auto* surface = std::get_if<Developable>(&face.surface);
+    if (surface == nullptr) continue;
+    Box2 extent;
+    for (const BorderLoop& loop : face.loops)
+      for (const Border& border : loop)
+        extent.add(bounds(border.curve));
+    const double at = extent.lo.y();
+    face.surface = ruled_from(*surface, extent, at, step.radians());
+    for (BorderLoop& loop : face.loops)
+      for (Border& border : loop)
+        border.curve = shifted(border.curve, -at);
   }
   return sheet;
 }

@@ -109,6 +109,10 @@ Sheet moved(Sheet sheet, const Eigen::Isometry3d& motion);
 /// Multiplies every length.
 Sheet scaled(Sheet sheet, double factor);
 
+/// The same sheet with its cylinders and cones given as general developables, knots at most `step`
+/// of azimuth apart; positions agree to about radius · step⁴ / 384.
+Sheet as_ruled(Sheet sheet, Angle step);
+
 /// Distance from a point to an edge of the reference skin by its number, accurate to 1e-9 of the
 /// edge's size, for `certify`.
 EdgeDistance edge_distance(const Sheet& sheet);
