@@ -50,18 +50,18 @@ class ThicknessPoll {
   /// The faces that decide: large ones hold the vote, and their number bounds the cost.
   std::vector<int> largest_faces() const {
     constexpr size_t kVoters = 60;
+    constexpr double kWorthwhile = 0.05;  // of the largest face
     std::vector<int> faces;
+    double largest = 0.0;
+    for (const Outline& face : outlines_) largest = std::max(largest, face.area);
     for (int f = 0; f < count_; ++f)
-      if (!outline(f).flat.empty() && !general(f)) faces.push_back(f);
-    if (faces.empty())
-      for (int f = 0; f < count_; ++f)
-        if (!outline(f).flat.empty()) faces.push_back(f);
+      if (!outline(f).flat.empty() && (!general(f) || outline(f).area > kWorthwhile * largest)) faces.push_back(f);
     std::sort(faces.begin(), faces.end(), [&](int a, int b) { return outline(a).area > outline(b).area; });
     if (faces.size() > kVoters) faces.resize(kVoters);
     return faces;
   }
 
-  /// General surfaces are dear to compare and are asked only where there is nothing else.
+  /// General surfaces are dear to compare, and most are walls of engraved letters: small ones are not asked.
   bool general(int f) const {
     const auto* surface = std::get_if<Developable>(&model_.faces[static_cast<size_t>(f)].surface);
     return surface && std::holds_alternative<Ruled>(*surface);

@@ -10,7 +10,11 @@
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepOffsetAPI_MakeThickSolid.hxx>
+#include <gp_Elips.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
@@ -129,6 +133,40 @@ TEST(RecognizePlate, FillsAPocketAndABossAndDrawsThem) {
   EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
   EXPECT_TRUE(seen->flat.openings.empty());
   EXPECT_EQ(seen->flat.features.size(), 2u);
+}
+
+/// A quarter ellipse extruded and thickened, as systems write it: extrusion and offset surfaces that are
+/// no cylinders.
+TopoDS_Shape elliptic_shell(double a, double b, double width, double t) {
+  const gp_Elips ellipse(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), a, b);
+  const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(ellipse, 0.0, pi / 2).Shape();
+  const TopoDS_Shape face = BRepPrimAPI_MakePrism(edge, gp_Vec(0, 0, width)).Shape();
+  BRepOffsetAPI_MakeThickSolid maker;
+  maker.MakeThickSolidBySimple(face, t);
+  return maker.Shape();
+}
+
+TEST(RecognizeGeneralBend, UnrollsAnEllipticShellToItsArcLength) {
+  constexpr double a = 60, b = 35, width = 50, t = 1.5;
+  const auto file = as_file(elliptic_shell(a, b, width, t));
+  ASSERT_TRUE(file) << file.error().message;
+  const auto recognized = recognize(file->bodies.front());
+  ASSERT_TRUE(recognized) << recognized.error().message;
+  ASSERT_EQ(recognized->sheet.bends.size(), 1u);
+  EXPECT_EQ(recognized->sheet.bends.front().kind, BendKind::general);
+  EXPECT_NEAR(recognized->sheet.bends.front().angle.degrees(), 90.0, 0.01);
+  const auto flat = flatten(recognized->sheet, {.allowance = ConstantK{0.5, "test"}});
+  ASSERT_TRUE(flat) << flat.error().message;
+  // A parallel curve is longer by distance times turn; which side the shell grew to shows in the volume.
+  const double arc = a * std::comp_ellint_2(std::sqrt(1 - b * b / (a * a)));
+  const double outside = width * (arc + t / 2 * pi / 2);
+  const double inside = width * (arc - t / 2 * pi / 2);
+  const double expected = std::abs(flat->area - outside) < std::abs(flat->area - inside) ? outside : inside;
+  EXPECT_NEAR(flat->area, expected, 1e-6 * expected);
+  const auto certificate = certify(recognized->sheet, *flat, recognized->distance);
+  ASSERT_TRUE(certificate);
+  EXPECT_NEAR(certificate->volume_ratio, 1.0, 1e-5);
+  EXPECT_LT(certificate->refold_deviation, 1e-3);
 }
 
 TEST(RecognizeRefusal, OfSolidBlocksAndBars) {
