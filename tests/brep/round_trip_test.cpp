@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 // Sheet → solid → STEP → recognise → flatten must give what flattening the sheet gives.
 
@@ -86,8 +88,14 @@ TEST(RoundTrip, GivesBackBoxesConesAndPlates) {
 }
 
 TEST(RoundTrip, GivesBackOpeningsInBends) {
-  for (const Sheet& sheet : {slot_across_bend(), slot_into_bend(), hole_in_bend(6.0, 0.44), hole_across_bend(30.0, 0.44)})
+  const std::map<std::string, Sheet> sheets{{"slot across", slot_across_bend()},
+                                            {"slot into", slot_into_bend()},
+                                            {"hole in", hole_in_bend(6.0, 0.44)},
+                                            {"hole across", hole_across_bend(30.0, 0.44)}};
+  for (const auto& [name, sheet] : sheets) {
+    SCOPED_TRACE(name);
     expect_round_trip(sheet, 1e-5);
+  }
 }
 
 TEST(RoundTrip, RecognisesSplineSurfacesAsWhatTheyAre) {
