@@ -3,25 +3,40 @@
 #include "kernel_points.hpp"
 
 #include <BRep_Tool.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Pln.hxx>
 
 #include <algorithm>
-#include <gp_Pln.hxx>
 
 namespace planish::brep {
 namespace {
 
+/// Parameters to compare curves at: between the knots, because fits are exact there.
+std::vector<double> sample_parameters(const BuiltEdge& edge) {
+  std::vector<double> knots{0.0, edge.length};
+  if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull()) {
+    knots.clear();
+    for (int i = 1; i <= spline->NbKnots(); ++i)
+      knots.push_back(spline->Knot(i));
+  }
+  std::vector<double> parameters;
+  const int per_span = knots.size() > 8 ? 4 : 32;
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    for (int j = 0; j <= per_span; ++j)
+      parameters.push_back(knots[i] + (knots[i + 1] - knots[i]) * j / per_span);
+  return parameters;
+}
+
 /// Largest distance between the edge's curve and its place in the surface, at equal parameters.
 double deviation(const EdgeUse& use, const Handle(Geom_Surface) & surface) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(surface);
-  constexpr int samples = 24;
   double largest = 0.0;
-  for (int i = 0; i <= samples; ++i) {
-    const double s = use.edge->length * i / samples;
+  for (double s : sample_parameters(*use.edge)) {
     const gp_Pnt on_edge = use.edge->curve->Value(s);
     if (!plane.IsNull()) {
       largest = std::max(largest, plane->Pln().Distance(on_edge));

@@ -130,6 +130,54 @@ TEST(FoldedSolid, OfOpenedBendsIsSound) {
   }
 }
 
+TEST(FoldedSolid, OfHolesOfAnySizeInABendIsSound) {
+  for (double diameter : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.5}) {
+    SCOPED_TRACE(diameter);
+    expect_sound(hole_in_bend(diameter, 0.5), 1e-7);
+    expect_sound(scaled(hole_in_bend(diameter, 0.5), 0.3), 1e-6);
+  }
+}
+
+/// A bend of one cylinder in two faces, met along a border that runs across its rulings, at
+/// another speed on either side when `spline`.
+Sheet split_bend(BendDirection direction, bool spline) {
+  const Turn turn{Angle::degrees(120), 10, direction};
+  const Rim rim{Frame{}, 50, {}, {}};
+  const Cylinder cylinder = cylinder_behind(rim, turn, 1.5);
+  const int sense = direction == up ? -1 : 1;
+  const double end = turn.angle.radians();
+  const auto uv = [&](double azimuth, double y) { return Vec2(azimuth, sense < 0 ? 50 - y : y); };
+  const Vec2 p = uv(0.5, 0), q = uv(1.4, 50);
+  Curve2 back = Segment{q, p};
+  if (spline) back = CubicSpline{{q, q + 0.1 * (p - q), q + 0.5 * (p - q), p}};
+
+  SheetBuilder builder(1.5);
+  const BendId id = builder.new_bend({BendKind::cylinder, {}, turn.angle, 10, sense < 0});
+  const FaceId first = builder.bend_face(
+      id, cylinder, sense,
+      {{Segment{uv(0, 50), uv(0, 0)}, Segment{uv(0, 0), p}, Segment{p, q}, Segment{q, uv(0, 50)}}});
+  const FaceId second = builder.bend_face(
+      id, cylinder, sense,
+      {{back, Segment{p, uv(end, 0)}, Segment{uv(end, 0), uv(end, 50)}, Segment{uv(end, 50), q}}});
+  builder.join({first, 0, 2}, {second, 0, 0});
+  return builder.finish();
+}
+
+TEST(FoldedSolid, OfABendInSeveralFacesIsSound) {
+  for (BendDirection direction : {up, down})
+    for (bool spline : {false, true})
+      EXPECT_EQ(expect_sound(split_bend(direction, spline), 1e-8).cylinders, 4);
+}
+
+TEST(FoldedSolid, MitresCornersThatAreNotSquare) {
+  SheetBuilder builder(1.5);
+  const FaceId base = builder.flange(Frame{}, {polygon({{0, 0}, {30, 5}, {35, 35}, {0, 40}})});
+  const Rim rim = builder.crease(builder.rim(base, 1), {Angle::degrees(60), up});
+  builder.flange_behind(rim, {polygon({{0, 0}, {rim.length, 0}, {rim.length + 6, 25}, {3, 20}})});
+  const SolidCheck check = expect_sound(builder.finish(), 0.002);
+  EXPECT_EQ(check.splines, 4) << "the walls beside the crease wind from one corner to the other";
+}
+
 TEST(FoldedSolid, OfGeneralDevelopablesAgreesWithCylindersAndCones) {
   for (const Sheet& sheet : {l_bracket(), l_bracket_down(), cone_joined(), hole_in_bend(5, 0.44),
                              truncated_cone(20, 40, 50, Angle::degrees(300), 1.5)}) {
