@@ -101,7 +101,7 @@ function(planish_module name)
     _planish_module_headers(${name} ${headers})
     set(support "")
     if(sheet IN_LIST arg_USES OR name STREQUAL sheet)
-      set(support planish_test_support) # made in tests/CMakeLists.txt
+      set(support planish_test_support)
     endif()
     _planish_module_tests(${name} ${arg_PRIVATE_LIBS} ${support})
   endif()
@@ -158,6 +158,7 @@ function(_planish_module_bench name)
   target_link_libraries(${name}_bench
     PRIVATE planish::${name} ${ARGN} benchmark::benchmark_main planish_test_support)
   target_include_directories(${name}_bench
-    PRIVATE "${PROJECT_SOURCE_DIR}/bench" "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src/${name}")
+    PRIVATE "${PROJECT_SOURCE_DIR}/bench" "${PROJECT_SOURCE_DIR}/tests"
+            "${PROJECT_SOURCE_DIR}/src/${name}")
   target_compile_definitions(${name}_bench PRIVATE PLANISH_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 endfunction()
