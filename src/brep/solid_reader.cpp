@@ -162,15 +162,32 @@ class Reader {
     ++row.uses;
   }
 
+  /// Wires of files are mostly in order already; the kernel's explorer, which sorts them through their
+  /// parameter curves, costs more than all else here and is asked only for the others.
   std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face) const {
     std::vector<CoEdge> loop;
     int expected = 0;
-    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next()) ++expected;
+    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next(), ++expected)
+      add_use(TopoDS::Edge(edges.Value()), loop);
+    if (in_order(loop)) return loop;
+    std::reverse(loop.begin(), loop.end());
+    if (in_order(loop)) return loop;
+    loop.clear();
     int met = 0;
     for (BRepTools_WireExplorer explorer(wire, face); explorer.More(); explorer.Next(), ++met)
       add_use(explorer.Current(), loop);
     if (met == expected) return loop;
     return chained(wire);
+  }
+
+  /// Every use starts at the vertex where the one before ends.
+  bool in_order(const std::vector<CoEdge>& loop) const {
+    const auto vertex = [&](const CoEdge& use, bool last) {
+      return model_.edges[static_cast<size_t>(use.edge)].vertices[use.forward == last ? 1 : 0];
+    };
+    for (size_t i = 0; i < loop.size(); ++i)
+      if (vertex(loop[i], true) != vertex(loop[(i + 1) % loop.size()], false)) return false;
+    return true;
   }
 
   void add_use(const TopoDS_Edge& edge, std::vector<CoEdge>& loop) const {

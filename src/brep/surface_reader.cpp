@@ -227,18 +227,19 @@ SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
     result.surface = frame_from_axes(vec(plane.Location().XYZ()), normal, vec(plane.XAxis().Direction().XYZ()));
     return result;
   }
+  if (type == GeomAbs_Cylinder) {
+    // The kernel's normal ∂u × ∂v points away from the axis in right-handed axes.
+    const gp_Cylinder cylinder = patch.surface.Cylinder();
+    result.sense = cylinder.Position().Direct() != patch.reversed ? 1 : -1;
+    result.surface = Developable(Cylinder{frame_of(cylinder.Position()), cylinder.Radius()});
+    return result;
+  }
   BRepTools::UVBounds(face, patch.domain.u0, patch.domain.u1, patch.domain.v0, patch.domain.v1);
-  if (type != GeomAbs_Cylinder && type != GeomAbs_Cone) return fitted_face(patch, tolerance);
+  if (type != GeomAbs_Cone) return fitted_face(patch, tolerance);
   const double u = (patch.domain.u0 + patch.domain.u1) / 2;
   const double v = (patch.domain.v0 + patch.domain.v1) / 2;
   const SurfaceSample sample{vec(patch.surface.Value(u, v).XYZ()), vec(patch.normal(u, v).Normalized().XYZ())};
-  Developable developable;
-  if (type == GeomAbs_Cylinder) {
-    const gp_Cylinder cylinder = patch.surface.Cylinder();
-    developable = Cylinder{frame_of(cylinder.Position()), cylinder.Radius()};
-  } else {
-    developable = towards(cone_of(patch.surface.Cone()), sample.point);
-  }
+  Developable developable = towards(cone_of(patch.surface.Cone()), sample.point);
   result.sense = sense_of(developable, sample);
   result.surface = std::move(developable);
   return result;
