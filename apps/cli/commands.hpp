@@ -1,10 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <planish/io/flat_writers.hpp>
-#include <string>
-
 #include "unfold_arguments.hpp"
+
+#include <planish/io/flat_writers.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <string>
 
 namespace planish::cli {
 

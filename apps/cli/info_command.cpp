@@ -1,11 +1,12 @@
-#include <fmt/format.h>
-#include <planish/job/info.hpp>
-
 #include "commands.hpp"
 #include "option_parts.hpp"
 #include "terminal.hpp"
 #include "unfold_files.hpp"
 #include "unfold_plan.hpp"
+
+#include <planish/job/info.hpp>
+
+#include <fmt/format.h>
 
 namespace planish::cli {
 namespace {
@@ -16,6 +17,19 @@ constexpr auto kExamples = R"(Examples:
   planish info part.step --json -
 
 More in docs/cli.md.)";
+
+int end_failed(const InfoArguments& arguments, const Error& error) {
+  const int status = complain(error);
+  if (error.code == ErrorCode::cancelled) return status;
+  job::InfoReport failed;
+  failed.input = arguments.input;
+  failed.refusal = error;
+  failed.units = arguments.units;
+  if (const auto unwritten = write_report(arguments.json, job::info_json(failed))) {
+    complain(*unwritten);
+  }
+  return status;
+}
 
 }  // namespace
 
@@ -42,7 +56,7 @@ int run_info(const InfoArguments& arguments) {
   ProgressLine line(true);
   const auto report = job::info(
       {arguments.input, arguments.body, arguments.sheets, arguments.units}, line.progress());
-  if (!report) return complain(report.error());
+  if (!report) return end_failed(arguments, report.error());
   if (const auto error = write_report(arguments.json, job::info_json(*report))) {
     return complain(*error);
   }

@@ -1,11 +1,14 @@
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
-#include <fmt/format.h>
+#include "commands.hpp"
+#include "help_format.hpp"
+#include "terminal.hpp"
+
 #include <planish/base/result.hpp>
 
-#include "commands.hpp"
-#include "terminal.hpp"
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
 
 #ifndef PLANISH_VERSION
 #define PLANISH_VERSION "unknown"
@@ -44,11 +47,11 @@ int run(int argc, char** argv) {
   CLI::App app("Planish lays sheet metal flat and shows that the flat shape is right.", "planish");
   app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version, and end");
   app.footer(kExamples);
+  app.formatter(help_format());  // before the commands, which inherit it
   UnfoldArguments unfold_arguments;
   InfoArguments info_arguments;
   const CLI::App* unfold = add_unfold(app, unfold_arguments);
   const CLI::App* info = add_info(app, info_arguments);
-  app.get_formatter()->column_width(34);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

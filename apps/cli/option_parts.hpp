@@ -1,10 +1,12 @@
 #pragma once
 
+#include <planish/io/flat_writers.hpp>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
 #include <optional>
-#include <planish/io/flat_writers.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,7 +44,8 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
                         const std::vector<std::pair<std::string, T>>& choices,
                         const std::string& description) {
   std::vector<std::string> words;
-  for (const auto& [word, value] : choices) words.push_back(word);
+  for (const auto& [word, value] : choices)
+    words.push_back(word);
   const auto set = [&target, choices](const std::string& text) {
     for (const auto& [word, value] : choices) {
       if (word == text) target = value;

@@ -1,9 +1,9 @@
 #include "option_rules.hpp"
 
+#include "unfold_plan.hpp"
+
 #include <algorithm>
 #include <vector>
-
-#include "unfold_plan.hpp"
 
 namespace planish::cli {
 namespace {
@@ -21,23 +21,29 @@ int inputs_from_stdin(const UnfoldArguments& a) {
 std::vector<Contradiction> of_bends_and_dxf(const UnfoldArguments& a) {
   const int k_rules = a.k.has_value() + !a.k_table.empty() + a.din6935;
   return {
-      {k_rules > 1, "--k, --k-table and --din6935 each say where K comes from: give only one of them"},
+      {k_rules > 1,
+       "--k, --k-table and --din6935 each say where K comes from: give only one of them"},
       {a.no_rules && !a.rules.empty(), "--rules and --no-rules contradict each other"},
-      {a.r12 && a.splines == Splines::keep, "--splines keep cannot go with --r12, which has no splines"},
-      {a.tick_length && a.bend_marks != BendMarks::ticks, "--tick-length goes with --bend-marks ticks"},
+      {a.r12 && a.splines == Splines::keep,
+       "--splines keep cannot go with --r12, which has no splines"},
+      {a.tick_length && a.bend_marks != BendMarks::ticks,
+       "--tick-length goes with --bend-marks ticks"},
       {inputs_from_stdin(a) > 1, "only one of the inputs can be standard input (-)"},
   };
 }
 
 std::vector<Contradiction> of_several_bodies(const UnfoldArguments& a) {
   if (!a.all) return {};
-  const bool faces = a.root != "largest" || (a.up != "auto" && a.up != "reference" && a.up != "other");
+  const bool faces =
+      a.root != "largest" || (a.up != "auto" && a.up != "reference" && a.up != "other");
   const bool folders = std::all_of(a.outputs.begin(), a.outputs.end(), is_folder);
   return {
       {!a.body.empty(), "--all and --body contradict each other"},
       {faces, "--root and --up cannot name a face with --all: every body counts its own faces"},
-      {a.outputs.empty() && !a.check, "--all writes several files: say into which folder with -o FOLDER/"},
-      {!folders, "--all writes several files: -o must be a folder (an existing one, or ending in /)"},
+      {a.outputs.empty() && !a.check,
+       "--all writes several files: say into which folder with -o FOLDER/"},
+      {!folders,
+       "--all writes several files: -o must be a folder (an existing one, or ending in /)"},
       {a.outputs.size() > 1, "--all writes into one folder: give -o once"},
   };
 }

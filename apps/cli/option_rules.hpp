@@ -1,9 +1,9 @@
 #pragma once
 
+#include "unfold_arguments.hpp"
+
 #include <optional>
 #include <string>
-
-#include "unfold_arguments.hpp"
 
 namespace planish::cli {
 

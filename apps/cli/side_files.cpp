@@ -1,12 +1,14 @@
 #include "side_files.hpp"
 
+#include <planish/job/rules_json.hpp>
+
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <planish/job/rules_json.hpp>
 #include <system_error>
 
 namespace planish::cli {
@@ -21,7 +23,8 @@ Result<std::string> read_text(const std::string& name, const std::string& what) 
   if (name == "-") return all_of(std::cin);
   std::error_code ignored;
   const auto refuse = [&](const std::string& why) {
-    return fail(ErrorCode::cannot_read, fmt::format("cannot read the {} {}: {}", what, name, why), name);
+    return fail(ErrorCode::cannot_read, fmt::format("cannot read the {} {}: {}", what, name, why),
+                name);
   };
   if (std::filesystem::is_directory(name, ignored)) return refuse("it is a folder");
   std::ifstream file(name, std::ios::binary);

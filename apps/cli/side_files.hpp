@@ -1,10 +1,11 @@
 #pragma once
 
+#include "unfold_arguments.hpp"
+
 #include <planish/base/result.hpp>
 #include <planish/job/unfold.hpp>
-#include <string>
 
-#include "unfold_arguments.hpp"
+#include <string>
 
 namespace planish::cli {
 

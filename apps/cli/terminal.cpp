@@ -1,11 +1,13 @@
 #include "terminal.hpp"
 
+#include <planish/job/printable.hpp>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <fmt/format.h>
-#include <planish/job/printable.hpp>
-#include <unistd.h>
 
 namespace planish::cli {
 namespace {
@@ -25,6 +27,7 @@ std::string sentence(const Error& error) {
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == ErrorCode::internal) text += "internal error, please report it: ";
   text += error.message;
+  if (text.back() == '.') text.pop_back();  // the sentence goes on
   if (error.code == ErrorCode::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
   // Most messages name the place themselves.

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <chrono>
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
+
+#include <chrono>
 #include <string>
 #include <string_view>
 

@@ -1,9 +1,10 @@
 #include "unfold_arguments.hpp"
 
-#include <fmt/format.h>
+#include "option_parts.hpp"
+
 #include <planish/job/rules_json.hpp>
 
-#include "option_parts.hpp"
+#include <fmt/format.h>
 
 namespace planish::cli {
 namespace {
@@ -35,13 +36,15 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
 }
 
 void add_input_options(CLI::App& app, UnfoldArguments& to) {
-  add_text(app, "input", to.input, "FILE", "STEP file (AP203, AP214, AP242), or - for standard input")
+  add_text(app, "input", to.input, "FILE",
+           "STEP file (AP203, AP214, AP242), or - for standard input")
       ->required();
   add_text(app, "--body", to.body, "N|NAME",
            "which body of several: its number (see `planish info`) or name")
       ->group("Input");
-  app.add_flag("--all", to.all,
-               "unfold every different body into the folder of -o, with summary.csv and summary.json")
+  app.add_flag(
+         "--all", to.all,
+         "unfold every different body into the folder of -o, with summary.csv and summary.json")
       ->group("Input");
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <optional>
 #include <planish/io/flat_writers.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
 #include <string>
 #include <vector>
 

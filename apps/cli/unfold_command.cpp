@@ -1,12 +1,14 @@
-#include <algorithm>
-#include <cstdio>
-#include <fmt/format.h>
-#include <planish/job/unfold.hpp>
-
 #include "commands.hpp"
 #include "terminal.hpp"
 #include "unfold_files.hpp"
 #include "unfold_plan.hpp"
+
+#include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
 
 namespace planish::cli {
 namespace {
@@ -27,7 +29,8 @@ int end_failed(const UnfoldArguments& arguments, const job::UnfoldRequest& reque
                const Error& error) {
   const int status = complain(error);
   if (error.code == ErrorCode::cancelled) return status;
-  const auto unwritten = write_report(arguments.json, job::report_json(job::failed(request, error)));
+  const auto unwritten =
+      write_report(arguments.json, job::report_json(job::failed(request, error)));
   if (unwritten) complain(*unwritten);
   return status;
 }

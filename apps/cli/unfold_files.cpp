@@ -54,7 +54,8 @@ std::vector<Target> targets_in(const fs::path& folder, const std::string& stem,
 }
 
 void append_names(std::vector<std::string>& names, const std::vector<File>& files) {
-  for (const File& file : files) names.push_back(file.path.string());
+  for (const File& file : files)
+    names.push_back(file.path.string());
 }
 
 }  // namespace
@@ -71,7 +72,8 @@ std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& 
   return std::nullopt;
 }
 
-std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports, const UnfoldPlan& plan) {
+std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports,
+                                    const UnfoldPlan& plan) {
   const std::vector<std::string> stems = job::stems(reports);
   std::vector<File> all;
   for (std::size_t i = 0; i < reports.size(); ++i) {
@@ -83,7 +85,8 @@ std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports, con
       continue;
     }
     append_names(reports[i].files, *files);
-    for (File& file : *files) all.push_back(std::move(file));
+    for (File& file : *files)
+      all.push_back(std::move(file));
   }
   if (auto error = make_folder(plan.folder)) return error;
   all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});

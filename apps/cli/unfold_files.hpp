@@ -1,13 +1,14 @@
 #pragma once
 
+#include "unfold_plan.hpp"
+
+#include <planish/job/unfold.hpp>
+
 #include <filesystem>
 #include <optional>
-#include <planish/job/unfold.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "unfold_plan.hpp"
 
 namespace planish::cli {
 
@@ -16,7 +17,8 @@ namespace planish::cli {
 std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& plan);
 
 /// The same for every body that has a pattern, into `plan.folder`.
-std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports, const UnfoldPlan& plan);
+std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports,
+                                    const UnfoldPlan& plan);
 
 /// Writes a report to a file, or to standard output for "-"; nothing for "".
 std::optional<Error> write_report(const std::string& json_option, const std::string& text);

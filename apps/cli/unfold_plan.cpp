@@ -1,12 +1,14 @@
 #include "unfold_plan.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <fmt/format.h>
-#include <optional>
-
 #include "option_rules.hpp"
 #include "side_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+#include <set>
 
 namespace planish::cli {
 namespace {
@@ -48,8 +50,9 @@ std::string stem_of(const fs::path& input) {
 Result<std::vector<Target>> default_targets(const UnfoldArguments& arguments) {
   const fs::path input(arguments.input);
   if (input == "-") {
-    return tl::unexpected(bad("standard input has no name to call the output by: say where with "
-                              "-o FILE.dxf, or --check for no output"));
+    return tl::unexpected(
+        bad("standard input has no name to call the output by: say where with "
+            "-o FILE.dxf, or --check for no output"));
   }
   std::vector<Target> targets;
   for (const OutputFormat format : formats_of(arguments)) {
@@ -66,19 +69,22 @@ Result<std::vector<Target>> targets_of(const UnfoldArguments& arguments) {
     if (is_folder(output)) {
       any_folder = true;
       for (const OutputFormat format : formats_of(arguments)) {
-        targets.push_back({fs::path(output) / job::file_name(stem_of(arguments.input), format), format});
+        targets.push_back(
+            {fs::path(output) / job::file_name(stem_of(arguments.input), format), format});
       }
     } else if (const auto format = format_by_suffix(output)) {
       targets.push_back({output, *format});
     } else {
-      return tl::unexpected(bad(fmt::format("the name \"{}\" does not say what to write: it must end "
-                                            "in .dxf, .svg, .step, or in / for a folder",
-                                            output)));
+      return tl::unexpected(
+          bad(fmt::format("the name \"{}\" does not say what to write: it must end "
+                          "in .dxf, .svg, .step, or in / for a folder",
+                          output)));
     }
   }
   if (!any_folder && !arguments.formats.empty()) {
-    return tl::unexpected(bad("--format goes with a folder or without -o: a file's name says its "
-                              "format itself"));
+    return tl::unexpected(
+        bad("--format goes with a folder or without -o: a file's name says its "
+            "format itself"));
   }
   return targets;
 }
@@ -86,14 +92,14 @@ Result<std::vector<Target>> targets_of(const UnfoldArguments& arguments) {
 // Two outputs under one name would leave only the last.
 Result<void> all_different(const std::vector<Target>& targets, const std::string& json) {
   std::vector<fs::path> paths;
-  for (const Target& target : targets) paths.push_back(target.path);
+  for (const Target& target : targets)
+    paths.push_back(target.path);
   if (!json.empty() && json != "-") paths.emplace_back(json);
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      std::error_code ignored;
-      if (fs::weakly_canonical(paths[i], ignored) == fs::weakly_canonical(paths[j], ignored)) {
-        return tl::unexpected(bad(fmt::format("two outputs are to be written to {}", paths[i].string())));
-      }
+  std::set<fs::path> taken;
+  for (const fs::path& path : paths) {
+    std::error_code ignored;
+    if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second) {
+      return tl::unexpected(bad(fmt::format("two outputs are to be written to {}", path.string())));
     }
   }
   return {};
@@ -111,7 +117,8 @@ Result<void> folder_exists(const fs::path& file) {
 
 Result<void> check_files(const UnfoldArguments& arguments, const UnfoldPlan& plan) {
   std::vector<fs::path> files;
-  for (const Target& target : plan.targets) files.push_back(target.path);
+  for (const Target& target : plan.targets)
+    files.push_back(target.path);
   if (!arguments.json.empty() && arguments.json != "-") files.emplace_back(arguments.json);
   for (const fs::path& file : files) {
     if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
@@ -172,7 +179,8 @@ Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& i
 }
 
 Result<UnfoldPlan> planned(const UnfoldArguments& arguments) {
-  if (const auto contradiction = contradiction_in(arguments)) return tl::unexpected(bad(*contradiction));
+  if (const auto contradiction = contradiction_in(arguments))
+    return tl::unexpected(bad(*contradiction));
   UnfoldPlan plan;
   for (const std::string& file : {arguments.input, arguments.k_table, arguments.rules}) {
     if (!file.empty() && file != "-") plan.inputs.emplace_back(file);

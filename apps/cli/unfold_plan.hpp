@@ -1,12 +1,13 @@
 #pragma once
 
-#include <filesystem>
+#include "unfold_arguments.hpp"
+
 #include <planish/base/result.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
-#include <vector>
 
-#include "unfold_arguments.hpp"
+#include <filesystem>
+#include <vector>
 
 namespace planish::cli {
 
@@ -20,15 +21,15 @@ struct Target {
 struct UnfoldPlan {
   job::UnfoldRequest request;
   DxfOptions dxf;
-  std::vector<Target> targets;                  ///< of one body
-  std::filesystem::path folder;                 ///< of `--all`; empty: none
-  std::vector<job::OutputFormat> formats;       ///< into `folder`
-  std::vector<std::filesystem::path> inputs;    ///< files read: no output may replace them
+  std::vector<Target> targets;                ///< of one body
+  std::filesystem::path folder;               ///< of `--all`; empty: none
+  std::vector<job::OutputFormat> formats;     ///< into `folder`
+  std::vector<std::filesystem::path> inputs;  ///< files read: no output may replace them
 };
 
 /// Errors: `bad_option` for options that contradict each other and outputs that would replace an
-/// input, `cannot_read` and `invalid_input` for bend tables and rules files, `cannot_write` where an
-/// output's folder does not exist.
+/// input, `cannot_read` and `invalid_input` for bend tables and rules files, `cannot_write` where
+/// an output's folder does not exist.
 Result<UnfoldPlan> planned(const UnfoldArguments& arguments);
 
 /// Whether the value of `-o` means a folder: an existing one, or a name that ends in "/".

@@ -1,7 +1,8 @@
 #include "facts.hpp"
 
-#include <algorithm>
 #include <planish/geometry/region.hpp>
+
+#include <algorithm>
 
 namespace planish::job {
 namespace {
@@ -15,10 +16,14 @@ double length_of(const Segment& segment) { return (segment.b - segment.a).norm()
 
 std::string_view kind_name(BendKind kind) {
   switch (kind) {
-    case BendKind::cylinder: return "cylinder";
-    case BendKind::cone: return "cone";
-    case BendKind::general: return "general";
-    case BendKind::sharp: break;
+    case BendKind::cylinder:
+      return "cylinder";
+    case BendKind::cone:
+      return "cone";
+    case BendKind::general:
+      return "general";
+    case BendKind::sharp:
+      break;
   }
   return "sharp";
 }
@@ -29,18 +34,24 @@ std::string_view direction_name(BendDirection direction) {
 
 std::string_view severity_name(Severity severity) {
   switch (severity) {
-    case Severity::info: return "info";
-    case Severity::warning: return "warning";
-    case Severity::error: break;
+    case Severity::info:
+      return "info";
+    case Severity::warning:
+      return "warning";
+    case Severity::error:
+      break;
   }
   return "error";
 }
 
 std::string_view status_name(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::warning: return "warning";
-    case Status::refused: break;
+    case Status::ok:
+      return "ok";
+    case Status::warning:
+      return "warning";
+    case Status::refused:
+      break;
   }
   return "refused";
 }
@@ -49,7 +60,8 @@ double outer_cutting_length(const FlatPattern& flat) { return length(flat.outer.
 
 double inner_cutting_length(const FlatPattern& flat) {
   double sum = 0.0;
-  for (const Contour& opening : flat.openings) sum += length(opening.loop);
+  for (const Contour& opening : flat.openings)
+    sum += length(opening.loop);
   return sum;
 }
 

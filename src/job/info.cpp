@@ -1,11 +1,12 @@
-#include <planish/job/info.hpp>
+#include "input.hpp"
 
-#include <algorithm>
-#include <fmt/format.h>
 #include <planish/brep/step.hpp>
 #include <planish/geometry/curve.hpp>
+#include <planish/job/info.hpp>
 
-#include "input.hpp"
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace planish::job {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 double area_of(const Face& face) {
   double area = 0.0;
   for (const BorderLoop& loop : face.loops) {
-    for (const Border& border : loop) area += green_area(border.curve);
+    for (const Border& border : loop)
+      area += green_area(border.curve);
   }
   return area;
 }
@@ -69,12 +71,18 @@ Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
     first = *chosen;
     last = first + 1;
   }
-  InfoReport report{request.input.string(), file->schema, file->cad_system, file->unit, {},
-                    file->surface_bodies,   request.units};
+  InfoReport report;
+  report.input = request.input.string();
+  report.schema = file->schema;
+  report.cad_system = file->cad_system;
+  report.file_unit = file->unit;
+  report.surface_bodies = file->surface_bodies;
+  report.units = request.units;
   for (int i = first; i < last; ++i) {
     if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
     const Body& body = file->bodies[i];
-    progress.at(fmt::format("body {} ({})", i + 1, body.name()), double(i - first) / (last - first));
+    progress.at(fmt::format("body {} ({})", i + 1, body.name()),
+                double(i - first) / (last - first));
     report.bodies.push_back(body_info(body, i + 1));
     if (request.recognize) report.bodies.back().sheet = sheet_info(body);
   }

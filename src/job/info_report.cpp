@@ -1,17 +1,20 @@
-#include <fmt/format.h>
-#include <planish/job/info.hpp>
-#include <planish/job/printable.hpp>
-
+#include "facts.hpp"
 #include "json_parts.hpp"
 #include "table.hpp"
 #include "units.hpp"
+
+#include <planish/job/info.hpp>
+#include <planish/job/printable.hpp>
+
+#include <fmt/format.h>
 
 namespace planish::job {
 namespace {
 
 Json size_json(const Vec3& size, const Units& units) {
   Json json = Json::array();
-  for (const double extent : size) json.push_back(number_json(units.length(extent)));
+  for (const double extent : size)
+    json.push_back(number_json(units.length(extent)));
   return json;
 }
 
@@ -59,8 +62,12 @@ std::string sheet_text(const SheetInfo& sheet, const Units& units) {
 
 std::string body_table(const InfoReport& report, const Units& units) {
   using Align = Table::Align;
-  Table table({{"no", Align::right}, {"body"}, {"quantity", Align::right}, {"faces", Align::right},
-               {"size", Align::right}, {"volume", Align::right}});
+  Table table({{"no", Align::right},
+               {"body"},
+               {"quantity", Align::right},
+               {"faces", Align::right},
+               {"size", Align::right},
+               {"volume", Align::right}});
   for (const BodyInfo& body : report.bodies) {
     table.add({fmt::format("{}", body.number), body.name, fmt::format("{}", body.quantity),
                fmt::format("{}", body.faces),
@@ -81,11 +88,14 @@ std::string info_json(const InfoReport& report) {
   json["command"] = "info";
   json["input"] = report.input;
   json["units"] = units.name();
+  json["status"] = status_name(report.refusal ? Status::refused : Status::ok);
+  json["reason"] = reason_json(report.refusal);
   json["schema"] = report.schema;
   json["cad_system"] = report.cad_system;
   json["file_units"] = report.file_unit;
   json["bodies"] = Json::array();
-  for (const BodyInfo& body : report.bodies) json["bodies"].push_back(body_json(body, units));
+  for (const BodyInfo& body : report.bodies)
+    json["bodies"].push_back(body_json(body, units));
   json["surface_bodies"] = report.surface_bodies;
   return text_of(json);
 }
@@ -95,9 +105,9 @@ std::string info_text(const InfoReport& report) {
   const auto said = [](const std::string& text) {
     return text.empty() ? "not stated" : printable(text);
   };
-  std::string text = fmt::format("{}: STEP {}, made by {}, in {}\n", printable(report.input),
-                                 said(report.schema), said(report.cad_system),
-                                 said(report.file_unit));
+  std::string text =
+      fmt::format("{}: STEP {}, made by {}, in {}\n", printable(report.input), said(report.schema),
+                  said(report.cad_system), said(report.file_unit));
   text += fmt::format("{}, lengths in {}\n",
                       report.bodies.size() == 1
                           ? "1 body"

@@ -1,13 +1,13 @@
 #include "input.hpp"
 
-#include <charconv>
+#include "units.hpp"
+
 #include <fmt/format.h>
+
+#include <charconv>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <vector>
-
-#include "units.hpp"
 
 namespace planish::job {
 namespace {
@@ -22,7 +22,8 @@ std::string body_list(const StepFile& file) {
     text += fmt::format("{}{} \"{}\"", i ? ", " : "", i + 1, body.name());
     if (body.quantity() > 1) text += fmt::format(" (×{})", body.quantity());
   }
-  if (n > kListedBodies) text += fmt::format(" and {} more (see `planish info`)", n - kListedBodies);
+  if (n > kListedBodies)
+    text += fmt::format(" and {} more (see `planish info`)", n - kListedBodies);
   return text;
 }
 
@@ -42,11 +43,22 @@ std::vector<int> bodies_named(const StepFile& file, const std::string& name) {
   return found;
 }
 
+// In pieces: character by character would take longer than to understand them.
+std::string standard_input() {
+  std::string text;
+  std::vector<char> piece(1 << 16);
+  while (std::cin.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
+         std::cin.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(std::cin.gcount()));
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<StepFile> read_input(const std::filesystem::path& input, const Progress& progress) {
   if (input != "-") return read_step(input, progress);
-  std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  const std::string text = standard_input();
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
   return read_step_text(text, "standard input", progress);
 }
@@ -67,9 +79,8 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const std::vector<int> named = bodies_named(file, wanted);
   if (named.size() == 1) return named.front();
   if (named.empty()) {
-    return fail(ErrorCode::no_such_body,
-                fmt::format("there is no body \"{}\"; there {} {}", wanted,
-                            n == 1 ? "is" : "are", body_list(file)));
+    return fail(ErrorCode::no_such_body, fmt::format("there is no body \"{}\"; there {} {}", wanted,
+                                                     n == 1 ? "is" : "are", body_list(file)));
   }
   return fail(ErrorCode::no_such_body,
               fmt::format("{} bodies are named \"{}\", take one by its number; there are {}",

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
 #include <planish/brep/step.hpp>
+
+#include <filesystem>
 #include <string>
 
 namespace planish::job {

@@ -1,13 +1,15 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <optional>
+#include "units.hpp"
+
 #include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
 #include <planish/job/unfold.hpp>
-#include <string>
 
-#include "units.hpp"
+#include <nlohmann/json.hpp>
+
+#include <optional>
+#include <string>
 
 namespace planish::job {
 

@@ -1,13 +1,14 @@
-#include <planish/job/outputs.hpp>
-
-#include <array>
-#include <fmt/format.h>
-#include <planish/base/assert.hpp>
-#include <planish/brep/step.hpp>
-#include <set>
-
 #include "units.hpp"
 #include "utf8.hpp"
+
+#include <planish/base/assert.hpp>
+#include <planish/brep/step.hpp>
+#include <planish/job/outputs.hpp>
+
+#include <fmt/format.h>
+
+#include <array>
+#include <set>
 
 namespace planish::job {
 namespace {
@@ -20,8 +21,8 @@ struct Range {
 
 // Letters of other scripts, by blocks: what lies outside is punctuation, symbols, signs that turn
 // the direction of writing, private use and the like.
-constexpr std::array kLetters{Range{0xC0, 0xD6},       Range{0xD8, 0xF6},     Range{0xF8, 0x1FFF},
-                              Range{0x2C00, 0x2DFF},   Range{0x3041, 0xD7FF}, Range{0xF900, 0xFDFF},
+constexpr std::array kLetters{Range{0xC0, 0xD6},      Range{0xD8, 0xF6},     Range{0xF8, 0x1FFF},
+                              Range{0x2C00, 0x2DFF},  Range{0x3041, 0xD7FF}, Range{0xF900, 0xFDFF},
                               Range{0x20000, 0x323AF}};
 
 bool is_ascii_letter_or_digit(char32_t c) {
@@ -47,9 +48,12 @@ std::string lower_case(std::string text) {
 
 std::string file_name(const std::string& stem, OutputFormat format) {
   switch (format) {
-    case OutputFormat::dxf: return stem + ".dxf";
-    case OutputFormat::svg: return stem + ".svg";
-    case OutputFormat::step: break;
+    case OutputFormat::dxf:
+      return stem + ".dxf";
+    case OutputFormat::svg:
+      return stem + ".svg";
+    case OutputFormat::step:
+      break;
   }
   return stem + "_flat.step";
 }
@@ -58,9 +62,12 @@ Result<std::string> composed(const UnfoldReport& report, OutputFormat format, co
                              const SvgOptions& svg) {
   PLANISH_ASSERT(report.has_pattern());
   switch (format) {
-    case OutputFormat::dxf: return dxf_text(report.flat, dxf);
-    case OutputFormat::svg: return svg_text(report.flat, svg);
-    case OutputFormat::step: break;
+    case OutputFormat::dxf:
+      return dxf_text(report.flat, dxf);
+    case OutputFormat::svg:
+      return svg_text(report.flat, svg);
+    case OutputFormat::step:
+      break;
   }
   return flat_solid_step(report.flat, report.body);
 }
@@ -85,8 +92,8 @@ std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
   for (const UnfoldReport& report : reports) {
     all.emplace_back();
     if (!report.has_pattern()) continue;
-    const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
-                                           trimmed_number(report.sheet.thickness, 3));
+    const std::string wanted =
+        fmt::format("{}_t{}", safe_name(report.body), trimmed_number(report.sheet.thickness, 3));
     std::string stem = wanted;
     // "a-2" may itself be a body's name, so numbers are tried until the stem is free.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {

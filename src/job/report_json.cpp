@@ -1,8 +1,8 @@
-#include <planish/job/unfold.hpp>
-
 #include "facts.hpp"
 #include "json_parts.hpp"
 #include "units.hpp"
+
+#include <planish/job/unfold.hpp>
 
 namespace planish::job {
 namespace {
@@ -42,13 +42,15 @@ Json bend_json(const FlatBend& bend, int order, const Units& units) {
   const auto longest = longest_line(bend);
   json["line"] = longest ? line_json(*longest, units) : Json::array();
   json["lines"] = Json::array();
-  for (const Segment& line : bend.lines) json["lines"].push_back(line_json(line, units));
+  for (const Segment& line : bend.lines)
+    json["lines"].push_back(line_json(line, units));
   return json;
 }
 
 Json feature_json(const FlatFeature& feature, const Units& units) {
   Box2 box;
-  for (const Loop& outline : feature.outlines) box.add(bounds(outline));
+  for (const Loop& outline : feature.outlines)
+    box.add(bounds(outline));
   Json json;
   json["kind"] = feature.kind;
   json["at"] = box.empty() ? Json(nullptr) : point_json(0.5 * (box.lo + box.hi), units);
@@ -68,7 +70,8 @@ Json flat_json(const UnfoldReport& report, const Units& units) {
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
   int order = 0;
-  for (const FlatBend& bend : flat.bends) json["bends"].push_back(bend_json(bend, ++order, units));
+  for (const FlatBend& bend : flat.bends)
+    json["bends"].push_back(bend_json(bend, ++order, units));
   json["features"] = Json::array();
   for (const FlatFeature& feature : flat.features) {
     json["features"].push_back(feature_json(feature, units));
@@ -96,7 +99,8 @@ Json check_json(const Finding& finding, const Units& units) {
   json["severity"] = severity_name(finding.severity);
   json["message"] = finding.message;
   json["at"] = Json::array();
-  for (const Vec2& p : finding.at) json["at"].push_back(point_json(p, units));
+  for (const Vec2& p : finding.at)
+    json["at"].push_back(point_json(p, units));
   return json;
 }
 
@@ -119,7 +123,8 @@ Json report_value(const UnfoldReport& report) {
   json["flat"] = flat_json(report, units);
   json["verification"] = verification_json(report, units);
   json["checks"] = Json::array();
-  for (const Finding& finding : report.findings) json["checks"].push_back(check_json(finding, units));
+  for (const Finding& finding : report.findings)
+    json["checks"].push_back(check_json(finding, units));
   json["notes"] = report.notes;
   json["files"] = report.files;
   return json;

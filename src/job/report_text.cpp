@@ -1,13 +1,15 @@
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fmt/format.h>
-#include <planish/job/printable.hpp>
-#include <planish/job/unfold.hpp>
-
 #include "facts.hpp"
 #include "table.hpp"
 #include "units.hpp"
+
+#include <planish/job/printable.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 
 namespace planish::job {
 namespace {
@@ -15,9 +17,8 @@ namespace {
 std::string title(const UnfoldReport& report) {
   const std::filesystem::path input(report.input);
   std::string text = report.input == "-" ? "standard input" : input.filename().string();
-  if (report.number > 1 || (!report.body.empty() && report.body != input.stem())) {
-    text += fmt::format(", body {}", report.number);
-    if (!report.body.empty()) text += fmt::format(" \"{}\"", report.body);
+  if (report.bodies_in_file > 1) {
+    text += fmt::format(", body {} \"{}\"", report.number, report.body);
   }
   if (report.quantity > 1) text += fmt::format(" ×{}", report.quantity);
   return printable(text);
@@ -25,10 +26,10 @@ std::string title(const UnfoldReport& report) {
 
 std::string sheet_line(const UnfoldReport& report, const Units& units) {
   const SheetSummary& sheet = report.sheet;
-  std::string text = fmt::format("sheet {} {} (spread {}), {}, {}",
-                                 units.short_text(sheet.thickness), units.symbol(),
-                                 units.length_text(sheet.thickness_spread),
-                                 counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
+  std::string text =
+      fmt::format("sheet {} {} (spread {}), {}, {}", units.short_text(sheet.thickness),
+                  units.symbol(), units.length_text(sheet.thickness_spread),
+                  counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
   if (report.mass) text += fmt::format(", {:.3f} kg", *report.mass);
   return text;
 }
@@ -37,9 +38,9 @@ std::string blank_line(const UnfoldReport& report, const Units& units) {
   const FlatPattern& flat = report.flat;
   const auto unit = units.symbol();
   std::string text = fmt::format(
-      "blank {} × {} {}, area {} {}², cutting length {} {} outer", units.length_text(report.size.x()),
-      units.length_text(report.size.y()), unit, units.area_text(flat.area), unit,
-      units.length_text(outer_cutting_length(flat)), unit);
+      "blank {} × {} {}, area {} {}², cutting length {} {} outer",
+      units.length_text(report.size.x()), units.length_text(report.size.y()), unit,
+      units.area_text(flat.area), unit, units.length_text(outer_cutting_length(flat)), unit);
   if (!flat.openings.empty()) {
     text += fmt::format(" + {} {} in {}", units.length_text(inner_cutting_length(flat)), unit,
                         counted(static_cast<int>(flat.openings.size()), "opening"));
@@ -56,9 +57,16 @@ std::string angle_text(Angle angle) {
 std::string bend_table(const FlatPattern& flat, const Units& units) {
   if (flat.bends.empty()) return {};
   using Align = Table::Align;
-  Table table({{"bend"}, {"kind"}, {"angle", Align::right}, {"radius", Align::right},
-               {"direction"}, {"K", Align::right}, {"from"}, {"allowance", Align::right},
-               {"deduction", Align::right}, {"length", Align::right}});
+  Table table({{"bend"},
+               {"kind"},
+               {"angle", Align::right},
+               {"radius", Align::right},
+               {"direction"},
+               {"K", Align::right},
+               {"from"},
+               {"allowance", Align::right},
+               {"deduction", Align::right},
+               {"length", Align::right}});
   for (const FlatBend& bend : flat.bends) {
     table.add({bend.id, std::string(kind_name(bend.kind)), angle_text(bend.angle),
                units.length_text(bend.inside_radius), std::string(direction_name(bend.direction)),
@@ -102,7 +110,8 @@ std::string findings_text(const UnfoldReport& report, const Units& units) {
 
 std::string lines_of(const std::vector<std::string>& items, std::string_view before) {
   std::string text;
-  for (const std::string& item : items) text += fmt::format("{}{}\n", before, printable(item));
+  for (const std::string& item : items)
+    text += fmt::format("{}{}\n", before, printable(item));
   return text;
 }
 

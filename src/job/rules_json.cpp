@@ -1,37 +1,15 @@
+#include "json_parts.hpp"
+
 #include <planish/job/rules_json.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <fmt/format.h>
-#include <optional>
 
-#include "json_parts.hpp"
+#include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace planish::job {
 namespace {
-
-struct Threshold {
-  const char* key;
-  double Rules::*value;
-};
-
-constexpr std::array kThresholds{
-    Threshold{"flange_height_t", &Rules::flange_height_t},
-    Threshold{"flange_height_r", &Rules::flange_height_r},
-    Threshold{"opening_to_bend_t", &Rules::opening_to_bend_t},
-    Threshold{"opening_to_edge_t", &Rules::opening_to_edge_t},
-    Threshold{"opening_to_opening_t", &Rules::opening_to_opening_t},
-    Threshold{"smallest_opening_t", &Rules::smallest_opening_t},
-    Threshold{"inside_radius_t", &Rules::inside_radius_t},
-    Threshold{"relief_width_t", &Rules::relief_width_t},
-    Threshold{"relief_depth_r", &Rules::relief_depth_r},
-    Threshold{"relief_depth_t", &Rules::relief_depth_t},
-    Threshold{"hem_diameter_t", &Rules::hem_diameter_t},
-    Threshold{"hem_return_t", &Rules::hem_return_t},
-    Threshold{"k_low", &Rules::k_low},
-    Threshold{"k_high", &Rules::k_high},
-};
 
 constexpr auto kFormat = "planish/rules";
 constexpr int kVersion = 1;
@@ -40,16 +18,20 @@ constexpr int kVersion = 1;
 std::string pointer(const std::string& key) {
   std::string text = "/";
   for (const char c : key) {
-    if (c == '~') text += "~0";
-    else if (c == '/') text += "~1";
-    else text += c;
+    if (c == '~')
+      text += "~0";
+    else if (c == '/')
+      text += "~1";
+    else
+      text += c;
   }
   return text;
 }
 
 std::string known_keys() {
   std::string text = "enabled";
-  for (const Threshold& threshold : kThresholds) text += std::string(", ") + threshold.key;
+  for (const RuleField& field : rule_fields())
+    text += fmt::format(", {}", field.name);
   return text;
 }
 
@@ -60,9 +42,10 @@ Error invalid(const std::string& name, const std::string& key, const std::string
 
 std::optional<Error> set_threshold(Rules& rules, const std::string& key, const Json& value,
                                    const std::string& name) {
-  const auto found = std::find_if(kThresholds.begin(), kThresholds.end(),
-                                  [&](const Threshold& t) { return t.key == key; });
-  if (found == kThresholds.end()) {
+  const auto fields = rule_fields();
+  const auto found = std::find_if(fields.begin(), fields.end(),
+                                  [&](const RuleField& field) { return field.name == key; });
+  if (found == fields.end()) {
     return invalid(name, key, fmt::format("is no rule; the rules are {}", known_keys()));
   }
   if (!value.is_number() || !std::isfinite(value.get<double>()) || value.get<double>() < 0.0) {
@@ -109,8 +92,8 @@ Result<Json> parsed(const std::string& text, const std::string& name) {
                 fmt::format("the rules file is not JSON: mistake at line:column {}", place),
                 name + ":" + place);
   } catch (const Json::exception& error) {
-    return fail(ErrorCode::invalid_input, fmt::format("the rules file is not JSON: {}", error.what()),
-                name);
+    return fail(ErrorCode::invalid_input,
+                fmt::format("the rules file is not JSON: {}", error.what()), name);
   }
 }
 
@@ -121,7 +104,9 @@ std::string rules_json(const Rules& rules) {
   json["format"] = kFormat;
   json["version"] = kVersion;
   json["enabled"] = rules.enabled;
-  for (const Threshold& threshold : kThresholds) json[threshold.key] = rules.*(threshold.value);
+  for (const RuleField& field : rule_fields()) {
+    json[std::string(field.name)] = rules.*(field.value);
+  }
   return text_of(json);
 }
 
@@ -136,8 +121,8 @@ Result<Rules> parse_rules(const std::string& text, const std::string& name) {
     if (auto error = set(rules, key, value, name)) return tl::unexpected(*error);
   }
   if (rules.k_low > rules.k_high) {
-    return tl::unexpected(invalid(name, "k_low", fmt::format("is {}, above k_high, which is {}",
-                                                             rules.k_low, rules.k_high)));
+    return tl::unexpected(invalid(
+        name, "k_low", fmt::format("is {}, above k_high, which is {}", rules.k_low, rules.k_high)));
   }
   return rules;
 }

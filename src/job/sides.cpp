@@ -1,9 +1,10 @@
 #include "sides.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
 #include <functional>
 #include <vector>
 
@@ -50,11 +51,12 @@ Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& r
   if (!number) return tl::unexpected(number.error());
   const auto found = face_numbered(sheet, *number, is_flange_face);
   if (found) return found;
-  return fail(ErrorCode::no_such_face,
-              fmt::format("face {} is no flange on the skin that is unfolded; the faces that can be "
-                          "the root are {}",
-                          *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
-              fmt::format("face {}", *number));
+  return fail(
+      ErrorCode::no_such_face,
+      fmt::format("face {} is no flange on the skin that is unfolded; the faces that can be "
+                  "the root are {}",
+                  *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
+      fmt::format("face {}", *number));
 }
 
 Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <planish/base/result.hpp>
 #include <planish/job/unfold.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/sheet.hpp>
+
+#include <optional>
 
 namespace planish::job {
 

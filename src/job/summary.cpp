@@ -1,13 +1,15 @@
-#include <algorithm>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-#include <planish/job/printable.hpp>
-#include <planish/job/unfold.hpp>
-
 #include "facts.hpp"
 #include "json_parts.hpp"
 #include "table.hpp"
 #include "units.hpp"
+
+#include <planish/job/printable.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace planish::job {
 namespace {
@@ -20,9 +22,8 @@ int unfolded(const std::vector<UnfoldReport>& reports) {
 // Of all bodies together: refused only when nothing at all came of it.
 Status status_of(const std::vector<UnfoldReport>& reports) {
   if (unfolded(reports) == 0) return Status::refused;
-  const bool clean = std::all_of(reports.begin(), reports.end(), [](const auto& report) {
-    return report.status() == Status::ok;
-  });
+  const bool clean = std::all_of(reports.begin(), reports.end(),
+                                 [](const auto& report) { return report.status() == Status::ok; });
   return clean ? Status::ok : Status::warning;
 }
 
@@ -32,7 +33,8 @@ LengthUnit unit_of(const std::vector<UnfoldReport>& reports) {
 
 int pieces(const std::vector<UnfoldReport>& reports) {
   int sum = 0;
-  for (const UnfoldReport& report : reports) sum += report.quantity;
+  for (const UnfoldReport& report : reports)
+    sum += report.quantity;
   return sum;
 }
 
@@ -47,22 +49,28 @@ std::string csv_cell(const std::string& cell) {
   return quoted + '"';
 }
 
-std::string plain(double value) { return number_json(value).is_null() ? "" : fmt::format("{}", value); }
+std::string plain(double value) {
+  return number_json(value).is_null() ? "" : fmt::format("{}", value);
+}
 
 using Cells = std::vector<std::string>;
 
 std::string csv_line(const Cells& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
+  for (const std::string& cell : cells)
+    line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
   return line + "\n";
 }
 
 Cells fields(const UnfoldReport& report) {
   const Units units(report.units);
-  Cells cells{fmt::format("{}", report.number), report.body, fmt::format("{}", report.quantity),
+  Cells cells{fmt::format("{}", report.number),
+              report.body,
+              fmt::format("{}", report.quantity),
               std::string(status_name(report.status())),
               report.refusal ? std::string(code_name(report.refusal->code)) : "",
-              report.refusal ? report.refusal->message : "", std::string(units.name())};
+              report.refusal ? report.refusal->message : "",
+              std::string(units.name())};
   const auto add = [&cells](bool known, const std::string& cell) {
     cells.push_back(known ? cell : "");
   };
@@ -89,10 +97,10 @@ Cells fields(const UnfoldReport& report) {
 
 const Cells& field_names() {
   static const Cells names{
-      "number",        "body",          "quantity",     "status",       "reason",
-      "message",       "units",         "thickness",    "length",       "width",
-      "area",          "outer_cutting", "inner_cutting", "openings",    "bends",
-      "mass",          "volume_ratio",  "length_error", "refold_deviation", "warnings",
+      "number",  "body",          "quantity",      "status",           "reason",
+      "message", "units",         "thickness",     "length",           "width",
+      "area",    "outer_cutting", "inner_cutting", "openings",         "bends",
+      "mass",    "volume_ratio",  "length_error",  "refold_deviation", "warnings",
       "files"};
   return names;
 }
@@ -128,9 +136,9 @@ std::string warnings_text(const std::vector<UnfoldReport>& reports) {
   for (const UnfoldReport& report : reports) {
     for (const Finding& finding : report.findings) {
       if (finding.severity == Severity::info) continue;
-      text += fmt::format("  body {}: {} [{}]: {}\n", report.number,
-                          severity_name(finding.severity), finding.code,
-                          printable(finding.message));
+      text +=
+          fmt::format("  body {}: {} [{}]: {}\n", report.number, severity_name(finding.severity),
+                      finding.code, printable(finding.message));
     }
   }
   return text;
@@ -150,27 +158,37 @@ std::string summary_json(const std::vector<UnfoldReport>& reports) {
   json["refused"] = static_cast<int>(reports.size()) - unfolded(reports);
   json["pieces"] = pieces(reports);
   json["bodies"] = Json::array();
-  for (const UnfoldReport& report : reports) json["bodies"].push_back(report_value(report));
+  for (const UnfoldReport& report : reports)
+    json["bodies"].push_back(report_value(report));
   return text_of(json);
 }
 
 std::string summary_csv(const std::vector<UnfoldReport>& reports) {
   std::string text = csv_line(field_names());
-  for (const UnfoldReport& report : reports) text += csv_line(fields(report));
+  for (const UnfoldReport& report : reports)
+    text += csv_line(fields(report));
   return text;
 }
 
 std::string summary_text(const std::vector<UnfoldReport>& reports) {
   using Align = Table::Align;
   const Units units(unit_of(reports));
-  Table table({{"no", Align::right}, {"body"}, {"quantity", Align::right}, {"status"},
-               {"thickness", Align::right}, {"blank", Align::right}, {"bends", Align::right},
-               {"volume", Align::right}, {"edges", Align::right}, {"refold", Align::right},
+  Table table({{"no", Align::right},
+               {"body"},
+               {"quantity", Align::right},
+               {"status"},
+               {"thickness", Align::right},
+               {"blank", Align::right},
+               {"bends", Align::right},
+               {"volume", Align::right},
+               {"edges", Align::right},
+               {"refold", Align::right},
                {"file or reason"}});
   for (const UnfoldReport& report : reports) {
-    Cells cells{fmt::format("{}", report.number), report.body,
-                fmt::format("{}", report.quantity), std::string(status_name(report.status()))};
-    for (std::string& cell : measures(report, units)) cells.push_back(std::move(cell));
+    Cells cells{fmt::format("{}", report.number), report.body, fmt::format("{}", report.quantity),
+                std::string(status_name(report.status()))};
+    for (std::string& cell : measures(report, units))
+      cells.push_back(std::move(cell));
     cells.push_back(outcome(report));
     table.add(std::move(cells));
   }

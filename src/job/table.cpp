@@ -1,8 +1,9 @@
 #include "table.hpp"
 
-#include <algorithm>
 #include <planish/base/assert.hpp>
 #include <planish/job/printable.hpp>
+
+#include <algorithm>
 
 namespace planish::job {
 namespace {
@@ -23,7 +24,8 @@ std::size_t display_width(std::string_view text) {
 
 void Table::add(std::vector<std::string> cells) {
   PLANISH_ASSERT(cells.size() == columns_.size());
-  for (std::string& cell : cells) cell = printable(cell);
+  for (std::string& cell : cells)
+    cell = printable(cell);
   rows_.push_back(std::move(cells));
 }
 
@@ -31,7 +33,8 @@ std::vector<std::size_t> Table::widths() const {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < columns_.size(); ++c) {
     std::size_t width = display_width(columns_[c].title);
-    for (const auto& row : rows_) width = std::max(width, display_width(row[c]));
+    for (const auto& row : rows_)
+      width = std::max(width, display_width(row[c]));
     widths.push_back(width);
   }
   return widths;

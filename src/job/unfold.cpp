@@ -1,12 +1,13 @@
+#include "input.hpp"
+
+#include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <fmt/format.h>
-#include <planish/brep/step.hpp>
-
-#include "input.hpp"
 
 namespace planish::job {
 namespace {
@@ -58,9 +59,8 @@ UnfoldReport refused(const Body& body, const UnfoldRequest& request, const Error
 }  // namespace
 
 bool UnfoldReport::has_warnings() const {
-  return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
-    return finding.severity != Severity::info;
-  });
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity != Severity::info; });
 }
 
 Status UnfoldReport::status() const {
@@ -86,6 +86,7 @@ Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progre
   if (!report) return report;
   report->input = request.input.string();
   report->number = *index + 1;
+  report->bodies_in_file = static_cast<int>(read->file.bodies.size());
   report->read_seconds = read->seconds;
   return report;
 }
@@ -106,6 +107,7 @@ Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
     reports.push_back(report ? std::move(*report) : refused(body, request, report.error()));
     reports.back().input = request.input.string();
     reports.back().number = i + 1;
+    reports.back().bodies_in_file = count;
     reports.back().read_seconds = read->seconds;
   }
   return reports;

@@ -1,12 +1,13 @@
-#include <chrono>
-#include <cmath>
+#include "facts.hpp"
+#include "sides.hpp"
+#include "verdict.hpp"
+
 #include <planish/brep/step.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/job/unfold.hpp>
 
-#include "facts.hpp"
-#include "sides.hpp"
-#include "verdict.hpp"
+#include <chrono>
+#include <cmath>
 
 namespace planish::job {
 namespace {
@@ -57,7 +58,8 @@ std::optional<double> mass_of(const UnfoldReport& report, std::optional<double> 
 }
 
 void append(std::vector<Finding>& all, std::vector<Finding> more) {
-  for (Finding& finding : more) all.push_back(std::move(finding));
+  for (Finding& finding : more)
+    all.push_back(std::move(finding));
 }
 
 // Lays the sheet flat and certifies it; what is wrong comes back, what is known is in the report.

@@ -6,9 +6,12 @@ namespace planish::job {
 
 std::string_view Units::name() const {
   switch (unit_) {
-    case LengthUnit::inch: return "inch";
-    case LengthUnit::m: return "m";
-    case LengthUnit::mm: break;
+    case LengthUnit::inch:
+      return "inch";
+    case LengthUnit::m:
+      return "m";
+    case LengthUnit::mm:
+      break;
   }
   return "mm";
 }
@@ -17,9 +20,12 @@ std::string_view Units::symbol() const { return unit_ == LengthUnit::inch ? "in"
 
 int Units::decimals() const {
   switch (unit_) {
-    case LengthUnit::inch: return 4;
-    case LengthUnit::m: return 6;
-    case LengthUnit::mm: break;
+    case LengthUnit::inch:
+      return 4;
+    case LengthUnit::m:
+      return 6;
+    case LengthUnit::mm:
+      break;
   }
   return 3;
 }

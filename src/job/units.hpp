@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/io/flat_writers.hpp>
+
 #include <string>
 #include <string_view>
 

@@ -1,7 +1,8 @@
 #include "utf8.hpp"
 
-#include <array>
 #include <planish/job/printable.hpp>
+
+#include <array>
 
 namespace planish::job {
 namespace {

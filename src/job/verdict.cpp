@@ -1,10 +1,11 @@
 #include "verdict.hpp"
 
-#include <cmath>
-#include <fmt/format.h>
-#include <map>
-
 #include "units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
 
 namespace planish::job {
 namespace {
@@ -13,13 +14,15 @@ std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
 }
 
-// "2 countersinks, 1 boss": the usual reason why flat area times thickness misses the volume.
+// "2 countersinks, 1 pocket": the usual reason why flat area times thickness misses the volume.
 std::string features_text(const FlatPattern& flat) {
   std::map<std::string, int> count;
-  for (const FlatFeature& feature : flat.features) ++count[feature.kind];
+  for (const FlatFeature& feature : flat.features)
+    ++count[feature.kind];
   std::string text;
   for (const auto& [kind, n] : count) {
-    text += fmt::format("{}{} of kind {}", text.empty() ? "" : ", ", counted(n, "feature"), kind);
+    text += text.empty() ? "" : ", ";
+    text += counted(n, kind == "formed" ? "formed feature" : kind);
   }
   return text;
 }
@@ -48,12 +51,14 @@ Finding volume_doubt(double ratio, const FlatPattern& flat) {
 
 Finding residual_doubt(const std::string& code, const std::string& what, double value, double bound,
                        const Vec2& at) {
-  return {code, Severity::warning,
+  return {code,
+          Severity::warning,
           fmt::format("{} {:.4f} mm, more than {} mm", what, value, trimmed_number(bound, 6)),
           {at}};
 }
 
-constexpr auto kLengthText = "an edge of the solid and its image in the pattern differ in length by";
+constexpr auto kLengthText =
+    "an edge of the solid and its image in the pattern differ in length by";
 constexpr auto kRefoldText = "the refolded contour leaves the solid's edge by";
 
 Error wrong(const std::string& what, const Vec2& at) {
@@ -66,8 +71,7 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  if (solid_volume > 0.0 &&
-      std::abs(certificate.volume_ratio - 1.0) > bounds.volume_warning) {
+  if (solid_volume > 0.0 && std::abs(certificate.volume_ratio - 1.0) > bounds.volume_warning) {
     found.push_back(volume_doubt(certificate.volume_ratio, flat));
   }
   if (certificate.length_error > bounds.length_warning) {
@@ -84,8 +88,7 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
 std::optional<Error> disbelief(const Certificate& certificate, double solid_volume,
                                const CertificateBounds& bounds) {
   // The negated comparison also catches a ratio that is not a number.
-  if (solid_volume > 0.0 &&
-      !(std::abs(certificate.volume_ratio - 1.0) <= bounds.volume_refusal)) {
+  if (solid_volume > 0.0 && !(std::abs(certificate.volume_ratio - 1.0) <= bounds.volume_refusal)) {
     return Error{ErrorCode::pattern_wrong,
                  fmt::format("flat area at K = ½ times thickness is {:.4f} of the solid's volume "
                              "(1 is right, {} is the most it may be off); the pattern cannot be "
@@ -109,7 +112,8 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   const Finding& first = overlaps.front();
   std::string message = first.message;
   if (overlaps.size() > 1) {
-    message += fmt::format(", and at {}", counted(static_cast<int>(overlaps.size()) - 1, "more place"));
+    message +=
+        fmt::format(", and at {}", counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
   message += "; --write-overlapping writes the pattern all the same";
   return Error{ErrorCode::overlap, std::move(message),

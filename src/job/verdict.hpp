@@ -1,7 +1,8 @@
 #pragma once
 
-#include <optional>
 #include <planish/job/unfold.hpp>
+
+#include <optional>
 #include <vector>
 
 namespace planish::job {

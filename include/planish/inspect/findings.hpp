@@ -2,23 +2,27 @@
 
 #include <planish/base/result.hpp>
 #include <planish/sheet/flat_pattern.hpp>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace planish {
 
 enum class Severity { info, warning, error };
 
-/// One observation about a flat pattern, with its place in the pattern.
+/// One observation about a flat pattern. Codes: "overlap", and one for each rule: "flange_height",
+/// "bend_relief", "inside_radius", "hem", "k_factor", "opening_to_bend", "opening_in_bend",
+/// "opening_to_edge", "opening_to_opening", "smallest_opening".
 struct Finding {
-  std::string code;  ///< e.g. "overlap", "flange_height", "hole_to_bend"
+  std::string code;
   Severity severity = Severity::warning;
-  std::string message;
-  std::vector<Vec2> at;
+  std::string message;   ///< one sentence without the full stop, numbers with units
+  std::vector<Vec2> at;  ///< its place, or places, in the pattern
 };
 
 /// Thresholds of SHOPFLOOR "Rules of manufacture". Lengths as factors of thickness T and inside
-/// radius R where the names say so; all editable in a JSON file (see docs).
+/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0 asks for nothing.
 struct Rules {
   double flange_height_t = 1.5;  ///< smallest flange height = this·T + flange_height_r·R
   double flange_height_r = 1.0;
@@ -37,11 +41,42 @@ struct Rules {
   bool enabled = true;
 };
 
-/// Where the pattern covers itself: findings with code "overlap", severity error, area in the
-/// message and the overlap's outline as place. Pieces of faces that are joined may touch.
+/// A threshold of `Rules` as data, so that files, help and forms need not repeat the names.
+struct RuleField {
+  std::string_view name;         ///< key in files; the member's name
+  double Rules::*value;
+  std::string_view description;
+  std::string_view origin;       ///< where the default comes from, and other values in use
+};
+
+/// Every threshold of `Rules` (all but `enabled`), in the order of its members.
+std::span<const RuleField> rule_fields();
+
+/// Where the pattern covers itself: findings with code "overlap", severity error, largest first,
+/// one for each pair of flanges or bends, with their area in the message and the outlines of what
+/// they share as place; then contours that cross themselves where no pair tells so already.
+/// Flanges are counted from 1. Pieces may touch: overlaps less deep than 0.002 of the thickness (or
+/// than curve tolerance and `closure`, if larger) are not seen, and slits of no width are none.
+/// Cost: near-linear in the number of faces when little overlaps.
 std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern);
 
-/// Manufacturability warnings by the rules.
+/// Manufacturability warnings by the rules. What misses a limit by less than 0.001 mm satisfies it.
+/// - flange_height: the least flat length beside a bend, to the edge or the next bend, told as height
+///   from the outside of the bend. 1.5 T + R leaves 0.5 T flat at 90°, and as much at any angle.
+///   Chamfered ends, hems, bends that go on in one another and rolled ones (R > 10 T) that end at
+///   the edge are let pass.
+/// - bend_relief: at ends of bends with sheet beside them; depth from the outside of the bend, where
+///   R + T is the tangent line.
+/// - hem: bends of 170° and more; the return from the outside of the bend. Other bends have their
+///   inside_radius checked.
+/// - opening_to_bend, opening_to_edge, opening_to_opening: nearest points, through material only;
+///   between openings each with its nearest neighbour.
+/// - opening_in_bend: once for an opening that takes material from a bend zone; info, when it is
+///   cut through from flange to flange. Not for rolled bends, nor for windows and reliefs at which
+///   the bend ends.
+/// - smallest_opening: the diameter of the largest circle that fits. Slits of no width are none.
+/// - k_factor: once for every K.
+/// More than ten findings of a rule that differ by their place only become one with all places.
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern, const Rules& rules);
 
 }  // namespace planish

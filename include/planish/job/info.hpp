@@ -1,11 +1,12 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
 #include <planish/io/flat_writers.hpp>
+
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,9 +43,11 @@ struct BodyInfo {
   std::optional<SheetInfo> sheet;
 };
 
-/// What a STEP file holds. Lengths are mm; `units` is for the reports.
+/// What a STEP file holds, or why it cannot be said. Lengths are mm; `units` is for the reports.
 struct InfoReport {
-  std::string input, schema, cad_system, file_unit;
+  std::string input;
+  std::optional<Error> refusal;
+  std::string schema, cad_system, file_unit;
   std::vector<BodyInfo> bodies;
   int surface_bodies = 0;
   LengthUnit units = LengthUnit::mm;
@@ -53,7 +56,9 @@ struct InfoReport {
 /// Errors: those of `read_step`, and `no_such_body`.
 Result<InfoReport> info(const InfoRequest& request, const Progress& progress = {});
 
+/// JSON text; `status` and `reason` as in a report of FORMATS.
 std::string info_json(const InfoReport& report);
+/// As a person reads it; `refusal` is not looked at.
 std::string info_text(const InfoReport& report);
 
 }  // namespace planish::job

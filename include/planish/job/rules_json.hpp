@@ -2,12 +2,13 @@
 
 #include <planish/base/result.hpp>
 #include <planish/inspect/findings.hpp>
+
 #include <string>
 
 namespace planish::job {
 
-/// Rules of manufacture as the JSON text of a rules file: one key for every threshold of `Rules`,
-/// besides "format" ("planish/rules") and "version" (1).
+/// Rules of manufacture as the JSON text of a rules file: one key for every one of `rule_fields`,
+/// besides "enabled", "format" ("planish/rules") and "version" (1).
 std::string rules_json(const Rules& rules);
 
 /// Reads a rules file. Keys left out keep the defaults. Errors: `invalid_input` for anything that

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/sheet/certificate.hpp>
+
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ namespace planish::job {
 /// Beyond these a certificate is doubted (a warning with its place) or disbelieved (the pattern is
 /// refused as `pattern_wrong`).
 struct CertificateBounds {
-  double volume_warning = 1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a feature
+  double volume_warning =
+      1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a feature
   double volume_refusal = 0.15;  ///< no countersink or emboss moves that much: something is missing
   double length_warning = 0.01;  ///< mm; what a laser cutter holds
   double length_refusal = 0.5;   ///< mm
@@ -33,9 +35,10 @@ struct UnfoldRequest {
   std::string body;             ///< number (1-based) or name; empty: the only body
   AllowanceRule allowance = ConstantK{};
   std::string root = "largest";  ///< "largest" or a face number
-  std::string up = "auto";       ///< "auto", "reference", "other", or the number of a face that shall face up
+  std::string up =
+      "auto";  ///< "auto", "reference", "other", or the number of a face that shall face up
   Rules rules;
-  bool write_overlapping = false;  ///< write the pattern although it covers itself
+  bool write_overlapping = false;     ///< write the pattern although it covers itself
   LengthUnit units = LengthUnit::mm;  ///< of the report
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
@@ -44,8 +47,9 @@ struct UnfoldRequest {
 struct SheetSummary {
   double thickness = 0.0, thickness_spread = 0.0, volume = 0.0;
   int flanges = 0, bends = 0;
-  std::optional<double> k_factor;  ///< of all bends; of the rule without bends; empty where they differ
-  std::string k_source;            ///< likewise, "mixed" where they differ
+  std::optional<double>
+      k_factor;          ///< of all bends; of the rule without bends; empty where they differ
+  std::string k_source;  ///< likewise, "mixed" where they differ
 };
 
 enum class Status { ok, warning, refused };
@@ -54,12 +58,13 @@ enum class Status { ok, warning, refused };
 /// (outer contour not empty) then hold what was known. Lengths are mm; `units` is for the reports.
 struct UnfoldReport {
   std::string input, body;
-  int number = 1;  ///< of the body in its file, as `planish info` counts
+  int number = 1;          ///< of the body in its file, as `planish info` counts
+  int bodies_in_file = 1;  ///< different ones
   int quantity = 1;
   std::optional<Error> refusal;
   SheetSummary sheet;
   FlatPattern flat;
-  Vec2 size = Vec2::Zero();       ///< smallest enclosing rectangle, longer side first, mm
+  Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;
   std::vector<Finding> findings;
   std::vector<std::string> notes;
@@ -79,11 +84,13 @@ Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progre
 
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. Whatever
 /// goes wrong with one body is the refusal in its report; the others go on.
-Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request, const Progress& progress = {});
+Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
+                                             const Progress& progress = {});
 
 /// The part of both that begins with a body already read (`request.input` and `request.body` are
-/// not looked at, `input`, `number` and `read_seconds` of the report not set).
-Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request, const Progress& progress = {});
+/// not looked at; `input`, `number`, `bodies_in_file` and `read_seconds` of the report not set).
+Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request,
+                                 const Progress& progress = {});
 
 /// The report of a request that ended with an error, so that scripts find its reason in one place.
 UnfoldReport failed(const UnfoldRequest& request, const Error& error);

@@ -1,0 +1,166 @@
+#include "rule_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace planish {
+namespace {
+
+/// How far beside the corner of a bend zone is looked for material: ten times what a drawing may
+/// be off. Four times as far along the bend as across, so that an edge which runs on straight but
+/// slanting past the bend is not taken for one that the bend ends in.
+constexpr double kAcross = 10.0 * kDrawn;
+constexpr double kBeside = 4.0 * kAcross;
+
+/// How deep the bottom of a relief is looked for, as a multiple of R + T. Deeper ones are cut-outs.
+constexpr double kReach = 5.0;
+
+/// A corner of a bend zone: an end of a tangent line.
+struct ZoneCorner {
+  Vec2 at;
+  Vec2 beyond;   // unit vector along the tangent line, out of the bend
+  Vec2 outward;  // unit vector across it, into the flange
+};
+
+/// The relief beside a corner. Width and depth are infinite where no material limits them.
+struct Relief {
+  Vec2 at = Vec2::Zero();
+  bool missing = false;
+  double width = std::numeric_limits<double>::infinity();
+  double depth = std::numeric_limits<double>::infinity();  // beyond the tangent line
+};
+
+/// Limits of a relief, the depth beyond the tangent line.
+struct Limits {
+  double width = 0.0;
+  double depth = 0.0;
+};
+
+/// The corners of a bend zone at the end of the bend that lies in `direction`.
+std::vector<ZoneCorner> corners_towards(const Workpiece& piece, size_t bend,
+                                        const Vec2& direction) {
+  std::vector<ZoneCorner> corners;
+  for (const BendSide& side : piece.sides) {
+    if (side.bend != bend || side.length() <= 0.0) continue;
+    const Vec2 along = (side.end - side.start) / side.length();
+    const bool forward = along.dot(direction) > 0.0;
+    corners.push_back(
+        {forward ? side.end : side.start, forward ? along : Vec2(-along), side.outward});
+  }
+  return corners;
+}
+
+double free_way(const Workpiece& piece, const Vec2& from, const Vec2& direction, double reach) {
+  return piece.contours.first_hit(from, direction, reach, [](size_t) { return true; });
+}
+
+bool uncut(const Workpiece& piece, const Vec2& from, const Vec2& to) {
+  const double distance = (to - from).norm();
+  return !std::isfinite(free_way(piece, from, (to - from) / distance, distance));
+}
+
+/// Whether the flange's own sheet lies beside the corner, `beside` along the bend and `depth` into
+/// the flange: then one gets there from the bend, down and then aside, without crossing a cut.
+bool flange_goes_on(const Workpiece& piece, const ZoneCorner& corner, double beside, double depth) {
+  const Vec2 inside = corner.at - kBeside * corner.beyond;
+  const Vec2 start = inside + kAcross * corner.outward;
+  const Vec2 turn = inside + (kAcross + depth) * corner.outward;
+  const Vec2 goal = turn + (kBeside + beside) * corner.beyond;
+  return piece.material(goal) && uncut(piece, start, turn) && uncut(piece, turn, goal);
+}
+
+/// The relief between a corner and the sheet beside it; as wide and deep as can be where the
+/// flange does not go on beside the bend, not even round a relief: at free ends, and at the side
+/// of a tab, where the slit beside it is no relief.
+Relief relief_at(const Workpiece& piece, const ZoneCorner& corner, const Limits& limits,
+                 double reach) {
+  Relief relief{corner.at};
+  relief.missing = flange_goes_on(piece, corner, kBeside, 0.5 * kAcross);
+  if (relief.missing) return relief;
+  const Vec2 level = corner.at + kBeside * corner.beyond + kAcross * corner.outward;
+  const double width =
+      piece.material(level) ? 0.0 : kBeside + free_way(piece, level, corner.beyond, limits.width);
+  const double middle = std::max(kBeside, 0.5 * std::min(width, limits.width));
+  bool bottom = false;
+  for (double depth = kAcross; depth < reach && !bottom; depth *= 1.5)
+    bottom = flange_goes_on(piece, corner, middle, depth);
+  if (!bottom) return relief;
+  relief.width = width;
+  if (limits.depth > kAcross && width > 0.0)
+    relief.depth =
+        free_way(piece, corner.at + middle * corner.beyond, corner.outward, limits.depth);
+  return relief;
+}
+
+/// How far a relief falls short of the limits, negative if it does.
+double excess(const Relief& relief, const Limits& limits) {
+  if (relief.missing) return -std::max(limits.width, limits.depth);
+  return std::min(relief.width - limits.width, relief.depth - limits.depth);
+}
+
+std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits& limits,
+                        const Rules& rules, double thickness) {
+  const double setback = measured_setback(bend, thickness);
+  const std::string width =
+      fmt::format("{} ({})", mm_text(limits.width), factors_text(rules.relief_width_t));
+  const std::string depth = fmt::format("{} ({})", mm_text(limits.depth + setback),
+                                        factors_text(rules.relief_depth_t, rules.relief_depth_r));
+  if (relief.missing) {
+    return fmt::format(
+        "bend {} ends inside an edge at {} without relief; it needs one {} wide and, from the "
+        "outside of the bend, {} "
+        "deep",
+        bend.id, point_text(relief.at), width, depth);
+  }
+  if (relief.width < limits.width - kDrawn) {
+    return fmt::format("the relief of bend {} at {} is {} wide, at least {} is needed", bend.id,
+                       point_text(relief.at), mm_text(relief.width), width);
+  }
+  return fmt::format(
+      "the relief of bend {} at {} is {} deep from the outside of the bend, at least {} is needed",
+      bend.id, point_text(relief.at), mm_text(relief.depth + setback), depth);
+}
+
+bool told(const std::vector<Observation>& observations, const Vec2& p, double near) {
+  return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
+    return (o.finding.at.front() - p).norm() <= near;
+  });
+}
+
+}  // namespace
+
+std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& rules) {
+  std::vector<Observation> result;
+  if (rules.relief_width_t <= 0.0) return result;
+  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
+    if (!piece.spans[b]) continue;
+    const FlatBend& bend = piece.pattern.bends[b];
+    const double outside = bend.inside_radius + piece.thickness;
+    // Measured from the outside of the bend, as flanges are: there R + T reaches the tangent line.
+    const Limits limits{rules.relief_width_t * piece.thickness,
+                        rules.relief_depth_t * piece.thickness +
+                            rules.relief_depth_r * bend.inside_radius - outside};
+    const Vec2 along = piece.spans[b]->end - piece.spans[b]->start;
+    for (const bool forward : {false, true}) {
+      Relief worst;
+      for (const ZoneCorner& corner : corners_towards(piece, b, forward ? along : Vec2(-along))) {
+        const Relief relief = relief_at(piece, corner, limits, kReach * outside);
+        if (excess(relief, limits) < excess(worst, limits)) worst = relief;
+      }
+      // Bends that meet in a corner lack one relief between them.
+      if (excess(worst, limits) >= -kDrawn || told(result, worst.at, piece.thickness)) continue;
+      result.push_back(
+          {{"bend_relief",
+            Severity::warning,
+            relief_text(bend, worst, limits, rules, piece.thickness),
+            {worst.at}},
+           worst.missing ? "missing" : "small",
+           worst.missing ? "ends of bends lack a relief" : "reliefs of bends are too small",
+           excess(worst, limits)});
+    }
+  }
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,124 @@
+#include "rule_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace planish {
+namespace {
+
+std::vector<Vec2> middle_of(const Workpiece& piece, size_t bend) {
+  if (!piece.spans[bend]) return {};
+  return {0.5 * (piece.spans[bend]->start + piece.spans[bend]->end)};
+}
+
+Observation bend_observation(const Workpiece& piece, size_t bend, const char* code,
+                             std::string message, std::string many, double excess) {
+  return {
+      {code, Severity::warning, std::move(message), middle_of(piece, bend)}, many, many, excess};
+}
+
+void observe_radius(const Workpiece& piece, size_t b, const Rules& rules,
+                    std::vector<Observation>& result) {
+  const FlatBend& bend = piece.pattern.bends[b];
+  const double limit = rules.inside_radius_t * piece.thickness;
+  if (bend.inside_radius >= limit - kDrawn) return;
+  const std::string radius = mm_text(bend.inside_radius);
+  result.push_back(bend_observation(
+      piece, b, "inside_radius",
+      fmt::format("the inside radius of bend {} is {}, at least {} ({}) is needed", bend.id, radius,
+                  mm_text(limit), factors_text(rules.inside_radius_t)),
+      fmt::format("bends have an inside radius of {}, which is too small", radius),
+      bend.inside_radius - limit));
+}
+
+void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
+                 std::vector<Observation>& result) {
+  const FlatBend& bend = piece.pattern.bends[b];
+  const double diameter = 2.0 * bend.inside_radius;
+  const double least_diameter = rules.hem_diameter_t * piece.thickness;
+  if (diameter < least_diameter - kDrawn) {
+    result.push_back(bend_observation(
+        piece, b, "hem",
+        fmt::format("the hem at bend {} is {} wide inside, at least {} ({}) is needed", bend.id,
+                    mm_text(diameter), mm_text(least_diameter), factors_text(rules.hem_diameter_t)),
+        "hems are too narrow inside", diameter - least_diameter));
+  }
+  const double least_return = rules.hem_return_t * piece.thickness;
+  const double outside = bend.inside_radius + piece.thickness;
+  FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
+  for (const BendSide& side : piece.sides) {
+    if (side.bend != b) continue;
+    const FlatLength flat =
+        shortest_flat(piece, side, std::max(0.0, least_return - outside), least_return);
+    if (flat.length < shortest.length) shortest = flat;
+  }
+  const double measured = shortest.length + outside;
+  if (measured >= least_return - kDrawn) return;
+  Observation one =
+      bend_observation(piece, b, "hem",
+                       fmt::format("the return of the hem at bend {} is {} long from the outside "
+                                   "of the bend, at least {} ({}) is needed",
+                                   bend.id, mm_text(measured), mm_text(least_return),
+                                   factors_text(rules.hem_return_t)),
+                       "hems have too short a return", measured - least_return);
+  one.finding.at = {shortest.at};
+  result.push_back(std::move(one));
+}
+
+/// K is a property of material and tool, so all bends that have the same wrong one are one finding.
+void observe_k_factors(const Workpiece& piece, const Rules& rules,
+                       std::vector<Observation>& result) {
+  constexpr double kRounding = 1e-6;
+  std::vector<std::vector<size_t>> alike;  // bends by K, in the order of their first
+  const auto& bends = piece.pattern.bends;
+  for (size_t b = 0; b < bends.size(); ++b) {
+    const double k = bends[b].allowance.k_factor;
+    if (k >= rules.k_low - kRounding && k <= rules.k_high + kRounding) continue;
+    const auto same =
+        std::find_if(alike.begin(), alike.end(), [&](const std::vector<size_t>& group) {
+          return std::abs(bends[group.front()].allowance.k_factor - k) <= kRounding;
+        });
+    if (same == alike.end()) {
+      alike.push_back({b});
+    } else {
+      same->push_back(b);
+    }
+  }
+  for (const std::vector<size_t>& group : alike) {
+    const FlatBend& first = bends[group.front()];
+    const std::string who =
+        group.size() == 1 ? "bend " + first.id
+                          : fmt::format("{} bends, {} the first of them,", group.size(), first.id);
+    const std::string source =
+        first.allowance.source.empty() ? "" : fmt::format(" ({})", first.allowance.source);
+    Finding finding{
+        "k_factor",
+        Severity::warning,
+        fmt::format("{} {} the K-factor {}{}, outside [{}, {}] where measured ones lie", who,
+                    group.size() == 1 ? "has" : "have", number_text(first.allowance.k_factor),
+                    source, number_text(rules.k_low), number_text(rules.k_high)),
+        {}};
+    for (const size_t b : group)
+      for (const Vec2& p : middle_of(piece, b))
+        finding.at.push_back(p);
+    result.push_back({std::move(finding), number_text(first.allowance.k_factor), "", 0.0});
+  }
+}
+
+}  // namespace
+
+std::vector<Observation> observe_bend_shapes(const Workpiece& piece, const Rules& rules) {
+  std::vector<Observation> result;
+  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
+    if (is_hem(piece.pattern.bends[b])) {
+      observe_hem(piece, b, rules, result);
+    } else {
+      observe_radius(piece, b, rules, result);
+    }
+  }
+  observe_k_factors(piece, rules, result);
+  return result;
+}
+
+}  // namespace planish

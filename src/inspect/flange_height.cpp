@@ -1,0 +1,107 @@
+#include "rule_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace planish {
+namespace {
+
+constexpr int kStations = 9;
+
+/// Distance along a ray to a tangent line of another bend.
+std::pair<double, size_t> first_other_bend(const Workpiece& piece, size_t bend, const Vec2& origin,
+                                           const Vec2& direction, double reach) {
+  double nearest = std::numeric_limits<double>::infinity();
+  size_t which = bend;
+  Box2 box;
+  box.add(origin);
+  box.add(Vec2(origin + reach * direction));
+  piece.tangent_index.visit(box, [&](size_t i) {
+    const TangentLine& other = piece.tangent_lines[i];
+    if (other.bend == bend) return;
+    for (const double t : crossings(other.line, origin, direction)) {
+      const double s = (point_at(other.line, t) - origin).dot(direction);
+      if (s < 0.0 || s > reach || s >= nearest) continue;
+      nearest = s;
+      which = other.bend;
+    }
+  });
+  return {nearest, which};
+}
+
+bool on_material(const BendSide& side, const Vec2& p) {
+  return std::any_of(side.pieces.begin(), side.pieces.end(),
+                     [&](const Segment& s) { return nearest(s, p).distance <= kDrawn; });
+}
+
+}  // namespace
+
+double measured_setback(const FlatBend& bend, double thickness) {
+  const double half = 0.5 * std::min(bend.angle.radians(), Angle::degrees(90).radians());
+  return (bend.inside_radius + thickness) * std::tan(half);
+}
+
+FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double reach,
+                         double margin) {
+  // An opening ends a flange only where the bend ends at it too: the window of a tab.
+  const auto ends_flange = [&](size_t ring) {
+    return ring == 0 || piece.openings[ring - 1].bounds.contains(side.bend);
+  };
+  FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
+  const double share = side.length() > 0.0 ? std::min(0.25, margin / side.length()) : 0.25;
+  for (int i = 0; i < kStations; ++i) {
+    const double t = share + (1.0 - 2.0 * share) * i / (kStations - 1);
+    const Vec2 station = side.start + t * (side.end - side.start);
+    if (!on_material(side, station)) continue;
+    // From a little inside the bend, so that an edge on the tangent line is met.
+    const Vec2 origin = station - kDrawn * side.outward;
+    const double edge = piece.contours.first_hit(origin, side.outward, reach + kDrawn, ends_flange);
+    const auto [bend, which] =
+        first_other_bend(piece, side.bend, origin, side.outward, reach + kDrawn);
+    const double length = std::max(0.0, std::min(edge, bend) - kDrawn);
+    if (length >= shortest.length) continue;
+    shortest = {length, station, bend < edge ? std::optional(which) : std::nullopt};
+  }
+  return shortest;
+}
+
+std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules) {
+  std::vector<Observation> result;
+  std::set<std::pair<size_t, size_t>> webs;  // between two bends: told once
+  for (const BendSide& side : piece.sides) {
+    const FlatBend& bend = piece.pattern.bends[side.bend];
+    if (is_hem(bend)) continue;
+    // At 90° the outside of the bend lies R + T from the tangent line; the flat length that the
+    // die needs beyond the bend is the same whatever the angle.
+    const double limit =
+        rules.flange_height_t * piece.thickness + rules.flange_height_r * bend.inside_radius;
+    const double wanted = limit - (bend.inside_radius + piece.thickness);
+    if (wanted <= kDrawn) continue;
+    const FlatLength flat = shortest_flat(piece, side, wanted, limit);
+    if (flat.length >= wanted - kDrawn) continue;
+    const bool nothing_flat = flat.length <= kDrawn;
+    // A bend going on in the next one, or a rolled one that ends at the edge, has no flange there.
+    if (nothing_flat && (flat.other_bend || is_rolled(bend, piece.thickness))) continue;
+    if (flat.other_bend && !webs.insert(std::minmax(side.bend, *flat.other_bend)).second) continue;
+    const double setback = measured_setback(bend, piece.thickness);
+    const std::string rule = factors_text(rules.flange_height_t, rules.flange_height_r);
+    const std::string where = flat.other_bend
+                                  ? fmt::format("between bends {} and {}", bend.id,
+                                                piece.pattern.bends[*flat.other_bend].id)
+                                  : fmt::format("at bend {}", bend.id);
+    result.push_back(
+        {{"flange_height",
+          Severity::warning,
+          fmt::format(
+              "the flange {} is {} high from the outside of the bend, at least {} ({}) is needed",
+              where, mm_text(flat.length + setback), mm_text(wanted + setback), rule),
+          {flat.at}},
+         "",
+         "flanges are too low to be bent",
+         flat.length - wanted});
+  }
+  return result;
+}
+
+}  // namespace planish

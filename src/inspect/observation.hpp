@@ -1,0 +1,34 @@
+#pragma once
+
+#include <planish/inspect/findings.hpp>
+
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// How far a dimension may miss a limit and still satisfy it: ten times the tolerance to which
+/// curves are flattened, so that what is drawn at the limit passes.
+constexpr double kDrawn = 10.0 * 1e-4;  // mm
+
+/// One violation, before many of a kind are told in one sentence.
+struct Observation {
+  Finding finding;
+  std::string kind;   ///< those of one code and kind differ by their place only
+  std::string many;   ///< said after the count: "openings Ø 3 mm are …"
+  double excess = 0;  ///< measured less wanted, mm: the smallest is the worst
+};
+
+/// Findings in the order of the observations. Where a code and kind has more than ten, they become
+/// one finding with their count, the worst of them and all their places.
+std::vector<Finding> grouped(std::vector<Observation> observations);
+
+/// A number as a shop writes it: at most three decimals, no zeros at their end.
+std::string number_text(double value);
+std::string mm_text(double value);
+/// "(12.5, 40)".
+std::string point_text(const Vec2& p);
+/// What a limit is made of, "1.5 T + R"; a factor of 0 leaves its term out.
+std::string factors_text(double t_factor, double r_factor = 0.0);
+
+}  // namespace planish

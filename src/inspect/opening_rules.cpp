@@ -1,0 +1,174 @@
+#include "rule_checks.hpp"
+
+#include <fmt/format.h>
+
+namespace planish {
+namespace {
+
+std::string opening_text(const Opening& opening) {
+  return fmt::format("the opening {} at {}", opening.size_text, point_text(opening.center));
+}
+
+/// "…, at least 4 mm (2 T) is needed".
+std::string wanted_text(double limit, double factor) {
+  return fmt::format(", at least {} ({}) is needed", mm_text(limit), factors_text(factor));
+}
+
+Observation in_bend(const Workpiece& piece, const Opening& opening, size_t b) {
+  const FlatBend& bend = piece.pattern.bends[b];
+  int limits_cut = 0;
+  for (const BendSide& side : piece.sides) {
+    if (side.bend != b) continue;
+    const auto ends_at_opening = [&](const Segment& s) {
+      return gap_between(opening.boxed, Segment{s.a, s.a}, 2.0 * kDrawn).distance <= kDrawn ||
+             gap_between(opening.boxed, Segment{s.b, s.b}, 2.0 * kDrawn).distance <= kDrawn;
+    };
+    if (std::any_of(side.pieces.begin(), side.pieces.end(), ends_at_opening)) ++limits_cut;
+  }
+  // Cut through from flange to flange is done on purpose; an edge within the zone is torn open.
+  const bool through = limits_cut == 2;
+  const std::string what = opening_text(opening);
+  if (through) {
+    return {{"opening_in_bend",
+             Severity::info,
+             fmt::format("{} is cut through bend {}; its edges in the bend will not stay in shape",
+                         what, bend.id),
+             {opening.center}},
+            "through " + opening.size_text,
+            fmt::format("openings {} are cut through bends", opening.size_text),
+            0.0};
+  }
+  return {{"opening_in_bend",
+           Severity::warning,
+           fmt::format("{} reaches into bend {}, where it is pulled out of shape; move it away or "
+                       "cut it through the "
+                       "whole bend",
+                       what, bend.id),
+           {opening.center}},
+          opening.size_text,
+          fmt::format("openings {} reach into bends", opening.size_text),
+          0.0};
+}
+
+/// An opening too near to a tangent line.
+struct NearBend {
+  Gap gap;
+  size_t bend;
+};
+
+/// The nearest tangent line of each bend that is nearer than `limit` through material.
+std::vector<NearBend> near_bends(const Workpiece& piece, const Opening& opening, double limit) {
+  std::vector<NearBend> found;
+  piece.tangent_index.visit(widened(opening.boxed.box, limit), [&](size_t i) {
+    const auto& [line, bend] = piece.tangent_lines[i];
+    if (opening.bounds.contains(bend) || opening.reaches_in.contains(bend)) return;
+    const Gap gap = gap_between(opening.boxed, line, limit);
+    if (gap.distance >= limit - kDrawn || !piece.joined_by_material(gap.a, gap.b)) return;
+    const auto same = std::find_if(found.begin(), found.end(),
+                                   [b = bend](const NearBend& n) { return n.bend == b; });
+    if (same == found.end()) {
+      found.push_back({gap, bend});
+    } else if (gap.distance < same->gap.distance) {
+      same->gap = gap;
+    }
+  });
+  std::sort(found.begin(), found.end(),
+            [](const NearBend& a, const NearBend& b) { return a.bend < b.bend; });
+  return found;
+}
+
+}  // namespace
+
+std::vector<Observation> observe_openings_by_bends(const Workpiece& piece, const Rules& rules) {
+  const double limit = rules.opening_to_bend_t * piece.thickness;
+  std::vector<Observation> result;
+  for (const Opening& opening : piece.openings) {
+    for (const size_t b : opening.reaches_in)
+      if (!is_rolled(piece.pattern.bends[b], piece.thickness))
+        result.push_back(in_bend(piece, opening, b));
+    for (const auto& [gap, bend] : near_bends(piece, opening, limit)) {
+      result.push_back(
+          {{"opening_to_bend",
+            Severity::warning,
+            fmt::format("{} is {} from the tangent line of bend {}{}", opening_text(opening),
+                        mm_text(gap.distance), piece.pattern.bends[bend].id,
+                        wanted_text(limit, rules.opening_to_bend_t)),
+            {gap.a}},
+           opening.size_text,
+           fmt::format("openings {} are too near to bends", opening.size_text),
+           gap.distance - limit});
+    }
+  }
+  return result;
+}
+
+std::vector<Observation> observe_openings_by_edges(const Workpiece& piece, const Rules& rules) {
+  const double limit = rules.opening_to_edge_t * piece.thickness;
+  const Loop& outer = piece.pattern.outer.loop;
+  const BoxTree edges(BoxedLoop(outer).boxes);
+  std::vector<Observation> result;
+  for (const Opening& opening : piece.openings) {
+    Gap nearest;
+    edges.visit(widened(opening.boxed.box, limit), [&](size_t i) {
+      const Gap gap = gap_between(opening.boxed, outer[i], std::min(limit, nearest.distance));
+      if (gap.distance < nearest.distance) nearest = gap;
+    });
+    if (nearest.distance >= limit - kDrawn) continue;
+    result.push_back(
+        {{"opening_to_edge",
+          Severity::warning,
+          fmt::format("{} is {} from the outer edge{}", opening_text(opening),
+                      mm_text(nearest.distance), wanted_text(limit, rules.opening_to_edge_t)),
+          {nearest.a}},
+         opening.size_text,
+         fmt::format("openings {} are too near to the outer edge", opening.size_text),
+         nearest.distance - limit});
+  }
+  return result;
+}
+
+std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules) {
+  const double limit = rules.opening_to_opening_t * piece.thickness;
+  const auto& openings = piece.openings;
+  std::vector<Box2> boxes;
+  for (const Opening& opening : openings)
+    boxes.push_back(opening.boxed.box);
+  const BoxTree index(std::move(boxes));
+  // Each opening with its nearest neighbour: of a perforation, not every pair within reach.
+  struct Neighbour {
+    Gap gap;
+    size_t other = 0;
+  };
+  std::vector<Neighbour> nearest(openings.size());
+  for (size_t i = 0; i < openings.size(); ++i) {
+    index.visit(widened(openings[i].boxed.box, limit), [&](size_t k) {
+      if (k <= i) return;
+      const double reach =
+          std::min(limit, std::max(nearest[i].gap.distance, nearest[k].gap.distance));
+      const Gap gap = gap_between(openings[i].boxed, openings[k].boxed, reach);
+      if (gap.distance >= reach - kDrawn || !piece.joined_by_material(gap.a, gap.b)) return;
+      if (gap.distance < nearest[i].gap.distance) nearest[i] = {gap, k};
+      if (gap.distance < nearest[k].gap.distance) nearest[k] = {{gap.distance, gap.b, gap.a}, i};
+    });
+  }
+  std::vector<Observation> result;
+  for (size_t i = 0; i < openings.size(); ++i) {
+    const Neighbour& n = nearest[i];
+    if (!(n.gap.distance < limit)) continue;
+    if (n.other < i && nearest[n.other].other == i) continue;  // told with the other one
+    const auto& [first, second] = std::minmax(openings[i].size_text, openings[n.other].size_text);
+    result.push_back(
+        {{"opening_to_opening",
+          Severity::warning,
+          fmt::format("{} is {} from {}{}", opening_text(openings[i]), mm_text(n.gap.distance),
+                      opening_text(openings[n.other]),
+                      wanted_text(limit, rules.opening_to_opening_t)),
+          {n.gap.a, n.gap.b}},
+         first + " " + second,
+         fmt::format("places between openings {} and {} are too narrow", first, second),
+         n.gap.distance - limit});
+  }
+  return result;
+}
+
+}  // namespace planish

@@ -1,0 +1,107 @@
+#include "rule_checks.hpp"
+
+#include <fmt/format.h>
+
+namespace planish {
+namespace {
+
+struct NearestPoint {
+  double distance = std::numeric_limits<double>::infinity();
+  Vec2 point = Vec2::Zero();
+};
+
+NearestPoint nearest_point(const Opening& opening, const Vec2& p) {
+  Box2 place;
+  place.add(p);
+  NearestPoint best;
+  for (size_t i = 0; i < opening.loop->size(); ++i) {
+    if (box_distance(opening.boxed.boxes[i], place) >= best.distance) continue;
+    const Curve2& curve = (*opening.loop)[i];
+    const Nearest found = nearest(curve, p);
+    if (found.distance < best.distance) best = {found.distance, point_at(curve, found.t)};
+  }
+  return best;
+}
+
+/// Radius of the largest circle within the opening that touches it at p, where `in` points inwards:
+/// a circle too large is shrunk until it touches the place nearest to its centre.
+double touching_radius(const Opening& opening, const Vec2& p, const Vec2& in) {
+  double radius = opening.boxed.box.size().norm();
+  constexpr int kMostSteps = 60;
+  constexpr double kRounding = 1e-9;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const NearestPoint touched = nearest_point(opening, p + radius * in);
+    if (touched.distance >= radius * (1.0 - kRounding)) break;
+    const double ahead = (touched.point - p).dot(in);
+    if (ahead <= 0.0) return 0.0;
+    radius = std::min(radius, (touched.point - p).squaredNorm() / (2.0 * ahead));
+  }
+  return radius;
+}
+
+/// Places tried on a curve, off its ends, where there may be corners.
+int place_count(const Curve2& curve) {
+  constexpr int kPlaces = 8;
+  const auto* spline = std::get_if<CubicSpline>(&curve);
+  return spline ? kPlaces * static_cast<int>(std::min<size_t>(spline->poles.size() / 3, 8))
+                : kPlaces;
+}
+
+/// Radius of the largest circle that fits into the opening, not looked for beyond `enough`. A
+/// largest circle touches the opening, so places of contact are tried along its curves, and the
+/// best is refined by halving the steps.
+double inscribed_radius(const Opening& opening, double enough) {
+  const double turn = signed_area(*opening.loop) < 0.0 ? -1.0 : 1.0;
+  const auto radius_at = [&](const Curve2& curve, double t) {
+    const Vec2 along = derivative_at(curve, t).stableNormalized();
+    return touching_radius(opening, point_at(curve, t), turn * Vec2(-along.y(), along.x()));
+  };
+  double best = 0.0;
+  const Curve2* best_curve = nullptr;
+  double best_t = 0.0;
+  for (const Curve2& curve : *opening.loop) {
+    const int places = place_count(curve);
+    for (int i = 0; i < places && best < enough; ++i) {
+      const double t = (i + 0.5) / places;
+      const double radius = radius_at(curve, t);
+      if (radius <= best) continue;
+      best = radius;
+      best_curve = &curve;
+      best_t = t;
+    }
+  }
+  for (double step = 1.0 / 16.0; step > 1e-6 && best < enough && best_curve; step *= 0.5) {
+    for (const double t : {best_t - step, best_t + step}) {
+      if (t <= 0.0 || t >= 1.0) continue;
+      const double radius = radius_at(*best_curve, t);
+      if (radius <= best) continue;
+      best = radius;
+      best_t = t;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rules& rules) {
+  const double limit = rules.smallest_opening_t * piece.thickness;
+  std::vector<Observation> result;
+  for (const Opening& opening : piece.openings) {
+    if (opening.is_cut) continue;
+    const double width = 2.0 * inscribed_radius(opening, 0.5 * (limit - kDrawn));
+    if (width >= limit - kDrawn) continue;
+    result.push_back({{"smallest_opening",
+                       Severity::warning,
+                       fmt::format("the opening {} at {} is {} wide, at least {} ({}) is needed",
+                                   opening.size_text, point_text(opening.center), mm_text(width),
+                                   mm_text(limit), factors_text(rules.smallest_opening_t)),
+                       {opening.center}},
+                      opening.size_text,
+                      fmt::format("openings {} are too small", opening.size_text),
+                      width - limit});
+  }
+  return result;
+}
+
+}  // namespace planish

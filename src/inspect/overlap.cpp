@@ -1,0 +1,235 @@
+#include "observation.hpp"
+#include "ring_index.hpp"
+
+#include <planish/geometry/region.hpp>
+#include <planish/inspect/findings.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+using Part = std::variant<FlangeId, BendId>;
+
+/// Share of the thickness by which pieces may cover each other and still only touch. The kerf of a
+/// laser is a hundred times as wide.
+constexpr double kContactShare = 1e-3;
+
+/// By how much pieces are shrunk before their overlap is measured. Overlaps less deep than twice
+/// this go unnoticed: they are not told from the errors of flattened curves, or of a closed ring of
+/// joints, half of which each side gets.
+double contact_clearance(const FlatPattern& pattern) {
+  const double curves = 2.0 * FlattenOptions{}.curve_tolerance;
+  return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
+}
+
+/// The image of a border, none where a pattern made by hand has no such face or loop.
+const Curve2* border_image(const FlatPattern& pattern, const BorderRef& ref) {
+  const size_t face = static_cast<size_t>(index_of(ref.face));
+  if (face >= pattern.face_outlines.size()) return nullptr;
+  const Loop* loop = &pattern.face_outlines[face];
+  if (ref.loop > 0) {
+    const size_t opening = static_cast<size_t>(ref.loop) - 1;
+    if (face >= pattern.face_openings.size() || opening >= pattern.face_openings[face].size())
+      return nullptr;
+    loop = &pattern.face_openings[face][opening];
+  }
+  const size_t border = static_cast<size_t>(ref.border);
+  return border < loop->size() ? &(*loop)[border] : nullptr;
+}
+
+/// Everything that takes area in the pattern, and what part of the sheet it is.
+struct Pieces {
+  std::vector<Polygon> polygons;
+  std::vector<Part> parts;
+  std::vector<int> faces;  // −1: the strip of a sharp bend
+  /// Area that two faces share by right: seen from its outside, a sharp bend takes less than the
+  /// faces give, so that they reach over each other.
+  std::map<std::pair<int, int>, double> shared;
+};
+
+void add_faces(const Sheet& sheet, const FlatPattern& pattern, double chord, Pieces& pieces) {
+  const size_t count = std::min(sheet.faces.size(), pattern.face_outlines.size());
+  for (size_t f = 0; f < count; ++f) {
+    Region region{pattern.face_outlines[f], {}};
+    if (f < pattern.face_openings.size()) region.openings = pattern.face_openings[f];
+    pieces.polygons.push_back(polygon_of(region, chord));
+    pieces.parts.push_back(sheet.faces[f].part_of);
+    pieces.faces.push_back(static_cast<int>(f));
+  }
+}
+
+/// A sharp bend has no face; its strip lies between the borders it joins.
+void add_sharp_bends(const Sheet& sheet, const FlatPattern& pattern, Pieces& pieces) {
+  for (const Joint& joint : sheet.joints) {
+    if (!joint.sharp) continue;
+    const Curve2* a = border_image(pattern, joint.a);
+    const Curve2* b = border_image(pattern, joint.b);
+    if (!a || !b) continue;
+    const std::vector<Vec2> strip{start_of(*a), end_of(*a), start_of(*b), end_of(*b)};
+    const int face_a = index_of(joint.a.face);
+    const int face_b = index_of(joint.b.face);
+    // A face lies left of its borders, or right of them where the pattern shows the other side.
+    const double turn = signed_area(pattern.face_outlines[static_cast<size_t>(face_a)]);
+    if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
+      pieces.shared[std::minmax(face_a, face_b)] += std::abs(ring_area(strip));
+    } else {
+      pieces.polygons.push_back({strip, {}});
+      pieces.parts.push_back(*joint.sharp);
+      pieces.faces.push_back(-1);
+    }
+  }
+}
+
+std::string part_text(const FlatPattern& pattern, const Part& part) {
+  if (const auto* flange = std::get_if<FlangeId>(&part))
+    return fmt::format("flange {}", index_of(*flange) + 1);
+  const BendId id = std::get<BendId>(part);
+  for (const FlatBend& bend : pattern.bends)
+    if (bend.bend == id) return "bend " + bend.id;
+  return fmt::format("bend {}", index_of(id) + 1);
+}
+
+double ring_length(const std::vector<Vec2>& ring) {
+  double sum = 0.0;
+  for (size_t i = 0; i < ring.size(); ++i)
+    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
+  return sum;
+}
+
+/// What two parts share, all places together.
+struct SharedArea {
+  double area = 0.0;
+  int places = 0;
+  std::vector<Vec2> outline;
+};
+using SharedByParts = std::map<std::pair<Part, Part>, SharedArea>;
+
+SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
+  SharedByParts result;
+  for (const Overlap& overlap : overlaps(pieces.polygons, clearance, clearance * clearance)) {
+    const size_t first = static_cast<size_t>(overlap.first);
+    const size_t second = static_cast<size_t>(overlap.second);
+    // Shrinking both pieces took a rim as wide as the clearance off what they share.
+    double area = overlap.area;
+    for (const auto& ring : overlap.outline)
+      area += clearance * ring_length(ring);
+    const auto allowed = pieces.shared.find(std::minmax(pieces.faces[first], pieces.faces[second]));
+    constexpr double kRounding = 1e-6;
+    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kRounding)) continue;
+    SharedArea& shared = result[std::minmax(pieces.parts[first], pieces.parts[second])];
+    shared.area += area;
+    shared.places += static_cast<int>(overlap.outline.size());
+    for (const auto& ring : overlap.outline)
+      shared.outline.insert(shared.outline.end(), ring.begin(), ring.end());
+  }
+  return result;
+}
+
+Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>& parts,
+                        const SharedArea& shared) {
+  const std::string first = part_text(pattern, parts.first);
+  const std::string who =
+      parts.first == parts.second
+          ? first + " overlaps itself"
+          : fmt::format("{} and {} overlap", first, part_text(pattern, parts.second));
+  const std::string where =
+      shared.places > 1 ? fmt::format(" in {} places", shared.places) : std::string();
+  return {"overlap", Severity::error,
+          fmt::format("{} by {:.4g} mm²{} in the flat pattern", who, shared.area, where),
+          shared.outline};
+}
+
+// ---- contours that cross themselves
+
+/// Whether the ring really runs over itself near p, and does not only touch itself: then some
+/// place between the edges that cross there is enclosed twice, or from the wrong side, and lies
+/// deeper than the clearance. Where the edges cross at a small angle it is narrow and farther away.
+bool runs_over_itself(const RingIndex& ring, double orientation, const Vec2& p, double clearance,
+                      double extent) {
+  constexpr int kDirections = 96;
+  for (double radius = 2.0 * clearance; radius < extent; radius *= 4.0) {
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / kDirections;
+      const Vec2 probe = p + radius * Vec2(std::cos(angle), std::sin(angle));
+      const int turns = ring.winding(probe);
+      const bool proper = turns == 0 || turns == (orientation > 0.0 ? 1 : -1);
+      if (!proper && ring.clear(probe, clearance)) return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Vec2> true_crossings(const Loop& loop, double clearance, double chord) {
+  if (loop.size() == 1 && std::holds_alternative<Arc>(loop.front())) return {};  // a circle
+  const std::vector<Vec2> ring = sampled(loop, chord);
+  std::vector<Vec2> found = self_crossings(ring);
+  if (found.empty()) return found;
+  const RingIndex index({ring});
+  const double orientation = ring_area(ring);
+  const double extent = bounds(loop).size().maxCoeff();
+  std::erase_if(found, [&](const Vec2& p) {
+    return !runs_over_itself(index, orientation, p, clearance, extent);
+  });
+  return found;
+}
+
+/// A crossing that an overlap of parts already tells about is left out.
+void add_crossing(const Loop& loop, const std::string& name, double clearance, double chord,
+                  std::vector<Finding>& findings) {
+  std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);
+  std::erase_if(crossings, [&](const Vec2& p) {
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& finding) {
+      Box2 box;
+      for (const Vec2& corner : finding.at)
+        box.add(corner);
+      Box2 place;
+      place.add(p);
+      return widened(place, 2.0 * clearance + chord).overlaps(box);
+    });
+  });
+  if (crossings.empty()) return;
+  const std::string more = crossings.size() > 1
+                               ? fmt::format(" and {} more places", crossings.size() - 1)
+                               : std::string();
+  findings.push_back({"overlap", Severity::error,
+                      fmt::format("{} crosses itself at {} mm{} in the flat pattern", name,
+                                  point_text(crossings.front()), more),
+                      crossings});
+}
+
+}  // namespace
+
+std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern) {
+  const double clearance = contact_clearance(pattern);
+  const double chord =
+      0.25 * clearance;  // polygons of one curve seen from both sides still touch only
+  Pieces pieces;
+  add_faces(sheet, pattern, chord, pieces);
+  add_sharp_bends(sheet, pattern, pieces);
+
+  const SharedByParts by_parts = shared_by_parts(pieces, clearance);
+  std::vector<SharedByParts::const_iterator> order;
+  for (auto it = by_parts.begin(); it != by_parts.end(); ++it)
+    order.push_back(it);
+  std::stable_sort(order.begin(), order.end(),
+                   [](auto a, auto b) { return a->second.area > b->second.area; });
+  std::vector<Finding> findings;
+  for (const auto& it : order)
+    findings.push_back(overlap_finding(pattern, it->first, it->second));
+
+  add_crossing(pattern.outer.loop, "the outer contour", clearance, chord, findings);
+  for (const Contour& opening : pattern.openings) {
+    const Box2 box = bounds(opening.loop);
+    const std::string name = "the opening at " + point_text(0.5 * (box.lo + box.hi));
+    add_crossing(opening.loop, name, clearance, chord, findings);
+  }
+  return findings;
+}
+
+}  // namespace planish

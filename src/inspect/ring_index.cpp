@@ -1,0 +1,77 @@
+#include "ring_index.hpp"
+
+namespace planish {
+namespace {
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+RingIndex::RingIndex(const std::vector<std::vector<Vec2>>& rings)
+    : edges_(edges_of(rings)), index_(boxes_of(edges_)) {}
+
+std::vector<RingIndex::Edge> RingIndex::edges_of(const std::vector<std::vector<Vec2>>& rings) {
+  std::vector<Edge> edges;
+  for (size_t r = 0; r < rings.size(); ++r)
+    for (size_t i = 0; i < rings[r].size(); ++i)
+      edges.push_back({rings[r][i], rings[r][(i + 1) % rings[r].size()], r});
+  return edges;
+}
+
+std::vector<Box2> RingIndex::boxes_of(const std::vector<Edge>& edges) {
+  std::vector<Box2> boxes(edges.size());
+  for (size_t i = 0; i < edges.size(); ++i) {
+    boxes[i].add(edges[i].a);
+    boxes[i].add(edges[i].b);
+  }
+  return boxes;
+}
+
+int RingIndex::winding(const Vec2& p) const {
+  Box2 ray;
+  ray.lo = ray.hi = p;
+  ray.hi.x() = std::numeric_limits<double>::infinity();
+  int turns = 0;
+  index_.visit(ray, [&](size_t id) {
+    const Vec2& a = edges_[id].a;
+    const Vec2& b = edges_[id].b;
+    // Each edge owns its lower end, so that a corner on the ray counts once.
+    const bool rises = b.y() > p.y();
+    if ((a.y() > p.y()) == rises) return;
+    const double side = cross(b - a, p - a);
+    if (side != 0.0 && (side > 0.0) == rises) turns += rises ? 1 : -1;
+  });
+  return turns;
+}
+
+bool RingIndex::odd(const Vec2& p) const { return winding(p) % 2 != 0; }
+
+bool RingIndex::clear(const Vec2& p, double distance) const {
+  Box2 box;
+  box.add(p);
+  bool result = true;
+  index_.visit(widened(box, distance), [&](size_t id) {
+    const Curve2 edge = Segment{edges_[id].a, edges_[id].b};
+    if (result && nearest(edge, p).distance < distance) result = false;
+  });
+  return result;
+}
+
+Box2 RingIndex::ray_box(const Vec2& origin, const Vec2& direction, double reach) {
+  Box2 box;
+  box.add(origin);
+  box.add(Vec2(origin + reach * direction));
+  return box;
+}
+
+std::optional<double> RingIndex::hit(const Edge& edge, const Vec2& origin, const Vec2& direction) {
+  const double side_a = cross(direction, edge.a - origin);
+  const double side_b = cross(direction, edge.b - origin);
+  if ((side_a > 0.0) == (side_b > 0.0)) return std::nullopt;
+  const double share = side_a / (side_a - side_b);
+  const double s = (edge.a + share * (edge.b - edge.a) - origin).dot(direction);
+  if (s < 0.0) return std::nullopt;
+  return s;
+}
+
+}  // namespace planish

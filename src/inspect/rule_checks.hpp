@@ -1,0 +1,33 @@
+#pragma once
+
+#include "observation.hpp"
+#include "workpiece.hpp"
+
+namespace planish {
+
+/// Violations of one or a few rules each, in the order of bends and openings.
+std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& rules);
+/// Inside radius, hem diameter and return, K-factor.
+std::vector<Observation> observe_bend_shapes(const Workpiece& piece, const Rules& rules);
+
+std::vector<Observation> observe_openings_by_bends(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_openings_by_edges(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rules& rules);
+
+/// Distance from the outside of a bend to its tangent line, as a shop measures a leg: from the
+/// outer mould line up to 90°, from the tangent plane beyond.
+double measured_setback(const FlatBend& bend, double thickness);
+
+/// Flat length beside a bend.
+struct FlatLength {
+  double length = 0.0;     ///< from the tangent line, mm; infinite when longer than looked for
+  Vec2 at = Vec2::Zero();  ///< on the tangent line
+  std::optional<size_t> other_bend;  ///< the flange ends at that bend's tangent line
+};
+/// The shortest flat length at a side of a bend, up to `reach`, seen at stations along it. Near the
+/// ends of the bend, within `margin` of them, chamfers and rounded corners are let pass.
+FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double reach, double margin);
+
+}  // namespace planish

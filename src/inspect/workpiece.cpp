@@ -1,0 +1,223 @@
+#include "workpiece.hpp"
+
+#include "observation.hpp"
+
+#include <planish/geometry/region.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <tuple>
+
+namespace planish {
+namespace {
+
+/// Chord errors of the polygons that rays are cast at, as shares of the thickness. What ends a
+/// flange or a bend is measured at them; other openings only stand in the way.
+constexpr double kMeasuredShare = 1e-3;
+constexpr double kCoarseShare = 2e-2;
+
+Vec2 perpendicular(const Vec2& v) { return {-v.y(), v.x()}; }
+
+double chord_of(const FlatPattern& pattern, double share) {
+  return std::max(share * pattern.thickness, FlattenOptions{}.curve_tolerance);
+}
+
+std::vector<std::vector<Vec2>> contour_rings(const FlatPattern& pattern,
+                                             const std::vector<Opening>& openings) {
+  const double fine = chord_of(pattern, kMeasuredShare);
+  const double coarse = chord_of(pattern, kCoarseShare);
+  std::vector<std::vector<Vec2>> rings{sampled(pattern.outer.loop, fine)};
+  for (const Opening& opening : openings)
+    rings.push_back(sampled(*opening.loop, opening.bounds.empty() ? coarse : fine));
+  return rings;
+}
+
+/// Ends of collinear pieces, farthest apart along the first.
+BendSpan span_of(const std::vector<Segment>& pieces) {
+  const Vec2 direction = (pieces.front().b - pieces.front().a).stableNormalized();
+  BendSpan span{pieces.front().a, pieces.front().b};
+  for (const Segment& piece : pieces) {
+    for (const Vec2& p : {piece.a, piece.b}) {
+      if ((p - span.start).dot(direction) < 0.0) span.start = p;
+      if ((p - span.end).dot(direction) > 0.0) span.end = p;
+    }
+  }
+  return span;
+}
+
+/// Vector from the bend line to p.
+Vec2 offset_from_line(const FlatBend& bend, const Vec2& p) {
+  Gap best;
+  for (const Segment& line : bend.lines) {
+    const Nearest found = nearest(line, p);
+    if (found.distance < best.distance) best = {found.distance, point_at(line, found.t), p};
+  }
+  return best.b - best.a;
+}
+
+/// Tangent lines of a pattern that has none: half the allowance to either side.
+std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
+  std::vector<Segment> lines;
+  for (const double side : {-0.5, 0.5}) {
+    for (const Segment& line : bend.lines) {
+      const Vec2 shift =
+          side * bend.allowance.allowance * perpendicular((line.b - line.a).stableNormalized());
+      lines.push_back({line.a + shift, line.b + shift});
+    }
+  }
+  return lines;
+}
+
+/// The two limits of a bend zone, or what there is of them.
+std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
+  if (bend.lines.empty()) return {};
+  std::vector<Segment> lines = bend.tangent_lines;
+  if (lines.empty()) lines = supposed_tangent_lines(bend);
+  const Vec2 across =
+      perpendicular((bend.lines.front().b - bend.lines.front().a).stableNormalized());
+  std::vector<Segment> left, right;
+  for (const Segment& line : lines) {
+    const double offset = offset_from_line(bend, 0.5 * (line.a + line.b)).dot(across);
+    // A bend of no allowance has both limits in one line.
+    if (offset > -kDrawn) left.push_back(line);
+    if (offset < kDrawn) right.push_back(line);
+  }
+  std::vector<BendSide> sides;
+  const auto add = [&](std::vector<Segment>& pieces, const Vec2& away) {
+    if (pieces.empty()) return;
+    const BendSpan span = span_of(pieces);
+    Vec2 outward = perpendicular((span.end - span.start).stableNormalized());
+    if (outward.dot(away) < 0.0) outward = -outward;
+    sides.push_back({id, std::move(pieces), span.start, span.end, outward});
+  };
+  add(left, across);
+  add(right, -across);
+  return sides;
+}
+
+/// Tells sizes, once for all openings of one shape: equal in number of curves, length and area.
+class SizeTeller {
+ public:
+  std::string operator()(const Loop& loop) {
+    if (const Arc* arc = loop.size() == 1 ? std::get_if<Arc>(&loop.front()) : nullptr;
+        arc && std::abs(arc->sweep) > std::numbers::pi * 1.999)
+      return "Ø " + mm_text(2.0 * arc->radius);
+    const auto rounded = [](double value) { return std::llround(value / kDrawn); };
+    std::string& text = known_[{loop.size(), rounded(length(loop)), rounded(signed_area(loop))}];
+    if (text.empty()) {
+      const Vec2 size = smallest_rectangle(sampled(loop, 0.1 * kDrawn)).size;
+      text = fmt::format("{} × {}", number_text(size.x()), mm_text(size.y()));
+    }
+    return text;
+  }
+
+ private:
+  std::map<std::tuple<size_t, long long, long long>, std::string> known_;
+};
+
+bool at_loop(const Opening& opening, const Vec2& p) {
+  Box2 box;
+  box.add(p);
+  if (box_distance(box, opening.boxed.box) > kDrawn) return false;
+  return std::any_of(opening.loop->begin(), opening.loop->end(),
+                     [&](const Curve2& curve) { return nearest(curve, p).distance <= kDrawn; });
+}
+
+/// Bends whose faces the opening was cut from.
+std::set<BendId> bends_cut(const Sheet& sheet, const Contour& contour) {
+  std::set<BendId> result;
+  for (const auto& origins : contour.origins) {
+    for (const Origin& origin : origins) {
+      const size_t face = static_cast<size_t>(index_of(origin.border.face));
+      if (origin.gap || face >= sheet.faces.size()) continue;
+      if (const auto* bend = std::get_if<BendId>(&sheet.faces[face].part_of)) result.insert(*bend);
+    }
+  }
+  return result;
+}
+
+Opening opening_of(const Contour& contour, SizeTeller& size_text) {
+  Opening opening{
+      &contour.loop, BoxedLoop(contour.loop), Vec2::Zero(), size_text(contour.loop), false, {}, {}};
+  opening.center = 0.5 * (opening.boxed.box.lo + opening.boxed.box.hi);
+  // Twice the area by half the length is the mean width.
+  opening.is_cut = 2.0 * std::abs(signed_area(contour.loop)) <= kDrawn * length(contour.loop);
+  return opening;
+}
+
+/// Which bends end at an opening, and into which it reaches. A bend's outermost ends tell a relief
+/// or a window from an opening in the bend's course.
+void relate(Opening& opening, const Sheet& sheet, const Contour& contour, const Workpiece& piece) {
+  const std::set<BendId> cut = bends_cut(sheet, contour);
+  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
+    const FlatBend& bend = piece.pattern.bends[b];
+    if (!piece.spans[b] || box_distance(piece.zones[b], opening.boxed.box) > kDrawn) continue;
+    if (at_loop(opening, piece.spans[b]->start) || at_loop(opening, piece.spans[b]->end)) {
+      opening.bounds.insert(b);
+      continue;
+    }
+    const auto ends_there = [&](const Segment& s) {
+      return at_loop(opening, s.a) || at_loop(opening, s.b);
+    };
+    if (cut.contains(bend.bend) || std::any_of(bend.lines.begin(), bend.lines.end(), ends_there) ||
+        std::any_of(bend.tangent_lines.begin(), bend.tangent_lines.end(), ends_there))
+      opening.reaches_in.insert(b);
+  }
+}
+
+}  // namespace
+
+Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
+    : pattern(flat), thickness(flat.thickness), contours({}), tangent_index({}) {
+  for (size_t b = 0; b < flat.bends.size(); ++b) {
+    const FlatBend& bend = flat.bends[b];
+    Box2& zone = zones.emplace_back();
+    for (const auto* lines : {&bend.lines, &bend.tangent_lines})
+      for (const Segment& line : *lines)
+        zone.add(bounds(line));
+    spans.push_back(bend.lines.empty() ? std::nullopt : std::optional(span_of(bend.lines)));
+    for (BendSide& side : sides_of(bend, b))
+      sides.push_back(std::move(side));
+  }
+  std::vector<Box2> boxes;
+  for (const BendSide& side : sides) {
+    for (const Segment& line : side.pieces) {
+      tangent_lines.push_back({line, side.bend});
+      boxes.push_back(bounds(line));
+    }
+  }
+  tangent_index = BoxTree(std::move(boxes));
+  SizeTeller size_text;
+  for (const Contour& contour : flat.openings) {
+    openings.push_back(opening_of(contour, size_text));
+    relate(openings.back(), sheet, contour, *this);
+  }
+  contours = RingIndex(contour_rings(flat, openings));
+}
+
+bool Workpiece::joined_by_material(const Vec2& a, const Vec2& b) const {
+  const double distance = (b - a).norm();
+  const double skipped =
+      2.0 * (kDrawn + chord_of(pattern, kCoarseShare));  // the contours at the ends themselves
+  if (distance <= 2.0 * skipped) return true;
+  const Vec2 direction = (b - a) / distance;
+  const double reach = distance - 2.0 * skipped;
+  const auto any = [](size_t) { return true; };
+  return material(0.5 * (a + b)) &&
+         !std::isfinite(contours.first_hit(a + skipped * direction, direction, reach, any));
+}
+
+bool is_rolled(const FlatBend& bend, double thickness) {
+  constexpr double kRolled = 10.0;  // inside radius in thicknesses
+  return bend.inside_radius > kRolled * thickness;
+}
+
+bool is_hem(const FlatBend& bend) {
+  constexpr double kHem = 170.0;  // degrees, less the noise of a drawing
+  return bend.angle.degrees() >= kHem - 1e-6;
+}
+
+}  // namespace planish

@@ -1,0 +1,73 @@
+#pragma once
+
+#include "gap.hpp"
+#include "ring_index.hpp"
+
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// One limit of a bend zone: where a flange begins.
+struct BendSide {
+  size_t bend = 0;              ///< index in the pattern's bends
+  std::vector<Segment> pieces;  ///< tangent line, where there is material
+  Vec2 start = Vec2::Zero();    ///< ends of the whole line
+  Vec2 end = Vec2::Zero();
+  Vec2 outward = Vec2::Zero();  ///< unit vector across the line, away from the bend zone
+  double length() const { return (end - start).norm(); }
+};
+
+/// A piece of a tangent line and its bend.
+struct TangentLine {
+  Segment line;
+  size_t bend = 0;
+};
+
+/// Ends of a whole bend line.
+struct BendSpan {
+  Vec2 start = Vec2::Zero();
+  Vec2 end = Vec2::Zero();
+};
+
+/// An opening as the rules see it.
+struct Opening {
+  const Loop* loop = nullptr;
+  BoxedLoop boxed;
+  Vec2 center = Vec2::Zero();
+  std::string size_text;        ///< "Ø 6 mm", "12 × 4 mm"
+  bool is_cut = false;          ///< a slit without area: no opening to punch
+  std::set<size_t> bounds;      ///< bends that end at it: it is a relief, or the window of a tab
+  std::set<size_t> reaches_in;  ///< bends whose zone it takes material from
+};
+
+/// A flat pattern prepared for looking at places in it. Holds references: the pattern must stay.
+struct Workpiece {
+  Workpiece(const Sheet& sheet, const FlatPattern& pattern);
+
+  const FlatPattern& pattern;
+  double thickness;
+  RingIndex contours;  ///< ring 0 is the outer contour, ring i + 1 opening i
+  std::vector<BendSide> sides;
+  std::vector<std::optional<BendSpan>> spans;  ///< by bend; none without bend line
+  std::vector<Box2> zones;                     ///< by bend: box of its lines
+  std::vector<TangentLine> tangent_lines;      ///< the pieces of all sides
+  BoxTree tangent_index;                       ///< of their boxes
+  std::vector<Opening> openings;
+
+  bool material(const Vec2& p) const { return contours.odd(p); }
+  /// Whether the straight way from a to b, both on contours or tangent lines, is all material.
+  bool joined_by_material(const Vec2& a, const Vec2& b) const;
+};
+
+/// A bend of so large a radius is rolled, not pressed: there is no die that a flange must bridge,
+/// and openings in it keep their shape.
+bool is_rolled(const FlatBend& bend, double thickness);
+/// A bend turned back on itself, by at least 170°.
+bool is_hem(const FlatBend& bend);
+
+}  // namespace planish

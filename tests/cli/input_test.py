@@ -1,0 +1,140 @@
+#!/usr/bin/python3
+"""Inputs that cannot be read: exit status 3, the reason in one sentence and in the JSON report."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import step_files  # noqa: E402
+from planish_cli import CLI, SECONDS, CliTest, main  # noqa: E402
+
+
+class UnreadableInput(CliTest):
+    def unreadable(self, code, *arguments, status=3, stdin=b""):
+        sentence = self.refused("unfold", *arguments, "-o", "out.dxf", "--json", "report.json",
+                                status=status, stdin=stdin)
+        self.assertIn(f"[{code}]", sentence)
+        report = self.json("report.json")
+        self.assertEqual(report["status"], "refused")
+        self.assertEqual(report["reason"]["code"], code)
+        self.assertTrue(report["reason"]["message"])
+        self.assertEqual(report["input"], arguments[0])
+        self.assertNotIn("out.dxf", self.names())
+        (self.dir / "report.json").unlink()
+
+    def test_missing_file(self):
+        self.unreadable("cannot_read", "missing.step")
+        self.refused("info", "missing.step", "--json", "info.json", status=3)
+        self.assertEqual(self.json("info.json")["reason"]["code"], "cannot_read")
+
+    def test_folder(self):
+        (self.dir / "folder").mkdir()
+        self.unreadable("cannot_read", "folder")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may read everything")
+    def test_forbidden_file(self):
+        self.angle().chmod(0)
+        self.unreadable("cannot_read", "part.step")
+
+    def test_empty_file(self):
+        self.write("empty.step", "")
+        self.unreadable("empty_file", "empty.step")
+        self.unreadable("empty_file", "-")
+
+    def test_what_is_not_step(self):
+        for content in (b"hello\n", b"PK\x03\x04" + bytes(range(256)), b"solid cube\nendsolid\n"):
+            self.write("other.step", content)
+            self.unreadable("not_step", "other.step")
+        self.unreadable("not_step", "-", stdin=b"hello\n")
+
+    def test_truncated_file(self):
+        whole = step_files.angle()
+        for share in (0.3, 0.5, 0.9):
+            self.write("half.step", whole[:int(share * len(whole))])
+            self.unreadable("truncated_file", "half.step")
+
+    def test_surfaces_only(self):
+        self.write("skin.step", step_files.surface_only())
+        self.unreadable("shell_not_solid", "skin.step")
+
+    def test_bend_table_that_is_missing_or_wrong(self):
+        self.angle()
+        self.unreadable("cannot_read", "part.step", "--k-table", "missing.csv")
+        self.write("table.csv", "radius,angle\n1,90\n")
+        self.unreadable("invalid_input", "part.step", "--k-table", "table.csv")
+
+    def test_rules_file_that_is_missing_or_wrong(self):
+        self.angle()
+        self.unreadable("cannot_read", "part.step", "--rules", "missing.json")
+        self.write("rules.json", '{"flange_heigth_t": 2}')
+        self.unreadable("invalid_input", "part.step", "--rules", "rules.json")
+        self.assertIn("/flange_heigth_t",
+                      self.refused("unfold", "part.step", "--rules", "rules.json", status=3))
+
+    def test_solid_that_is_no_sheet(self):
+        self.write("block.step", step_files.block())
+        self.unreadable("not_a_sheet", "block.step", status=4)
+
+    def test_body_that_is_not_there(self):
+        self.angle()
+        self.unreadable("no_such_body", "part.step", "--body", "7", status=2)
+        self.unreadable("no_such_body", "part.step", "--body", "door", status=2)
+
+    def test_face_that_is_not_there(self):
+        self.angle()
+        self.unreadable("no_such_face", "part.step", "--root", "999", status=2)
+        self.unreadable("no_such_face", "part.step", "--up", "999", status=2)
+
+
+class UnwritableOutput(CliTest):
+    def test_folder_that_is_not_there(self):
+        self.angle()
+        sentence = self.refused("unfold", "part.step", "-o", "missing/a.dxf", status=3)
+        self.assertIn("[cannot_write]", sentence)
+        self.refused("unfold", "part.step", "--json", "missing/a.json", status=3)
+        self.assertEqual(self.names(), ["part.step"])
+
+    def test_file_where_a_folder_should_be(self):
+        self.angle()
+        self.write("flat.txt", "")
+        sentence = self.refused("unfold", "part.step", "-o", "flat.txt/", "--json", "r.json", status=3)
+        self.assertIn("[cannot_write]", sentence)
+        self.assertEqual(self.json("r.json")["reason"]["code"], "cannot_write")
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_folder_that_may_not_be_written(self):
+        self.angle()
+        locked = self.dir / "locked"
+        locked.mkdir(mode=0o555)
+        self.refused("unfold", "part.step", "-o", "locked/", status=3)
+        self.assertEqual(self.names(), ["part.step"])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_standard_output_that_is_full(self):
+        self.angle()
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([CLI, "info", "part.step"], cwd=self.dir, stdout=full,
+                                  stderr=subprocess.PIPE, timeout=SECONDS, check=False)
+        self.assertEqual(done.returncode, 3, done.stderr)
+
+
+class Interrupted(CliTest):
+    def test_ctrl_c_stops_with_a_word(self):
+        arguments = [CLI, "unfold", "-", "-o", "a.dxf", "--json", "r.json"]
+        with subprocess.Popen(arguments, cwd=self.dir, stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+            # More than a pipe holds: once it is written, the program is up and reading.
+            running.stdin.write(step_files.angle().encode() + b" " * 300_000)
+            running.stdin.flush()
+            running.send_signal(signal.SIGINT)
+            out, err = running.communicate(timeout=SECONDS)
+        self.assertEqual((running.returncode, out, err), (1, b"", b"planish: cancelled\n"))
+        self.assertEqual(self.names(), [])
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,186 @@
+"""STEP files in closed form: prisms over profiles of lines and arcs, so that the flat pattern of
+each is known by a formula. Written from the standard's entity definitions, without a CAD kernel."""
+
+import math
+
+HEADER = """ISO-10303-21;
+HEADER;
+FILE_DESCRIPTION(('{description}'),'2;1');
+FILE_NAME('{name}','2024-01-01T00:00:00',(''),(''),'planish tests','planish tests','');
+FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 1 1 1 1 }}'));
+ENDSEC;
+DATA;
+"""
+
+
+class Line:
+    def __init__(self, end):
+        self.end = end
+
+
+class Arc:
+    def __init__(self, end, center, ccw):
+        self.end, self.center, self.ccw = end, center, ccw
+
+
+class StepFile:
+    def __init__(self):
+        self.entities = []
+        self.application = self.add("APPLICATION_CONTEXT('automotive design')")
+        self.add(f"APPLICATION_PROTOCOL_DEFINITION('','automotive_design',2000,{self.application})")
+        mm = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))")
+        rad = self.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))")
+        sr = self.add("(NAMED_UNIT(*)SI_UNIT($,.STERADIAN.)SOLID_ANGLE_UNIT())")
+        tolerance = self.add(f"UNCERTAINTY_MEASURE_WITH_UNIT(LENGTH_MEASURE(1.E-7),{mm},'','')")
+        self.context = self.add(
+            "(GEOMETRIC_REPRESENTATION_CONTEXT(3)"
+            f"GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT(({tolerance}))"
+            f"GLOBAL_UNIT_ASSIGNED_CONTEXT(({mm},{rad},{sr}))REPRESENTATION_CONTEXT('',''))")
+
+    def add(self, entity):
+        self.entities.append(entity)
+        return f"#{len(self.entities)}"
+
+    def text(self):
+        lines = [f"#{i}={entity};" for i, entity in enumerate(self.entities, 1)]
+        return (HEADER.format(description="", name="") + "\n".join(lines)
+                + "\nENDSEC;\nEND-ISO-10303-21;\n")
+
+    # --- geometry
+
+    def point(self, p):
+        return self.add("CARTESIAN_POINT('',({:.12f},{:.12f},{:.12f}))".format(*p))
+
+    def direction(self, d):
+        return self.add("DIRECTION('',({:.15f},{:.15f},{:.15f}))".format(*d))
+
+    def placement(self, origin, axis, ref):
+        return self.add(f"AXIS2_PLACEMENT_3D('',{self.point(origin)},{self.direction(axis)},"
+                        f"{self.direction(ref)})")
+
+    def line_edge(self, a, b, vertex_a, vertex_b):
+        d = [q - p for p, q in zip(a, b)]
+        n = math.hypot(*d)
+        vector = self.add(f"VECTOR('',{self.direction([c / n for c in d])},1.)")
+        line = self.add(f"LINE('',{self.point(a)},{vector})")
+        return self.add(f"EDGE_CURVE('',{vertex_a},{vertex_b},{line},.T.)")
+
+    def arc_edge(self, a, vertex_a, vertex_b, center, ccw, z):
+        r = math.dist(a[:2], center)
+        circle = self.add(
+            f"CIRCLE('',{self.placement((*center, z), (0, 0, 1), (1, 0, 0))},{r:.12f})")
+        return self.add(f"EDGE_CURVE('',{vertex_a},{vertex_b},{circle},.{'T' if ccw else 'F'}.)")
+
+    def face(self, surface, edges, same_sense=True):
+        """edges: (edge, forward) in order, the face on their left seen from outside."""
+        oriented = [self.add(f"ORIENTED_EDGE('',*,*,{edge},.{'T' if forward else 'F'}.)")
+                    for edge, forward in edges]
+        loop = self.add(f"EDGE_LOOP('',({','.join(oriented)}))")
+        bound = self.add(f"FACE_OUTER_BOUND('',{loop},.T.)")
+        return self.add(f"ADVANCED_FACE('',({bound}),{surface},.{'T' if same_sense else 'F'}.)")
+
+    # --- solids
+
+    def prism(self, start, curves, depth, at=(0.0, 0.0, 0.0)):
+        """Closed shell over a counter-clockwise profile, extruded from z = 0 to `depth`."""
+        def moved(p):
+            return (p[0] + at[0], p[1] + at[1])
+        points = [moved(start)] + [moved(c.end) for c in curves[:-1]]
+        n = len(points)
+        levels = (at[2], at[2] + depth)
+        vertices = [[self.add(f"VERTEX_POINT('',{self.point((*p, z))})") for p in points]
+                    for z in levels]
+        rims = [[self._rim(points, vertices[k], curves[i], i, levels[k], at) for i in range(n)]
+                for k in (0, 1)]
+        posts = [self.line_edge((*points[i], levels[0]), (*points[i], levels[1]),
+                                vertices[0][i], vertices[1][i]) for i in range(n)]
+        faces = [self._side(points, curves[i], i, levels[0], at,
+                            [(rims[0][i], True), (posts[(i + 1) % n], True), (rims[1][i], False),
+                             (posts[i], False)]) for i in range(n)]
+        bottom = self.add(f"PLANE('',{self.placement((*points[0], levels[0]), (0, 0, -1), (1, 0, 0))})")
+        faces.append(self.face(bottom, [(edge, False) for edge in reversed(rims[0])]))
+        top = self.add(f"PLANE('',{self.placement((*points[0], levels[1]), (0, 0, 1), (1, 0, 0))})")
+        faces.append(self.face(top, [(edge, True) for edge in rims[1]]))
+        return self.add(f"CLOSED_SHELL('',({','.join(faces)}))")
+
+    def _rim(self, points, vertices, curve, i, z, at):
+        j = (i + 1) % len(points)
+        a, b = (*points[i], z), (*points[j], z)
+        if isinstance(curve, Line):
+            return self.line_edge(a, b, vertices[i], vertices[j])
+        center = (curve.center[0] + at[0], curve.center[1] + at[1])
+        return self.arc_edge(a, vertices[i], vertices[j], center, curve.ccw, z)
+
+    def _side(self, points, curve, i, z, at, edges):
+        a, b = points[i], points[(i + 1) % len(points)]
+        if isinstance(curve, Line):
+            n = math.dist(a, b)
+            d = ((b[0] - a[0]) / n, (b[1] - a[1]) / n, 0)
+            plane = self.add(f"PLANE('',{self.placement((*a, z), (d[1], -d[0], 0), d)})")
+            return self.face(plane, edges)
+        center = (curve.center[0] + at[0], curve.center[1] + at[1])
+        place = self.placement((*center, z), (0, 0, 1), (1, 0, 0))
+        cylinder = self.add(f"CYLINDRICAL_SURFACE('',{place},{math.dist(a, center):.12f})")
+        return self.face(cylinder, edges, same_sense=curve.ccw)
+
+    # --- products
+
+    def product(self, name, shell, entity="MANIFOLD_SOLID_BREP"):
+        if entity == "MANIFOLD_SOLID_BREP":
+            item = self.add(f"MANIFOLD_SOLID_BREP('{name}',{shell})")
+            kind = "ADVANCED_BREP_SHAPE_REPRESENTATION"
+        else:
+            item = self.add(f"SHELL_BASED_SURFACE_MODEL('{name}',({shell}))")
+            kind = "MANIFOLD_SURFACE_SHAPE_REPRESENTATION"
+        axes = self.placement((0, 0, 0), (0, 0, 1), (1, 0, 0))
+        shape = self.add(f"{kind}('{name}',({axes},{item}),{self.context})")
+        context = self.add(f"PRODUCT_CONTEXT('',{self.application},'mechanical')")
+        product = self.add(f"PRODUCT('{name}','{name}','',({context}))")
+        formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
+        design = self.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{self.application},'design')")
+        definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
+        of = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+        self.add(f"SHAPE_DEFINITION_REPRESENTATION({of},{shape})")
+
+
+def angle_profile(leg, thickness, radius):
+    """An L: both legs `leg` outside, one 90° bend. Flat length: 2 (leg − t − r) + π/2 (r + k t)."""
+    t, r = thickness, radius
+    s = t + r
+    return (s, 0.0), [Line((leg, 0.0)), Line((leg, t)), Line((s, t)), Arc((t, s), (s, s), False),
+                      Line((t, leg)), Line((0.0, leg)), Line((0.0, s)), Arc((s, 0.0), (s, s), True)]
+
+
+def rectangle_profile(width, height):
+    return (0.0, 0.0), [Line((width, 0.0)), Line((width, height)), Line((0.0, height)),
+                        Line((0.0, 0.0))]
+
+
+def angle(name="angle", leg=50.0, thickness=2.0, radius=2.0, depth=60.0):
+    file = StepFile()
+    file.product(name, file.prism(*angle_profile(leg, thickness, radius), depth))
+    return file.text()
+
+
+def block(side=30.0):
+    file = StepFile()
+    file.product("block", file.prism(*rectangle_profile(side, side), side))
+    return file.text()
+
+
+def surface_only():
+    file = StepFile()
+    shell = file.prism(*rectangle_profile(30.0, 20.0), 10.0)
+    file.product("skin", shell, entity="SHELL_BASED_SURFACE_MODEL")
+    return file.text()
+
+
+def two_angles_and_a_block():
+    """Two identical angles, one other angle and a block: three different bodies, four pieces."""
+    file = StepFile()
+    same = angle_profile(50.0, 2.0, 2.0)
+    file.product("angle", file.prism(*same, 60.0))
+    file.product("angle copy", file.prism(*same, 60.0, at=(100.0, 20.0, -7.0)))
+    file.product("door, \"left\"", file.prism(*angle_profile(40.0, 1.5, 3.0), 25.0, at=(300, 0, 0)))
+    file.product("block", file.prism(*rectangle_profile(30.0, 30.0), 30.0, at=(500, 0, 0)))
+    return file.text()

@@ -1,0 +1,74 @@
+#include "sides.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish::job {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Two flanges that came from the faces 12 and 7 of a solid, and a bend from face 3.
+Sheet sheet() {
+  Sheet made;
+  const auto add = [&made](int source, std::variant<FlangeId, BendId> part) {
+    Face face;
+    face.source_face = source;
+    face.part_of = part;
+    made.faces.push_back(face);
+  };
+  add(12, FlangeId{0});
+  add(3, BendId{0});
+  add(7, FlangeId{1});
+  return made;
+}
+
+UnfoldRequest request(const std::string& root, const std::string& up) {
+  UnfoldRequest made;
+  made.root = root;
+  made.up = up;
+  return made;
+}
+
+TEST(Sides, LeaveTheChoiceToFlattenUnlessAsked) {
+  const auto options = flatten_options(sheet(), request("largest", "auto"));
+  ASSERT_TRUE(options.has_value());
+  EXPECT_FALSE(options->root.has_value());
+  EXPECT_EQ(options->up, UpSide::automatic);
+}
+
+TEST(Sides, FindTheFaceThatANumberOfTheSolidNames) {
+  const auto options = flatten_options(sheet(), request("7", "12"));
+  ASSERT_TRUE(options.has_value());
+  EXPECT_EQ(options->root, FaceId{2});
+  EXPECT_EQ(options->up, UpSide::reference);
+  EXPECT_EQ(flatten_options(sheet(), request("12", "other"))->up, UpSide::other);
+}
+
+TEST(Sides, ListTheFacesThatCanBeTheRoot) {
+  // A bend has no frame to stay in.
+  for (const char* wrong : {"3", "99", "0", "-1"}) {
+    const auto options = flatten_options(sheet(), request(wrong, "auto"));
+    ASSERT_FALSE(options.has_value()) << wrong;
+    EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
+    EXPECT_THAT(options.error().message, HasSubstr("7, 12"));
+  }
+}
+
+TEST(Sides, ListTheFacesOfTheSkinThatCanFaceUp) {
+  const auto options = flatten_options(sheet(), request("largest", "99"));
+  ASSERT_FALSE(options.has_value());
+  EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
+  EXPECT_THAT(options.error().message, HasSubstr("3, 7, 12"));
+}
+
+TEST(Sides, RefuseOtherWords) {
+  EXPECT_EQ(flatten_options(sheet(), request("biggest", "auto")).error().code,
+            ErrorCode::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), request("7x", "auto")).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), request("largest", "down")).error().code,
+            ErrorCode::bad_option);
+}
+
+}  // namespace
+}  // namespace planish::job

@@ -1,0 +1,107 @@
+#include "verdict.hpp"
+
+#include "job/sample_reports.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace planish::job {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kVolume = 11843.0;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+Certificate perfect() {
+  Certificate certificate;
+  certificate.flat_area_half = 5921.5;
+  certificate.volume_ratio = 1.0;
+  return certificate;
+}
+
+std::vector<Finding> doubts_of(const Certificate& certificate) {
+  return doubts(certificate, test::sample_pattern(), kVolume, {});
+}
+
+TEST(Verdict, HasNothingToSayOfAPerfectPattern) {
+  EXPECT_TRUE(doubts_of(perfect()).empty());
+  EXPECT_FALSE(disbelief(perfect(), kVolume, {}).has_value());
+}
+
+TEST(Verdict, WarnsAboveEachBoundWithThePlace) {
+  Certificate certificate = perfect();
+  certificate.length_error = 0.02;
+  certificate.length_error_at = {3, 4};
+  certificate.refold_deviation = 0.03;
+  certificate.refold_at = {5, 6};
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].code, "edge_length");
+  EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(3, 4)});
+  EXPECT_EQ(found[1].code, "refold");
+  EXPECT_EQ(found[1].at, std::vector<Vec2>{Vec2(5, 6)});
+  EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
+}
+
+TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.004;
+  FlatPattern flat = test::sample_pattern();
+  flat.features = {{"countersink", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
+  const auto found = doubts(certificate, flat, kVolume, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "volume_identity");
+  EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink, which"));
+  EXPECT_EQ(found[0].at.size(), 1u);
+}
+
+TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
+  for (const double ratio : {0.84, 1.16, 0.0, kNaN}) {
+    Certificate certificate = perfect();
+    certificate.volume_ratio = ratio;
+    const auto refusal = disbelief(certificate, kVolume, {});
+    ASSERT_TRUE(refusal.has_value()) << ratio;
+    EXPECT_EQ(refusal->code, ErrorCode::pattern_wrong);
+  }
+  Certificate stretched = perfect();
+  stretched.length_error = 0.6;
+  stretched.length_error_at = {3, 4};
+  EXPECT_THAT(disbelief(stretched, kVolume, {})->where, HasSubstr("(3.000, 4.000)"));
+  Certificate torn = perfect();
+  torn.refold_deviation = 0.6;
+  EXPECT_EQ(disbelief(torn, kVolume, {})->code, ErrorCode::pattern_wrong);
+}
+
+TEST(Verdict, HasNoVolumeToCompareWithWhereThereIsNoSolid) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = kNaN;
+  EXPECT_FALSE(disbelief(certificate, 0.0, {}).has_value());
+  EXPECT_TRUE(doubts(certificate, test::sample_pattern(), 0.0, {}).empty());
+}
+
+TEST(Verdict, GoesByTheBoundsItIsGiven) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.05;
+  CertificateBounds strict;
+  strict.volume_refusal = 0.01;
+  EXPECT_TRUE(disbelief(certificate, kVolume, strict).has_value());
+  CertificateBounds lenient;
+  lenient.volume_warning = 0.1;
+  EXPECT_TRUE(doubts(certificate, test::sample_pattern(), kVolume, lenient).empty());
+}
+
+TEST(Verdict, MakesOneRefusalOfSeveralOverlaps) {
+  EXPECT_FALSE(overlap_refusal({}).has_value());
+  const Finding one{"overlap", Severity::error, "12.5 mm² are covered twice", {{1, 2}, {3, 4}}};
+  const auto refusal = overlap_refusal({one, one, one});
+  ASSERT_TRUE(refusal.has_value());
+  EXPECT_EQ(refusal->code, ErrorCode::overlap);
+  EXPECT_THAT(refusal->message, HasSubstr("12.5 mm² are covered twice, and at 2 more places"));
+  EXPECT_THAT(refusal->where, HasSubstr("(1.000, 2.000)"));
+}
+
+}  // namespace
+}  // namespace planish::job
