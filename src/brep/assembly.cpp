@@ -210,24 +210,52 @@ class Assembler {
         const auto found = sharp_bends.find(key);
         row.sharp = found != sharp_bends.end() ? found->second : add_sharp_bend(joint.edge);
         sharp_bends.emplace(key, *row.sharp);
-      } else if (joint.a != joint.b && !(straight(a) && straight(b))) {
-        const SolidEdge& edge = model_.edges[static_cast<size_t>(joint.edge)];
-        return fail(ErrorCode::doubly_curved,
-                    fmt::format("Faces {} and {} run into each other along a curved line; no flat shape bends to that.",
-                                edge.faces[0] + 1, edge.faces[1] + 1),
-                    fmt::format("faces {} and {}", edge.faces[0] + 1, edge.faces[1] + 1));
+      } else if (joint.a != joint.b) {
+        if (auto straightened = straighten(joint.edge, a, b); !straightened) return tl::unexpected(straightened.error());
       }
       sheet_.joints.push_back(row);
     }
     return {};
   }
 
-  /// A joint between different surfaces runs along a ruling.
-  bool straight(const BorderRef& ref) const {
+  /// A joint between different surfaces runs along a ruling; what the file's rounding bent a little is
+  /// made straight.
+  Result<void> straighten(int e, const BorderRef& a, const BorderRef& b) {
+    constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off (RecognizeOptions::surface_tolerance)
+    const double off = std::max(off_ruling(a), off_ruling(b));
+    if (off > kCurved) {
+      const auto& faces = model_.edges[static_cast<size_t>(e)].faces;
+      return fail(ErrorCode::doubly_curved,
+                  fmt::format("Faces {} and {} run into each other along a line that is curved by {:.3g} mm; no flat "
+                              "shape bends to that.", faces[0] + 1, faces[1] + 1, off),
+                  fmt::format("faces {} and {}", faces[0] + 1, faces[1] + 1));
+    }
+    for (const BorderRef& ref : {a, b}) {
+      Border& border = sheet_.faces[static_cast<size_t>(index_of(ref.face))].loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+      Segment line{start_of(border.curve), end_of(border.curve)};
+      if (std::holds_alternative<Developable>(sheet_.faces[static_cast<size_t>(index_of(ref.face))].surface))
+        line.a.x() = line.b.x() = (line.a.x() + line.b.x()) / 2;
+      border.curve = line;
+    }
+    return {};
+  }
+
+  /// How far a border is from the ruling, or the line, between its ends, mm.
+  double off_ruling(const BorderRef& ref) const {
     const Face& face = sheet_.faces[static_cast<size_t>(index_of(ref.face))];
-    const auto* line = std::get_if<Segment>(&border_at(ref).curve);
-    if (!line) return false;
-    return std::holds_alternative<Frame>(face.surface) || line->a.x() == line->b.x();
+    const Curve2& curve = border_at(ref).curve;
+    const Vec2 start = start_of(curve);
+    const Vec2 end = end_of(curve);
+    const auto* surface = std::get_if<Developable>(&face.surface);
+    const double u = (start.x() + end.x()) / 2;
+    constexpr int kSteps = 16;
+    double off = 0.0;
+    for (int i = 0; i <= kSteps; ++i) {
+      const Vec2 p = point_at(curve, static_cast<double>(i) / kSteps);
+      off = std::max(off, surface ? (point_on(*surface, p) - point_on(*surface, {u, p.y()})).norm()
+                                  : Eigen::ParametrizedLine<double, 2>::Through(start, end).distance(p));
+    }
+    return off;
   }
 
   BendId add_sharp_bend(int e) {

@@ -75,12 +75,13 @@ std::optional<SurfaceFit> fit_cylinder(const Samples& samples, double tolerance)
     right.segment<2>(2 * i) = p;
   }
   const Vec3 solution = rows.colPivHouseholderQr().solve(right);
-  if (!solution.allFinite() || std::abs(solution.z()) <= tolerance) return {};
+  constexpr double kOfRadius = 0.05;  // small bends are held to less than the tolerance
+  if (!solution.allFinite() || solution.z() == 0.0) return {};
   Frame placed = frame;
   placed.origin = frame.point(solution.head<2>());
   const Cylinder cylinder{placed, std::abs(solution.z())};
   const double deviation = deviation_from(cylinder, samples);
-  if (deviation > tolerance) return {};
+  if (deviation > std::min(tolerance, kOfRadius * cylinder.radius)) return {};
   return SurfaceFit{Developable(cylinder), deviation};
 }
 

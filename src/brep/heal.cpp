@@ -82,7 +82,7 @@ class PlaneMerger {
     bool any = false;
     for (size_t e = 0; e < model_.edges.size(); ++e) {
       const SolidEdge& edge = model_.edges[e];
-      if (edge.uses != 2 || !plane(edge.faces[0]) || !plane(edge.faces[1])) continue;
+      if (!passed_both_ways(edge) || !plane(edge.faces[0]) || !plane(edge.faces[1])) continue;
       if (edge.faces[0] == edge.faces[1] || !smooth_edge(model_, static_cast<int>(e))) continue;
       parent_[static_cast<size_t>(root(edge.faces[0]))] = root(edge.faces[1]);
       any = true;
@@ -95,6 +95,8 @@ class PlaneMerger {
   }
 
  private:
+  /// Damaged solids also hold edges that both faces run along the same way.
+  static bool passed_both_ways(const SolidEdge& edge) { return edge.uses == 2 && edge.forward[0] != edge.forward[1]; }
   bool plane(int f) const { return f >= 0 && std::holds_alternative<Frame>(model_.faces[static_cast<size_t>(f)].surface); }
   int root(int f) const {
     while (parent_[static_cast<size_t>(f)] != f) f = parent_[static_cast<size_t>(f)];
@@ -109,7 +111,7 @@ class PlaneMerger {
     const std::set<int> members(faces.begin(), faces.end());
     const auto inner = [&](int e) {
       const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
-      return edge.uses == 2 && members.count(edge.faces[0]) && members.count(edge.faces[1]);
+      return passed_both_ways(edge) && members.count(edge.faces[0]) && members.count(edge.faces[1]);
     };
     std::map<std::pair<int, bool>, Use> place;  // by edge and sense
     std::vector<Use> outline;

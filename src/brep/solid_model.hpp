@@ -59,7 +59,7 @@ struct SolidFace {
   std::vector<std::vector<CoEdge>> loops;
   std::vector<int> merged;  ///< other faces that are part of this one since healing
   double fitted = 0.0;   ///< deviation when the surface was recognised from another kind, mm
-  double volume = 0.0;   ///< contribution ⅓∮x·n dA of faces that are not planar, mm³
+  double volume = 0.0;   ///< ⅓∫(x − c)·n dA with c one centre for the whole solid, mm³
 };
 
 struct SolidModel {

@@ -25,7 +25,7 @@ DL_Codes::version dxflib_version(DxfVersion version) {
 }
 
 // The base opens a file of that name; an empty name opens none.
-DxfWriter::DxfWriter(DxfVersion version) : DL_WriterA("", dxflib_version(version)) {}
+DxfWriter::DxfWriter(DxfVersion dxf_version) : DL_WriterA("", dxflib_version(dxf_version)) {}
 
 void DxfWriter::dxfReal(int code, double value) const { dxfString(code, decimal(value)); }
 

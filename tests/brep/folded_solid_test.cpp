@@ -202,7 +202,7 @@ TEST(FoldedSolid, OfRandomSheetsIsSoundWhereverTheyLie) {
 /// Every corner of every face moved by up to `size`, each face for itself.
 Sheet roughened(Sheet sheet, double size) {
   std::mt19937 random(1);
-  const auto noise = [&] { return size * (random() / 4294967295.0 * 2 - 1); };
+  const auto noise = [&] { return size * (static_cast<double>(random()) / 4294967295.0 * 2 - 1); };
   for (Face& face : sheet.faces) {
     const auto* surface = std::get_if<Developable>(&face.surface);
     const double u_size = surface == nullptr ? 1.0 : 1.0 / std::get<Cylinder>(*surface).radius;

@@ -55,12 +55,14 @@ class Corpus : public ::testing::Test {
     const Json exception = exception_for(id);
     const double off = std::abs(report.certificate.volume_ratio - 1.0);
     const bool strict = row["class"] == "sheet_metal" || row["class"] == "flat_plate";
-    if (exception.contains("volume_within"))
+    if (exception.contains("volume_within")) {
       EXPECT_LE(off, exception["volume_within"].get<double>()) << exception["cause"];
-    else if (strict)
+    } else if (strict) {
       EXPECT_LE(off, 1e-3) << "volume ratio " << report.certificate.volume_ratio;
-    if (strict && !row["thickness"].is_null())
+    }
+    if (strict && !row["thickness"].is_null()) {
       EXPECT_NEAR(report.sheet.thickness, row["thickness"].get<double>(), 0.02 * row["thickness"].get<double>());
+    }
     EXPECT_LE(report.certificate.length_error, 0.01);
     EXPECT_LE(report.certificate.refold_deviation, 0.02);
     write_dxf(id, report.flat);

@@ -64,8 +64,7 @@ class Planner {
 
  private:
   double uniform(double lo, double hi) {
-    return lo + (hi - lo) * (random_() - std::mt19937::min()) /
-                    (double(std::mt19937::max()) - std::mt19937::min());
+    return lo + (hi - lo) * static_cast<double>(random_()) / static_cast<double>(std::mt19937::max());
   }
   int below(int n) { return std::min(n - 1, static_cast<int>(uniform(0, n))); }
 

@@ -88,7 +88,10 @@ FaceId SheetBuilder::add_face(Face face, const std::vector<Loop>& loops) {
 
 FaceId SheetBuilder::flange(const Frame& frame, const std::vector<Loop>& loops) {
   const auto id = static_cast<FlangeId>(sheet_.flanges.size());
-  const FaceId face = add_face({.surface = frame, .part_of = id}, loops);
+  Face blank;
+  blank.surface = frame;
+  blank.part_of = id;
+  const FaceId face = add_face(std::move(blank), loops);
   sheet_.flanges.push_back({{face}});
   return face;
 }
@@ -113,7 +116,11 @@ BendId SheetBuilder::new_bend(const Bend& bend) {
 
 FaceId SheetBuilder::bend_face(BendId id, const Developable& surface, int sense,
                                const std::vector<Loop>& loops) {
-  const FaceId face = add_face({.surface = surface, .sense = sense, .part_of = id}, loops);
+  Face blank;
+  blank.surface = surface;
+  blank.sense = sense;
+  blank.part_of = id;
+  const FaceId face = add_face(std::move(blank), loops);
   sheet_.bends[index_of(id)].faces.push_back(face);
   return face;
 }

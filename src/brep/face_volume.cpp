@@ -1,0 +1,121 @@
+#include "face_volume.hpp"
+
+#include <array>
+#include <cmath>
+#include <planish/base/assert.hpp>
+
+namespace planish::brep {
+namespace {
+
+/// A differential form along a border: its value for a point x and a step dx.
+template <typename Form>
+double gauss(const SpaceCurve& curve, const Form& form, double a, double b) {
+  constexpr std::array<double, 3> kNodes{0.0, 0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 3> kWeights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  const double middle = (a + b) / 2;
+  const double half = (b - a) / 2;
+  const auto at = [&](double t) { return form(curve.point(t), curve.derivative(t)); };
+  double sum = kWeights[0] * at(middle);
+  for (size_t i = 1; i < kNodes.size(); ++i)
+    sum += kWeights[i] * (at(middle - half * kNodes[i]) + at(middle + half * kNodes[i]));
+  return sum * half;
+}
+
+template <typename Form>
+double refined(const SpaceCurve& curve, const Form& form, double a, double b, double whole, double error, int depth) {
+  constexpr int kDeepest = 12;
+  const double middle = (a + b) / 2;
+  const double left = gauss(curve, form, a, middle);
+  const double right = gauss(curve, form, middle, b);
+  if (depth >= kDeepest || std::abs(left + right - whole) <= error) return left + right;
+  return refined(curve, form, a, middle, left, error, depth + 1) + refined(curve, form, middle, b, right, error, depth + 1);
+}
+
+template <typename Form>
+double integral(const SpaceCurve& curve, const Form& form, double error) {
+  // Quarters first: a symmetric integrand must not look constant.
+  constexpr int kParts = 4;
+  double sum = 0.0;
+  for (int i = 0; i < kParts; ++i) {
+    const double a = curve.t0 + (curve.t1 - curve.t0) * i / kParts;
+    const double b = curve.t0 + (curve.t1 - curve.t0) * (i + 1) / kParts;
+    sum += refined(curve, form, a, b, gauss(curve, form, a, b), error, 0);
+  }
+  return sum;
+}
+
+/// ½ n·∮(x − from) × dx: the signed area that the border sweeps about `from`.
+double swept_area(const SpaceCurve& curve, const Vec3& from, const Vec3& normal, double error) {
+  if (curve.kind == SpaceCurve::Kind::line) return normal.dot((curve.start - from).cross(curve.end - from)) / 2;
+  if (curve.kind == SpaceCurve::Kind::circle) {
+    const Vec3 centre = curve.circle.origin - from;
+    const double tilt = curve.circle.z.dot(normal);
+    return (normal.dot(centre.cross(curve.end - curve.start)) + tilt * curve.radius * curve.radius * (curve.t1 - curve.t0)) / 2;
+  }
+  return integral(curve, [&](const Vec3& x, const Vec3& dx) { return normal.dot((x - from).cross(dx)); }, error) / 2;
+}
+
+/// −∮ v (R + (O − c)·e) e_u·dx with O, R the cylinder's, v the height, e the radial direction and e_u the
+/// one round: ∫(x − c)·n dA with ∂/∂v undone.
+double cylinder_form(const SpaceCurve& curve, const Cylinder& cylinder, const Vec3& centre, double error) {
+  if (curve.kind == SpaceCurve::Kind::line) return 0.0;  // a ruling
+  const Frame& frame = cylinder.frame;
+  const Vec3 offset = frame.origin - centre;
+  const auto form = [&](const Vec3& x, const Vec3& dx) {
+    const double v = (x - frame.origin).dot(frame.z);
+    const Vec3 e = (x - frame.origin - v * frame.z).normalized();
+    return -v * (cylinder.radius + offset.dot(e)) * frame.z.cross(e).dot(dx);
+  };
+  return integral(curve, form, error);
+}
+
+/// −∮ ½ v (A − c)·n e_u·dx with A the apex, v the distance from it and n the normal.
+double cone_form(const SpaceCurve& curve, const Cone& cone, const Vec3& centre, double error) {
+  if (curve.kind == SpaceCurve::Kind::line) return 0.0;
+  const Frame& frame = cone.frame;
+  const Vec3 offset = frame.origin - centre;
+  const double s = std::sin(cone.half_angle);
+  const double c = std::cos(cone.half_angle);
+  const auto form = [&](const Vec3& x, const Vec3& dx) {
+    const Vec3 from_apex = x - frame.origin;
+    const double height = from_apex.dot(frame.z);
+    const Vec3 e = (from_apex - height * frame.z).normalized();
+    return -from_apex.norm() / 2 * offset.dot(c * e - s * frame.z) * frame.z.cross(e).dot(dx);
+  };
+  return integral(curve, form, error);
+}
+
+}  // namespace
+
+bool has_border_volume(const SolidFace& face) {
+  if (std::holds_alternative<Frame>(face.surface)) return true;
+  const auto* surface = std::get_if<Developable>(&face.surface);
+  return surface && !std::holds_alternative<Ruled>(*surface) && face.fitted == 0.0;
+}
+
+double volume_under(const SolidFace& face, const SolidModel& model, const Vec3& centre) {
+  constexpr double kRelative = 1e-12;
+  const double area_error = kRelative * model.size * model.size;
+  const double error = area_error * model.size;
+  const auto along_borders = [&](const auto& form) {
+    double sum = 0.0;
+    for (const auto& loop : face.loops)
+      for (const CoEdge& use : loop) {
+        const double part = form(model.edges[static_cast<size_t>(use.edge)].curve);
+        sum += use.forward ? part : -part;
+      }
+    return sum;
+  };
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) {
+    const double area = along_borders([&](const SpaceCurve& curve) { return swept_area(curve, plane->origin, plane->z, area_error); });
+    return area * (plane->origin - centre).dot(plane->z) / 3;
+  }
+  const auto& surface = std::get<Developable>(face.surface);
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface))
+    return along_borders([&](const SpaceCurve& curve) { return cylinder_form(curve, *cylinder, centre, error); }) / 3;
+  const auto* cone = std::get_if<Cone>(&surface);
+  PLANISH_ASSERT(cone != nullptr);
+  return along_borders([&](const SpaceCurve& curve) { return cone_form(curve, *cone, centre, error); }) / 3;
+}
+
+}  // namespace planish::brep
