@@ -1,6 +1,8 @@
 #include "assembly.hpp"
 
 #include "borders.hpp"
+#include "face_volume.hpp"
+#include "features.hpp"
 #include "widest.hpp"
 
 #include <algorithm>
@@ -16,29 +18,27 @@ namespace {
 
 class Assembler {
  public:
-  Assembler(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins, const Rim& rim,
-            const Groups& groups, Side side, double tolerance)
-      : model_(model), outlines_(outlines), skins_(skins), rim_(rim), groups_(groups), side_(side),
-        tolerance_(tolerance), face_id_(model.faces.size(), -1) {}
+  explicit Assembler(const Recognition& of) : of_(of), model_(of.model), outlines_(of.outlines), groups_(of.groups) {
+    map_.face_id.assign(model_.faces.size(), FaceId{-1});
+  }
 
   Result<Sheet> run() {
-    sheet_.thickness = skins_.thickness;
-    sheet_.thickness_spread = skins_.spread;
+    sheet_.thickness = of_.skins.thickness;
+    sheet_.thickness_spread = of_.skins.spread;
     number_groups();
     for (size_t g = 0; g < groups_.rows.size(); ++g) add_faces(static_cast<int>(g));
     align_turns();
     if (auto done = add_joints(); !done) return tl::unexpected(done.error());
     for (size_t g = 0; g < groups_.rows.size(); ++g)
       if (!groups_.rows[g].flange) measure_bend(static_cast<int>(g));
-    add_features();
-    for (const SolidFace& face : model_.faces) sheet_.volume += face.volume;
-    sheet_.volume = std::abs(sheet_.volume);
+    add_features(sheet_, map_, of_);
+    sheet_.volume = volume_of(model_);
     return std::move(sheet_);
   }
 
  private:
   const SolidFace& solid_face(int f) const { return model_.faces[static_cast<size_t>(f)]; }
-  Face& face_of(int f) { return sheet_.faces[static_cast<size_t>(face_id_[static_cast<size_t>(f)])]; }
+  Face& face_of(int f) { return sheet_.faces[static_cast<size_t>(index_of(map_.face_id[static_cast<size_t>(f)]))]; }
 
   void number_groups() {
     for (const Group& group : groups_.rows) {
@@ -56,7 +56,7 @@ class Assembler {
     const Group& group = groups_.rows[static_cast<size_t>(g)];
     for (const int f : group.faces) {
       const FaceId id{static_cast<int>(sheet_.faces.size())};
-      face_id_[static_cast<size_t>(f)] = index_of(id);
+      map_.face_id[static_cast<size_t>(f)] = id;
       sheet_.faces.push_back(read_face(f, group.leader, g));
       if (group.flange)
         sheet_.flanges[static_cast<size_t>(index_of(std::get<FlangeId>(group_part_[static_cast<size_t>(g)])))].faces.push_back(id);
@@ -92,18 +92,21 @@ class Assembler {
     const auto& loop = solid_face(f).loops[static_cast<size_t>(l)];
     std::vector<CoEdge> widened;
     for (const CoEdge& use : loop) {
-      widened.push_back(widest_edge(model_, rim_, skins_.thickness, f, use));
-      if (widened.back().edge != use.edge) widened_loops_.emplace(f, l);
+      widened.push_back(widest_edge(model_, of_.rim, of_.skins.thickness, f, use));
+      if (widened.back().edge != use.edge) map_.widened.emplace(f, l);
     }
-    BorderLoop read = read_borders(model_, widened, surface, u_near, tolerance_);
+    BorderLoop read = read_borders(model_, widened, surface, u_near, of_.tolerance);
     BorderLoop borders;
     for (size_t i = 0; i < loop.size(); ++i) {
       if (widened[i].edge != loop[i].edge) set_depth(f, read[i]);
-      if (widened_loops_.count({f, l})) connect(borders, read[i]);
-      loop_of_use_[{f, loop[i].edge, loop[i].forward}] = {l, static_cast<int>(borders.size())};
+      if (map_.widened.count({f, l})) connect(borders, read[i]);
+      const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
+      // The outer loop of every face comes first in the sheet.
+      const int place = l == outer ? 0 : (l < outer ? l + 1 : l);
+      map_.borders[{f, loop[i].edge, loop[i].forward}] = {map_.face_id[static_cast<size_t>(f)], place, static_cast<int>(borders.size())};
       borders.push_back(std::move(read[i]));
     }
-    if (widened_loops_.count({f, l})) connect(borders, Border(borders.front()));
+    if (map_.widened.count({f, l})) connect(borders, Border(borders.front()));
     return borders;
   }
 
@@ -144,16 +147,9 @@ class Assembler {
     return loop;
   }
 
-  /// Position of a use of an edge in the sheet: the outer loop of every face comes first there.
-  BorderRef border_ref(int f, int edge, bool forward) const {
-    const auto [l, i] = loop_of_use_.at({f, edge, forward});
-    const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
-    const int loop = l == outer ? 0 : (l < outer ? l + 1 : l);
-    return {FaceId{face_id_[static_cast<size_t>(f)]}, loop, i};
-  }
   std::pair<BorderRef, BorderRef> refs_of(int e) const {
     const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
-    return {border_ref(edge.faces[0], e, edge.forward[0]), border_ref(edge.faces[1], e, edge.forward[1])};
+    return {map_.borders.at({edge.faces[0], e, edge.forward[0]}), map_.borders.at({edge.faces[1], e, edge.forward[1]})};
   }
   const Border& border_at(const BorderRef& ref) const {
     return sheet_.faces[static_cast<size_t>(index_of(ref.face))].loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
@@ -182,7 +178,7 @@ class Assembler {
         }
       }
       for (const int f : group.faces)
-        if (!settled.count(f)) shift_face(FaceId{face_id_[static_cast<size_t>(f)]}, middle_u(face_of(group.leader)) - middle_u(face_of(f)));
+        if (!settled.count(f)) shift_face(map_.face_id[static_cast<size_t>(f)], middle_u(face_of(group.leader)) - middle_u(face_of(f)));
     }
   }
 
@@ -210,6 +206,7 @@ class Assembler {
         const auto found = sharp_bends.find(key);
         row.sharp = found != sharp_bends.end() ? found->second : add_sharp_bend(joint.edge);
         sharp_bends.emplace(key, *row.sharp);
+        add_mitre(joint.edge);
       } else if (joint.a != joint.b) {
         if (auto straightened = straighten(joint.edge, a, b); !straightened) return tl::unexpected(straightened.error());
       }
@@ -256,6 +253,16 @@ class Assembler {
                                   : Eigen::ParametrizedLine<double, 2>::Through(start, end).distance(p));
     }
     return off;
+  }
+
+  /// A mitred corner holds more than the arc of material that bends to it: per length T² (tan α/2 − α/2).
+  void add_mitre(int e) {
+    const bool rounded = std::any_of(of_.skins.sharp.begin(), of_.skins.sharp.end(),
+                                     [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
+    if (rounded) return;
+    const double half = std::abs(*dihedral(model_, e)) / 2;
+    const double t = sheet_.thickness;
+    sheet_.mitres_volume += model_.edges[static_cast<size_t>(e)].curve.length() * t * t * (std::tan(half) - half);
   }
 
   BendId add_sharp_bend(int e) {
@@ -318,161 +325,17 @@ class Assembler {
     bend.inside_radius = std::max(0.0, smallest - (bend.reference_inside ? 0.0 : sheet_.thickness));
   }
 
-  void add_features() {
-    for (size_t p = 0; p < rim_.parts.size(); ++p) {
-      const RimPart& part = rim_.parts[p];
-      const auto& here = side_ == Side::first ? part.first : part.second;
-      const auto& there = side_ == Side::first ? part.second : part.first;
-      if (!part.within && !here.empty()) {
-        mark(static_cast<int>(p), here, "formed", part.refusal);
-      } else if (part.within && there.empty() && !here.empty()) {
-        mark(static_cast<int>(p), here, "pocket",
-             {ErrorCode::not_a_sheet, fmt::format("A recess at face {} opens the outer contour on one skin only.", part.faces.front() + 1),
-              fmt::format("face {}", part.faces.front() + 1)});
-      } else if (here.empty() && (part.within || !formed_here(part))) {
-        for (const LoopRef& ref : there) add_far_outline(part, ref, part.within ? "pocket" : "formed");
-      } else if (part.within && here.size() == 1 && there.size() == 1) {
-        compare_openings(part, here.front(), there.front());
-      }
-    }
-    add_chamfered_rims();
-  }
-
-  void mark(int part, const std::vector<LoopRef>& loops, const char* kind, const Error& at_rim) {
-    FormedFeature feature;
-    feature.kind = kind;
-    feature.source_face = rim_.parts[static_cast<size_t>(part)].faces.front() + 1;
-    feature.face = FaceId{face_id_[static_cast<size_t>(loops.front().face)]};
-    feature.at_rim = at_rim;
-    const int index = static_cast<int>(sheet_.features.size());
-    for (const LoopRef& ref : loops)
-      for (const CoEdge& use : solid_face(ref.face).loops[static_cast<size_t>(ref.loop)]) {
-        const auto& faces = model_.edges[static_cast<size_t>(use.edge)].faces;
-        const int other = faces[0] == ref.face ? faces[1] : faces[0];
-        if (other < 0 || rim_.part_of[static_cast<size_t>(other)] != part) continue;
-        const BorderRef border = border_ref(ref.face, use.edge, use.forward);
-        sheet_.faces[static_cast<size_t>(index_of(border.face))].loops[static_cast<size_t>(border.loop)][static_cast<size_t>(border.border)].feature = index;
-      }
-    sheet_.features.push_back(std::move(feature));
-  }
-
-  /// Whether a form that leaves the sheet also shows on the reference skin (an emboss has two sides).
-  bool formed_here(const RimPart& part) const {
-    const auto [lo, hi] = box_of(part);
-    return std::any_of(rim_.parts.begin(), rim_.parts.end(), [&, lo = lo, hi = hi](const RimPart& other) {
-      const auto& loops = side_ == Side::first ? other.first : other.second;
-      if (&other == &part || other.within || loops.empty()) return false;
-      const auto [other_lo, other_hi] = box_of(other);
-      return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
-    });
-  }
-
-  std::pair<Vec3, Vec3> box_of(const RimPart& part) const {
-    Vec3 lo = outlines_[static_cast<size_t>(part.faces.front())].lo;
-    Vec3 hi = outlines_[static_cast<size_t>(part.faces.front())].hi;
-    for (const int f : part.faces) {
-      lo = lo.cwiseMin(outlines_[static_cast<size_t>(f)].lo);
-      hi = hi.cwiseMax(outlines_[static_cast<size_t>(f)].hi);
-    }
-    return {lo.array() - sheet_.thickness, hi.array() + sheet_.thickness};
-  }
-
-  /// A recess in, or a boss on, the other skin: drawn where it lies, seen through the sheet.
-  void add_far_outline(const RimPart& part, const LoopRef& ref, const char* kind) {
-    const bool opening = outer_loop(outlines_[static_cast<size_t>(ref.face)]) != ref.loop;
-    if (!opening || !std::holds_alternative<Frame>(solid_face(ref.face).surface)) return;
-    const Vec3 first = outlines_[static_cast<size_t>(ref.face)].rings[static_cast<size_t>(ref.loop)].front();
-    for (const int partner : skins_.partners[static_cast<size_t>(ref.face)]) {
-      const Outline& outline = outlines_[static_cast<size_t>(partner)];
-      if (skins_.side[static_cast<size_t>(partner)] != side_ || !std::holds_alternative<Frame>(solid_face(partner).surface)) continue;
-      const Face& face = face_of(partner);
-      const double reach = sheet_.thickness;
-      if (((outline.lo.array() - reach) > first.array()).any() || ((outline.hi.array() + reach) < first.array()).any()) continue;
-      FormedFeature feature;
-      feature.kind = kind;
-      feature.source_face = part.faces.front() + 1;
-      feature.face = FaceId{face_id_[static_cast<size_t>(partner)]};
-      feature.outlines.push_back(projected_loop(ref, std::get<Frame>(face.surface)));
-      sheet_.features.push_back(std::move(feature));
-      return;
-    }
-  }
-
-  static double loop_area(const BorderLoop& borders) {
-    double sum = 0.0;
-    for (const Border& border : borders) sum += green_area(border.curve);
-    return std::abs(sum);
-  }
-
-  /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrowest
-  /// section; the wider outlines are drawn. Both loops must be openings of planar faces.
-  void compare_openings(const RimPart& part, const LoopRef& here, const LoopRef& there) {
-    const bool plain = outer_loop(outlines_[static_cast<size_t>(here.face)]) != here.loop &&
-                       outer_loop(outlines_[static_cast<size_t>(there.face)]) != there.loop;
-    const auto* plane = std::get_if<Frame>(&solid_face(here.face).surface);
-    if (!plain || !plane || !std::holds_alternative<Frame>(solid_face(there.face).surface)) return;
-    const CoEdge& first_use = solid_face(here.face).loops[static_cast<size_t>(here.loop)].front();
-    const BorderRef first = border_ref(here.face, first_use.edge, first_use.forward);
-    Face& face = face_of(here.face);
-    const auto& frame = std::get<Frame>(face.surface);
-    BorderLoop& own = face.loops[static_cast<size_t>(first.loop)];
-    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[static_cast<size_t>(here.loop)], frame, 0.0, tolerance_);
-    BorderLoop theirs = projected_loop(there, frame);
-    constexpr double kWider = 1.001;  // area ratio that drilling noise does not reach
-    if (loop_area(theirs) * kWider < loop_area(own)) own = theirs;
-    FormedFeature feature;
-    feature.kind = "countersink";
-    feature.source_face = part.faces.front() + 1;
-    feature.face = first.face;
-    for (BorderLoop* wider : {&mine, &theirs})
-      if (loop_area(*wider) > kWider * loop_area(own)) feature.outlines.push_back(std::move(*wider));
-    if (feature.outlines.empty()) return;
-    widened_loops_.erase({here.face, here.loop});
-    sheet_.features.push_back(std::move(feature));
-  }
-
-  /// Chamfers and fillets left over are on the outer contour: the skin's own outline is drawn.
-  void add_chamfered_rims() {
-    for (const auto& [f, l] : widened_loops_) {
-      const auto* plane = std::get_if<Frame>(&face_of(f).surface);
-      FormedFeature feature;
-      feature.kind = "chamfer";
-      feature.source_face = f + 1;
-      feature.face = FaceId{face_id_[static_cast<size_t>(f)]};
-      if (plane) feature.outlines.push_back(read_borders(model_, solid_face(f).loops[static_cast<size_t>(l)], *plane, 0.0, tolerance_));
-      sheet_.features.push_back(std::move(feature));
-    }
-  }
-
-  /// A loop of the other skin seen on this one: run the other way round, a thickness below.
-  BorderLoop projected_loop(const LoopRef& ref, const Frame& plane) const {
-    std::vector<CoEdge> loop = solid_face(ref.face).loops[static_cast<size_t>(ref.loop)];
-    std::reverse(loop.begin(), loop.end());
-    for (CoEdge& use : loop) use.forward = !use.forward;
-    BorderLoop borders = read_borders(model_, loop, plane, 0.0, tolerance_);
-    for (Border& border : borders) border.edge_depth = sheet_.thickness;
-    return borders;
-  }
-
+  const Recognition& of_;
   const SolidModel& model_;
   const std::vector<Outline>& outlines_;
-  const Skins& skins_;
-  const Rim& rim_;
   const Groups& groups_;
-  Side side_;
-  double tolerance_;
   Sheet sheet_;
-  std::vector<int> face_id_;
-  std::set<std::pair<int, int>> widened_loops_;  // face, loop: cut wider than the skin
+  SheetMap map_;
   std::vector<std::variant<FlangeId, BendId>> group_part_;
-  std::map<std::tuple<int, int, bool>, std::pair<int, int>> loop_of_use_;
 };
 
 }  // namespace
 
-Result<Sheet> assemble_sheet(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
-                             const Rim& rim, const Groups& groups, Side side, double tolerance) {
-  return Assembler(model, outlines, skins, rim, groups, side, tolerance).run();
-}
+Result<Sheet> assemble_sheet(const Recognition& of) { return Assembler(of).run(); }
 
 }  // namespace planish::brep

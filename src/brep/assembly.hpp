@@ -7,10 +7,19 @@
 
 namespace planish::brep {
 
-/// Builds the Sheet whose reference skin is `side`: faces, joints, flanges, bends, features. Borders
-/// are read within `tolerance` (mm). Errors: `doubly_curved` when two faces meet tangentially along a
-/// curve (no development keeps both).
-Result<Sheet> assemble_sheet(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
-                             const Rim& rim, const Groups& groups, Side side, double tolerance);
+/// What was recognised about a solid, from which its sheet is built.
+struct Recognition {
+  const SolidModel& model;
+  const std::vector<Outline>& outlines;
+  const Skins& skins;
+  const Rim& rim;
+  const Groups& groups;
+  Side side;          ///< the reference skin
+  double tolerance;   ///< to which borders are read, mm
+};
+
+/// Builds the Sheet: faces, joints, flanges, bends, features. Errors: `doubly_curved` when two faces meet
+/// tangentially along a curve (no development keeps both).
+Result<Sheet> assemble_sheet(const Recognition& of);
 
 }  // namespace planish::brep

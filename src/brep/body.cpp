@@ -18,8 +18,9 @@ int Body::face_count() const { return shape_->faces; }
 
 double Body::volume() const {
   const auto volume = brep::guarded([&] {
+    constexpr double kRelative = 1e-6;  // per face; without it the kernel is off by percents on spline walls
     GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape_->solid, properties);
+    BRepGProp::VolumeProperties(shape_->solid, properties, kRelative);
     return std::abs(properties.Mass());
   });
   return volume.value_or(0.0);

@@ -1,46 +1,22 @@
 #include "face_volume.hpp"
 
-#include <array>
+#include "quadrature.hpp"
+
 #include <cmath>
 #include <planish/base/assert.hpp>
 
 namespace planish::brep {
 namespace {
 
-/// A differential form along a border: its value for a point x and a step dx.
-template <typename Form>
-double gauss(const SpaceCurve& curve, const Form& form, double a, double b) {
-  constexpr std::array<double, 3> kNodes{0.0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 3> kWeights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-  const double middle = (a + b) / 2;
-  const double half = (b - a) / 2;
-  const auto at = [&](double t) { return form(curve.point(t), curve.derivative(t)); };
-  double sum = kWeights[0] * at(middle);
-  for (size_t i = 1; i < kNodes.size(); ++i)
-    sum += kWeights[i] * (at(middle - half * kNodes[i]) + at(middle + half * kNodes[i]));
-  return sum * half;
-}
-
-template <typename Form>
-double refined(const SpaceCurve& curve, const Form& form, double a, double b, double whole, double error, int depth) {
-  constexpr int kDeepest = 12;
-  const double middle = (a + b) / 2;
-  const double left = gauss(curve, form, a, middle);
-  const double right = gauss(curve, form, middle, b);
-  if (depth >= kDeepest || std::abs(left + right - whole) <= error) return left + right;
-  return refined(curve, form, a, middle, left, error, depth + 1) + refined(curve, form, middle, b, right, error, depth + 1);
-}
-
+/// A differential form along a border: `form` takes a point x and its derivative.
 template <typename Form>
 double integral(const SpaceCurve& curve, const Form& form, double error) {
+  const auto at = [&](double t) { return form(curve.point(t), curve.derivative(t)); };
   // Quarters first: a symmetric integrand must not look constant.
   constexpr int kParts = 4;
+  const double step = (curve.t1 - curve.t0) / kParts;
   double sum = 0.0;
-  for (int i = 0; i < kParts; ++i) {
-    const double a = curve.t0 + (curve.t1 - curve.t0) * i / kParts;
-    const double b = curve.t0 + (curve.t1 - curve.t0) * (i + 1) / kParts;
-    sum += refined(curve, form, a, b, gauss(curve, form, a, b), error, 0);
-  }
+  for (int i = 0; i < kParts; ++i) sum += adaptive_gauss(at, curve.t0 + i * step, curve.t0 + (i + 1) * step, error);
   return sum;
 }
 
@@ -93,7 +69,14 @@ bool has_border_volume(const SolidFace& face) {
   return surface && !std::holds_alternative<Ruled>(*surface) && face.fitted == 0.0;
 }
 
-double volume_under(const SolidFace& face, const SolidModel& model, const Vec3& centre) {
+double volume_of(const SolidModel& model) {
+  double sum = 0.0;
+  for (const SolidFace& face : model.faces) sum += face.volume;
+  return sum;
+}
+
+double volume_under(const SolidFace& face, const SolidModel& model) {
+  const Vec3& centre = model.centre;
   constexpr double kRelative = 1e-12;
   const double area_error = kRelative * model.size * model.size;
   const double error = area_error * model.size;

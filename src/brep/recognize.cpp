@@ -82,21 +82,21 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
   const Rim rim = find_rim(model, outlines, *skins);
   const Side side = reference_side(model, outlines, *skins);
   const Groups groups = group_faces(model, outlines, *skins, side);
-  return assemble_sheet(model, outlines, *skins, rim, groups, side, kBorderTolerance);
+  return assemble_sheet({model, outlines, *skins, rim, groups, side, kBorderTolerance});
 }
 
-/// How far the volume may be off: formed features and sharp corners hold material that no flat sheet
-/// explains, chamfers take a little away.
+/// Forms may hold this share of a sheet's volume; beyond, they are the body and the sheet is a part of it.
+constexpr double kFormed = 0.08;
+
+/// How far the volume without forms and mitres may be off: slanted cuts hold or lack some. Where a form
+/// could not be measured the whole of it goes into that, chamfers being small.
 double volume_allowed(const Sheet& sheet) {
-  constexpr double kPlain = 0.02;
+  constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
-  constexpr double kFormed = 0.08;
+  if (sheet.forms_measured) return kMeasured;
   const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
                                   [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
-  const bool sharp = std::any_of(sheet.bends.begin(), sheet.bends.end(),
-                                 [](const Bend& bend) { return bend.kind == BendKind::sharp; });
-  if (formed || sharp) return kFormed;
-  return sheet.features.empty() ? kPlain : kChamfered;
+  return formed ? kFormed : kChamfered;
 }
 
 /// Whether a sheet accounts for the solid it was seen in: it lies flat, it is wider than thick, and it
@@ -110,11 +110,13 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
     return fail(ErrorCode::not_a_sheet,
                 fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a bar, wire or profile, not "
                             "a sheet.", sheet.thickness, width));
-  const double ratio = pattern->area * sheet.thickness / sheet.volume;
-  if (!(std::abs(ratio - 1.0) <= volume_allowed(sheet)))
+  const double plain = sheet.volume - sheet.mitres_volume - (sheet.forms_measured ? sheet.forms_volume : 0.0);
+  const double flat = pattern->area * sheet.thickness;
+  const bool formed_too_much = sheet.forms_measured && std::abs(sheet.forms_volume) > kFormed * sheet.volume;
+  if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     return fail(ErrorCode::not_a_sheet,
                 fmt::format("A sheet of {:.4g} mm explains {:.1f} % of the volume of the body; this is not a part made "
-                            "of one sheet.", sheet.thickness, 100 * ratio));
+                            "of one sheet.", sheet.thickness, 100 * flat / sheet.volume));
   return {};
 }
 

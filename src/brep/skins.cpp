@@ -208,7 +208,7 @@ class SkinFinder {
       const bool mirrored = std::any_of(bent.begin(), bent.end(), [&, e = e, angle = angle](const auto& other) {
         return other.first != e && other.second * angle < 0 && opposite_edges(e, other.first);
       });
-      if (rounded || mirrored) skins_.sharp.push_back({e, angle < 0});
+      if (rounded || mirrored) skins_.sharp.push_back({e, angle < 0, rounded});
     }
   }
 

@@ -13,6 +13,7 @@ enum class Side { none, first, second };
 struct SharpEdge {
   int edge = 0;
   bool concave = false;  ///< the inside of the bend; the other skin is mitred or rounded there
+  bool rounded = false;  ///< rounded, not mitred
 };
 
 /// The two skins of a sheet in a solid.

@@ -59,13 +59,14 @@ struct SolidFace {
   std::vector<std::vector<CoEdge>> loops;
   std::vector<int> merged;  ///< other faces that are part of this one since healing
   double fitted = 0.0;   ///< deviation when the surface was recognised from another kind, mm
-  double volume = 0.0;   ///< ⅓∫(x − c)·n dA with c one centre for the whole solid, mm³
+  double volume = 0.0;   ///< ⅓∫(x − c)·n dA with c the model's centre, mm³
 };
 
 struct SolidModel {
   std::vector<SolidFace> faces;  ///< face i is number i+1 for users
   std::vector<SolidEdge> edges;
   double size = 0.0;             ///< diagonal of the bounding box, mm
+  Vec3 centre = Vec3::Zero();    ///< of the bounding box: where volumes are measured from
 };
 
 }  // namespace planish::brep

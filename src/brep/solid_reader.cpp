@@ -2,13 +2,11 @@
 
 #include "face_volume.hpp"
 #include "heal.hpp"
+#include "patch_volume.hpp"
 #include "surface_reader.hpp"
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
-#include <BRepGProp_Domain.hxx>
-#include <BRepGProp_Face.hxx>
-#include <BRepGProp_Vinert.hxx>
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
@@ -33,6 +31,8 @@ Vec3 vec(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
 /// the solid's size is one: STEP files carry about ten digits.
 constexpr double kExactShare = 1e-9;
 constexpr int kProbes = 12;
+/// A face's volume is measured this closely, of the cubed size.
+constexpr double kVolume = 1e-11;
 
 bool is_straight(const SpaceCurve& curve, double tolerance) {
   const Vec3 chord = curve.end - curve.start;
@@ -113,7 +113,7 @@ class Reader {
     Bnd_Box box;
     BRepBndLib::AddClose(solid, box);
     if (!box.IsVoid()) {
-      centre_ = gp_Pnt((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
+      model_.centre = vec((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
       model_.size = box.CornerMin().Distance(box.CornerMax());
     }
   }
@@ -130,12 +130,11 @@ class Reader {
       const TopoDS_Face& face = TopoDS::Face(faces_(i));
       SolidFace row = read_surface(face, tolerance_);
       read_loops(face, row, i - 1);
-      if (!has_border_volume(row)) row.volume = kernel_volume_under(face);
+      if (!has_border_volume(row)) row.volume = patch_volume(face, model_.centre, kVolume * std::pow(model_.size, 3));
       model_.faces.push_back(std::move(row));
     }
-    const Vec3 centre = vec(centre_.XYZ());
     for (SolidFace& face : model_.faces)
-      if (has_border_volume(face)) face.volume = volume_under(face, model_, centre);
+      if (has_border_volume(face)) face.volume = volume_under(face, model_);
     heal(model_);
     return std::move(model_);
   }
@@ -221,28 +220,18 @@ class Reader {
     return loop;
   }
 
-  /// For surfaces without a form of their own. Without an accuracy the kernel takes a fixed number of
-  /// points, which on walls of engraved splines is off by several percent.
-  double kernel_volume_under(const TopoDS_Face& face) const {
-    constexpr double kRelative = 1e-6;
-    BRepGProp_Vinert properties;
-    properties.SetLocation(centre_);
-    BRepGProp_Face surface(face);
-    BRepGProp_Domain domain(face);
-    properties.Perform(surface, domain, kRelative);
-    return properties.Mass();
-  }
-
   double tolerance_;
   TopTools_IndexedMapOfShape faces_, edges_, vertices_;
-  gp_Pnt centre_;
   SolidModel model_;
 };
 
 }  // namespace
 
 SolidModel read_solid(const TopoDS_Solid& solid, double surface_tolerance) {
-  return Reader(solid, surface_tolerance).run();
+  SolidModel model = Reader(solid, surface_tolerance).run();
+  if (volume_of(model) >= 0.0) return model;
+  // Some systems write solids inside out.
+  return Reader(TopoDS::Solid(solid.Reversed()), surface_tolerance).run();
 }
 
 }  // namespace planish::brep

@@ -1,3 +1,4 @@
+#include "quadrature.hpp"
 #include "solid_model.hpp"
 
 #include <algorithm>
@@ -6,34 +7,6 @@
 
 namespace planish::brep {
 namespace {
-
-double speed(const SpaceCurve& curve, double t) {
-  Vec3 point, derivative;
-  curve.evaluate(t, point, derivative);
-  return derivative.norm();
-}
-
-/// Gauss–Legendre with 5 points.
-double gauss(const SpaceCurve& curve, double a, double b) {
-  constexpr std::array<double, 3> kNodes{0.0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 3> kWeights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
-  const double middle = (a + b) / 2;
-  const double half = (b - a) / 2;
-  double sum = kWeights[0] * speed(curve, middle);
-  for (size_t i = 1; i < kNodes.size(); ++i)
-    sum += kWeights[i] * (speed(curve, middle - half * kNodes[i]) + speed(curve, middle + half * kNodes[i]));
-  return sum * half;
-}
-
-double adaptive_length(const SpaceCurve& curve, double a, double b, double whole, int depth) {
-  constexpr double kRelative = 1e-12;
-  constexpr int kDeepest = 12;
-  const double middle = (a + b) / 2;
-  const double left = gauss(curve, a, middle);
-  const double right = gauss(curve, middle, b);
-  if (depth >= kDeepest || std::abs(left + right - whole) <= kRelative * std::abs(whole)) return left + right;
-  return adaptive_length(curve, a, middle, left, depth + 1) + adaptive_length(curve, middle, b, right, depth + 1);
-}
 
 double distance_to_circle(const SpaceCurve& curve, const Vec3& p) {
   const Vec3 local = curve.circle.local(p);
@@ -95,7 +68,14 @@ Vec3 SpaceCurve::tangent(double t) const { return derivative(t).normalized(); }
 double SpaceCurve::length() const {
   if (kind == Kind::line) return (end - start).norm();
   if (kind == Kind::circle) return radius * (t1 - t0);
-  return adaptive_length(*this, t0, t1, gauss(*this, t0, t1), 0);
+  const auto speed = [&](double t) {
+    Vec3 point, derivative;
+    evaluate(t, point, derivative);
+    return derivative.norm();
+  };
+  constexpr double kRelative = 1e-12;
+  const double whole = gauss(speed, t0, t1);
+  return adaptive_gauss(speed, t0, t1, whole, kRelative * std::abs(whole));
 }
 
 double SpaceCurve::distance(const Vec3& p) const {

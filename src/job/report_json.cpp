@@ -84,6 +84,7 @@ Json verification_json(const UnfoldReport& report, const Units& units) {
   const Certificate& certificate = report.certificate;
   Json json;
   json["volume_ratio"] = number_json(certificate.volume_ratio);
+  json["explained_ratio"] = number_json(certificate.explained_ratio);
   json["length_error"] = number_json(units.length(certificate.length_error));
   json["refold_deviation"] = number_json(units.length(certificate.refold_deviation));
   json["closure"] = number_json(units.length(report.flat.closure));

@@ -85,9 +85,13 @@ std::string residual(double mm, const Units& units) {
 std::string certificate_line(const UnfoldReport& report, const Units& units) {
   if (!certificate_known(report)) return {};
   const Certificate& certificate = report.certificate;
-  const std::string volume = std::isfinite(certificate.volume_ratio)
-                                 ? fmt::format("{:.6f} (K = ½)", certificate.volume_ratio)
-                                 : std::string("not measured");
+  std::string volume = std::isfinite(certificate.volume_ratio)
+                           ? fmt::format("{:.6f} (K = ½)", certificate.volume_ratio)
+                           : std::string("not measured");
+  const double explained = certificate.explained_ratio;
+  constexpr double kShown = 5e-7;  // half of the last digit printed
+  if (std::isfinite(explained) && std::abs(explained - certificate.volume_ratio) > kShown)
+    volume += fmt::format(", {:.6f} without formed features and mitres", explained);
   return fmt::format("certificate: volume {}, edge lengths {}, refold {}\n", volume,
                      residual(certificate.length_error, units),
                      residual(certificate.refold_deviation, units));

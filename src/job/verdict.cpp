@@ -37,14 +37,21 @@ std::vector<Vec2> feature_places(const FlatPattern& flat) {
   return places;
 }
 
-Finding volume_doubt(double ratio, const FlatPattern& flat) {
-  std::string message =
-      fmt::format("flat area at K = ½ times thickness is {:.6f} of the solid's volume", ratio);
+bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
+
+Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
+  std::string message = fmt::format(
+      "flat area at K = ½ times thickness is {:.6f} of the solid's volume", certificate.volume_ratio);
   const std::string features = features_text(flat);
-  if (features.empty()) {
-    message += "; cut edges that are not normal to the sheet, or a missed feature, do that";
-  } else {
+  const double explained = certificate.explained_ratio;
+  if (!features.empty()) {
     message += fmt::format("; the sheet has {}, which a flat pattern only outlines", features);
+  }
+  if (std::isfinite(explained) && explained != certificate.volume_ratio) {
+    message += fmt::format("; without them it is {:.6f}", explained);
+  }
+  if (features.empty() || off(explained, bound)) {
+    message += "; cut edges that are not normal to the sheet, or a missed feature, do that";
   }
   return {"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
 }
@@ -71,8 +78,9 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  if (solid_volume > 0.0 && std::abs(certificate.volume_ratio - 1.0) > bounds.volume_warning) {
-    found.push_back(volume_doubt(certificate.volume_ratio, flat));
+  if (solid_volume > 0.0 && (off(certificate.volume_ratio, bounds.volume_warning) ||
+                             off(certificate.explained_ratio, bounds.volume_warning))) {
+    found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
   }
   if (certificate.length_error > bounds.length_warning) {
     found.push_back(residual_doubt("edge_length", kLengthText, certificate.length_error,
@@ -87,13 +95,16 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
 
 std::optional<Error> disbelief(const Certificate& certificate, double solid_volume,
                                const CertificateBounds& bounds) {
+  const bool measured = std::isfinite(certificate.explained_ratio);
+  const double ratio = measured ? certificate.explained_ratio : certificate.volume_ratio;
+  const double bound = measured ? bounds.volume_refusal : bounds.unmeasured_refusal;
   // The negated comparison also catches a ratio that is not a number.
-  if (solid_volume > 0.0 && !(std::abs(certificate.volume_ratio - 1.0) <= bounds.volume_refusal)) {
+  if (solid_volume > 0.0 && !(std::abs(ratio - 1.0) <= bound)) {
     return Error{ErrorCode::pattern_wrong,
                  fmt::format("flat area at K = ½ times thickness is {:.4f} of the solid's volume "
                              "(1 is right, {} is the most it may be off); the pattern cannot be "
                              "trusted and is not written",
-                             certificate.volume_ratio, bounds.volume_refusal),
+                             ratio, bound),
                  {}};
   }
   if (certificate.length_error > bounds.length_refusal) {

@@ -82,6 +82,13 @@ TEST(RecognizePlate, HasItsSizeWhateverItsFilesUnit) {
   EXPECT_NEAR(seen->recognized.sheet.thickness, 2.0, 1e-9);
 }
 
+TEST(RecognizePlate, IsTheSameInsideOut) {
+  const auto seen = see(plate(100, 60, 2).Reversed());
+  ASSERT_TRUE(seen) << seen.error().message;
+  EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
+  EXPECT_NEAR(seen->certificate.volume_ratio, 1.0, 1e-9);
+}
+
 TEST(RecognizePlate, CutsACountersinkToItsBoreAndDrawsItsRim) {
   const gp_Ax2 axis(gp_Pnt(30, 30, 2), gp_Dir(0, 0, -1));
   TopoDS_Shape part = drilled(plate(100, 60, 2), 30, 30, 2.5);
@@ -92,6 +99,24 @@ TEST(RecognizePlate, CutsACountersinkToItsBoreAndDrawsItsRim) {
   ASSERT_EQ(seen->flat.features.size(), 1u);
   EXPECT_EQ(seen->flat.features.front().kind, "countersink");
   EXPECT_NEAR(std::abs(signed_area(seen->flat.features.front().outlines.front())), pi * 16, 1e-6);
+  const double bore = pi * 2.5 * 2.5 * 2;
+  const double cone = pi / 3 * 1.5 * (16 + 4 * 2.5 + 2.5 * 2.5) - pi * 2.5 * 2.5 * 1.5;
+  EXPECT_NEAR(seen->certificate.volume_ratio, (12000 - bore) / (12000 - bore - cone), 1e-9);
+  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-9);
+}
+
+TEST(RecognizePlate, DrawsBothOutlinesOfASlantedCut) {
+  const gp_Ax2 slanted(gp_Pnt(50, 30, 1), gp_Dir(1, 0, 2));
+  TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(slanted, 4, 50).Shape();
+  tool = BRepAlgoAPI_Fuse(tool, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(50, 30, 1), gp_Dir(-1, 0, -2)), 4, 50).Shape());
+  const auto seen = see(BRepAlgoAPI_Cut(plate(100, 60, 2), tool).Shape());
+  ASSERT_TRUE(seen) << seen.error().message;
+  ASSERT_EQ(seen->flat.features.size(), 1u);
+  EXPECT_EQ(seen->flat.features.front().kind, "slanted cut");
+  const Box2 near = bounds(seen->flat.openings.front().loop);
+  const Box2 far = bounds(seen->flat.features.front().outlines.front());
+  EXPECT_NEAR(((near.lo + near.hi) - (far.lo + far.hi)).norm() / 2, 1.0, 1e-4) << "2 mm deep at tan 1/2";
+  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-6);
 }
 
 /// All edges of the upper and lower skin broken.
@@ -133,6 +158,8 @@ TEST(RecognizePlate, FillsAPocketAndABossAndDrawsThem) {
   EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
   EXPECT_TRUE(seen->flat.openings.empty());
   EXPECT_EQ(seen->flat.features.size(), 2u);
+  EXPECT_NEAR(seen->certificate.volume_ratio, 18000 / (18000 - 200 + pi * 16 * 6), 1e-9);
+  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-9);
 }
 
 /// A quarter ellipse extruded and thickened, as systems write it: extrusion and offset surfaces that are

@@ -11,6 +11,7 @@ namespace planish::job {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kVolume = 11843.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -19,6 +20,7 @@ Certificate perfect() {
   Certificate certificate;
   certificate.flat_area_half = 5921.5;
   certificate.volume_ratio = 1.0;
+  certificate.explained_ratio = 1.0;
   return certificate;
 }
 
@@ -56,12 +58,33 @@ TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
   EXPECT_EQ(found[0].code, "volume_identity");
   EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink, which"));
   EXPECT_EQ(found[0].at.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("without them it is 1.000000"));
+  EXPECT_THAT(found[0].message, Not(HasSubstr("missed")));
+}
+
+TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
+  Certificate certificate = perfect();
+  certificate.explained_ratio = 1.004;
+  FlatPattern flat = test::sample_pattern();
+  flat.features = {{"countersink", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
+  const auto found = doubts(certificate, flat, kVolume, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_THAT(found[0].message, HasSubstr("a missed feature"));
+}
+
+TEST(Verdict, AllowsMoreWhereFormsCouldNotBeMeasured) {
+  Certificate certificate = perfect();
+  certificate.volume_ratio = 1.05;
+  certificate.explained_ratio = kNaN;
+  EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
+  certificate.explained_ratio = 1.05;
+  EXPECT_TRUE(disbelief(certificate, kVolume, {}).has_value());
 }
 
 TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
   for (const double ratio : {0.84, 1.16, 0.0, kNaN}) {
     Certificate certificate = perfect();
-    certificate.volume_ratio = ratio;
+    certificate.volume_ratio = certificate.explained_ratio = ratio;
     const auto refusal = disbelief(certificate, kVolume, {});
     ASSERT_TRUE(refusal.has_value()) << ratio;
     EXPECT_EQ(refusal->code, ErrorCode::pattern_wrong);
@@ -77,14 +100,14 @@ TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
 
 TEST(Verdict, HasNoVolumeToCompareWithWhereThereIsNoSolid) {
   Certificate certificate = perfect();
-  certificate.volume_ratio = kNaN;
+  certificate.volume_ratio = certificate.explained_ratio = kNaN;
   EXPECT_FALSE(disbelief(certificate, 0.0, {}).has_value());
   EXPECT_TRUE(doubts(certificate, test::sample_pattern(), 0.0, {}).empty());
 }
 
 TEST(Verdict, GoesByTheBoundsItIsGiven) {
   Certificate certificate = perfect();
-  certificate.volume_ratio = 1.05;
+  certificate.volume_ratio = certificate.explained_ratio = 1.015;
   CertificateBounds strict;
   strict.volume_refusal = 0.01;
   EXPECT_TRUE(disbelief(certificate, kVolume, strict).has_value());

@@ -22,7 +22,8 @@ namespace planish::job {
 struct CertificateBounds {
   double volume_warning =
       1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a feature
-  double volume_refusal = 0.15;  ///< no countersink or emboss moves that much: something is missing
+  double volume_refusal = 0.02;  ///< |explained_ratio − 1|: more than slanted cuts make
+  double unmeasured_refusal = 0.08;  ///< |volume_ratio − 1| where features could not be measured
   double length_warning = 0.01;  ///< mm; what a laser cutter holds
   double length_refusal = 0.5;   ///< mm
   double refold_warning = 0.02;  ///< mm; twice that, as two borders meet in a corner

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <planish/sheet/flat_pattern.hpp>
 
 namespace planish {
@@ -9,6 +10,9 @@ namespace planish {
 struct Certificate {
   double flat_area_half = 0.0;   ///< flat area at K = ½, mm²
   double volume_ratio = 0.0;     ///< flat_area_half · thickness / volume of the solid (MATH 1)
+  /// The same for the solid without what its formed features and mitred corners add or take: 1 when
+  /// nothing was missed. NaN where one of them could not be measured.
+  double explained_ratio = std::numeric_limits<double>::quiet_NaN();
   double length_error = 0.0;     ///< largest |length of developed skin border − length of the solid's edge|, mm
   Vec2 length_error_at = Vec2::Zero();
   double refold_deviation = 0.0; ///< largest distance of a refolded contour point from the solid's edge, mm

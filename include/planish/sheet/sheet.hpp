@@ -79,7 +79,7 @@ struct Bend {
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
 /// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
 struct FormedFeature {
-  std::string kind;  ///< "countersink", "formed" (emboss, louvre, lance, burr, boss), "pocket"
+  std::string kind;  ///< "countersink", "slanted cut", "pocket", "chamfer", "formed" (emboss, louvre, lance, burr, boss)
   FaceId face{};     ///< face on which `outlines` are given
   std::vector<BorderLoop> outlines;  ///< in that face's (u, v)
   int source_face = -1;              ///< a face of the feature in the solid (1-based)
@@ -97,6 +97,9 @@ struct Sheet {
   std::vector<Flange> flanges;
   std::vector<Bend> bends;
   std::vector<FormedFeature> features;
+  double forms_volume = 0.0;   ///< what the features add to the plain sheet (pockets: negative), mm³…
+  bool forms_measured = true;  ///< …all of them, or only as far as could be told
+  double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³
 };
 
 /// Outward unit normal of the reference skin at (u, v).
