@@ -36,14 +36,13 @@ std::vector<Contradiction> of_several_bodies(const UnfoldArguments& a) {
   if (!a.all) return {};
   const bool faces =
       a.root != "largest" || (a.up != "auto" && a.up != "reference" && a.up != "other");
-  const bool folders = std::all_of(a.outputs.begin(), a.outputs.end(), is_folder);
+  const bool files = std::any_of(a.outputs.begin(), a.outputs.end(), names_a_file);
   return {
       {!a.body.empty(), "--all and --body contradict each other"},
       {faces, "--root and --up cannot name a face with --all: every body counts its own faces"},
       {a.outputs.empty() && !a.check,
        "--all writes several files: say into which folder with -o FOLDER/"},
-      {!folders,
-       "--all writes several files: -o must be a folder (an existing one, or ending in /)"},
+      {files, "--all writes several files: -o must be a folder, not a file"},
       {a.outputs.size() > 1, "--all writes into one folder: give -o once"},
   };
 }

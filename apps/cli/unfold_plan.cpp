@@ -167,6 +167,11 @@ bool is_folder(const std::string& output) {
   return output.back() == '/' || fs::is_directory(output, ignored);
 }
 
+bool names_a_file(const std::string& output) {
+  std::error_code ignored;
+  return !is_folder(output) && (format_by_suffix(output).has_value() || fs::exists(output, ignored));
+}
+
 Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs) {
     std::error_code absent;

@@ -35,6 +35,10 @@ Result<UnfoldPlan> planned(const UnfoldArguments& arguments);
 /// Whether the value of `-o` means a folder: an existing one, or a name that ends in "/".
 bool is_folder(const std::string& output);
 
+/// Whether it means a file: an existing one, or a name that ends in .dxf, .svg or .step. With --all
+/// any other name is that of a folder to make.
+bool names_a_file(const std::string& output);
+
 /// `bad_option` when `output` is one of `inputs`, under whatever name.
 Result<void> spare_inputs(const std::filesystem::path& output,
                           const std::vector<std::filesystem::path>& inputs);

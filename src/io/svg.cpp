@@ -209,8 +209,8 @@ double round_length(double length) {
 }
 
 std::vector<Note> notes_of(const FlatPattern& pattern, const Box2& part, double font) {
-  const Vec2 size = part.size();
-  const double bar = round_length(std::max(0.2 * size.maxCoeff(), 3.0 * font));
+  const Vec2 size = blank_size(pattern);
+  const double bar = round_length(std::max(0.2 * part.size().maxCoeff(), 3.0 * font));
   std::vector<Note> notes;
   notes.push_back({fmt::format("{} × {} × {} mm", svg_number(size.x(), 2), svg_number(size.y(), 2),
                                svg_number(pattern.thickness, 3))});

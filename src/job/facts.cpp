@@ -7,9 +7,6 @@
 namespace planish::job {
 namespace {
 
-// Chord of the points that stand for the outer contour: a blank is not measured finer than this.
-constexpr double kBlankChord = 1e-4;  // mm
-
 double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
 
 }  // namespace
@@ -71,11 +68,6 @@ std::optional<Segment> longest_line(const FlatBend& bend) {
       [](const Segment& a, const Segment& b) { return length_of(a) < length_of(b); });
   if (longest == bend.lines.end()) return std::nullopt;
   return *longest;
-}
-
-Vec2 blank_size(const FlatPattern& flat) {
-  if (flat.outer.loop.empty()) return Vec2::Zero();
-  return smallest_rectangle(sampled(flat.outer.loop, kBlankChord)).size;
 }
 
 bool sheet_known(const UnfoldReport& report) { return report.sheet.thickness > 0.0; }

@@ -20,9 +20,6 @@ double inner_cutting_length(const FlatPattern& flat);
 /// The longest piece of the bend line; none where the bend has no material at its middle.
 std::optional<Segment> longest_line(const FlatBend& bend);
 
-/// Smallest enclosing rectangle of the outer contour, longer side first.
-Vec2 blank_size(const FlatPattern& flat);
-
 /// A report may hold part of the story only (see UnfoldReport).
 bool sheet_known(const UnfoldReport& report);
 bool flat_known(const UnfoldReport& report);

@@ -76,6 +76,11 @@ TEST(RoundTrip, GivesBackBentStrips) {
   for (const Sheet& sheet : {l_bracket(), u_channel(), z_profile(), staircase(5), hem()}) expect_round_trip(sheet);
 }
 
+TEST(RoundTrip, GivesBackClosedAndTeardropHems) {
+  expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(180), 0.005, BendDirection::up}, Straight{12}}, 20.0, 1.0));
+  expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(210), 1.5, BendDirection::up}, Straight{5}}, 20.0, 1.0));
+}
+
 TEST(RoundTrip, GivesBackBendsBeyondHalfATurn) {
   expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(250), 8.0, BendDirection::up}, Straight{4}}, 20.0, 1.0));
   expect_round_trip(strip({Turn{Angle::degrees(340), 12.0, BendDirection::up}}, 30.0, 1.0));

@@ -226,9 +226,8 @@ class SeveralBodies(CliTest):
         self.assertAlmostEqual(float(rows[0]["length"]), flat_length(0.44), places=6)
 
     def test_all_in_every_format(self):
-        self.run_cli("unfold", "cabinet.step", "--all", "-o", "flat", "--format", "svg,step",
-                     status=2)  # "flat" is neither a folder nor does it end in /
-        self.run_cli("unfold", "cabinet.step", "--all", "-o", "flat/", "--format", "svg,step")
+        self.run_cli("unfold", "cabinet.step", "--all", "-o", "flat.svg", status=2)
+        self.run_cli("unfold", "cabinet.step", "--all", "-o", "flat", "--format", "svg,step")
         self.assertIn("flat/angle_t2_flat.step", self.names())
         self.assertIn("flat/angle_t2.svg", self.names())
         self.assertNotIn("flat/angle_t2.dxf", self.names())

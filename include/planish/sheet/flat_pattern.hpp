@@ -56,6 +56,10 @@ struct FlatPattern {
   double closure = 0.0;    ///< largest mismatch met where joints close a cycle, mm
 };
 
+/// Sides of the smallest rectangle, in any direction, that the pattern is cut from, longer first, mm;
+/// zero for an empty pattern. Curves are measured to 1e-4 mm.
+Vec2 blank_size(const FlatPattern& pattern);
+
 enum class UpSide { automatic, reference, other };
 
 struct FlattenOptions {

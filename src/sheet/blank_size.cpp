@@ -1,0 +1,12 @@
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+namespace planish {
+
+Vec2 blank_size(const FlatPattern& pattern) {
+  constexpr double kChord = 1e-4;  // mm
+  if (pattern.outer.loop.empty()) return Vec2::Zero();
+  return smallest_rectangle(sampled(pattern.outer.loop, kChord)).size;
+}
+
+}  // namespace planish
