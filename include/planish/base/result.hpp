@@ -20,6 +20,14 @@ enum class ErrorCode {
   not_step,  ///< the content is not ISO 10303-21
   truncated_file,  ///< the file starts as STEP but ends early
   invalid_input,  ///< the content is understood but breaks its format
+  too_few_corners,  ///< a polygon of fewer than three corners
+  repeated_corner,  ///< two corners of a polygon at one place
+  not_planar,  ///< corners of a plate that do not lie in one plane
+  self_crossing,  ///< a polygon that crosses itself
+  unknown_plate,  ///< an id that no plate has
+  unknown_edge,  ///< edges that a plate does not have, or that cannot carry one bend together
+  bend_loop,  ///< bends given that close a loop of plates
+  not_connected,  ///< bends given that leave a plate alone
   no_solid,  ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
   // Understood, but no flat pattern exists (exit status 4).
@@ -28,6 +36,14 @@ enum class ErrorCode {
   doubly_curved,  ///< a bend or flange is curved two ways (drawn, not bent)
   closed_loop,  ///< a loop of flanges and bends with nothing to open it
   overlap,  ///< the flat pattern covers itself
+  plates_intersect,  ///< two plates pass through each other
+  plates_touch,  ///< two plates meet where a bend between them would have to be
+  plates_coplanar,  ///< two plates to be joined by a bend lie in one plane
+  plates_offset,  ///< two plates in parallel planes that no half-turn joins
+  no_bend_fits,  ///< no tangent line leaves both plates whole, with what is given
+  radius_too_small,  ///< the thickness is too large for the radius of a bend
+  apex_in_span,  ///< the apex of a cone lies within the span of its edges
+  no_common_width,  ///< a bend would run over the interior of a plate on all of its width
   pattern_wrong,  ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   // Others.

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/base/result.hpp>
+#include <planish/connect/edge_search.hpp>
+#include <planish/connect/plates.hpp>
+#include <planish/sheet/sheet.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// Axes in which slope, offset and apex of a bend are meant (MATH 3): the intersection line of the
+/// plates' planes runs through `origin` along `d`; side i lies along e[i].
+struct BendFrame {
+  Vec3 origin = Vec3::Zero();
+  Vec3 d = Vec3::UnitX();
+  std::array<Vec3, 2> e{Vec3::UnitY(), Vec3::UnitY()};
+  Angle beta;  ///< between e[0] and e[1]
+
+  Vec2 local(int side, const Vec3& p) const { return {(p - origin).dot(d), (p - origin).dot(e[side])}; }
+  Vec3 point(int side, const Vec2& xy) const { return origin + xy.x() * d + xy.y() * e[side]; }
+};
+
+/// Another way to join the same plates, as a request that asks for it.
+struct BendAlternative {
+  BendRequest request;
+  BendKind kind = BendKind::cylinder;
+  EdgeKind edge_kind = EdgeKind::facing;
+  double width = 0.0, span = 0.0;
+};
+
+/// A bend that was fitted, with everything that was chosen. Lengths on the mid-surface, mm.
+struct FittedBend {
+  BendRequest request;          ///< as it was given
+  std::vector<int> plates;      ///< rows of the structure's plates: two, one or none
+  std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  EdgeKind edge_kind = EdgeKind::facing;
+  BendKind kind = BendKind::cylinder;
+  BendFrame frame;
+  TangentLine line;
+  std::optional<double> apex;   ///< x₀ of cones
+  Angle angle;                  ///< bend angle (of cones: of the azimuth about the axis)
+  double inside_radius = 0.0;   ///< of cones at mid-length
+  std::array<double, 2> inside_radii{};  ///< at both lateral boundaries
+  std::optional<Angle> half_angle;       ///< of cones
+  LateralBoundary lateral = LateralBoundary::straight;
+  double width = 0.0, span = 0.0;        ///< of the edges, MATH 3.7
+  double extension_area = 0.0;           ///< MATH 3.5, at `line`
+  std::vector<BendAlternative> alternatives;
+  BendId bend{};                         ///< row of the sheet's bends
+};
+
+/// Plates made one: a sheet whose flange i is plate i, extended, and how they were joined.
+struct Connection {
+  PlateStructure structure;
+  Sheet sheet;
+  std::vector<FittedBend> bends;
+  FaceId root{};  ///< face of the root plate
+};
+
+struct ConnectOptions {
+  /// Neutral surface of bends, at k·t from the inside: a straight lateral boundary is straight there.
+  double k_factor = 0.44;
+  /// Cones of a smaller slope become cylinders.
+  double smallest_slope = 1e-3;
+  /// Bends between the same pairs of plates are searched with these many alternatives.
+  int alternatives = 3;
+  double planarity = 1e-3;  ///< mm that a corner may lie off its plate's plane
+};
+
+/// Joins plates by bends that find themselves (MATH 3). `where` of an error is the JSON pointer of
+/// its cause in a plates file (FORMATS): "/plates/2/outline/3", "/bends/0/inside_radius".
+/// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
+/// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,
+/// `unknown_edge`, `bend_loop`, `not_connected` (bends given that leave a plate alone).
+/// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset` (parallel
+/// planes, no half-turn reaches both), `no_bend_fits` (with the feasible range of what was given),
+/// `radius_too_small` (thickness too large for the radius), `apex_in_span`, `no_common_width`.
+Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
+                           const Progress& progress = {});
+
+/// The same after one plate (found by its id) was moved or changed: which plates are joined stays,
+/// bends that do not touch the plate are kept as they are, the others fitted anew with what was given.
+/// Errors: those of `connect`.
+Result<Connection> refit(const Connection& previous, const Plate& moved,
+                         const ConnectOptions& options = {});
+
+}  // namespace planish

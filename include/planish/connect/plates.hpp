@@ -1,0 +1,55 @@
+#pragma once
+
+#include <planish/base/angle.hpp>
+#include <planish/geometry/frame.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// A flat plate placed in space: closed polygons on its mid-surface, mm, the last corner not
+/// repeated, either way round. Edge i runs from corner i to corner i + 1.
+struct Plate {
+  std::string id;
+  std::vector<Vec3> outline;
+  std::vector<std::vector<Vec3>> holes;
+};
+
+/// `general`: an oblique cone (MATH 2.4), whose tangent lines lie along the edges of both plates.
+enum class SurfaceChoice { automatic, cylinder, cone, general };
+
+/// MATH 3.8. `automatic`: straight where the corners of both plates lie near enough, else corner.
+enum class LateralBoundary { automatic, straight, arc, corner };
+
+/// What is given of a bend; what is not is chosen. Lengths in mm.
+struct BendRequest {
+  /// Ids of the plates: two; one, for a curved section that ends free; or none, for a section of its
+  /// own (a pipe).
+  std::vector<std::string> between;
+  /// Edges of each of them, consecutive ones in any order.
+  std::array<std::optional<std::vector<int>>, 2> edges;
+  SurfaceChoice surface = SurfaceChoice::automatic;
+  std::optional<double> inside_radius;                 ///< of a cylinder; of a cone at mid-length
+  std::optional<std::array<double, 2>> inside_radii;   ///< of a cone at its lateral boundaries
+  std::optional<Angle> aperture;                       ///< of a cone: twice its half-angle
+  std::optional<double> slope;                         ///< k of MATH 3
+  std::optional<double> apex;                          ///< x₀ = q/k of MATH 3
+  LateralBoundary lateral = LateralBoundary::automatic;
+  double trade_off = 1.0;                              ///< γ of MATH 3.7, ≥ 0
+  std::optional<Angle> angle;                          ///< of a section with a free end, ≤ 360°
+  std::optional<double> length;                        ///< of a section without plates, along its rulings
+};
+
+/// Plates to be made of one sheet, and what is given of the bends between them. `bends` empty: the
+/// program finds which plates to join.
+struct PlateStructure {
+  double thickness = 0.0;  ///< mm
+  std::vector<Plate> plates;
+  std::vector<BendRequest> bends;
+  std::string root;  ///< id of the plate that stays where it is; empty: the largest
+};
+
+}  // namespace planish
