@@ -14,15 +14,23 @@
 namespace planish {
 
 /// Axes in which slope, offset and apex of a bend are meant (MATH 3): the intersection line of the
-/// plates' planes runs through `origin` along `d`; side i lies along e[i].
+/// plates' planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes have no such
+/// line: then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
 struct BendFrame {
   Vec3 origin = Vec3::Zero();
   Vec3 d = Vec3::UnitX();
   std::array<Vec3, 2> e{Vec3::UnitY(), Vec3::UnitY()};
-  Angle beta;  ///< between e[0] and e[1]
+  Vec3 rise = Vec3::Zero();
+  Angle beta;  ///< between e[0] and e[1]; 0 for parallel planes
 
-  Vec2 local(int side, const Vec3& p) const { return {(p - origin).dot(d), (p - origin).dot(e[side])}; }
-  Vec3 point(int side, const Vec2& xy) const { return origin + xy.x() * d + xy.y() * e[side]; }
+  bool parallel() const { return beta == Angle(); }
+  Vec3 side_origin(int side) const { return side == 0 ? origin : Vec3(origin + rise); }
+  Vec2 local(int side, const Vec3& p) const {
+    return {(p - origin).dot(d), (p - side_origin(side)).dot(e[side])};
+  }
+  Vec3 point(int side, const Vec2& xy) const {
+    return side_origin(side) + xy.x() * d + xy.y() * e[side];
+  }
 };
 
 /// Another way to join the same plates, as a request that asks for it.
@@ -43,9 +51,9 @@ struct FittedBend {
   BendFrame frame;
   TangentLine line;
   std::optional<double> apex;   ///< x₀ of cones
-  Angle angle;                  ///< bend angle (of cones: of the azimuth about the axis)
+  Angle angle;                  ///< through which the sheet is turned from plate to plate
   double inside_radius = 0.0;   ///< of cones at mid-length
-  std::array<double, 2> inside_radii{};  ///< at both lateral boundaries
+  std::array<double, 2> inside_radii{};  ///< at the left (lower x) and at the right end
   std::optional<Angle> half_angle;       ///< of cones
   LateralBoundary lateral = LateralBoundary::straight;
   double width = 0.0, span = 0.0;        ///< of the edges, MATH 3.7
@@ -59,7 +67,8 @@ struct Connection {
   PlateStructure structure;
   Sheet sheet;
   std::vector<FittedBend> bends;
-  FaceId root{};  ///< face of the root plate
+  std::vector<FaceId> plate_faces;  ///< by plate
+  FaceId root{};  ///< face of the root plate; of the first bend where there is no plate
 };
 
 struct ConnectOptions {

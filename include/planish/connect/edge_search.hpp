@@ -47,7 +47,9 @@ struct TangentLine {
 
 /// What is given of the tangent line. At most two of them; `offset` is q.
 struct GivenLine {
-  std::optional<double> slope, offset, apex;  ///< apex x₀: q = k·x₀
+  std::optional<double> slope = std::nullopt;
+  std::optional<double> offset = std::nullopt;
+  std::optional<double> apex = std::nullopt;  ///< x₀: q = k·x₀
 };
 
 /// Consecutive edges of one chain: chain.edges[first … last].
@@ -90,7 +92,8 @@ struct EdgeSearch {
 /// Errors: `no_bend_fits` when no pair of edges admits a tangent line (facing needs 0 ≤ k x − q ≤ y at
 /// every corner, averted k x − q ≥ y), also when that is because of what is given; `unknown_edge` when
 /// given edges are not consecutive edges of one viable chain.
-/// Cost: see docs/connect.md; 200 edges a side take some milliseconds.
+/// Cost: a best-first branch and bound over the ends of the runs; near-linear in practice, see
+/// docs/connect.md for measurements.
 Result<EdgeSearch> search_edges(const std::array<std::vector<Chain>, 2>& sides, Angle beta,
                                 const EdgeSearchOptions& options = {});
 

@@ -1,0 +1,187 @@
+#include "bend_fit.hpp"
+
+#include "tangent_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish::connect_detail {
+namespace {
+
+using Corners = std::array<std::vector<Vec2>, 2>;
+using Interval = std::pair<double, double>;
+
+// A corner this share of the extent off the tangent ruling lies on it.
+constexpr double kOnRuling = 1e-9;
+
+Error at(const FitTask& task, Error error) {
+  // Keys of the request become pointers; other places stay.
+  if (error.where.empty() || error.where.front() == '/') error.where = task.pointer + error.where;
+  return error;
+}
+
+double extent_of(const FitTask& task) {
+  double extent = 0.0;
+  for (const PlacedPlate* plate : task.plates)
+    if (plate != nullptr) extent = std::max(extent, plate->extent);
+  return extent;
+}
+
+// Edges with x growing, consecutive in the outline one way or the other.
+OutlineRun outline_run(const std::vector<int>& edges, int edge_count) {
+  const bool ascending = edges.size() == 1 || (edges[0] + 1) % edge_count == edges[1];
+  return {ascending ? edges.front() : edges.back(), static_cast<int>(edges.size())};
+}
+
+RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corners& corners) {
+  RunEnds ends;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    ends.low[i] = surface.local(side, frame.point(side, corners[i].front()));
+    ends.high[i] = surface.local(side, frame.point(side, corners[i].back()));
+    if (ends.low[i].x() > ends.high[i].x()) std::swap(ends.low[i], ends.high[i]);
+  }
+  return ends;
+}
+
+std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<Interval>& b) {
+  std::vector<Interval> both;
+  for (const Interval& p : a)
+    for (const Interval& q : b) {
+      const Interval part{std::max(p.first, q.first), std::min(p.second, q.second)};
+      if (part.second > part.first) both.push_back(part);
+    }
+  return both;
+}
+
+std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface, const RunEnds& ends) {
+  const double extent = extent_of(task);
+  double low = std::min(ends.low[0].x(), ends.low[1].x()) - extent;
+  const double high = std::max(ends.high[0].x(), ends.high[1].x()) + extent;
+  if (surface.kind == BendKind::cone) low = std::max(low, 0.0);
+  std::array<std::vector<Interval>, 2> legal;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    std::vector<Vec2> outline;
+    for (int c = 0; c < task.plates[i]->edge_count(); ++c)
+      outline.push_back(surface.local(side, task.plates[i]->corner(c)));
+    legal[i] = legal_sections(outline, low, high, kOnRuling * extent);
+  }
+  return common(legal[0], legal[1]);
+}
+
+BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, const FitTask& task,
+                            const ConnectOptions& options) {
+  BendAlternative result{task.request, BendKind::cone, other.kind, other.width, other.span};
+  const auto edges = choice.edges(other);
+  result.request.edges = {edges[0], edges[1]};
+  if (std::abs(other.line.slope) < options.smallest_slope) result.kind = BendKind::cylinder;
+  return result;
+}
+
+void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
+  const Box2 low_box = bounds(fit.boundaries.low.curve), high_box = bounds(fit.boundaries.high.curve);
+  const double low = low_box.lo.y(), high = high_box.hi.y();
+  const auto inside = [&](double v) { return fit.surface.radius(v) - 0.5 * thickness; };
+  report.inside_radius = inside(0.5 * (low + high));
+  // v of a cone grows away from the apex, which lies to the right of the plates where the slope is negative.
+  const bool turned = report.line.slope < 0.0;
+  report.inside_radii = {inside(turned ? high : low), inside(turned ? low : high)};
+}
+
+Result<void> check_radii(const FitTask& task, const BendFit& fit) {
+  for (const Boundary* boundary : {&fit.boundaries.low, &fit.boundaries.high})
+    for (const double v : boundary->v) {
+      const double inside = fit.surface.radius(v) - 0.5 * task.thickness;
+      if (inside >= kSmallestInsideRadius) continue;
+      return fail(ErrorCode::radius_too_small,
+                  fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of "
+                              "{:.4g} mm at one end and needs more than {:.4g} mm",
+                              task.thickness, fit.surface.radius(v), 0.5 * task.thickness));
+    }
+  return {};
+}
+
+void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+  const EdgeChoice& best = choice.search.best;
+  FittedBend& report = fit.report;
+  report.request = task.request;
+  report.edges = choice.edges(best);
+  for (auto& edges : report.edges)
+    std::sort(edges.begin(), edges.end());
+  report.edge_kind = best.kind;
+  report.kind = fit.surface.kind;
+  report.frame = choice.frame;
+  if (fit.surface.kind == BendKind::cone) {
+    report.apex = report.line.offset / report.line.slope;
+    report.half_angle = Angle::radians(std::atan(fit.surface.tan_half_angle));
+  }
+  report.angle = fit.surface.turned();
+  report.lateral = fit.boundaries.kind;
+  report.width = best.width;
+  report.span = best.span + (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
+  report.extension_area = extension_area(choice.corners(best), best.kind, report.line);
+  set_radii(report, fit, task.thickness);
+  for (const EdgeChoice& other : choice.search.alternatives)
+    report.alternatives.push_back(alternative(choice, other, task, options));
+}
+
+Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
+  if (!frame.parallel() || !task.request.inside_radius) return {};
+  const double fixed = 0.5 * (frame.rise.norm() - task.thickness);
+  if (std::abs(*task.request.inside_radius - fixed) <= kSmallestInsideRadius) return {};
+  return fail(ErrorCode::no_bend_fits,
+              fmt::format("plates in parallel planes {:.4g} mm apart are joined by a half-turn of inside radius {:.4f} "
+                          "mm, not {:.4g} mm",
+                          frame.rise.norm(), fixed, *task.request.inside_radius),
+              "/inside_radius");
+}
+
+Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+  if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
+  const auto line = tangent_line(task, choice, options);
+  if (!line) return tl::unexpected(line.error());
+  const EdgeChoice& best = choice.search.best;
+  BendFit fit;
+  fit.report.line = *line;
+  fit.surface = choice.frame.parallel() ? half_turn(choice.frame, *line)
+                                        : tangent_surface(choice.frame, best.kind, *line);
+  const Corners corners = choice.corners(best);
+  const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
+  LateralOptions lateral;
+  lateral.extent = extent_of(task);
+  lateral.neutral_offset = (options.k_factor - 0.5) * task.thickness;
+  lateral.legal = legal_on_both(task, fit.surface, ends);
+  auto boundaries = lateral_boundaries(fit.surface, ends, task.request.lateral, lateral);
+  if (!boundaries) return tl::unexpected(boundaries.error());
+  fit.boundaries = std::move(*boundaries);
+  const auto edges = choice.edges(best);
+  for (std::size_t side = 0; side < 2; ++side)
+    fit.runs[side] = outline_run(edges[side], task.plates[side]->edge_count());
+  if (auto radii = check_radii(task, fit); !radii) return tl::unexpected(radii.error());
+  fill_report(fit, task, choice, options);
+  return fit;
+}
+
+}  // namespace
+
+Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
+  const auto choice = search_pair(task, options);
+  if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
+  auto fit = fit_choice(task, *choice, options);
+  if (!fit) return tl::unexpected(at(task, with_range(task, options, fit.error())));
+  return fit;
+}
+
+std::optional<Nearness> nearness(const FitTask& task, const ConnectOptions& options) {
+  const auto choice = search_pair(task, options);
+  if (!choice) return std::nullopt;
+  const EdgeChoice& best = choice->search.best;
+  const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm() : 0.0;
+  return Nearness{best.span + turn, best.width};
+}
+
+}  // namespace planish::connect_detail

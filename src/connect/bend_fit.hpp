@@ -1,0 +1,51 @@
+#pragma once
+
+#include "lateral.hpp"
+#include "plate_plane.hpp"
+
+#include <planish/connect/connect.hpp>
+
+#include <array>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace planish::connect_detail {
+
+/// Consecutive edges of an outline: first, first + 1, … (cyclically), `count` of them.
+struct OutlineRun {
+  int first = 0;
+  int count = 0;
+};
+
+/// A bend between two plates, or of one or none, ready to be put together.
+struct BendFit {
+  FittedBend report;
+  BendSurface surface;
+  Boundaries boundaries;
+  std::array<OutlineRun, 2> runs;
+};
+
+/// What a bend is fitted between, and how.
+struct FitTask {
+  std::array<const PlacedPlate*, 2> plates{};  ///< by side; null: the side ends free
+  BendRequest request;
+  double thickness = 0.0;
+  std::string pointer;  ///< of the request in the file, "/bends/1"; empty when nobody asked for it
+  std::array<std::set<int>, 2> taken;  ///< edges that other bends use already
+};
+
+/// Fits a bend between two plates (MATH 3). Errors: those of `connect` for one bend.
+Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
+
+/// A curved section that ends free: behind an edge of one plate, or of its own (MATH 3.9).
+Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
+
+/// How far the plates are apart in the sense of MATH 3.7, for choosing what to join: span over width of
+/// the best bend between them; none where no bend fits.
+struct Nearness {
+  double span = 0.0, width = 0.0;
+};
+std::optional<Nearness> nearness(const FitTask& task, const ConnectOptions& options);
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,108 @@
+#include "bend_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::connect_detail {
+namespace {
+
+// Planes that turn by less are parallel: the line where they meet is out of reach, and a plate of a
+// metre is off by a thousandth of a millimetre.
+constexpr double kParallel = 1e-6;
+// Edges whose directions differ by less are parallel.
+constexpr double kSameDirection = 1e-9;
+// A plate that reaches over the intersection line by less than this share of its extent does not.
+constexpr double kOnLine = 1e-9;
+
+Angle between(const Vec3& a, const Vec3& b) {
+  return Angle::radians(std::atan2(a.cross(b).norm(), a.dot(b)));
+}
+
+Vec3 nearest_on_line(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d) {
+  // The point p of both planes nearest to the middle m: p = m + s·n_a + t·n_b.
+  const Vec3 m = 0.5 * (a.frame.origin + b.frame.origin);
+  const Vec3 na = a.frame.z, nb = b.frame.z;
+  const double c = na.dot(nb), det = d.squaredNorm();  // 1 − c², without its cancellation
+  const double ra = na.dot(a.frame.origin - m), rb = nb.dot(b.frame.origin - m);
+  return m + (ra - c * rb) / det * na + (rb - c * ra) / det * nb;
+}
+
+// On which sides of the line (along +e, −e) a plate has material: signs.
+std::vector<double> sides_of(const PlacedPlate& plate, const Vec3& origin, const Vec3& e) {
+  double low = 0.0, high = 0.0;
+  for (int i = 0; i < plate.edge_count(); ++i) {
+    const double y = (plate.corner(i) - origin).dot(e);
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  std::vector<double> signs;
+  if (high > kOnLine * plate.extent) signs.push_back(1.0);
+  if (-low > kOnLine * plate.extent) signs.push_back(-1.0);
+  if (signs.size() == 2 && -low > high) std::swap(signs[0], signs[1]);
+  return signs;
+}
+
+std::vector<BendFrame> crossing_frames(const PlacedPlate& a, const PlacedPlate& b) {
+  const Vec3 raw = a.frame.z.cross(b.frame.z);
+  const Vec3 d = raw.normalized();
+  const Vec3 origin = nearest_on_line(a, b, raw);
+  const Vec3 ea = a.frame.z.cross(d), eb = b.frame.z.cross(d);
+  std::vector<BendFrame> frames;
+  for (const double sa : sides_of(a, origin, ea))
+    for (const double sb : sides_of(b, origin, eb)) {
+      BendFrame frame{origin, d, {sa * ea, sb * eb}, Vec3::Zero(), {}};
+      frame.beta = between(frame.e[0], frame.e[1]);
+      frames.push_back(frame);
+    }
+  return frames;
+}
+
+// Every y is made positive: the origin lies below both plates.
+BendFrame parallel_frame(const PlacedPlate& a, const PlacedPlate& b, const Vec3& d, const Vec3& e) {
+  double low = 0.0;
+  for (const PlacedPlate* plate : {&a, &b})
+    for (int i = 0; i < plate->edge_count(); ++i)
+      low = std::min(low, (plate->corner(i) - a.frame.origin).dot(e));
+  const Vec3 rise = (b.frame.origin - a.frame.origin).dot(a.frame.z) * a.frame.z;
+  return {a.frame.origin + low * e, d, {e, e}, rise, {}};
+}
+
+std::vector<BendFrame> parallel_frames(const PlacedPlate& a, const PlacedPlate& b) {
+  std::vector<Vec3> directions;
+  std::vector<BendFrame> frames;
+  for (const PlacedPlate* plate : {&a, &b})
+    for (int i = 0; i < plate->edge_count(); ++i) {
+      const Vec3 edge = plate->corner((i + 1) % plate->edge_count()) - plate->corner(i);
+      const Vec3 flat = edge - edge.dot(a.frame.z) * a.frame.z;
+      const Vec3 outward = flat.cross(plate->frame.z).normalized();
+      const Vec3 e = (outward - outward.dot(a.frame.z) * a.frame.z).normalized();
+      const auto same = [&](const Vec3& other) { return (other - e).norm() < kSameDirection; };
+      if (std::any_of(directions.begin(), directions.end(), same)) continue;
+      directions.push_back(e);
+      frames.push_back(parallel_frame(a, b, e.cross(a.frame.z).normalized(), e));
+    }
+  return frames;
+}
+
+}  // namespace
+
+PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarity) {
+  if (a.frame.z.cross(b.frame.z).norm() > kParallel) return PlanePair::crossing;
+  const double rise = std::abs((b.frame.origin - a.frame.origin).dot(a.frame.z));
+  return rise <= planarity ? PlanePair::coplanar : PlanePair::parallel;
+}
+
+std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, PlanePair kind) {
+  if (kind == PlanePair::crossing) return crossing_frames(a, b);
+  if (kind == PlanePair::parallel) return parallel_frames(a, b);
+  return {};
+}
+
+std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame, int side) {
+  std::vector<Vec2> outline;
+  for (int i = 0; i < plate.edge_count(); ++i)
+    outline.push_back(frame.local(side, plate.corner(i)));
+  return outline;
+}
+
+}  // namespace planish::connect_detail

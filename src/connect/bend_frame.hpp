@@ -1,0 +1,24 @@
+#pragma once
+
+#include "plate_plane.hpp"
+
+#include <planish/connect/connect.hpp>
+
+#include <vector>
+
+namespace planish::connect_detail {
+
+/// How the planes of two plates lie to each other.
+enum class PlanePair { crossing, parallel, coplanar };
+PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarity);
+
+/// Axes of the bends that two plates can have (MATH 3). Crossing planes: one for each combination of
+/// sides of the intersection line on which the plates have corners (one, unless a plate crosses the
+/// line); the origin is the point of the line nearest to the middle of both plates. Parallel planes:
+/// one for each direction of an edge and each way to look from it.
+std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, PlanePair kind);
+
+/// The outline in (x, y) of a side.
+std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame, int side);
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,117 @@
+#include "bend_surface.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::connect_detail {
+namespace {
+
+using Tangent = BendSurface::Tangent;
+
+// Azimuth of `direction` about z, from x, in (−π, π].
+double azimuth_of(const Frame& frame, const Vec3& direction) {
+  return std::atan2(direction.dot(frame.y), direction.dot(frame.x));
+}
+
+// The frame about `axis` from whose x, on one of the sides, the azimuth grows through `middle` to the
+// other side; `radial` are the directions from the axis to the tangent rulings.
+struct Turned {
+  Frame frame;
+  int first = 0;
+  double half_sweep = 0.0;
+};
+Turned turned(const Vec3& origin, const Vec3& axis, const std::array<Vec3, 2>& radial, const Vec3& middle) {
+  Turned result{frame_from_axes(origin, axis, radial[0]), 0, 0.0};
+  result.half_sweep = azimuth_of(result.frame, middle);
+  if (result.half_sweep >= 0.0) return result;
+  result.first = 1;
+  result.frame = frame_from_axes(origin, axis, radial[1]);
+  result.half_sweep = azimuth_of(result.frame, middle);
+  return result;
+}
+
+Vec3 bisector_of(const BendFrame& frame) { return (frame.e[0] + frame.e[1]).normalized(); }
+
+BendSurface cylinder(const BendFrame& frame, EdgeKind edges, double distance) {
+  const double half = 0.5 * frame.beta.radians();
+  const Vec3 bisector = bisector_of(frame);
+  const Vec3 center = frame.origin + distance / std::cos(half) * bisector;
+  const double away = edges == EdgeKind::facing ? 1.0 : -1.0;
+  BendSurface surface;
+  std::array<Vec3, 2> radial;
+  for (int side = 0; side < 2; ++side) {
+    const Vec3& e = frame.e[static_cast<std::size_t>(side)];
+    const Vec3 tangent = frame.origin + distance * e;
+    surface.tangents[static_cast<std::size_t>(side)] = {tangent, frame.d, away * e};
+    radial[static_cast<std::size_t>(side)] = tangent - center;
+  }
+  const Turned turn = turned(center, frame.d, radial, -away * bisector);
+  surface.mid = Cylinder{turn.frame, distance * std::tan(half)};
+  surface.first = turn.first;
+  surface.sweep = 2.0 * turn.half_sweep;
+  return surface;
+}
+
+BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line) {
+  const double half = 0.5 * frame.beta.radians();
+  const double phi = std::atan(std::abs(line.slope));
+  const Vec3 along = std::copysign(1.0, line.slope) * frame.d;  // from the apex to the plates
+  const Vec3 apex = frame.origin + line.offset / line.slope * frame.d;
+  const double psi = std::atan(std::tan(phi) / std::cos(half));
+  const Vec3 bisector = bisector_of(frame);
+  const Vec3 axis = std::cos(psi) * along + std::sin(psi) * bisector;
+  const double away = edges == EdgeKind::facing ? 1.0 : -1.0;
+  BendSurface surface;
+  surface.kind = BendKind::cone;
+  surface.tan_half_angle = std::sin(phi) * std::tan(half);
+  std::array<Vec3, 2> radial;
+  for (int side = 0; side < 2; ++side) {
+    const Vec3& e = frame.e[static_cast<std::size_t>(side)];
+    const Vec3 ruling = std::cos(phi) * along + std::sin(phi) * e;
+    surface.tangents[static_cast<std::size_t>(side)] = {
+        apex, ruling, away * (std::cos(phi) * e - std::sin(phi) * along)};
+    radial[static_cast<std::size_t>(side)] = ruling - ruling.dot(axis) * axis;
+  }
+  const Turned turn = turned(apex, axis, radial, -away * (bisector - bisector.dot(axis) * axis));
+  surface.mid = Cone{turn.frame, std::atan(surface.tan_half_angle)};
+  surface.first = turn.first;
+  surface.sweep = 2.0 * turn.half_sweep;
+  return surface;
+}
+
+}  // namespace
+
+double BendSurface::radius(double v) const {
+  if (const auto* cylinder = std::get_if<Cylinder>(&mid)) return cylinder->radius;
+  return v * tan_half_angle;
+}
+
+Angle BendSurface::turned() const {
+  const Vec3 a = normal_on(mid, 0.0), b = normal_on(mid, sweep);
+  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  // Beyond half a turn about a cylinder's or cone's axis the normals come near each other again.
+  if (kind == BendKind::cylinder) return Angle::radians(sweep);
+  return Angle::radians(kind == BendKind::cone && sweep > std::numbers::pi ? 2.0 * std::numbers::pi - between : between);
+}
+
+BendSurface tangent_surface(const BendFrame& frame, EdgeKind edges, const TangentLine& line) {
+  return line.slope == 0.0 ? cylinder(frame, edges, -line.offset) : cone(frame, edges, line);
+}
+
+BendSurface half_turn(const BendFrame& frame, const TangentLine& line) {
+  const double distance = -line.offset;
+  BendSurface surface;
+  std::array<Vec3, 2> radial;
+  for (int side = 0; side < 2; ++side) {
+    surface.tangents[static_cast<std::size_t>(side)] = {
+        frame.side_origin(side) + distance * frame.e[0], frame.d, -frame.e[0]};
+    radial[static_cast<std::size_t>(side)] = (side == 0 ? -0.5 : 0.5) * frame.rise;
+  }
+  const Turned turn = turned(surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial, frame.e[0]);
+  surface.mid = Cylinder{turn.frame, 0.5 * frame.rise.norm()};
+  surface.first = turn.first;
+  surface.sweep = std::numbers::pi;
+  return surface;
+}
+
+}  // namespace planish::connect_detail

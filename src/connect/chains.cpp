@@ -1,0 +1,93 @@
+#include <planish/connect/edge_search.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+// Of the outline's extent: what is nearer to the intersection line lies on it, edges whose |Δx| is
+// smaller are parallel to the y axis.
+constexpr double kOnAxis = 1e-9;
+
+enum class Use { none, facing, averted };
+
+double extent_of(const std::vector<Vec2>& outline) {
+  Vec2 lo = outline.front(), hi = outline.front();
+  for (const Vec2& p : outline) {
+    lo = lo.cwiseMin(p);
+    hi = hi.cwiseMax(p);
+  }
+  return (hi - lo).norm();
+}
+
+double signed_area_of(const std::vector<Vec2>& outline) {
+  double twice = 0.0;
+  const Vec2 from = outline.front();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i] - from, b = outline[(i + 1) % outline.size()] - from;
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return 0.5 * twice;
+}
+
+std::vector<Use> uses_of(const std::vector<Vec2>& corners, double tolerance) {
+  const std::size_t n = corners.size();
+  const bool counter_clockwise = signed_area_of(corners) > 0.0;
+  std::vector<Use> uses(n, Use::none);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2& a = corners[i];
+    const Vec2& b = corners[(i + 1) % n];
+    if (a.y() < 0.0 || b.y() < 0.0 || std::abs(b.x() - a.x()) <= tolerance) continue;
+    // The outward normal of a counter-clockwise outline is (Δy, −Δx).
+    uses[i] = (b.x() > a.x()) == counter_clockwise ? Use::facing : Use::averted;
+  }
+  return uses;
+}
+
+Chain chain_from(const std::vector<Vec2>& corners, Use use, std::size_t start, std::size_t count) {
+  const std::size_t n = corners.size();
+  Chain chain;
+  chain.kind = use == Use::facing ? EdgeKind::facing : EdgeKind::averted;
+  chain.corners.push_back(corners[start]);
+  for (std::size_t j = 0; j < count; ++j) {
+    chain.edges.push_back(static_cast<int>((start + j) % n));
+    chain.corners.push_back(corners[(start + j + 1) % n]);
+  }
+  if (chain.corners.front().x() > chain.corners.back().x()) {
+    std::reverse(chain.corners.begin(), chain.corners.end());
+    std::reverse(chain.edges.begin(), chain.edges.end());
+  }
+  return chain;
+}
+
+}  // namespace
+
+std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
+  if (outline.size() < 3) return {};
+  const double tolerance = kOnAxis * extent_of(outline);
+  std::vector<Vec2> corners = outline;
+  for (Vec2& p : corners)
+    if (std::abs(p.y()) <= tolerance) p.y() = 0.0;
+  const std::vector<Use> uses = uses_of(corners, tolerance);
+  const std::size_t n = corners.size();
+  // Begin where a chain begins; x cannot grow all round a polygon, so there is such a place.
+  std::size_t begin = 0;
+  while (begin < n && uses[begin] == uses[(begin + n - 1) % n])
+    ++begin;
+  if (begin == n) return {};
+  std::vector<Chain> chains;
+  for (std::size_t done = 0; done < n;) {
+    const std::size_t start = (begin + done) % n;
+    std::size_t count = 1;
+    while (done + count < n && uses[(start + count) % n] == uses[start])
+      ++count;
+    if (uses[start] != Use::none) chains.push_back(chain_from(corners, uses[start], start, count));
+    done += count;
+  }
+  const auto lowest = [](const Chain& chain) { return *std::min_element(chain.edges.begin(), chain.edges.end()); };
+  std::sort(chains.begin(), chains.end(), [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
+  return chains;
+}
+
+}  // namespace planish

@@ -1,0 +1,103 @@
+#include "assemble.hpp"
+#include "join_tree.hpp"
+#include "plate_pairs.hpp"
+
+#include <planish/connect/connect.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+using namespace connect_detail;
+
+Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure, const ConnectOptions& options) {
+  std::vector<PlacedPlate> plates;
+  for (std::size_t p = 0; p < structure.plates.size(); ++p) {
+    auto plate = placed(structure.plates[p], fmt::format("/plates/{}", p), options.planarity);
+    if (!plate) return tl::unexpected(plate.error());
+    for (std::size_t q = 0; q < p; ++q)
+      if (structure.plates[q].id == structure.plates[p].id)
+        return fail(ErrorCode::invalid_input,
+                    fmt::format("two plates have the id \"{}\": ids must differ", structure.plates[p].id),
+                    fmt::format("/plates/{}/id", p));
+    plates.push_back(std::move(*plate));
+  }
+  return plates;
+}
+
+Result<void> check_apart(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                         const ConnectOptions& options) {
+  for (std::size_t a = 0; a < plates.size(); ++a)
+    for (std::size_t b = a + 1; b < plates.size(); ++b)
+      if (const auto at = intersection(plates[a], plates[b], options.planarity))
+        return fail(ErrorCode::plates_intersect,
+                    fmt::format("plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
+                                structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
+                    fmt::format("/plates/{}", b));
+  return {};
+}
+
+Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates) {
+  if (structure.root.empty()) {
+    const auto largest = std::max_element(plates.begin(), plates.end(),
+                                          [](const PlacedPlate& a, const PlacedPlate& b) { return a.area < b.area; });
+    return static_cast<int>(largest - plates.begin());
+  }
+  for (std::size_t p = 0; p < plates.size(); ++p)
+    if (structure.plates[p].id == structure.root) return static_cast<int>(p);
+  return fail(ErrorCode::unknown_plate, fmt::format("root is \"{}\", which is no plate's id", structure.root), "/root");
+}
+
+Result<void> check_whole(const PlateStructure& structure) {
+  if (!(structure.thickness > 0.0) || !std::isfinite(structure.thickness))
+    return fail(ErrorCode::invalid_input,
+                fmt::format("thickness is {} mm; it must be above 0", structure.thickness), "/thickness");
+  if (structure.plates.empty() && structure.bends.size() != 1)
+    return fail(ErrorCode::invalid_input, "without plates there must be one bend, a section of its own", "/plates");
+  return {};
+}
+
+}  // namespace
+
+Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options, const Progress& progress) {
+  if (auto whole = check_whole(structure); !whole) return tl::unexpected(whole.error());
+  auto plates = place_all(structure, options);
+  if (!plates) return tl::unexpected(plates.error());
+  if (auto apart = check_apart(structure, *plates, options); !apart) return tl::unexpected(apart.error());
+  const auto root = root_of(structure, *plates);
+  if (!root) return tl::unexpected(root.error());
+  auto fits = structure.bends.empty() ? fit_tree(structure, *plates, options, progress)
+                                      : fit_requested(structure, *plates, options, progress);
+  if (!fits) return tl::unexpected(fits.error());
+
+  Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
+  for (const Plate& plate : structure.plates)
+    parts.ids.push_back(plate.id);
+  auto made = assembled(parts);
+  if (!made) return tl::unexpected(made.error());
+  Connection connection{structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
+  for (std::size_t b = 0; b < parts.fits.size(); ++b) {
+    connection.bends.push_back(std::move(parts.fits[b].report));
+    connection.bends.back().bend = made->bends[b];
+  }
+  return connection;
+}
+
+Result<Connection> refit(const Connection& previous, const Plate& moved, const ConnectOptions& options) {
+  PlateStructure structure = previous.structure;
+  const auto plate = std::find_if(structure.plates.begin(), structure.plates.end(),
+                                  [&](const Plate& p) { return p.id == moved.id; });
+  if (plate == structure.plates.end())
+    return fail(ErrorCode::unknown_plate, fmt::format("there is no plate \"{}\" to move", moved.id), "/plates");
+  *plate = moved;
+  structure.bends.clear();
+  for (const FittedBend& bend : previous.bends)
+    structure.bends.push_back(bend.request);
+  return connect(structure, options);
+}
+
+}  // namespace planish

@@ -1,0 +1,203 @@
+#include "lateral.hpp"
+
+#include <planish/geometry/fit.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::connect_detail {
+namespace {
+
+using Interval = std::pair<double, double>;
+
+// A bend narrower than this share of the plates' extent is none.
+constexpr double kNoWidth = 1e-6;
+// Curves on a cone that are straight when flat are followed to this share of the extent.
+constexpr double kCurveTolerance = 1e-10;
+// Where the boundary leans more than this against the way across the bend, the corners of both plates do
+// not lie near each other (45°).
+constexpr double kLeaning = 1.0;
+
+Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
+
+// The bend and the ends of the plates laid flat at the neutral surface.
+class Flat {
+ public:
+  Flat(const BendSurface& surface, double neutral_offset)
+      : surface_(surface), development_(surface.mid, neutral_offset, 0.5 * surface.sweep) {}
+
+  // Image of a point (v, h) of a side.
+  Vec2 image(int side, const Vec2& vh) const {
+    const double u = surface_.azimuth(side);
+    const Eigen::Matrix2d jacobian = development_.jacobian({u, vh.x()});
+    const Vec2 along = jacobian.col(1).normalized();
+    // The bend lies at growing u from its first side.
+    const Vec2 away = (side == surface_.first ? 1.0 : -1.0) * perpendicular(along);
+    return development_.develop({u, vh.x()}) + vh.y() * away;
+  }
+
+  // v at which the line from a to b crosses the ruling of a side.
+  double crossing(int side, const Vec2& a, const Vec2& b) const {
+    const double u = surface_.azimuth(side);
+    const Vec2 origin = development_.develop({u, reference_});
+    const Vec2 along = development_.jacobian({u, reference_}).col(1).normalized();
+    const Vec2 n = perpendicular(along);
+    const double ha = n.dot(a - origin), hb = n.dot(b - origin);
+    const Vec2 p = a + ha / (ha - hb) * (b - a);
+    return reference_ + along.dot(p - origin);
+  }
+  void set_reference(double v) { reference_ = v; }
+
+  // The curve in (u, v) whose image is the straight line between the rulings, from azimuth 0 on.
+  Curve2 straight(const std::array<double, 2>& v, double tolerance) const {
+    const int last = 1 - surface_.first;
+    const Vec2 start(0.0, v[static_cast<std::size_t>(surface_.first)]);
+    const Vec2 end(surface_.sweep, v[static_cast<std::size_t>(last)]);
+    if (std::holds_alternative<Cylinder>(surface_.mid)) return Segment{start, end};
+    const Vec2 a = development_.develop(start), b = development_.develop(end);
+    const auto curve = [&](double t) -> CurveSample {
+      const Vec2 uv = development_.fold(a + t * (b - a));
+      return {uv, development_.jacobian(uv).inverse() * (b - a)};
+    };
+    return fit_cubics(curve, 0.0, 1.0, tolerance).spline;
+  }
+
+ private:
+  const BendSurface& surface_;
+  Development development_;
+  double reference_ = 1.0;
+};
+
+Boundary along_directrix(const BendSurface& surface, double v) {
+  return {{v, v}, Segment{{0.0, v}, {surface.sweep, v}}};
+}
+
+// The straight boundary between two corners; none where it does not cross the rulings in order.
+std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
+                                 const std::array<Vec2, 2>& corners, double extent) {
+  const Vec2 a = flat.image(0, corners[0]), b = flat.image(1, corners[1]);
+  Boundary boundary;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    // A corner on the ruling is where the boundary starts.
+    boundary.v[i] = corners[i].y() <= kCurveTolerance * extent ? corners[i].x() : flat.crossing(side, a, b);
+    if (!std::isfinite(boundary.v[i])) return std::nullopt;
+    if (surface.kind != BendKind::cylinder && surface.radius(boundary.v[i]) <= 0.0) return std::nullopt;
+  }
+  const Vec2 p = flat.image(0, {boundary.v[0], 0.0}), q = flat.image(1, {boundary.v[1], 0.0});
+  // In order: corner, its ruling, the other ruling, the other corner.
+  const Vec2 way = b - a;
+  if (way.dot(q - p) <= 0.0 || way.dot(p - a) < -extent * kNoWidth || way.dot(b - q) < -extent * kNoWidth)
+    return std::nullopt;
+  boundary.curve = flat.straight(boundary.v, kCurveTolerance * extent);
+  return boundary;
+}
+
+// Tangent of the angle at which the line between two corners leans against the way across the bend.
+double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
+  const double v = 0.5 * (corners[0].x() + corners[1].x());
+  const Vec2 across = flat.image(1, {v, 0.0}) - flat.image(0, {v, 0.0});
+  const double way = across.norm() + corners[0].y() + corners[1].y();
+  return std::abs(corners[1].x() - corners[0].x()) / way;
+}
+
+bool within(const Boundaries& b, const Interval& legal, double tolerance) {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (b.low.v[side] < legal.first - tolerance || b.high.v[side] > legal.second + tolerance) return false;
+  return true;
+}
+
+std::optional<Interval> widest(const std::vector<Interval>& legal, double low, double high) {
+  std::optional<Interval> best;
+  for (const Interval& section : legal) {
+    const Interval part{std::max(low, section.first), std::min(high, section.second)};
+    if (!best || part.second - part.first > best->second - best->first) best = part;
+  }
+  return best;
+}
+
+Error too_narrow(double width) {
+  return {ErrorCode::no_common_width,
+          fmt::format("the edges have no width in common on which a bend runs over neither plate (their "
+                      "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
+                      std::max(0.0, -width)),
+          {}};
+}
+
+std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const Flat& flat, const RunEnds& ends,
+                                              const LateralOptions& options) {
+  const auto low = straight(surface, flat, ends.low, options.extent);
+  const auto high = straight(surface, flat, ends.high, options.extent);
+  if (!low || !high) return std::nullopt;
+  Boundaries both{LateralBoundary::straight, *low, *high};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (both.high.v[side] - both.low.v[side] <= kNoWidth * options.extent) return std::nullopt;
+  const double tolerance = kNoWidth * options.extent;
+  for (const Interval& section : options.legal)
+    if (within(both, section, tolerance)) return both;
+  return std::nullopt;
+}
+
+Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnds& ends, LateralBoundary kind,
+                                        const LateralOptions& options) {
+  const bool corner = kind == LateralBoundary::corner;
+  double low = corner ? std::max(ends.low[0].x(), ends.low[1].x()) : 0.5 * (ends.low[0].x() + ends.low[1].x());
+  double high =
+      corner ? std::min(ends.high[0].x(), ends.high[1].x()) : 0.5 * (ends.high[0].x() + ends.high[1].x());
+  if (const auto section = widest(options.legal, low, high)) {
+    low = section->first;
+    high = section->second;
+  } else {
+    high = low;
+  }
+  if (high - low <= kNoWidth * options.extent) return tl::unexpected(too_narrow(high - low));
+  return Boundaries{kind, along_directrix(surface, low), along_directrix(surface, high)};
+}
+
+}  // namespace
+
+Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends, LateralBoundary wanted,
+                                      const LateralOptions& options) {
+  Flat flat(surface, options.neutral_offset);
+  flat.set_reference(std::max({ends.high[0].x(), ends.high[1].x()}));
+  if (wanted == LateralBoundary::straight || wanted == LateralBoundary::automatic) {
+    const bool near = wanted == LateralBoundary::straight ||
+                      std::max(leaning(flat, ends.low), leaning(flat, ends.high)) < kLeaning;
+    if (near)
+      if (auto both = straight_boundaries(surface, flat, ends, options)) return *both;
+    if (wanted == LateralBoundary::straight)
+      return fail(ErrorCode::no_common_width,
+                  "a straight lateral boundary would run over a plate or past the end of the bend: choose arc "
+                  "or corner");
+    wanted = LateralBoundary::corner;
+  }
+  return directrix_boundaries(surface, ends, wanted, options);
+}
+
+std::vector<Interval> legal_sections(const std::vector<Vec2>& outline, double low, double high,
+                                     double tolerance) {
+  // Crossings of the line just below h = 0: a corner on it counts as above.
+  std::vector<double> crossings;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2& a = outline[i];
+    const Vec2& b = outline[(i + 1) % outline.size()];
+    const bool a_below = a.y() < -tolerance, b_below = b.y() < -tolerance;
+    if (a_below == b_below) continue;
+    const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
+    crossings.push_back(a.x() + t * (b.x() - a.x()));
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<Interval> sections;
+  double from = low;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+    if (std::min(crossings[i], high) > from) sections.emplace_back(from, std::min(crossings[i], high));
+    from = std::max(from, crossings[i + 1]);
+  }
+  if (high > from) sections.emplace_back(from, high);
+  return sections;
+}
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bend_fit.hpp"
+#include "bend_frame.hpp"
+
+#include <planish/connect/edge_search.hpp>
+
+namespace planish::connect_detail {
+
+/// The edges that one bend between two plates uses best, in the frame where they do.
+struct PairChoice {
+  BendFrame frame;
+  std::array<std::vector<Chain>, 2> chains;
+  EdgeSearch search;
+
+  /// Corners of a choice's runs by side, x growing; edge numbers likewise.
+  std::array<std::vector<Vec2>, 2> corners(const EdgeChoice& choice) const;
+  std::array<std::vector<int>, 2> edges(const EdgeChoice& choice) const;
+};
+
+/// Searches all frames of the pair and takes the one with the shortest reference bend. What the request
+/// gives of the tangent line is kept where it does not depend on the edges chosen; `given` says what else
+/// must hold. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`, `no_bend_fits`.
+Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options);
+
+/// The tangent line that a request asks for in a frame.
+GivenLine given_line(const BendRequest& request, const BendFrame& frame, double thickness);
+
+/// Distance of the tangent line from the intersection line, where the mid-surface has this radius.
+double tangent_distance(const BendFrame& frame, double mid_radius);
+
+}  // namespace planish::connect_detail

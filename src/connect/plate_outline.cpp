@@ -1,0 +1,152 @@
+#include "plate_outline.hpp"
+
+#include <planish/geometry/region.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace planish::connect_detail {
+namespace {
+
+using Piece = ExtendedOutline::Piece;
+
+// Points this share of the plate's extent apart are one.
+constexpr double kSame = 1e-9;
+
+double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Corners of the run in (v, h), in the order of the outline.
+std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
+  const OutlineRun& run = fit.runs[static_cast<std::size_t>(side)];
+  std::vector<Vec2> corners;
+  for (int j = 0; j <= run.count; ++j)
+    corners.push_back(fit.surface.local(side, plate.corner((run.first + j) % plate.edge_count())));
+  return corners;
+}
+
+// v of the lateral boundary at the end of the run that comes first in the outline, and at the other.
+std::pair<double, double> boundary_ends(const BendFit& fit, int side, const std::vector<Vec2>& corners) {
+  const auto i = static_cast<std::size_t>(side);
+  const double low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
+  return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
+}
+
+// Where the joint begins at the run's corner: at the boundary, but not past a corner on the ruling.
+double joint_end(const Vec2& corner, double boundary, double inward, double tolerance) {
+  const bool on_ruling = corner.y() <= tolerance;
+  const bool past = (corner.x() - boundary) * inward > 0.0;
+  return on_ruling && past ? corner.x() : boundary;
+}
+
+// Shortest way from a corner of the run to the point v on the ruling that does not cut the run: the
+// lower hull of the corners between, ordered from the corner on.
+std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
+  const double inward = target.x() >= corners.front().x() ? 1.0 : -1.0;
+  std::vector<Vec2> way{corners.front()};
+  const auto add = [&](const Vec2& p) {
+    while (way.size() > 1) {
+      const Vec2& a = way[way.size() - 2];
+      if (inward * cross2(way.back() - a, p - a) > 0.0) break;
+      way.pop_back();
+    }
+    way.push_back(p);
+  };
+  for (std::size_t j = 1; j < corners.size(); ++j) {
+    if ((target.x() - corners[j].x()) * inward <= 0.0) break;
+    if ((corners[j].x() - way.front().x()) * inward > 0.0) add(corners[j]);
+  }
+  add(target);
+  return way;
+}
+
+struct Path {
+  std::vector<Vec2> points;  // (v, h), in the order of the outline
+  std::size_t joint = 0;     // the joint runs from points[joint] to the next
+};
+
+Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
+  std::vector<Vec2> corners = run_corners(fit, side, plate);
+  const double tolerance = kSame * plate.extent;
+  const auto [first, last] = boundary_ends(fit, side, corners);
+  const double inward = last > first ? 1.0 : -1.0;
+  const Vec2 from(joint_end(corners.front(), first, inward, tolerance), 0.0);
+  const Vec2 to(joint_end(corners.back(), last, -inward, tolerance), 0.0);
+  Path path{taut(corners, from), 0};
+  path.joint = path.points.size() - 1;
+  std::reverse(corners.begin(), corners.end());
+  std::vector<Vec2> back = taut(corners, to);
+  path.points.insert(path.points.end(), back.rbegin(), back.rend());
+  return path;
+}
+
+void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, int bend, double same) {
+  if ((b - a).norm() > same) outline.pieces.push_back({a, b, bend});
+}
+
+void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
+  const Path path = path_of(*on.fit, on.side, plate);
+  std::vector<Vec2> points;
+  for (const Vec2& vh : path.points)
+    points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
+  // The ends are corners of the plate, to the bit.
+  const OutlineRun& run = on.fit->runs[static_cast<std::size_t>(on.side)];
+  points.front() = plate.outline[static_cast<std::size_t>(run.first)];
+  points.back() = plate.outline[static_cast<std::size_t>((run.first + run.count) % plate.edge_count())];
+  const double same = kSame * plate.extent;
+  // Where the joint begins or ends at a corner of the plate, that corner is where.
+  if (path.joint == 1 && (points[1] - points[0]).norm() <= same) points[1] = points[0];
+  const std::size_t last = points.size() - 1;
+  if (path.joint + 2 == last && (points[last] - points[last - 1]).norm() <= same) points[last - 1] = points[last];
+  for (std::size_t j = 0; j < last; ++j)
+    append(outline, points[j], points[j + 1], j == path.joint ? on.bend : -1, same);
+}
+
+Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate, const std::string& id) {
+  std::vector<Vec2> ring;
+  for (const Piece& piece : outline.pieces)
+    ring.push_back(piece.a);
+  const auto crossings = self_crossings(ring);
+  if (crossings.empty() && ring_area(ring) > 0.0) return {};
+  const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
+  return fail(ErrorCode::overlap,
+              fmt::format("the extensions of plate {} that its bends need run into each other or over the plate, near "
+                          "({:.6g}, {:.6g}, {:.6g})",
+                          id, p.x(), p.y(), p.z()));
+}
+
+}  // namespace
+
+JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
+  const Path path = path_of(fit, side, plate);
+  const double a = path.points[path.joint].x(), b = path.points[path.joint + 1].x();
+  return {std::min(a, b), std::max(a, b)};
+}
+
+Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
+                                         const std::string& id) {
+  const auto run_of = [](const BendOnPlate& on) { return on.fit->runs[static_cast<std::size_t>(on.side)]; };
+  std::sort(bends.begin(), bends.end(),
+            [&](const BendOnPlate& a, const BendOnPlate& b) { return run_of(a).first < run_of(b).first; });
+  ExtendedOutline outline;
+  const int n = plate.edge_count();
+  // Round the outline once, from the first bend's run (which may go over corner 0).
+  const int start = bends.empty() ? 0 : run_of(bends.front()).first;
+  std::size_t next = 0;
+  for (int done = 0; done < n;) {
+    const int edge = (start + done) % n;
+    if (next < bends.size() && run_of(bends[next]).first == edge) {
+      append_bend(outline, plate, bends[next]);
+      done += run_of(bends[next]).count;
+      ++next;
+    } else {
+      append(outline, plate.outline[static_cast<std::size_t>(edge)],
+             plate.outline[static_cast<std::size_t>((edge + 1) % n)], -1, 0.0);
+      ++done;
+    }
+  }
+  if (auto simple = check_simple(outline, plate, id); !simple) return tl::unexpected(simple.error());
+  return outline;
+}
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,78 @@
+#include "plate_pairs.hpp"
+
+#include "bend_frame.hpp"
+#include "lateral.hpp"
+
+#include <planish/geometry/region.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::connect_detail {
+namespace {
+
+using Interval = std::pair<double, double>;
+
+// Plates that pass through each other by less than this share of their extent touch.
+constexpr double kTouch = 1e-6;
+
+// Intervals of the line y = 0 with material on both of its sides.
+std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d, const Vec3& e,
+                                       double tolerance) {
+  std::vector<Vec2> above, below;
+  double low = 0.0, high = 0.0;
+  for (int i = 0; i < plate.edge_count(); ++i) {
+    const Vec3 p = plate.corner(i) - origin;
+    above.emplace_back(p.dot(d), p.dot(e));
+    below.emplace_back(p.dot(d), -p.dot(e));
+    low = std::min(low, p.dot(d));
+    high = std::max(high, p.dot(d));
+  }
+  // Complements of the sections that are free on one side or the other.
+  std::vector<Interval> free = legal_sections(above, low, high, tolerance);
+  for (const Interval& section : legal_sections(below, low, high, tolerance))
+    free.push_back(section);
+  std::sort(free.begin(), free.end());
+  std::vector<Interval> inside;
+  double from = low;
+  for (const Interval& section : free) {
+    if (section.first > from) inside.emplace_back(from, section.first);
+    from = std::max(from, section.second);
+  }
+  if (high > from) inside.emplace_back(from, high);
+  return inside;
+}
+
+std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const BendFrame& frame) {
+  const double tolerance = kTouch * std::max(a.extent, b.extent);
+  for (const Interval& p : inside_intervals(a, frame.origin, frame.d, frame.e[0], tolerance))
+    for (const Interval& q : inside_intervals(b, frame.origin, frame.d, frame.e[1], tolerance)) {
+      const double low = std::max(p.first, q.first), high = std::min(p.second, q.second);
+      if (high - low > tolerance) return frame.origin + 0.5 * (low + high) * frame.d;
+    }
+  return std::nullopt;
+}
+
+std::optional<Vec3> common_area(const PlacedPlate& a, const PlacedPlate& b) {
+  Polygon first{a.outline, {}}, second;
+  for (int i = 0; i < b.edge_count(); ++i)
+    second.outer.push_back(a.frame.local2(b.corner(i)));
+  if (ring_area(second.outer) < 0.0) std::reverse(second.outer.begin(), second.outer.end());
+  const double extent = std::max(a.extent, b.extent);
+  const auto shared = overlaps({first, second}, 0.0, kTouch * extent * extent);
+  if (shared.empty()) return std::nullopt;
+  return a.frame.point(shared.front().outline.front().front());
+}
+
+}  // namespace
+
+std::optional<Vec3> intersection(const PlacedPlate& a, const PlacedPlate& b, double planarity) {
+  const PlanePair kind = plane_pair(a, b, planarity);
+  if (kind == PlanePair::coplanar) return common_area(a, b);
+  if (kind == PlanePair::parallel) return std::nullopt;
+  const auto frames = bend_frames(a, b, kind);
+  if (frames.empty()) return std::nullopt;
+  return crossing(a, b, frames.front());
+}
+
+}  // namespace planish::connect_detail

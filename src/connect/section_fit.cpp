@@ -1,0 +1,153 @@
+#include "bend_fit.hpp"
+#include "tangent_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish::connect_detail {
+namespace {
+
+// A full turn: both ends touch, as the seam of a pipe does.
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+
+/// The ruling where a section begins: on the mid-surface, from `start` along `d`, the sheet going on
+/// towards `onward`, turning towards `inside`; unit vectors.
+struct Beginning {
+  Vec3 start, d, onward, inside;
+  double length = 0.0;
+};
+
+Error at(const FitTask& task, ErrorCode code, std::string message, const std::string& key) {
+  return {code, std::move(message), task.pointer + key};
+}
+
+Result<Beginning> beginning(const FitTask& task) {
+  const PlacedPlate* plate = task.plates[0];
+  if (plate == nullptr) return Beginning{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), -Vec3::UnitX(), *task.request.length};
+  const auto& edges = task.request.edges[0];
+  if (!edges || edges->size() != 1)
+    return tl::unexpected(at(task, ErrorCode::invalid_input,
+                             "a bend of one plate begins at one of its edges: name it in edges", "/edges"));
+  const int edge = edges->front();
+  const Vec3 from = plate->corner(edge), to = plate->corner((edge + 1) % plate->edge_count());
+  const Vec3 d = (to - from).normalized();
+  const double up = task.request.angle->radians() > 0.0 ? 1.0 : -1.0;
+  return Beginning{from, d, d.cross(plate->frame.z), up * plate->frame.z, (to - from).norm()};
+}
+
+// A surface about `frame` whose tangent ruling runs from v = a to v = b, seen from the beginning.
+void set_ends(BendFit& fit, double a, double b) {
+  const double sweep = fit.surface.sweep;
+  const auto boundary = [&](double v) { return Boundary{{v, v}, Segment{{0.0, v}, {sweep, v}}}; };
+  fit.boundaries = {LateralBoundary::arc, boundary(std::min(a, b)), boundary(std::max(a, b))};
+}
+
+void roll_cylinder(BendFit& fit, const Beginning& begin, double radius, double sweep) {
+  const Vec3 axis = (-begin.inside).cross(begin.onward);
+  fit.surface.mid = Cylinder{frame_from_axes(begin.start + radius * begin.inside, axis, -begin.inside), radius};
+  fit.surface.sweep = sweep;
+  fit.surface.tangents[0] = {begin.start, axis, -begin.onward};
+  set_ends(fit, 0.0, begin.length * axis.dot(begin.d));
+}
+
+// The cone whose radii of curvature at both ends of the ruling are given.
+void roll_cone(BendFit& fit, const Beginning& begin, const std::array<double, 2>& radii, double sweep) {
+  const double tangent = (radii[1] - radii[0]) / begin.length;
+  const Vec3 apex = begin.start - radii[0] / tangent * begin.d;
+  const Vec3 ruling = std::copysign(1.0, tangent) * begin.d;
+  const double half = std::atan(std::abs(tangent));
+  const Vec3 axis = std::cos(half) * ruling + std::sin(half) * begin.inside;
+  Frame frame = frame_from_axes(apex, axis, ruling - ruling.dot(axis) * axis);
+  fit.surface.kind = BendKind::cone;
+  fit.surface.tan_half_angle = std::abs(tangent);
+  fit.surface.sweep = sweep;
+  fit.surface.tangents[0] = {apex, ruling, -begin.onward};
+  if (frame.y.dot(begin.onward) < 0.0) {
+    // The azimuth runs towards the beginning: it starts at the free end.
+    fit.surface.first = 1;
+    const Vec3 end = std::cos(sweep) * frame.x - std::sin(sweep) * frame.y;
+    frame = frame_from_axes(apex, axis, end);
+  }
+  fit.surface.mid = Cone{frame, half};
+  const double from = std::abs(radii[0] / tangent), to = std::abs(radii[1] / tangent);
+  set_ends(fit, from, to);
+}
+
+// Without a plate the radii are those of the circles of the inner skin and the length is the height.
+std::array<double, 2> free_cone(Beginning& begin, const std::array<double, 2>& inside, double height,
+                                double thickness) {
+  const double tangent = (inside[1] - inside[0]) / height;
+  const double half = std::atan(tangent), cosine = std::cos(half);
+  begin.length = height / cosine;
+  begin.d = std::sin(half) * Vec3::UnitX() + cosine * Vec3::UnitZ();
+  begin.inside = Vec3(-cosine, 0.0, std::sin(half));
+  begin.start = inside[0] * Vec3::UnitX() - 0.5 * thickness * begin.inside;
+  return {inside[0] / cosine + 0.5 * thickness, inside[1] / cosine + 0.5 * thickness};
+}
+
+Result<void> check(const FitTask& task) {
+  const BendRequest& request = task.request;
+  const auto missing = [&](const std::string& what, const std::string& key) {
+    return tl::unexpected(at(task, ErrorCode::invalid_input, what, key));
+  };
+  if (!request.angle) return missing("a section with a free end needs its angle", "/angle");
+  const double angle = std::abs(request.angle->radians());
+  if (!(angle > 0.0) || angle > kFullTurn * (1.0 + 1e-12))
+    return missing(fmt::format("the angle is {:.6g}°; it must lie between 0 and 360°", request.angle->degrees()), "/angle");
+  if (!request.inside_radius && !request.inside_radii)
+    return missing("a section with a free end needs its inside_radius, or inside_radii for a cone", "/inside_radius");
+  if (task.plates[0] == nullptr && !(request.length && *request.length > 0.0))
+    return missing("a section without plates needs its length", "/length");
+  const double smallest = request.inside_radii ? std::min((*request.inside_radii)[0], (*request.inside_radii)[1])
+                                               : *request.inside_radius;
+  if (smallest < kSmallestInsideRadius)
+    return tl::unexpected(at(task, ErrorCode::radius_too_small,
+                             fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm", smallest,
+                                         kSmallestInsideRadius),
+                             request.inside_radii ? "/inside_radii" : "/inside_radius"));
+  return {};
+}
+
+}  // namespace
+
+Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
+  if (auto sound = check(task); !sound) return tl::unexpected(sound.error());
+  auto begin = beginning(task);
+  if (!begin) return tl::unexpected(begin.error());
+  const BendRequest& request = task.request;
+  const double half = 0.5 * task.thickness;
+  const double sweep = std::min(std::abs(request.angle->radians()), kFullTurn);
+  BendFit fit;
+  const bool conical = request.inside_radii && (*request.inside_radii)[0] != (*request.inside_radii)[1];
+  const double radius = request.inside_radii ? (*request.inside_radii)[0] : *request.inside_radius;
+  if (!conical) {
+    if (task.plates[0] == nullptr) begin->start = (radius + half) * Vec3::UnitX();
+    roll_cylinder(fit, *begin, radius + half, sweep);
+  } else {
+    std::array<double, 2> radii{(*request.inside_radii)[0] + half, (*request.inside_radii)[1] + half};
+    if (task.plates[0] == nullptr) radii = free_cone(*begin, *request.inside_radii, *request.length, task.thickness);
+    roll_cone(fit, *begin, radii, sweep);
+  }
+  if (task.plates[0] != nullptr) {
+    fit.runs[0] = {request.edges[0]->front(), 1};
+    fit.report.edges[0] = *request.edges[0];
+  }
+  FittedBend& report = fit.report;
+  report.request = request;
+  report.kind = fit.surface.kind;
+  report.frame = {begin->start, begin->d, {-begin->onward, -begin->onward}, Vec3::Zero(), {}};
+  report.angle = fit.surface.turned();
+  report.lateral = LateralBoundary::arc;
+  report.width = begin->length;
+  if (conical) report.half_angle = Angle::radians(std::atan(fit.surface.tan_half_angle));
+  const double low = fit.surface.radius(fit.boundaries.low.v[0]) - half;
+  const double high = fit.surface.radius(fit.boundaries.high.v[0]) - half;
+  report.inside_radius = 0.5 * (low + high);
+  report.inside_radii = {low, high};
+  return fit;
+}
+
+}  // namespace planish::connect_detail

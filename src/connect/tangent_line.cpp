@@ -1,0 +1,295 @@
+#include "tangent_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::connect_detail {
+namespace {
+
+using Corners = std::array<std::vector<Vec2>, 2>;
+
+// Plates whose edges reach this share of their extent near to the intersection line touch there.
+constexpr double kTouching = 1e-7;
+// A value is on the edge of its range within this share of the extent.
+constexpr double kOnBound = 1e-9;
+
+double mid_radius_of(double inside_radius, const FitTask& task) { return inside_radius + 0.5 * task.thickness; }
+
+double extent_of(const FitTask& task) { return std::max(task.plates[0]->extent, task.plates[1]->extent); }
+
+// Height of the tangent line at which the inside radius is as small as it may be.
+double least_height(const FitTask& task, const BendFrame& frame) {
+  return tangent_distance(frame, mid_radius_of(kSmallestInsideRadius, task));
+}
+
+Corners shifted(Corners corners, double x, double y) {
+  for (auto& side : corners)
+    for (Vec2& p : side)
+      p -= Vec2(x, y);
+  return corners;
+}
+
+// Least extension where the line stays at least `height` above the intersection line: 0 ≤ k x − q is
+// that of corners and q moved by as much; averted lines lie above every corner as it is.
+Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenLine given, double height) {
+  if (kind == EdgeKind::averted) {
+    for (auto& side : corners)
+      for (Vec2& p : side)
+        p.y() = std::max(p.y(), height);
+    return smallest_extension(corners, kind, given);
+  }
+  if (given.offset) *given.offset += height;
+  if (given.apex) {
+    // k (x − x₀) is the height itself; it cannot be moved. A line through the apex is one of slope only.
+    return smallest_extension(corners, kind, given);
+  }
+  auto fit = smallest_extension(shifted(std::move(corners), 0.0, height), kind, given);
+  if (fit) fit->line.offset -= height;
+  return fit;
+}
+
+bool touch(const Corners& corners, double extent) {
+  return std::all_of(corners.begin(), corners.end(), [&](const auto& side) {
+    return std::any_of(side.begin(), side.end(), [&](const Vec2& p) { return p.y() <= kTouching * extent; });
+  });
+}
+
+Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+  if (touch(corners, extent_of(task)))
+    return {ErrorCode::plates_touch,
+            fmt::format("the plates touch where the bend would be; a bend needs a gap: move the plates so that "
+                        "their edges stay {:.4g} mm or more away from the line where their planes meet",
+                        least_height(task, choice.frame)),
+            {}};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const auto& side : corners)
+    for (const Vec2& p : side)
+      nearest = std::min(nearest, p.y());
+  return {ErrorCode::radius_too_small,
+          fmt::format("the largest radius that fits between the edges is {:.4g} mm on the mid-surface, the "
+                      "thickness of {:.4g} mm needs more than {:.4g} mm: move the edges {:.4g} mm away from the "
+                      "line where the plates' planes meet",
+                      nearest * std::tan(0.5 * choice.frame.beta.radians()), task.thickness,
+                      0.5 * task.thickness, least_height(task, choice.frame)),
+          {}};
+}
+
+double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
+double high_x(const Corners& c) { return std::max(c[0].back().x(), c[1].back().x()); }
+
+bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line, double tolerance) {
+  for (const auto& side : corners)
+    for (const Vec2& p : side) {
+      const double height = line.at(p.x());
+      if (height < -tolerance) return false;
+      if (kind == EdgeKind::facing ? height > p.y() + tolerance : height < p.y() - tolerance) return false;
+    }
+  return true;
+}
+
+Error does_not_fit(std::string what, const std::string& key) {
+  return {ErrorCode::no_bend_fits, std::move(what), key};
+}
+
+// A cone by its inside radii at the ends of the edges: the radius is linear in x.
+Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+  const auto& radii = *task.request.inside_radii;
+  const double left = tangent_distance(choice.frame, mid_radius_of(radii[0], task));
+  const double right = tangent_distance(choice.frame, mid_radius_of(radii[1], task));
+  const double x = low_x(corners);
+  const double slope = (right - left) / (high_x(corners) - x);
+  const TangentLine line{slope, slope * x - left};
+  if (leaves_whole(corners, choice.search.best.kind, line, kOnBound * extent_of(task))) return line;
+  const double scale = std::tan(0.5 * choice.frame.beta.radians());
+  const auto radius = [&](double y) { return y * scale - 0.5 * task.thickness; };
+  const auto slopes = feasible_slopes(corners, choice.search.best.kind);
+  return tl::unexpected(does_not_fit(
+      fmt::format("a cone with inside radii of {:.4g} and {:.4g} mm cuts a plate: at the ends of the edges the "
+                  "plates leave room for {:.4g} and {:.4g} mm{}",
+                  radii[0], radii[1],
+                  radius(std::min(corners[0].front().y(), corners[1].front().y())),
+                  radius(std::min(corners[0].back().y(), corners[1].back().y())),
+                  slopes ? fmt::format(" (slopes from {:.4g} to {:.4g})", slopes->low, slopes->high) : ""),
+      "/inside_radii"));
+}
+
+// A cone by its aperture opens to the left or to the right: the one with less extension.
+Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+  const double tangent = std::tan(0.5 * choice.frame.beta.radians());
+  const double sine = std::tan(0.5 * task.request.aperture->radians()) / tangent;
+  const EdgeKind kind = choice.search.best.kind;
+  const double height = least_height(task, choice.frame);
+  std::optional<SmallestExtension> best;
+  if (sine < 1.0)
+    for (const double sign : {1.0, -1.0}) {
+      const auto fit = least_extension(corners, kind, GivenLine{sign * std::tan(std::asin(sine)), {}, {}}, height);
+      if (fit && (!best || fit->area < best->area)) best = *fit;
+    }
+  if (best) return best->line;
+  const auto slopes = feasible_slopes(corners, kind);
+  const double steepest = slopes ? std::max(std::abs(slopes->low), std::abs(slopes->high)) : 0.0;
+  const double widest = 2.0 * std::atan(std::sin(std::atan(steepest)) * tangent);
+  return tl::unexpected(does_not_fit(
+      fmt::format("a cone with an aperture of {:.4g}° does not fit between the edges: it can be up to {:.4g}°",
+                  task.request.aperture->degrees(), Angle::radians(widest).degrees()),
+      "/aperture"));
+}
+
+// A cone with a given inside radius at mid-length: the height there is given.
+Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+  const double middle = 0.5 * (low_x(corners) + high_x(corners));
+  const double height = tangent_distance(choice.frame, mid_radius_of(*task.request.inside_radius, task));
+  GivenLine given{task.request.slope, -height, {}};
+  auto fit = smallest_extension(shifted(corners, middle, 0.0), choice.search.best.kind, given);
+  if (fit) fit->line.offset += fit->line.slope * middle;
+  return fit;
+}
+
+Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const Corners& corners,
+                          const ConnectOptions& options) {
+  const BendRequest& request = task.request;
+  const EdgeKind kind = choice.search.best.kind;
+  const GivenLine given = given_line(request, choice.frame, task.thickness);
+  const double height = least_height(task, choice.frame);
+  auto fit = request.inside_radius && request.surface == SurfaceChoice::cone
+                 ? by_middle_radius(task, choice, corners)
+                 : least_extension(corners, kind, given, height);
+  if (!fit) {
+    if (!least_extension(corners, kind, {}, height)) return tl::unexpected(too_sharp(task, choice, corners));
+    return tl::unexpected(fit.error());
+  }
+  const bool tiny = std::abs(fit->line.slope) < options.smallest_slope;
+  if (tiny && fit->line.slope != 0.0 && !given.slope && !given.apex && request.surface != SurfaceChoice::cone) {
+    const auto cylinder = least_extension(corners, kind, GivenLine{0.0, {}, {}}, height);
+    if (cylinder) return cylinder->line;
+  }
+  if (request.surface == SurfaceChoice::cone && fit->line.slope == 0.0)
+    return tl::unexpected(does_not_fit(
+        "the edges are parallel, the cone of least plate extension is a cylinder: give a slope, an aperture or "
+        "two radii, or choose a cylinder",
+        "/surface"));
+  return fit->line;
+}
+
+// The largest (facing) or smallest (averted) distance at which a cylinder is tangent to both plates.
+struct Reach {
+  double facing = -1.0, averted = std::numeric_limits<double>::infinity();
+};
+Reach reach(const PairChoice& choice) {
+  Reach both{std::numeric_limits<double>::infinity(), 0.0};
+  for (const auto& chains : choice.chains) {
+    double far = -1.0, near = std::numeric_limits<double>::infinity();
+    for (const Chain& chain : chains)
+      for (std::size_t j = 0; j < chain.edges.size(); ++j) {
+        const double a = chain.corners[j].y(), b = chain.corners[j + 1].y();
+        if (chain.kind == EdgeKind::facing)
+          far = std::max(far, std::min(a, b));
+        else
+          near = std::min(near, std::max(a, b));
+      }
+    both.facing = std::min(both.facing, far);
+    both.averted = std::max(both.averted, near);
+  }
+  return both;
+}
+
+// The reach for the edges that are given, or for all.
+Reach reach_of(const FitTask& task, const PairChoice& choice) {
+  if (!task.request.edges[0] && !task.request.edges[1]) return reach(choice);
+  PairChoice chosen = choice;
+  const EdgeChoice& best = choice.search.best;
+  const auto corners = choice.corners(best);
+  const auto edges = choice.edges(best);
+  for (std::size_t side = 0; side < 2; ++side)
+    if (task.request.edges[side]) chosen.chains[side] = {Chain{best.kind, corners[side], edges[side]}};
+  Reach both = reach(chosen);
+  // All the edges given take part, not the best of them.
+  for (std::size_t side = 0; side < 2; ++side)
+    if (task.request.edges[side])
+      for (const Vec2& p : corners[side]) {
+        both.facing = std::min(both.facing, p.y());
+        both.averted = std::max(both.averted, p.y());
+      }
+  return both;
+}
+
+std::string radius_range(const FitTask& task, const PairChoice& choice) {
+  const Reach both = reach_of(task, choice);
+  const double scale = std::tan(0.5 * choice.frame.beta.radians());
+  const double largest = both.facing * scale - 0.5 * task.thickness;
+  const double smallest = both.averted * scale - 0.5 * task.thickness;
+  std::string text;
+  if (largest > 0.0) text = fmt::format("up to {:.4f} mm", largest);
+  if (std::isfinite(smallest))
+    text += fmt::format("{}{:.4f} mm or more, round the back of the plates", text.empty() ? "" : ", or ",
+                        std::max(smallest, 0.0));
+  return text;
+}
+
+}  // namespace
+
+Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+  const Corners corners = choice.corners(choice.search.best);
+  if (choice.frame.parallel()) {
+    double far = 0.0;
+    for (const auto& side : corners)
+      for (const Vec2& p : side)
+        far = std::max(far, p.y());
+    return TangentLine{0.0, -far};
+  }
+  if (task.request.inside_radii) return by_radii(task, choice, corners);
+  if (task.request.aperture) return by_aperture(task, choice, corners);
+  return least(task, choice, corners, options);
+}
+
+Error with_range(const FitTask& task, const ConnectOptions& options, const Error& error) {
+  if (error.code != ErrorCode::no_bend_fits) return error;
+  const BendRequest& asked = task.request;
+  if (!asked.inside_radius && !asked.slope && !asked.apex) return error;
+  FitTask free = task;
+  free.request.inside_radius.reset();
+  free.request.slope.reset();
+  free.request.apex.reset();
+  const auto choice = search_pair(free, options);
+  if (!choice) return choice.error();
+  const Corners corners = choice->corners(choice->search.best);
+  if (asked.inside_radius) {
+    const std::string range = radius_range(task, *choice);
+    if (range.empty()) return too_sharp(task, *choice, corners);
+    return does_not_fit(fmt::format("an inside radius of {:.4g} mm does not fit between the plates: it can be {}",
+                                    *asked.inside_radius, range),
+                        "/inside_radius");
+  }
+  const EdgeKind kind = choice->search.best.kind;
+  if (asked.apex && *asked.apex > low_x(corners) && *asked.apex < high_x(corners))
+    return {ErrorCode::apex_in_span,
+            fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm: it must "
+                        "lie beyond one of its ends",
+                        *asked.apex, low_x(corners), high_x(corners)),
+            "/apex"};
+  if (asked.slope) {
+    const auto slopes = feasible_slopes(corners, kind);
+    if (slopes && (*asked.slope < slopes->low || *asked.slope > slopes->high || !asked.apex))
+      return does_not_fit(fmt::format("a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}",
+                                      *asked.slope, slopes->low, slopes->high),
+                          "/slope");
+    const auto offsets = feasible_offsets(corners, kind, *asked.slope);
+    if (offsets && *asked.slope != 0.0) {
+      const double a = offsets->low / *asked.slope, b = offsets->high / *asked.slope;
+      return does_not_fit(
+          fmt::format("with a slope of {:.6g} an apex at {:.6g} mm does not fit: it can be from {:.6g} to {:.6g} mm",
+                      *asked.slope, *asked.apex, std::min(a, b), std::max(a, b)),
+          "/apex");
+    }
+  }
+  return does_not_fit(fmt::format("{}; with nothing given the apex would be at {:.6g} mm", error.message,
+                                  choice->search.best.line.slope == 0.0
+                                      ? std::numeric_limits<double>::infinity()
+                                      : choice->search.best.line.offset / choice->search.best.line.slope),
+                      asked.apex ? "/apex" : "");
+}
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,205 @@
+#include "sample_plates.hpp"
+
+#include <planish/connect/connect.hpp>
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Connection joined(const PlateStructure& structure, const ConnectOptions& options = {}) {
+  auto connection = connect(structure, options);
+  EXPECT_TRUE(connection) << (connection ? "" : connection.error().message + " at " + connection.error().where);
+  return connection ? *connection : Connection{};
+}
+
+FlatPattern flat(const Connection& connection, double k = 0.44) {
+  auto pattern = flatten(connection.sheet, {.allowance = ConstantK{k, "test"}, .root = connection.root});
+  EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
+  return pattern ? *pattern : FlatPattern{};
+}
+
+/// Normals of the bend's mid-surface and of both plates agree along the tangent lines.
+void expect_tangent(const Connection& connection) {
+  for (const Joint& joint : connection.sheet.joints) {
+    const Face& a = connection.sheet.faces[static_cast<std::size_t>(index_of(joint.a.face))];
+    const Face& b = connection.sheet.faces[static_cast<std::size_t>(index_of(joint.b.face))];
+    const Curve2& ca = a.loops[static_cast<std::size_t>(joint.a.loop)][static_cast<std::size_t>(joint.a.border)].curve;
+    const Curve2& cb = b.loops[static_cast<std::size_t>(joint.b.loop)][static_cast<std::size_t>(joint.b.border)].curve;
+    for (const double t : {0.0, 0.3, 1.0}) {
+      EXPECT_LT((skin_point(a, point_at(ca, t)) - skin_point(b, point_at(cb, 1.0 - t))).norm(), 1e-9);
+      EXPECT_LT((outward_normal(a, point_at(ca, t)) - outward_normal(b, point_at(cb, 1.0 - t))).norm(), 1e-10);
+    }
+  }
+}
+
+TEST(Connect, JoinsTwoPlatesAtARightAngleByTheLargestCylinderThatFits) {
+  const double gap = 14.0, t = 4.0;
+  const Connection c = joined(angle_pair(gap));
+  ASSERT_EQ(c.bends.size(), 1u);
+  const FittedBend& bend = c.bends[0];
+  EXPECT_EQ(bend.kind, BendKind::cylinder);
+  EXPECT_EQ(bend.edge_kind, EdgeKind::facing);
+  EXPECT_NEAR(bend.inside_radius, gap - t / 2, 1e-9);
+  EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
+  EXPECT_NEAR(bend.width, 200.0, 1e-9);
+  EXPECT_NEAR(bend.extension_area, 0.0, 1e-6);
+  expect_tangent(c);
+  const FlatPattern pattern = flat(c);
+  const double across = 200.0 + kPi / 2 * (gap - t / 2 + 0.44 * t);
+  EXPECT_NEAR(blank_size(pattern).x(), across, 1e-9 * across);
+  EXPECT_NEAR(pattern.area, 200.0 * across, 1e-9 * pattern.area);
+  EXPECT_EQ(pattern.outer.loop.size(), 4u);
+}
+
+TEST(Connect, ExtendsThePlatesToAGivenRadius) {
+  PlateStructure s = angle_pair(14.0);
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 5.0}};
+  const Connection c = joined(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].inside_radius, 5.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].extension_area, 2 * 200.0 * (14.0 - 7.0), 1e-6);
+  const FlatPattern pattern = flat(c);
+  const double across = 200.0 + 14.0 + kPi / 2 * (5.0 + 0.44 * 4.0);
+  EXPECT_NEAR(pattern.area, 200.0 * across, 1e-9 * pattern.area);
+}
+
+TEST(Connect, RefusesARadiusThatWouldCutThePlatesAndSaysWhichFits) {
+  PlateStructure s = angle_pair(14.0);
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 20.0}};
+  const auto c = connect(s);
+  ASSERT_FALSE(c);
+  EXPECT_EQ(c.error().code, ErrorCode::no_bend_fits);
+  EXPECT_NE(c.error().message.find("12.0000 mm"), std::string::npos) << c.error().message;
+  EXPECT_EQ(c.error().where, "/bends/0/inside_radius");
+}
+
+TEST(Connect, JoinsATrayToOnePiece) {
+  const double gap = 8.0, t = 3.0;
+  const Connection c = joined(tray(gap, t));
+  ASSERT_EQ(c.bends.size(), 4u);
+  EXPECT_EQ(c.structure.plates[static_cast<std::size_t>(index_of(c.root))].id, "floor");
+  for (const FittedBend& bend : c.bends)
+    EXPECT_EQ(bend.plates[0], 0) << "every wall hangs on the floor";
+  expect_tangent(c);
+  const FlatPattern pattern = flat(c);
+  const double allowance = kPi / 2 * (gap - t / 2 + 0.44 * t);
+  EXPECT_NEAR(pattern.area, 300 * 200 + 2 * (300 + 200) * (60 + allowance), 1e-6);
+  EXPECT_EQ(pattern.bends.size(), 4u);
+}
+
+TEST(Connect, JoinsEdgesThatRunApartByAConeWithoutExtension) {
+  const double k = 0.2, t = 3.0;
+  const Connection c = joined(cone_pair(k, 200, 500, t));
+  ASSERT_EQ(c.bends.size(), 1u);
+  const FittedBend& bend = c.bends[0];
+  EXPECT_EQ(bend.kind, BendKind::cone);
+  EXPECT_NEAR(std::abs(bend.line.slope), k, 1e-9);
+  EXPECT_NEAR(bend.extension_area, 0.0, 1e-6);
+  ASSERT_TRUE(bend.apex);
+  EXPECT_LT((bend.frame.origin + *bend.apex * bend.frame.d).norm(), 1e-6) << "the apex lies where the edges meet";
+  // MATH 3.3.
+  const double phi = std::atan(k), omega = std::atan(std::sin(phi) * std::tan(kPi / 4));
+  ASSERT_TRUE(bend.half_angle);
+  EXPECT_NEAR(bend.half_angle->radians(), omega, 1e-12);
+  EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
+  expect_tangent(c);
+  // The sector of the neutral surface, between the straight lines from corner to corner.
+  const double theta = std::atan(std::tan(phi) / std::sin(omega)), sector = 2 * theta * std::sin(omega);
+  const double shift = (0.44 - 0.5) * t / std::tan(omega);
+  const auto triangle = [&](double x) { return 0.5 * std::pow(std::hypot(x, k * x) + shift, 2) * std::sin(sector); };
+  const FlatPattern pattern = flat(c);
+  const double plate = 300.0 * (300 - k * 350);
+  EXPECT_NEAR(pattern.area, 2 * plate + triangle(500) - triangle(200), 1e-6 * pattern.area);
+}
+
+TEST(Connect, JoinsParallelPlatesByAHalfTurn) {
+  const Connection c = joined(u_pair(40.0, 3.0));
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_EQ(c.bends[0].kind, BendKind::cylinder);
+  EXPECT_NEAR(c.bends[0].angle.degrees(), 180.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].inside_radius, 18.5, 1e-9);
+  expect_tangent(c);
+  const FlatPattern pattern = flat(c);
+  EXPECT_NEAR(pattern.area, 200 * (180 + kPi * (18.5 + 0.44 * 3)), 1e-6);
+}
+
+TEST(Connect, RollsAPipeOfItsOwn) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.bends = {{.inside_radius = 49.0, .angle = Angle::degrees(360), .length = 300.0}};
+  const FlatPattern pattern = flat(joined(s), 0.5);
+  EXPECT_NEAR(pattern.area, 300.0 * 2 * kPi * 50.0, 1e-6);
+}
+
+TEST(Connect, RollsATruncatedConeOfItsOwn) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.bends = {{.inside_radii = std::array{60.0, 30.0}, .angle = Angle::degrees(300), .length = 100.0}};
+  const FlatPattern pattern = flat(joined(s), 0.5);
+  // Lateral area of the mid-surface frustum whose ends lie on the normals of the inner one.
+  const double tangent = 30.0 / 100.0, cosine = 1 / std::hypot(1, tangent), slant = 100.0 / cosine;
+  const double r0 = 60 + cosine, r1 = 30 + cosine;
+  EXPECT_NEAR(pattern.area, Angle::degrees(300).radians() * 0.5 * (r0 + r1) * slant, 1e-6);
+}
+
+TEST(Connect, CurvesOnBehindAnEdge) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0})};
+  s.bends = {{.between = {"A"}, .edges = {std::vector{2}}, .inside_radius = 30.0, .angle = Angle::degrees(180)}};
+  const Connection c = joined(s);
+  expect_tangent(c);
+  EXPECT_NEAR(flat(c, 0.5).area, 200 * (100 + kPi * 31.0), 1e-6);
+  s.bends[0].inside_radius.reset();
+  s.bends[0].inside_radii = std::array{20.0, 40.0};
+  s.bends[0].angle = Angle::degrees(-90);
+  const Connection cone = joined(s);
+  ASSERT_EQ(cone.bends.size(), 1u);
+  EXPECT_EQ(cone.bends[0].kind, BendKind::cone);
+  expect_tangent(cone);
+  // The sector between the distances of both ends from the apex.
+  const double tangent = 20.0 / 200.0, sine = tangent / std::hypot(1, tangent);
+  const double s0 = 21 / tangent, s1 = 41 / tangent;
+  EXPECT_NEAR(flat(cone, 0.5).area, 200 * 100 + 0.5 * (s1 * s1 - s0 * s0) * (kPi / 2) * sine, 1e-6);
+}
+
+TEST(Connect, DoesNotDependOnPlaceHandScaleOrOrder) {
+  for (const PlateStructure& s : {angle_pair(14.0), tray(), cone_pair(), u_pair()}) {
+    const double area = flat(joined(s)).area;
+    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+    motion.rotate(Eigen::AngleAxisd(0.8, Vec3(1, 2, -3).normalized())).pretranslate(Vec3(4000, -300, 50));
+    EXPECT_NEAR(flat(joined(moved(s, motion))).area, area, 1e-8 * area);
+    EXPECT_NEAR(flat(joined(mirrored(s))).area, area, 1e-9 * area);
+    EXPECT_NEAR(flat(joined(scaled(s, 10.0))).area, 100 * area, 1e-7 * area);
+    PlateStructure turned = s;
+    std::reverse(turned.plates.begin(), turned.plates.end());
+    for (Plate& plate : turned.plates)
+      std::rotate(plate.outline.begin(), plate.outline.begin() + 1, plate.outline.end());
+    EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
+    for (Plate& plate : turned.plates)
+      std::reverse(plate.outline.begin(), plate.outline.end());
+    EXPECT_NEAR(flat(joined(turned)).area, area, 1e-9 * area);
+  }
+}
+
+TEST(Connect, FollowsAPlateThatIsMoved) {
+  PlateStructure s = tray();
+  const Connection before = joined(s);
+  for (Vec3& p : s.plates[1].outline)
+    p += Vec3(0, -5, 5);
+  const auto after = refit(before, s.plates[1]);
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_EQ(after->bends.size(), before.bends.size());
+  EXPECT_NEAR(flat(*after).area, flat(joined(s)).area, 1e-6);
+}
+
+}  // namespace
+}  // namespace planish::test

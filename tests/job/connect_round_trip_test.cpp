@@ -1,0 +1,78 @@
+#include "connect/sample_plates.hpp"
+#include "support/round_trip.hpp"
+
+#include <planish/connect/connect.hpp>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+// Plates → connect → solid → STEP → recognise → flatten gives the flat pattern that connect gave.
+
+namespace planish::test {
+namespace {
+
+void expect_connect_round_trip(const PlateStructure& structure, double tolerance = 1e-6) {
+  const auto connection = connect(structure);
+  ASSERT_TRUE(connection) << connection.error().message << " at " << connection.error().where;
+  expect_round_trip(connection->sheet, tolerance);
+}
+
+TEST(ConnectRoundTrip, GivesBackWhatWasJoined) {
+  for (const PlateStructure& s : {angle_pair(14.0), tray(), u_pair()}) expect_connect_round_trip(s);
+}
+
+TEST(ConnectRoundTrip, GivesBackCones) { expect_connect_round_trip(cone_pair(), 1e-5); }
+
+TEST(ConnectRoundTrip, GivesBackPipesAndCones) {
+  PlateStructure pipe;
+  pipe.thickness = 2.0;
+  pipe.bends = {{.inside_radius = 49.0, .angle = Angle::degrees(350), .length = 300.0}};
+  expect_connect_round_trip(pipe);
+  pipe.bends[0].inside_radius.reset();
+  pipe.bends[0].inside_radii = std::array{60.0, 30.0};
+  expect_connect_round_trip(pipe);
+}
+
+TEST(ConnectRoundTrip, GivesBackEveryLateralBoundary) {
+  for (const LateralBoundary lateral : {LateralBoundary::straight, LateralBoundary::arc, LateralBoundary::corner}) {
+    PlateStructure cylinder = angle_pair(14.0);
+    cylinder.plates[1] = rectangle_plate("B", {30, 114, 20}, {140, 0, 0}, {0, 0, 100});
+    cylinder.bends = {{.between = {"A", "B"}, .lateral = lateral}};
+    expect_connect_round_trip(cylinder, 1e-5);
+    PlateStructure cone = cone_pair();
+    for (Vec3& p : cone.plates[1].outline) p.x() += p.x() < 300 ? 30 : -20;
+    cone.bends = {{.between = {"A", "B"}, .lateral = lateral}};
+    expect_connect_round_trip(cone, 1e-5);
+  }
+}
+
+/// A rectangle at the line where two planes meet, turned a little, with random size and distance.
+Plate random_plate(const std::string& id, const Vec3& e, const Vec3& d) {
+  const auto number = [](int low, int high) { return 0.1 * *rc::gen::inRange(10 * low, 10 * high); };
+  const double width = number(60, 200), height = number(50, 150), away = number(15, 60);
+  const double turn = 0.01 * *rc::gen::inRange(-30, 30), shift = number(-40, 40);
+  const Vec3 along = std::cos(turn) * d + std::sin(turn) * e, up = std::cos(turn) * e - std::sin(turn) * d;
+  const double lowest = std::min(0.0, std::sin(turn) * width);
+  return rectangle_plate(id, shift * d + (away - lowest) * e, width * along, height * up);
+}
+
+RC_GTEST_PROP(ConnectRoundTrip, GivesBackRandomPairs, ()) {
+  const double beta = 0.01 * *rc::gen::inRange(60, 250);
+  PlateStructure s;
+  s.thickness = 0.1 * *rc::gen::inRange(8, 30);
+  const Vec3 d = Vec3::UnitX();
+  s.plates = {random_plate("A", Vec3::UnitY(), d),
+              random_plate("B", {0, std::cos(beta), std::sin(beta)}, d)};
+  const auto connection = connect(s);
+  if (!connection) {
+    // Plates may be too near for the thickness; nothing else may go wrong.
+    RC_ASSERT(connection.error().code == ErrorCode::radius_too_small ||
+              connection.error().code == ErrorCode::no_common_width);
+    RC_DISCARD();
+  }
+  expect_round_trip(connection->sheet, 1e-5);
+  RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+}  // namespace
+}  // namespace planish::test
