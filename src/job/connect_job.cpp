@@ -13,14 +13,6 @@ std::string name_of(const ConnectRequest& request) {
   return request.input == "-" ? "standard input" : request.input.string();
 }
 
-ConnectReport begun(const ConnectRequest& request) {
-  ConnectReport report;
-  report.input = request.input.string();
-  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
-  report.units = request.units.value_or(LengthUnit::mm);
-  return report;
-}
-
 // A straight lateral boundary is straight where the neutral surface lies; rules by which K differs
 // from bend to bend are known only when the bends are, so their boundaries take the default.
 ConnectOptions options_for(const AllowanceRule& allowance) {
@@ -51,8 +43,7 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file,
 
 Result<ConnectReport> connect_plates(const PlatesFile& file, const ConnectRequest& request,
                                      const Progress& progress) {
-  ConnectReport report = begun(request);
-  report.units = request.units.value_or(file.units);
+  ConnectReport report = begun(request, file.units);
   if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) {
     return tl::unexpected(*error);
   }
@@ -68,12 +59,6 @@ Result<ConnectReport> connect(const ConnectRequest& request, const Progress& pro
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   auto report = connect_plates(*file, request, progress);
   if (report) report->read_seconds = taken.count();
-  return report;
-}
-
-ConnectReport failed(const ConnectRequest& request, const Error& error) {
-  ConnectReport report = begun(request);
-  report.refusal = error;
   return report;
 }
 

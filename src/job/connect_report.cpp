@@ -121,7 +121,7 @@ std::string fit_table(const ConnectReport& report, const Units& units) {
                {"radius", Align::right},
                {"angle", Align::right},
                {"width", Align::right},
-               {"extension", Align::right}});
+               {"extension area", Align::right}});
   for (const FlatBend& flat : report.flat.bends) {
     const FittedBend* bend = fitted(report, flat.bend);
     if (!bend) continue;

@@ -17,6 +17,20 @@ Finding unmeasured(const Error& error) {
 
 }  // namespace
 
+ConnectReport begun(const ConnectRequest& request, LengthUnit unit) {
+  ConnectReport report;
+  report.input = request.input.string();
+  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
+  report.units = request.units.value_or(unit);
+  return report;
+}
+
+ConnectReport failed(const ConnectRequest& request, const Error& error) {
+  ConnectReport report = begun(request, LengthUnit::mm);
+  report.refusal = error;
+  return report;
+}
+
 Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
                                  const Progress& progress) {
   auto step = folded_solid_step(sheet, name);

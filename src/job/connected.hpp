@@ -10,6 +10,10 @@
 
 namespace planish::job {
 
+/// A report that says no more than what was asked; lengths in `unit` where the request leaves it
+/// open.
+ConnectReport begun(const ConnectRequest& request, LengthUnit unit);
+
 /// A solid made of a sheet: its STEP text, and its volume as the kernel measures it when it reads
 /// that text.
 struct FoldedSolid {
