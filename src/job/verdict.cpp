@@ -40,9 +40,8 @@ std::vector<Vec2> feature_places(const FlatPattern& flat) {
 bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
-  std::string message =
-      fmt::format("flat area at K = ½ times thickness is {:.6f} of the solid's volume",
-                  certificate.volume_ratio);
+  std::string message = fmt::format(
+      "flat area at K = ½ times thickness is {:.6f} of the solid's volume", certificate.volume_ratio);
   const std::string features = features_text(flat);
   const double explained = certificate.explained_ratio;
   if (!features.empty()) {

@@ -198,7 +198,7 @@ Sheet flaring_walls() {
   for (const int border : {1, 2}) {
     const test::Rim rim =
         builder.bend(builder.rim(base, border), test::Turn{Angle::degrees(90), 2});
-    builder.flange_behind(rim, {test::polygon({{0, 0}, {40, 0}, {70, 40}, {-30, 40}})});
+    builder.flange_behind(rim, {test::polygon({{0, 0}, {40, 0}, {110, 40}, {-70, 40}})});
   }
   return builder.finish();
 }
