@@ -35,7 +35,9 @@ Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
                                  const Progress& progress) {
   auto step = folded_solid_step(sheet, name);
   if (!step) return tl::unexpected(step.error());
-  const auto read = read_step_text(*step, name, progress);
+  Progress silent;  // its stages are none of the whole
+  silent.cancelled = progress.cancelled;
+  const auto read = read_step_text(*step, name, silent);
   if (!read) return tl::unexpected(read.error());
   return FoldedSolid{std::move(*step), read->bodies.front().volume()};
 }
