@@ -1,5 +1,6 @@
 #pragma once
 
+#include "connect_arguments.hpp"
 #include "unfold_arguments.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -12,6 +13,8 @@ namespace planish::cli {
 
 /// `planish unfold`; returns the exit status.
 int run_unfold(const UnfoldArguments& arguments);
+/// `planish connect`; returns the exit status.
+int run_connect(const ConnectArguments& arguments);
 
 struct InfoArguments {
   std::string input, body;

@@ -1,8 +1,7 @@
 #include "commands.hpp"
 #include "option_parts.hpp"
+#include "output_files.hpp"
 #include "terminal.hpp"
-#include "unfold_files.hpp"
-#include "unfold_plan.hpp"
 
 #include <planish/job/info.hpp>
 

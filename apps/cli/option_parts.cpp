@@ -49,10 +49,9 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
   return app.add_option(name, target, description)->check(not_empty)->type_name(type);
 }
 
-CLI::Option* add_units(CLI::App& app, LengthUnit& target, const std::string& description) {
-  return add_choice<LengthUnit>(
-      app, "--units", target,
-      {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}}, description);
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
+                            std::vector<std::string>& target, const std::string& description) {
+  return app.add_option(name, target, description)->allow_extra_args(false)->check(not_empty);
 }
 
 std::string not_empty(const std::string& text) { return text.empty() ? "is empty" : ""; }

@@ -29,8 +29,10 @@ CLI::Option* add_face(CLI::App& app, const std::string& name, std::string& targe
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& type, const std::string& description);
 
-/// `--units`
-CLI::Option* add_units(CLI::App& app, LengthUnit& target, const std::string& description);
+/// An option that may be given several times, each time with one value, so that an input may
+/// follow it.
+CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
+                            std::vector<std::string>& target, const std::string& description);
 
 /// A check for options: what is wrong with an empty value, "" for any other.
 std::string not_empty(const std::string& text);
@@ -39,8 +41,8 @@ std::string not_empty(const std::string& text);
 std::string alternatives(const std::vector<std::string>& words);
 
 /// An option that takes one of several words, each standing for a value.
-template <typename T>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
+template <typename T, typename Target>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
                         const std::vector<std::pair<std::string, T>>& choices,
                         const std::string& description) {
   std::vector<std::string> words;
@@ -60,6 +62,14 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, T& target,
   return app.add_option_function<std::string>(name, set, description)
       ->check(check)
       ->type_name(alternatives(words));
+}
+
+/// `--units`
+template <typename Target>
+CLI::Option* add_units(CLI::App& app, Target& target, const std::string& description) {
+  return add_choice<LengthUnit>(
+      app, "--units", target,
+      {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}}, description);
 }
 
 }  // namespace planish::cli

@@ -14,11 +14,11 @@ struct Contradiction {
   const char* sentence;
 };
 
-int inputs_from_stdin(const UnfoldArguments& a) {
+int inputs_from_stdin(const PatternArguments& a) {
   return (a.input == "-") + (a.k_table == "-") + (a.rules == "-");
 }
 
-std::vector<Contradiction> of_bends_and_dxf(const UnfoldArguments& a) {
+std::vector<Contradiction> of_bends_and_dxf(const PatternArguments& a) {
   const int k_rules = a.k.has_value() + !a.k_table.empty() + a.din6935;
   return {
       {k_rules > 1,
@@ -54,16 +54,31 @@ std::vector<Contradiction> of_outputs(const UnfoldArguments& a) {
   };
 }
 
-}  // namespace
+std::vector<Contradiction> of_outputs(const ConnectArguments& a) {
+  return {
+      {a.check && !a.folded.empty(), "--check writes no part: leave -o out"},
+      {a.check && !a.flat.empty(), "--check writes no pattern: leave --flat out"},
+  };
+}
 
-std::optional<std::string> contradiction_in(const UnfoldArguments& arguments) {
-  for (const auto& group :
-       {of_bends_and_dxf(arguments), of_several_bodies(arguments), of_outputs(arguments)}) {
+std::optional<std::string> first_of(const std::vector<std::vector<Contradiction>>& groups) {
+  for (const auto& group : groups) {
     for (const Contradiction& one : group) {
       if (one.holds) return one.sentence;
     }
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> contradiction_in(const UnfoldArguments& arguments) {
+  return first_of(
+      {of_bends_and_dxf(arguments), of_several_bodies(arguments), of_outputs(arguments)});
+}
+
+std::optional<std::string> contradiction_in(const ConnectArguments& arguments) {
+  return first_of({of_bends_and_dxf(arguments), of_outputs(arguments)});
 }
 
 }  // namespace planish::cli

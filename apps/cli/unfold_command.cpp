@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "ending.hpp"
 #include "terminal.hpp"
 #include "unfold_files.hpp"
 #include "unfold_plan.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace planish::cli {
 namespace {
@@ -17,31 +17,10 @@ using job::UnfoldReport;
 
 constexpr int kDone = 0;
 
-// Standard output belongs to the JSON report when that was sent there.
-void print_summary(const UnfoldArguments& arguments, const std::string& text) {
-  if (arguments.quiet) return;
-  std::FILE* stream = arguments.json == "-" ? stderr : stdout;
-  fmt::print(stream, "{}", text);
-}
-
-// The report of a request that failed as a whole: scripts find the reason in the same place.
+// The report of a request that failed as a whole.
 int end_failed(const UnfoldArguments& arguments, const job::UnfoldRequest& request,
                const Error& error) {
-  const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
-  const auto unwritten =
-      write_report(arguments.json, job::report_json(job::failed(request, error)));
-  if (unwritten) complain(*unwritten);
-  return status;
-}
-
-int end_one(const UnfoldArguments& arguments, const UnfoldReport& report) {
-  if (const auto error = write_report(arguments.json, job::report_json(report))) {
-    return complain(*error);
-  }
-  if (report.refusal) return complain(*report.refusal);
-  print_summary(arguments, job::report_text(report));
-  return kDone;
+  return end_failed(arguments, error, job::report_json(job::failed(request, error)));
 }
 
 int run_one(const UnfoldArguments& arguments, const UnfoldPlan& plan, ProgressLine& line) {
@@ -51,7 +30,7 @@ int run_one(const UnfoldArguments& arguments, const UnfoldPlan& plan, ProgressLi
   if (report->has_pattern() && !arguments.check) {
     report->refusal = write_pattern(*report, plan);
   }
-  return end_one(arguments, *report);
+  return end_reported(arguments, *report);
 }
 
 int end_all(const UnfoldArguments& arguments, const std::vector<UnfoldReport>& reports) {
@@ -83,16 +62,13 @@ int run_all(const UnfoldArguments& arguments, const UnfoldPlan& plan, ProgressLi
   return end_all(arguments, *reports);
 }
 
-// A command line that contradicts itself has no report; a side file that cannot be read has.
+// Not even the side files of the request could be read.
 int end_unplanned(const UnfoldArguments& arguments, const Error& error) {
-  if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input) {
-    return complain(error);
-  }
   job::UnfoldRequest request;
   request.input = arguments.input;
   request.body = arguments.body;
-  request.units = arguments.units;
-  return end_failed(arguments, request, error);
+  request.units = arguments.units.value_or(LengthUnit::mm);
+  return end_unplanned(arguments, error, job::report_json(job::failed(request, error)));
 }
 
 }  // namespace

@@ -1,43 +1,20 @@
 #include "unfold_files.hpp"
 
-#include <fmt/format.h>
+#include "output_files.hpp"
 
 namespace planish::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct File {
-  fs::path path;
-  std::string content;
-};
-
-std::optional<Error> write_all(const std::vector<File>& files, const UnfoldPlan& plan) {
-  for (const File& file : files) {
-    // Names made from bodies are not known when the command line is checked.
-    if (auto spared = spare_inputs(file.path, plan.inputs); !spared) return spared.error();
-  }
-  for (const File& file : files) {
-    if (auto written = write_file(file.path, file.content); !written) return written.error();
-  }
-  return std::nullopt;
-}
-
-std::optional<Error> make_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) return std::nullopt;
-  return Error{ErrorCode::cannot_write,
-               fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
-               folder.string()};
-}
-
 // All files of one body, or the first reason why one cannot be composed.
 Result<std::vector<File>> files_of(const job::UnfoldReport& report,
                                    const std::vector<Target>& targets, const UnfoldPlan& plan) {
+  DxfOptions dxf = plan.dxf;
+  dxf.units = report.units;
   std::vector<File> files;
   for (const Target& target : targets) {
-    auto text = job::composed(report, target.format, plan.dxf);
+    auto text = job::composed(report, target.format, dxf);
     if (!text) return tl::unexpected(text.error());
     files.push_back({target.path, std::move(*text)});
   }
@@ -53,11 +30,6 @@ std::vector<Target> targets_in(const fs::path& folder, const std::string& stem,
   return targets;
 }
 
-void append_names(std::vector<std::string>& names, const std::vector<File>& files) {
-  for (const File& file : files)
-    names.push_back(file.path.string());
-}
-
 }  // namespace
 
 std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& plan) {
@@ -67,7 +39,7 @@ std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& 
     if (!file.path.has_parent_path()) continue;
     if (auto error = make_folder(file.path.parent_path())) return error;
   }
-  if (auto error = write_all(*files, plan)) return error;
+  if (auto error = write_all(*files, plan.inputs)) return error;
   append_names(report.files, *files);
   return std::nullopt;
 }
@@ -91,17 +63,7 @@ std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports,
   if (auto error = make_folder(plan.folder)) return error;
   all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
   all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
-  return write_all(all, plan);
-}
-
-std::optional<Error> write_report(const std::string& json_option, const std::string& text) {
-  if (json_option.empty()) return std::nullopt;
-  if (json_option == "-") {
-    fmt::print("{}", text);
-    return std::nullopt;
-  }
-  if (auto written = write_file(json_option, text); !written) return written.error();
-  return std::nullopt;
+  return write_all(all, plan.inputs);
 }
 
 }  // namespace planish::cli

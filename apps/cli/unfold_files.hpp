@@ -4,10 +4,7 @@
 
 #include <planish/job/unfold.hpp>
 
-#include <filesystem>
 #include <optional>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace planish::cli {
@@ -19,8 +16,5 @@ std::optional<Error> write_pattern(job::UnfoldReport& report, const UnfoldPlan& 
 /// The same for every body that has a pattern, into `plan.folder`.
 std::optional<Error> write_patterns(std::vector<job::UnfoldReport>& reports,
                                     const UnfoldPlan& plan);
-
-/// Writes a report to a file, or to standard output for "-"; nothing for "".
-std::optional<Error> write_report(const std::string& json_option, const std::string& text);
 
 }  // namespace planish::cli

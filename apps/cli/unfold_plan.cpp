@@ -1,22 +1,18 @@
 #include "unfold_plan.hpp"
 
 #include "option_rules.hpp"
+#include "output_files.hpp"
 #include "side_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <optional>
-#include <set>
 
 namespace planish::cli {
 namespace {
 
 namespace fs = std::filesystem;
 using job::OutputFormat;
-
-Error bad(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
 std::vector<OutputFormat> formats_of(const UnfoldArguments& arguments) {
   std::vector<OutputFormat> formats;
@@ -32,27 +28,12 @@ std::vector<OutputFormat> formats_of(const UnfoldArguments& arguments) {
   return formats;
 }
 
-std::optional<OutputFormat> format_by_suffix(const fs::path& path) {
-  std::string suffix = path.extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (suffix == ".dxf") return OutputFormat::dxf;
-  if (suffix == ".svg") return OutputFormat::svg;
-  if (suffix == ".step" || suffix == ".stp") return OutputFormat::step;
-  return std::nullopt;
-}
-
-// "part" for part.step; what comes from standard input has no name of its own.
-std::string stem_of(const fs::path& input) {
-  return input == "-" ? "stdin" : input.stem().string();
-}
-
 Result<std::vector<Target>> default_targets(const UnfoldArguments& arguments) {
   const fs::path input(arguments.input);
   if (input == "-") {
     return tl::unexpected(
-        bad("standard input has no name to call the output by: say where with "
-            "-o FILE.dxf, or --check for no output"));
+        bad_option("standard input has no name to call the output by: say where with "
+                   "-o FILE.dxf, or --check for no output"));
   }
   std::vector<Target> targets;
   for (const OutputFormat format : formats_of(arguments)) {
@@ -76,74 +57,37 @@ Result<std::vector<Target>> targets_of(const UnfoldArguments& arguments) {
       targets.push_back({output, *format});
     } else {
       return tl::unexpected(
-          bad(fmt::format("the name \"{}\" does not say what to write: it must end "
-                          "in .dxf, .svg, .step, or in / for a folder",
-                          output)));
+          bad_option(fmt::format("the name \"{}\" does not say what to write: it must end "
+                                 "in .dxf, .svg, .step, or in / for a folder",
+                                 output)));
     }
   }
   if (!any_folder && !arguments.formats.empty()) {
     return tl::unexpected(
-        bad("--format goes with a folder or without -o: a file's name says its "
-            "format itself"));
+        bad_option("--format goes with a folder or without -o: a file's name says its "
+                   "format itself"));
   }
   return targets;
 }
 
-// Two outputs under one name would leave only the last.
-Result<void> all_different(const std::vector<Target>& targets, const std::string& json) {
-  std::vector<fs::path> paths;
-  for (const Target& target : targets)
-    paths.push_back(target.path);
-  if (!json.empty() && json != "-") paths.emplace_back(json);
-  std::set<fs::path> taken;
-  for (const fs::path& path : paths) {
-    std::error_code ignored;
-    if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second) {
-      return tl::unexpected(bad(fmt::format("two outputs are to be written to {}", path.string())));
-    }
-  }
-  return {};
-}
-
-// Said before the work rather than after it. A folder to write into is made when needed.
-Result<void> folder_exists(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) return {};
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot write {}: there is no folder {}", file.string(), folder.string()),
-              file.string());
-}
-
 Result<void> check_files(const UnfoldArguments& arguments, const UnfoldPlan& plan) {
+  const std::vector<fs::path> json = files_named({arguments.json});
   std::vector<fs::path> files;
   for (const Target& target : plan.targets)
     files.push_back(target.path);
-  if (!arguments.json.empty() && arguments.json != "-") files.emplace_back(arguments.json);
+  files.insert(files.end(), json.begin(), json.end());
   for (const fs::path& file : files) {
     if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
   }
+  // A folder to write into is made when needed.
   for (const std::string& output : arguments.outputs) {
     if (is_folder(output)) continue;
     if (auto exists = folder_exists(output); !exists) return exists;
   }
-  if (!arguments.json.empty() && arguments.json != "-") {
-    if (auto exists = folder_exists(arguments.json); !exists) return exists;
+  for (const fs::path& file : json) {
+    if (auto exists = folder_exists(file); !exists) return exists;
   }
-  return all_different(plan.targets, arguments.json);
-}
-
-DxfOptions dxf_of(const UnfoldArguments& arguments) {
-  DxfOptions dxf;
-  dxf.profile = arguments.profile;
-  dxf.version = arguments.r12 ? DxfVersion::r12 : DxfVersion::r2000;
-  dxf.splines = arguments.splines.value_or(dxf.splines);
-  dxf.arc_tolerance = arguments.arc_tolerance.value_or(dxf.arc_tolerance);
-  dxf.units = arguments.units;
-  dxf.bend_marks = arguments.bend_marks;
-  dxf.tick_length = arguments.tick_length.value_or(dxf.tick_length);
-  dxf.tangent_lines = arguments.tangent_lines;
-  return dxf;
+  return all_different(files);
 }
 
 Result<void> plan_outputs(const UnfoldArguments& arguments, UnfoldPlan& plan) {
@@ -169,27 +113,15 @@ bool is_folder(const std::string& output) {
 
 bool names_a_file(const std::string& output) {
   std::error_code ignored;
-  return !is_folder(output) && (format_by_suffix(output).has_value() || fs::exists(output, ignored));
-}
-
-Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
-    std::error_code absent;
-    if (fs::equivalent(output, input, absent) && !absent) {
-      return tl::unexpected(bad(fmt::format("the output {} is the input {}, which would be lost",
-                                            output.string(), input.string())));
-    }
-  }
-  return {};
+  return !is_folder(output) &&
+         (format_by_suffix(output).has_value() || fs::exists(output, ignored));
 }
 
 Result<UnfoldPlan> planned(const UnfoldArguments& arguments) {
   if (const auto contradiction = contradiction_in(arguments))
-    return tl::unexpected(bad(*contradiction));
+    return tl::unexpected(bad_option(*contradiction));
   UnfoldPlan plan;
-  for (const std::string& file : {arguments.input, arguments.k_table, arguments.rules}) {
-    if (!file.empty() && file != "-") plan.inputs.emplace_back(file);
-  }
+  plan.inputs = files_named({arguments.input, arguments.k_table, arguments.rules});
   if (auto made = plan_outputs(arguments, plan); !made) return tl::unexpected(made.error());
   auto request = request_of(arguments);
   if (!request) return tl::unexpected(request.error());

@@ -39,8 +39,4 @@ bool is_folder(const std::string& output);
 /// any other name is that of a folder to make.
 bool names_a_file(const std::string& output);
 
-/// `bad_option` when `output` is one of `inputs`, under whatever name.
-Result<void> spare_inputs(const std::filesystem::path& output,
-                          const std::vector<std::filesystem::path>& inputs);
-
 }  // namespace planish::cli

@@ -70,13 +70,11 @@ std::optional<Segment> longest_line(const FlatBend& bend) {
   return *longest;
 }
 
-bool sheet_known(const UnfoldReport& report) { return report.sheet.thickness > 0.0; }
+bool sheet_known(const Report& report) { return report.sheet.thickness > 0.0; }
 
-bool flat_known(const UnfoldReport& report) { return !report.flat.outer.loop.empty(); }
+bool flat_known(const Report& report) { return !report.flat.outer.loop.empty(); }
 
 // `certify` measures the area first; NaN, "could not be measured", is known too.
-bool certificate_known(const UnfoldReport& report) {
-  return report.certificate.flat_area_half != 0.0;
-}
+bool certificate_known(const Report& report) { return report.certificate.flat_area_half != 0.0; }
 
 }  // namespace planish::job

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/job/unfold.hpp>
+#include <planish/job/report.hpp>
 
 #include <optional>
 #include <string_view>
@@ -20,9 +20,9 @@ double inner_cutting_length(const FlatPattern& flat);
 /// The longest piece of the bend line; none where the bend has no material at its middle.
 std::optional<Segment> longest_line(const FlatBend& bend);
 
-/// A report may hold part of the story only (see UnfoldReport).
-bool sheet_known(const UnfoldReport& report);
-bool flat_known(const UnfoldReport& report);
-bool certificate_known(const UnfoldReport& report);
+/// A report may hold part of the story only (see Report).
+bool sheet_known(const Report& report);
+bool flat_known(const Report& report);
+bool certificate_known(const Report& report);
 
 }  // namespace planish::job

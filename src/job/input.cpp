@@ -2,10 +2,11 @@
 
 #include "units.hpp"
 
+#include <planish/job/text_file.hpp>
+
 #include <fmt/format.h>
 
 #include <charconv>
-#include <iostream>
 #include <optional>
 #include <vector>
 
@@ -43,24 +44,14 @@ std::vector<int> bodies_named(const StepFile& file, const std::string& name) {
   return found;
 }
 
-// In pieces: character by character would take longer than to understand them.
-std::string standard_input() {
-  std::string text;
-  std::vector<char> piece(1 << 16);
-  while (std::cin.read(piece.data(), static_cast<std::streamsize>(piece.size())) ||
-         std::cin.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(std::cin.gcount()));
-  }
-  return text;
-}
-
 }  // namespace
 
 Result<StepFile> read_input(const std::filesystem::path& input, const Progress& progress) {
   if (input != "-") return read_step(input, progress);
-  const std::string text = standard_input();
+  const auto text = read_text(input, "STEP file");
+  if (!text) return tl::unexpected(text.error());
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
-  return read_step_text(text, "standard input", progress);
+  return read_step_text(*text, "standard input", progress);
 }
 
 Result<int> choose_body(const StepFile& file, const std::string& wanted) {

@@ -17,6 +17,11 @@ Json point_json(const Vec2& p, const Units& units) {
   return Json::array({number_json(units.length(p.x())), number_json(units.length(p.y()))});
 }
 
+Json space_point_json(const Vec3& p, const Units& units) {
+  return Json::array({number_json(units.length(p.x())), number_json(units.length(p.y())),
+                      number_json(units.length(p.z()))});
+}
+
 Json reason_json(const std::optional<Error>& error) {
   if (!error) return nullptr;
   Json reason;

@@ -58,7 +58,7 @@ std::string file_name(const std::string& stem, OutputFormat format) {
   return stem + "_flat.step";
 }
 
-Result<std::string> composed(const UnfoldReport& report, OutputFormat format, const DxfOptions& dxf,
+Result<std::string> composed(const Report& report, OutputFormat format, const DxfOptions& dxf,
                              const SvgOptions& svg) {
   PLANISH_ASSERT(report.has_pattern());
   switch (format) {

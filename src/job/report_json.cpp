@@ -11,7 +11,7 @@ Json line_json(const Segment& line, const Units& units) {
   return Json::array({point_json(line.a, units), point_json(line.b, units)});
 }
 
-Json sheet_json(const UnfoldReport& report, const Units& units) {
+Json sheet_json(const Report& report, const Units& units) {
   if (!sheet_known(report)) return nullptr;
   const SheetSummary& sheet = report.sheet;
   Json json;
@@ -58,7 +58,7 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   return json;
 }
 
-Json flat_json(const UnfoldReport& report, const Units& units) {
+Json flat_json(const Report& report, const Units& units, const BendDetails& details) {
   if (!flat_known(report)) return nullptr;
   const FlatPattern& flat = report.flat;
   Json json;
@@ -70,8 +70,10 @@ Json flat_json(const UnfoldReport& report, const Units& units) {
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
   int order = 0;
-  for (const FlatBend& bend : flat.bends)
+  for (const FlatBend& bend : flat.bends) {
     json["bends"].push_back(bend_json(bend, ++order, units));
+    if (details) details(json["bends"].back(), bend);
+  }
   json["features"] = Json::array();
   for (const FlatFeature& feature : flat.features) {
     json["features"].push_back(feature_json(feature, units));
@@ -79,7 +81,7 @@ Json flat_json(const UnfoldReport& report, const Units& units) {
   return json;
 }
 
-Json verification_json(const UnfoldReport& report, const Units& units) {
+Json verification_json(const Report& report, const Units& units) {
   if (!certificate_known(report)) return nullptr;
   const Certificate& certificate = report.certificate;
   Json json;
@@ -107,27 +109,36 @@ Json check_json(const Finding& finding, const Units& units) {
 
 }  // namespace
 
-Json report_value(const UnfoldReport& report) {
-  const Units units(report.units);
+Json begun_report(const Report& report, std::string_view command) {
   Json json;
   json["format"] = "planish/report";
   json["version"] = 1;
-  json["command"] = "unfold";
+  json["command"] = command;
   json["input"] = report.input;
-  json["body"] = report.body;
-  json["body_number"] = report.number;
-  json["quantity"] = report.quantity;
+  return json;
+}
+
+void finish_report(Json& json, const Report& report, const BendDetails& details) {
+  const Units units(report.units);
   json["units"] = units.name();
   json["status"] = status_name(report.status());
   json["reason"] = reason_json(report.refusal);
   json["sheet"] = sheet_json(report, units);
-  json["flat"] = flat_json(report, units);
+  json["flat"] = flat_json(report, units, details);
   json["verification"] = verification_json(report, units);
   json["checks"] = Json::array();
   for (const Finding& finding : report.findings)
     json["checks"].push_back(check_json(finding, units));
   json["notes"] = report.notes;
   json["files"] = report.files;
+}
+
+Json report_value(const UnfoldReport& report) {
+  Json json = begun_report(report, "unfold");
+  json["body"] = report.body;
+  json["body_number"] = report.number;
+  json["quantity"] = report.quantity;
+  finish_report(json, report);
   return json;
 }
 

@@ -1,3 +1,5 @@
+#include "report_text.hpp"
+
 #include "facts.hpp"
 #include "table.hpp"
 #include "units.hpp"
@@ -15,16 +17,15 @@ namespace planish::job {
 namespace {
 
 std::string title(const UnfoldReport& report) {
-  const std::filesystem::path input(report.input);
-  std::string text = report.input == "-" ? "standard input" : input.filename().string();
+  std::string text = input_name(report);
   if (report.bodies_in_file > 1) {
     text += fmt::format(", body {} \"{}\"", report.number, report.body);
   }
   if (report.quantity > 1) text += fmt::format(" ×{}", report.quantity);
-  return printable(text);
+  return text;
 }
 
-std::string sheet_line(const UnfoldReport& report, const Units& units) {
+std::string sheet_line(const Report& report, const Units& units) {
   const SheetSummary& sheet = report.sheet;
   std::string text =
       fmt::format("sheet {} {} (spread {}), {}, {}", units.short_text(sheet.thickness),
@@ -34,7 +35,7 @@ std::string sheet_line(const UnfoldReport& report, const Units& units) {
   return text;
 }
 
-std::string blank_line(const UnfoldReport& report, const Units& units) {
+std::string blank_line(const Report& report, const Units& units) {
   const FlatPattern& flat = report.flat;
   const auto unit = units.symbol();
   std::string text = fmt::format(
@@ -46,12 +47,6 @@ std::string blank_line(const UnfoldReport& report, const Units& units) {
                         counted(static_cast<int>(flat.openings.size()), "opening"));
   }
   return text + "\n";
-}
-
-std::string angle_text(Angle angle) {
-  std::string text = fmt::format("{:.2f}", angle.degrees());
-  if (text.back() == '0') text.pop_back();  // a tenth is always said, a hundredth where it matters
-  return text + "°";
 }
 
 std::string bend_table(const FlatPattern& flat, const Units& units) {
@@ -82,7 +77,7 @@ std::string residual(double mm, const Units& units) {
   return fmt::format("within {} {}", units.tiny_text(mm), units.symbol());
 }
 
-std::string certificate_line(const UnfoldReport& report, const Units& units) {
+std::string certificate_line(const Report& report, const Units& units) {
   if (!certificate_known(report)) return {};
   const Certificate& certificate = report.certificate;
   std::string volume = std::isfinite(certificate.volume_ratio)
@@ -103,7 +98,7 @@ std::string place_text(const Finding& finding, const Units& units) {
   return fmt::format(" at ({}, {})", units.length_text(p.x()), units.length_text(p.y()));
 }
 
-std::string findings_text(const UnfoldReport& report, const Units& units) {
+std::string findings_text(const Report& report, const Units& units) {
   std::string text;
   for (const Finding& finding : report.findings) {
     text += fmt::format("  {} [{}]{}: {}\n", severity_name(finding.severity), finding.code,
@@ -121,9 +116,20 @@ std::string lines_of(const std::vector<std::string>& items, std::string_view bef
 
 }  // namespace
 
-std::string report_text(const UnfoldReport& report) {
+std::string angle_text(Angle angle) {
+  std::string text = fmt::format("{:.2f}", angle.degrees());
+  if (text.back() == '0') text.pop_back();  // a tenth is always said, a hundredth where it matters
+  return text + "°";
+}
+
+std::string input_name(const Report& report) {
+  if (report.input == "-") return "standard input";
+  return std::filesystem::path(report.input).filename().string();
+}
+
+std::string text_of(const Report& report, const std::string& title, const std::string& tables) {
   const Units units(report.units);
-  std::string text = title(report) + ": ";
+  std::string text = printable(title) + ": ";
   if (report.refusal) {
     text += fmt::format("refused [{}]: {}\n", code_name(report.refusal->code),
                         printable(report.refusal->message));
@@ -132,7 +138,7 @@ std::string report_text(const UnfoldReport& report) {
     text += sheet_line(report, units) + "\n";
   }
   if (flat_known(report)) {
-    text += blank_line(report, units) + bend_table(report.flat, units);
+    text += blank_line(report, units) + bend_table(report.flat, units) + tables;
   }
   text += certificate_line(report, units);
   text += findings_text(report, units);
@@ -140,5 +146,7 @@ std::string report_text(const UnfoldReport& report) {
   text += lines_of(report.files, "wrote ");
   return text;
 }
+
+std::string report_text(const UnfoldReport& report) { return text_of(report, title(report), {}); }
 
 }  // namespace planish::job

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <exception>
 
@@ -57,16 +56,6 @@ UnfoldReport refused(const Body& body, const UnfoldRequest& request, const Error
 }
 
 }  // namespace
-
-bool UnfoldReport::has_warnings() const {
-  return std::any_of(findings.begin(), findings.end(),
-                     [](const Finding& finding) { return finding.severity != Severity::info; });
-}
-
-Status UnfoldReport::status() const {
-  if (refusal) return Status::refused;
-  return has_warnings() ? Status::warning : Status::ok;
-}
 
 UnfoldReport failed(const UnfoldRequest& request, const Error& error) {
   UnfoldReport report;

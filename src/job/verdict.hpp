@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/job/unfold.hpp>
+#include <planish/job/report.hpp>
 
 #include <optional>
 #include <vector>

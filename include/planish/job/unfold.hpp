@@ -2,12 +2,9 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
-#include <planish/inspect/findings.hpp>
-#include <planish/io/flat_writers.hpp>
-#include <planish/sheet/certificate.hpp>
+#include <planish/job/report.hpp>
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,65 +14,22 @@ class Body;
 
 namespace planish::job {
 
-/// Beyond these a certificate is doubted (a warning with its place) or disbelieved (the pattern is
-/// refused as `pattern_wrong`).
-struct CertificateBounds {
-  double volume_warning =
-      1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a feature
-  double volume_refusal = 0.02;  ///< |explained_ratio − 1|: more than slanted cuts make
-  double unmeasured_refusal = 0.08;  ///< |volume_ratio − 1| where features could not be measured
-  double length_warning = 0.01;  ///< mm; what a laser cutter holds
-  double length_refusal = 0.5;   ///< mm
-  double refold_warning = 0.02;  ///< mm; twice that, as two borders meet in a corner
-  double refold_refusal = 0.5;   ///< mm
-};
-
 /// One request to unfold one body of a STEP file, as data.
-struct UnfoldRequest {
+struct UnfoldRequest : PatternChecks {
   std::filesystem::path input;  ///< "-" reads standard input
   std::string body;             ///< number (1-based) or name; empty: the only body
   AllowanceRule allowance = ConstantK{};
   std::string root = "largest";  ///< "largest" or a face number
   std::string up =
       "auto";  ///< "auto", "reference", "other", or the number of a face that shall face up
-  Rules rules;
-  bool write_overlapping = false;     ///< write the pattern although it covers itself
   LengthUnit units = LengthUnit::mm;  ///< of the report
-  CertificateBounds bounds;
-  std::optional<double> density;  ///< kg/dm³; gives the mass
 };
 
-struct SheetSummary {
-  double thickness = 0.0, thickness_spread = 0.0, volume = 0.0;
-  int flanges = 0, bends = 0;
-  std::optional<double>
-      k_factor;          ///< of all bends; of the rule without bends; empty where they differ
-  std::string k_source;  ///< likewise, "mixed" where they differ
-};
-
-enum class Status { ok, warning, refused };
-
-/// What came of one body. `refusal` set: there is no pattern; `sheet` (thickness > 0) and `flat`
-/// (outer contour not empty) then hold what was known. Lengths are mm; `units` is for the reports.
-struct UnfoldReport {
-  std::string input, body;
+/// What came of one body.
+struct UnfoldReport : Report {
   int number = 1;          ///< of the body in its file, as `planish info` counts
   int bodies_in_file = 1;  ///< different ones
   int quantity = 1;
-  std::optional<Error> refusal;
-  SheetSummary sheet;
-  FlatPattern flat;
-  Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
-  Certificate certificate;
-  std::vector<Finding> findings;
-  std::vector<std::string> notes;
-  std::optional<double> mass;      ///< kg, when the density is known
-  std::vector<std::string> files;  ///< written, as the one who wrote them names them
-  LengthUnit units = LengthUnit::mm;
-  double read_seconds = 0.0, unfold_seconds = 0.0;
-  bool has_pattern() const { return !refusal; }
-  bool has_warnings() const;
-  Status status() const;
 };
 
 /// Unfolds one body. An error means that the input could not be read or the request is wrong; a

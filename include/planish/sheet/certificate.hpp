@@ -22,6 +22,11 @@ struct Certificate {
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.
 using EdgeDistance = std::function<double(int edge, const Vec3& point)>;
 
+/// For a sheet that was made and not found in a solid: its edges are the sheet's own borders, mapped
+/// into space at their `edge_depth`. An edge of several borders is where the nearest of them is, one
+/// of none infinitely far. Exact on flanges; on bends to 1e-9 of the border's length.
+EdgeDistance border_distance(const Sheet& sheet);
+
 /// Measures a pattern against the sheet and the solid it came from, independently of how it was
 /// made: the volume identity at K = ½ whatever K the pattern used, edge lengths on the reference
 /// skin, and contour points of the finished pattern folded back onto the solid's edges.

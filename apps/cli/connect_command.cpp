@@ -1,0 +1,62 @@
+#include "commands.hpp"
+#include "connect_plan.hpp"
+#include "ending.hpp"
+#include "output_files.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/connect.hpp>
+
+namespace planish::cli {
+namespace {
+
+using job::ConnectReport;
+
+std::string failed_json(const job::ConnectRequest& request, const Error& error) {
+  return job::report_json(job::failed(request, error));
+}
+
+// All files, or the first reason why one cannot be composed.
+Result<std::vector<File>> files_of(const ConnectReport& report, const ConnectPlan& plan) {
+  std::vector<File> files;
+  for (const auto& path : plan.folded) {
+    if (!report.solid) return tl::unexpected(report.solid.error());
+    files.push_back({path, *report.solid});
+  }
+  DxfOptions dxf = plan.dxf;
+  dxf.units = report.units;
+  for (const Target& target : plan.flat) {
+    auto text = job::composed(report, target.format, dxf);
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({target.path, std::move(*text)});
+  }
+  return files;
+}
+
+std::optional<Error> write_files(ConnectReport& report, const ConnectPlan& plan) {
+  const auto files = files_of(report, plan);
+  if (!files) return files.error();
+  if (auto error = write_all(*files, plan.inputs)) return error;
+  append_names(report.files, *files);
+  return std::nullopt;
+}
+
+}  // namespace
+
+int run_connect(const ConnectArguments& arguments) {
+  const auto plan = planned(arguments);
+  if (!plan) {
+    job::ConnectRequest request;
+    request.input = arguments.input;
+    request.units = arguments.units;
+    return end_unplanned(arguments, plan.error(), failed_json(request, plan.error()));
+  }
+  ProgressLine line(!arguments.quiet);
+  auto report = job::connect(plan->request, line.progress());
+  if (!report)
+    return end_failed(arguments, report.error(), failed_json(plan->request, report.error()));
+  if (interrupted()) return complain({ErrorCode::cancelled, "cancelled", {}});
+  if (report->has_pattern()) report->refusal = write_files(*report, *plan);
+  return end_reported(arguments, *report);
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "connect_arguments.hpp"
+#include "unfold_plan.hpp"
+
+#include <planish/base/result.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/connect.hpp>
+
+#include <filesystem>
+#include <vector>
+
+namespace planish::cli {
+
+/// What a command line means, options checked against each other and side files read.
+struct ConnectPlan {
+  job::ConnectRequest request;
+  DxfOptions dxf;
+  std::vector<std::filesystem::path> folded;  ///< STEP files of the folded part
+  std::vector<Target> flat;
+  std::vector<std::filesystem::path> inputs;  ///< files read: no output may replace them
+};
+
+/// Errors: as of `planned` for `unfold`.
+Result<ConnectPlan> planned(const ConnectArguments& arguments);
+
+}  // namespace planish::cli

@@ -1,0 +1,113 @@
+#include "output_files.hpp"
+
+#include <planish/io/flat_writers.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+namespace planish::cli {
+
+namespace fs = std::filesystem;
+using job::OutputFormat;
+
+Error bad_option(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
+
+std::string suffix_of(const fs::path& path) {
+  std::string suffix = path.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
+
+std::optional<OutputFormat> format_by_suffix(const fs::path& path) {
+  const std::string suffix = suffix_of(path);
+  if (suffix == ".dxf") return OutputFormat::dxf;
+  if (suffix == ".svg") return OutputFormat::svg;
+  if (suffix == ".step" || suffix == ".stp") return OutputFormat::step;
+  return std::nullopt;
+}
+
+std::string stem_of(const fs::path& input) {
+  return input == "-" ? "stdin" : input.stem().string();
+}
+
+std::vector<fs::path> files_named(const std::vector<std::string>& values) {
+  std::vector<fs::path> files;
+  for (const std::string& value : values) {
+    if (!value.empty() && value != "-") files.emplace_back(value);
+  }
+  return files;
+}
+
+Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    std::error_code absent;
+    if (fs::equivalent(output, input, absent) && !absent) {
+      return tl::unexpected(bad_option(fmt::format(
+          "the output {} is the input {}, which would be lost", output.string(), input.string())));
+    }
+  }
+  return {};
+}
+
+Result<void> folder_exists(const fs::path& file) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return {};
+  return fail(ErrorCode::cannot_write,
+              fmt::format("cannot write {}: there is no folder {}", file.string(), folder.string()),
+              file.string());
+}
+
+Result<void> all_different(const std::vector<fs::path>& outputs) {
+  std::set<fs::path> taken;
+  for (const fs::path& path : outputs) {
+    std::error_code ignored;
+    if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second) {
+      return tl::unexpected(
+          bad_option(fmt::format("two outputs are to be written to {}", path.string())));
+    }
+  }
+  return {};
+}
+
+std::optional<Error> make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return std::nullopt;
+  return Error{ErrorCode::cannot_write,
+               fmt::format("cannot make the folder {}: {}", folder.string(), error.message()),
+               folder.string()};
+}
+
+std::optional<Error> write_all(const std::vector<File>& files,
+                               const std::vector<fs::path>& inputs) {
+  for (const File& file : files) {
+    // Names made from bodies are not known when the command line is checked.
+    if (auto spared = spare_inputs(file.path, inputs); !spared) return spared.error();
+  }
+  for (const File& file : files) {
+    if (auto written = write_file(file.path, file.content); !written) return written.error();
+  }
+  return std::nullopt;
+}
+
+void append_names(std::vector<std::string>& names, const std::vector<File>& files) {
+  for (const File& file : files)
+    names.push_back(file.path.string());
+}
+
+std::optional<Error> write_report(const std::string& json_option, const std::string& text) {
+  if (json_option.empty()) return std::nullopt;
+  if (json_option == "-") {
+    fmt::print("{}", text);
+    return std::nullopt;
+  }
+  if (auto written = write_file(json_option, text); !written) return written.error();
+  return std::nullopt;
+}
+
+}  // namespace planish::cli

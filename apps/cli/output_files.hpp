@@ -1,0 +1,56 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/job/outputs.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::cli {
+
+/// A file to write, its content ready.
+struct File {
+  std::filesystem::path path;
+  std::string content;
+};
+
+Error bad_option(std::string message);
+
+/// A name's last suffix in small letters, ".dxf"; "" for none.
+std::string suffix_of(const std::filesystem::path& path);
+
+/// What a pattern file of this name holds.
+std::optional<job::OutputFormat> format_by_suffix(const std::filesystem::path& path);
+
+/// "part" for part.step; what comes from standard input has no name of its own: "stdin".
+std::string stem_of(const std::filesystem::path& input);
+
+/// The files among the values of options: neither empty nor "-".
+std::vector<std::filesystem::path> files_named(const std::vector<std::string>& values);
+
+/// `bad_option` when `output` is one of `inputs`, under whatever name.
+Result<void> spare_inputs(const std::filesystem::path& output,
+                          const std::vector<std::filesystem::path>& inputs);
+
+/// `cannot_write` where the folder of the file does not exist: said before the work rather than
+/// after it.
+Result<void> folder_exists(const std::filesystem::path& file);
+
+/// `bad_option` for two outputs under one name, of which only the last would be left.
+Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
+
+std::optional<Error> make_folder(const std::filesystem::path& folder);
+
+/// Writes all of them, each whole or not at all, none over one of `inputs`.
+std::optional<Error> write_all(const std::vector<File>& files,
+                               const std::vector<std::filesystem::path>& inputs);
+
+/// The paths as reports name them.
+void append_names(std::vector<std::string>& names, const std::vector<File>& files);
+
+/// Writes a report to a file, or to standard output for "-"; nothing for "".
+std::optional<Error> write_report(const std::string& json_option, const std::string& text);
+
+}  // namespace planish::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/connect/connect.hpp>
+#include <planish/job/plates_json.hpp>
+#include <planish/job/report.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace planish::job {
+
+/// One request to make a sheet of the plates of a file, as data.
+struct ConnectRequest : PatternChecks {
+  std::filesystem::path input;             ///< "-" reads standard input
+  std::optional<AllowanceRule> allowance;  ///< empty: the file's K-factor, or else the default
+  std::optional<LengthUnit> units;         ///< of the report; empty: those of the file
+};
+
+/// What came of it. The connection holds what was known when it was refused.
+struct ConnectReport : Report {
+  Connection connection;
+  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report);
+  /// empty in a report refused before.
+  Result<std::string> solid;
+};
+
+/// Joins the plates, lays the sheet flat and certifies it: its volume is measured on the folded
+/// solid, as the kernel has it, edges and refolding against the sheet's own borders. An error means
+/// that the file could not be read or is invalid; plates that cannot be joined give a report with
+/// `refusal`. `where` of both is the file's name, followed by the JSON pointer of the cause.
+/// Errors: `cannot_read`, those of `parse_plates`, those of `planish::connect` with exit status 3.
+Result<ConnectReport> connect(const ConnectRequest& request, const Progress& progress = {});
+
+/// The part of it that begins with a file already read (`request.input` only names it).
+Result<ConnectReport> connect_plates(const PlatesFile& file, const ConnectRequest& request,
+                                     const Progress& progress = {});
+
+/// The report of a request that ended with an error.
+ConnectReport failed(const ConnectRequest& request, const Error& error);
+
+/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+std::string report_json(const ConnectReport& report);
+std::string report_text(const ConnectReport& report);
+
+}  // namespace planish::job

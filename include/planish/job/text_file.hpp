@@ -1,0 +1,14 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace planish::job {
+
+/// A file's bytes, or those of standard input for "-"; `what` names its part in messages ("plates
+/// file"). Errors: `cannot_read` with the reason of the system.
+Result<std::string> read_text(const std::filesystem::path& file, const std::string& what);
+
+}  // namespace planish::job

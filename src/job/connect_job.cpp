@@ -1,0 +1,65 @@
+#include "connected.hpp"
+
+#include <planish/job/connect.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <chrono>
+
+namespace planish::job {
+namespace {
+
+// What places in the file are called: its path, as it was given.
+std::string name_of(const ConnectRequest& request) {
+  return request.input == "-" ? "standard input" : request.input.string();
+}
+
+// A straight lateral boundary is straight where the neutral surface lies; rules by which K differs
+// from bend to bend are known only when the bends are, so their boundaries take the default.
+ConnectOptions options_for(const AllowanceRule& allowance) {
+  ConnectOptions options;
+  if (const auto* constant = std::get_if<ConstantK>(&allowance)) options.k_factor = constant->k;
+  return options;
+}
+
+// The work of `connect` fills the first part of the bar.
+Progress first_part(const Progress& whole) {
+  constexpr double kShare = 0.25;
+  Progress part;
+  part.cancelled = whole.cancelled;
+  part.report = [&whole](std::string_view stage, double share) { whole.at(stage, kShare * share); };
+  return part;
+}
+
+std::optional<Error> fill(ConnectReport& report, const PlatesFile& file,
+                          const ConnectRequest& request, const Progress& progress) {
+  const AllowanceRule allowance = allowance_of(file, request);
+  progress.at("joining the plates", 0.0);
+  auto connection = planish::connect(file.structure, options_for(allowance), first_part(progress));
+  if (!connection) return placed(connection.error(), name_of(request));
+  return finish(report, std::move(*connection), allowance, request, progress);
+}
+
+}  // namespace
+
+Result<ConnectReport> connect_plates(const PlatesFile& file, const ConnectRequest& request,
+                                     const Progress& progress) {
+  ConnectReport report = begun(request, file.units);
+  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) {
+    return tl::unexpected(*error);
+  }
+  return report;
+}
+
+Result<ConnectReport> connect(const ConnectRequest& request, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto text = read_text(request.input, "plates file");
+  if (!text) return tl::unexpected(text.error());
+  const auto file = parse_plates(*text, name_of(request));
+  if (!file) return tl::unexpected(file.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  auto report = connect_plates(*file, request, progress);
+  if (report) report->read_seconds = taken.count();
+  return report;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,121 @@
+#include "lay_flat.hpp"
+
+#include "verdict.hpp"
+
+#include <planish/inspect/findings.hpp>
+
+#include <chrono>
+#include <cmath>
+
+namespace planish::job {
+namespace {
+
+constexpr double kCubicDecimetre = 1e6;  // mm³
+constexpr int kRefusedStatus = 4;        // FORMATS, "Exit status"
+
+// Bends of one table row may differ in the last digits; that is still one K.
+constexpr double kSameK = 1e-9;
+
+Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
+
+void summarize_k(SheetSummary& summary, const FlatPattern& flat, const AllowanceRule& rule) {
+  summary.k_factor.reset();
+  summary.k_source.clear();
+  if (flat.bends.empty()) {
+    if (const auto* constant = std::get_if<ConstantK>(&rule)) {
+      summary.k_factor = constant->k;
+      summary.k_source = constant->source;
+    }
+    return;
+  }
+  const BendAllowance& first = flat.bends.front().allowance;
+  summary.k_factor = first.k_factor;
+  summary.k_source = first.source;
+  for (const FlatBend& bend : flat.bends) {
+    if (std::abs(bend.allowance.k_factor - first.k_factor) > kSameK) summary.k_factor.reset();
+    if (bend.allowance.source != first.source) summary.k_source = "mixed";
+  }
+  if (!summary.k_factor) summary.k_source = "mixed";
+}
+
+std::optional<double> mass_of(const Report& report, std::optional<double> density) {
+  if (!density) return std::nullopt;
+  const double solid = report.sheet.volume;
+  const double volume = solid > 0.0 ? solid : report.flat.area * report.sheet.thickness;
+  return *density * volume / kCubicDecimetre;
+}
+
+void append(std::vector<Finding>& all, std::vector<Finding> more) {
+  for (Finding& finding : more)
+    all.push_back(std::move(finding));
+}
+
+// What is wrong comes back, what is known is in the report.
+std::optional<Error> certified(Report& report, const SheetToLay& given,
+                               const FlattenOptions& options, const Progress& progress) {
+  progress.at("laying it flat", 0.5);
+  auto flat = flatten(given.sheet, options);
+  if (!flat) return flat.error();
+  if (progress.should_stop()) return stopped();
+
+  progress.at("certifying", 0.7);
+  const auto certificate = certify(given.sheet, *flat, given.distance, options);
+  if (!certificate) return certificate.error();
+  report.certificate = *certificate;
+  const double volume = given.sheet.volume;
+  const CertificateBounds& bounds = given.checks.bounds;
+  // A pattern that is wrong is not handed out at all.
+  if (auto wrong = disbelief(*certificate, volume, bounds)) return wrong;
+
+  report.flat = std::move(*flat);
+  report.size = blank_size(report.flat);
+  report.mass = mass_of(report, given.checks.density);
+  summarize_k(report.sheet, report.flat, options.allowance);
+  append(report.findings, doubts(*certificate, report.flat, volume, bounds));
+  return std::nullopt;
+}
+
+std::optional<Error> inspected(Report& report, const SheetToLay& given) {
+  const std::vector<Finding> overlaps = find_overlaps(given.sheet, report.flat);
+  append(report.findings, overlaps);
+  if (!given.checks.write_overlapping) {
+    if (auto refusal = overlap_refusal(overlaps)) return refusal;
+  }
+  if (given.checks.rules.enabled) {
+    append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+SheetSummary summary_of(const Sheet& sheet) {
+  SheetSummary summary;
+  summary.thickness = sheet.thickness;
+  summary.thickness_spread = sheet.thickness_spread;
+  summary.volume = sheet.volume;
+  summary.flanges = static_cast<int>(sheet.flanges.size());
+  summary.bends = static_cast<int>(sheet.bends.size());
+  return summary;
+}
+
+std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
+                              const FlattenOptions& options, const Progress& progress) {
+  if (progress.should_stop()) return stopped();
+  if (auto error = certified(report, given, options, progress)) return error;
+  if (progress.should_stop()) return stopped();
+  progress.at("checking", 0.9);
+  return inspected(report, given);
+}
+
+std::optional<Error> reported(Report& report, const std::function<std::optional<Error>()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto error = work();
+  report.unfold_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!error || exit_status(error->code) != kRefusedStatus) return error;
+  report.refusal = std::move(error);
+  return std::nullopt;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,422 @@
+#!/usr/bin/python3
+"""Joins plates whose sheet is known by a formula; refuses what cannot be joined or read."""
+
+import copy
+import json
+import math
+import os
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_cli import CliTest, main  # noqa: E402
+
+BEND_KEYS = {"id", "kind", "angle", "inside_radius", "k_factor", "allowance", "deduction",
+             "direction", "length", "line", "between", "edges", "slope", "apex", "width", "span",
+             "extension_area", "surface", "facing", "frame", "half_angle", "inside_radii",
+             "lateral", "alternatives"}
+
+THICKNESS, RADIUS, WIDTH, HEIGHT, GAP = 4.0, 12.0, 200.0, 100.0, 20.0
+
+
+def ell():
+    """Two plates of 200 x 100, t = 4, at right angles; each ends 20 before the line in which their
+    planes meet. A bend of inside radius 12 has its tangent lines 12 + 2 before it."""
+    return {"format": "planish/plates", "version": 1, "units": "mm", "thickness": THICKNESS,
+            "plates": [{"id": "A", "outline": [[0, 0, 0], [200, 0, 0], [200, 100, 0], [0, 100, 0]]},
+                       {"id": "B", "outline": [[0, 120, 20], [200, 120, 20], [200, 120, 120],
+                                               [0, 120, 120]]}],
+            "bends": [{"between": ["A", "B"], "inside_radius": RADIUS}]}
+
+
+def flat_length(k, radius=RADIUS):
+    extension = GAP - (radius + THICKNESS / 2)
+    return 2 * (HEIGHT + extension) + math.pi / 2 * (radius + k * THICKNESS)
+
+
+def scaled(plates, scale):
+    scaled_plates = copy.deepcopy(plates)
+    scaled_plates["thickness"] *= scale
+    for plate in scaled_plates["plates"]:
+        plate["outline"] = [[scale * x for x in corner] for corner in plate["outline"]]
+    for bend in scaled_plates["bends"]:
+        bend["inside_radius"] *= scale
+    return scaled_plates
+
+
+class PlatesTest(CliTest):
+    def plates(self, content=None, name="plates.json"):
+        self.write(name, json.dumps(ell() if content is None else content))
+        return name
+
+    def report(self, *options, content=None):
+        self.plates(content)
+        self.run_cli("connect", "plates.json", "--json", "report.json", *options)
+        return self.json("report.json")
+
+
+class Ell(PlatesTest):
+    def test_needs_nothing_but_the_file(self):
+        self.plates()
+        out, err = self.run_cli("connect", "plates.json")
+        self.assertEqual(err, "")
+        self.assertEqual(self.names(), ["plates.dxf", "plates.json", "plates.step"])
+        for words in ("plates.json: sheet 4 mm", "2 flanges, 1 bend", "A – B", "cylinder", "12.000",
+                      "90.0°", "extension area", "certificate: volume 1.000000",
+                      "wrote plates.step", "wrote plates.dxf"):
+            self.assertIn(words, out)
+
+    def test_report_has_its_keys_and_the_values_of_the_formula(self):
+        report = self.report()
+        self.assertEqual(report["command"], "connect")
+        self.assertEqual(report["input"], "plates.json")
+        self.assertEqual(report["units"], "mm")
+        self.assertEqual(report["status"], "ok")
+        self.assertIsNone(report["reason"])
+        self.assertEqual(report["files"], ["plates.step", "plates.dxf"])
+        self.assertEqual(report["sheet"]["flanges"], 2)
+        self.assertAlmostEqual(report["sheet"]["volume"], THICKNESS * WIDTH * flat_length(0.5), places=3)
+        self.assertAlmostEqual(report["flat"]["area"], WIDTH * flat_length(0.44), places=5)
+        self.assertAlmostEqual(report["flat"]["size"][0], flat_length(0.44), places=6)
+        self.assertAlmostEqual(report["flat"]["size"][1], WIDTH, places=6)
+        self.assertEqual(len(report["flat"]["bends"]), 1)
+        self.assertLessEqual(BEND_KEYS, report["flat"]["bends"][0].keys())
+
+    def test_report_says_how_the_bend_was_fitted(self):
+        bend = self.report()["flat"]["bends"][0]
+        self.assertEqual(bend["between"], ["A", "B"])
+        self.assertEqual(bend["edges"], {"A": [2], "B": [0]})
+        self.assertEqual(bend["surface"], "cylinder")
+        self.assertEqual(bend["facing"], "facing")
+        self.assertIsNone(bend["apex"])
+        self.assertIsNone(bend["half_angle"])
+        self.assertAlmostEqual(bend["slope"], 0.0, places=9)
+        self.assertAlmostEqual(bend["offset"], -(RADIUS + THICKNESS / 2), places=6)
+        self.assertAlmostEqual(bend["angle"], 90.0, places=6)
+        self.assertAlmostEqual(bend["inside_radius"], RADIUS, places=6)
+        self.assertAlmostEqual(bend["width"], WIDTH, places=6)
+        self.assertAlmostEqual(bend["extension_area"], 2 * WIDTH * (GAP - RADIUS - 2), places=4)
+        self.assertAlmostEqual(bend["length"], WIDTH, places=6)
+        self.assertAlmostEqual(bend["frame"]["beta"], 90.0, places=6)
+        self.assertEqual({abs(round(x, 6)) for x in bend["frame"]["d"]}, {0.0, 1.0})
+
+    def test_certificate_holds(self):
+        verification = self.report("--k", "0.3")["verification"]
+        self.assertAlmostEqual(verification["volume_ratio"], 1.0, places=6)
+        self.assertLess(verification["length_error"], 1e-6)
+        self.assertLess(verification["refold_deviation"], 1e-6)
+
+    def test_k_comes_from_the_command_then_the_file(self):
+        in_file = ell()
+        in_file["k_factor"] = 0.4
+        self.write("table.csv", "r/t,k\n1,0.30\n5,0.50\n")
+        for options, k, source in (([], 0.4, "plates file"), (["--k", "0.5"], 0.5, "constant"),
+                                   (["--k-table", "table.csv"], 0.4, None),
+                                   (["--din6935"], 0.5 * (0.65 + 0.5 * math.log10(3)), None)):
+            report = self.report(*options, content=in_file)
+            self.assertAlmostEqual(report["sheet"]["k_factor"], k, places=9)
+            self.assertAlmostEqual(report["flat"]["size"][0], flat_length(k), places=6)
+            if source:
+                self.assertEqual(report["sheet"]["k_source"], source)
+        self.assertEqual(self.report()["sheet"]["k_source"], "default")
+
+    def test_finds_the_bend_by_itself(self):
+        content = ell()
+        del content["bends"]
+        bend = self.report(content=content)["flat"]["bends"][0]
+        self.assertEqual(bend["between"], ["A", "B"])
+        self.assertAlmostEqual(bend["angle"], 90.0, places=6)
+
+    def test_report_speaks_the_units_of_the_file(self):
+        mm = self.report()
+        content = scaled(ell(), 1 / 25.4)
+        content["units"] = "inch"
+        inch = self.report(content=content)
+        self.assertEqual(inch["units"], "inch")
+        self.assertAlmostEqual(inch["flat"]["size"][0], mm["flat"]["size"][0] / 25.4, places=6)
+        self.assertAlmostEqual(inch["flat"]["bends"][0]["inside_radius"], RADIUS / 25.4, places=6)
+        self.assertAlmostEqual(inch["flat"]["bends"][0]["width"], WIDTH / 25.4, places=6)
+        lines = [line.strip() for line in (self.dir / "plates.dxf").read_text().split("\n")]
+        self.assertEqual(lines[lines.index("$INSUNITS") + 2], "1")
+        asked = self.report("--units", "mm", content=content)
+        self.assertEqual(asked["units"], "mm")
+        self.assertAlmostEqual(asked["flat"]["size"][0], mm["flat"]["size"][0], places=4)
+
+    def test_mass_by_density(self):
+        mass = self.report("--density", "7.85")["sheet"]["mass"]
+        self.assertAlmostEqual(mass, 7.85e-6 * THICKNESS * WIDTH * flat_length(0.5), places=6)
+
+    def test_rules_can_be_edited_and_left_out(self):
+        self.write("rules.json", '{"inside_radius_t": 100}')
+        strict = self.report("--rules", "rules.json")
+        self.assertEqual(strict["status"], "warning")
+        self.assertEqual(self.report("--no-rules")["checks"], [])
+
+    def test_unfolding_the_folded_part_gives_the_same_pattern(self):
+        made = self.report("-o", "part.step")
+        self.run_cli("unfold", "part.step", "--json", "again.json")
+        again = self.json("again.json")
+        self.assertAlmostEqual(again["sheet"]["thickness"], THICKNESS, places=6)
+        for extent, wanted in zip(again["flat"]["size"], made["flat"]["size"]):
+            self.assertAlmostEqual(extent, wanted, places=4)
+        self.assertEqual(again["body"], "plates")
+
+    def test_same_input_gives_the_same_bytes(self):
+        self.report()
+        before = {name: (self.dir / name).read_bytes() for name in ("plates.dxf", "report.json")}
+        self.report()
+        self.assertEqual(before, {name: (self.dir / name).read_bytes() for name in before})
+
+
+class Outputs(PlatesTest):
+    def test_each_goes_where_it_is_said(self):
+        self.plates()
+        self.run_cli("connect", "plates.json", "-o", "a.step", "-o", "b.STP", "--flat", "c.dxf",
+                     "--flat", "d.svg", "--flat", "e.step", "--json", "f.json")
+        self.assertEqual(self.names(), ["a.step", "b.STP", "c.dxf", "d.svg", "e.step", "f.json",
+                                        "plates.json"])
+        self.assertEqual(self.json("f.json")["files"], ["a.step", "b.STP", "c.dxf", "d.svg", "e.step"])
+        self.assertIn("<svg", (self.dir / "d.svg").read_text())
+        self.assertEqual((self.dir / "a.step").read_bytes(), (self.dir / "b.STP").read_bytes())
+        self.assertNotEqual((self.dir / "a.step").read_bytes(), (self.dir / "e.step").read_bytes())
+
+    def test_only_what_is_asked_for_is_written(self):
+        self.plates()
+        self.run_cli("connect", "plates.json", "--flat", "a.dxf")
+        self.assertEqual(self.names(), ["a.dxf", "plates.json"])
+        self.run_cli("connect", "plates.json", "-o", "b.step")
+        self.assertEqual(self.names(), ["a.dxf", "b.step", "plates.json"])
+
+    def test_check_writes_nothing_but_the_report(self):
+        self.plates()
+        out, _ = self.run_cli("connect", "plates.json", "--check", "--json", "r.json")
+        self.assertEqual(self.names(), ["plates.json", "r.json"])
+        self.assertEqual(self.json("r.json")["files"], [])
+        self.assertIn("certificate", out)
+
+    def test_quiet_says_nothing(self):
+        self.plates()
+        self.assertEqual(self.run_cli("connect", "plates.json", "-q"), ("", ""))
+
+    def test_json_on_standard_output_leaves_the_summary_to_standard_error(self):
+        self.plates()
+        out, err = self.run_cli("connect", "plates.json", "--json", "-")
+        self.assertEqual(json.loads(out)["status"], "ok")
+        self.assertIn("certificate", err)
+
+    def test_standard_input(self):
+        text = json.dumps(ell()).encode()
+        out, _ = self.run_cli("connect", "-", "-o", "a.step", "--json", "r.json", stdin=text)
+        self.assertEqual(self.names(), ["a.step", "r.json"])
+        self.assertIn("standard input", out)
+        self.assertEqual(self.json("r.json")["input"], "-")
+        self.run_cli("connect", "-", "--check", stdin=text)
+
+    def test_dxf_options_reach_the_file(self):
+        self.plates()
+        for options, wanted in ((["--r12"], "AC1009"), (["--profile", "onshape"], "SHEETMETAL_CUT"),
+                                (["--tangent-lines"], "BEND_TANGENT")):
+            self.run_cli("connect", "plates.json", *options)
+            self.assertIn(wanted, (self.dir / "plates.dxf").read_text())
+
+
+class Refusal(PlatesTest):
+    """Each with its exit status, code and place, and nothing written but the report."""
+
+    def refusal(self, code, pointer, content, *words, status=3, name="plates.json"):
+        text = content if isinstance(content, (str, bytes)) else json.dumps(content)
+        self.write(name, text)
+        self.write("older.dxf", "older")
+        sentence = self.refused("connect", name, "-o", "part.step", "--flat", "older.dxf", "--json",
+                                "report.json", status=status)
+        self.assertIn(f"[{code}]", sentence)
+        for word in (pointer, *words):
+            self.assertIn(word, sentence)
+        self.assertEqual(self.names(), ["older.dxf", name, "report.json"])
+        self.assertEqual((self.dir / "older.dxf").read_text(), "older")
+        report = self.json("report.json")
+        self.assertEqual(report["command"], "connect")
+        self.assertEqual(report["status"], "refused")
+        self.assertEqual(report["reason"]["code"], code)
+        self.assertIn(name + pointer, report["reason"]["where"])
+        (self.dir / "report.json").unlink()
+        return sentence
+
+
+class Unreadable(Refusal):
+    def test_missing_file_and_folder(self):
+        self.assertIn("[cannot_read]", self.refused("connect", "no.json", "--json", "r.json", status=3))
+        self.assertEqual(self.json("r.json")["reason"]["code"], "cannot_read")
+        (self.dir / "folder").mkdir()
+        self.refused("connect", "folder", "--check", status=3)
+
+    def test_what_is_no_json(self):
+        self.refusal("invalid_input", ":2:", '{\n  "thickness" 4 }', "line:column 2:")
+        for content in (b"", b"\x00\xff\xfe", b"ISO-10303-21;", b"[", b"[" * 100000):
+            self.refusal("invalid_input", "", content)
+
+    def test_what_is_no_plates_file(self):
+        self.refusal("invalid_input", "", "[]", "one JSON object")
+        wrong = ell()
+        wrong["format"] = "planish/rules"
+        self.refusal("invalid_input", "/format", wrong, "planish/plates")
+
+    def test_unknown_key(self):
+        wrong = ell()
+        wrong["plates"][1]["outlin"] = wrong["plates"][1].pop("outline")
+        self.refusal("invalid_input", "/plates/1/outlin", wrong, "outline", "holes")
+
+    def test_missing_key(self):
+        wrong = ell()
+        del wrong["thickness"]
+        self.refusal("invalid_input", "/thickness", wrong, "is missing")
+        wrong = ell()
+        del wrong["bends"][0]["between"]
+        self.refusal("invalid_input", "/bends/0/between", wrong, "is missing")
+
+    def test_values_out_of_range(self):
+        for pointer, value in ((("thickness",), -4), (("thickness",), 0), (("thickness",), "4"),
+                               (("units",), "cm"), (("k_factor",), 2),
+                               (("plates", 0, "outline", 2, 1), None),
+                               (("plates", 0, "id"), 7), (("bends", 0, "inside_radius"), -12),
+                               (("bends", 0, "trade_off"), -1), (("bends", 0, "surface"), "ball"),
+                               (("bends", 0, "edges"), {"A": [1.5]})):
+            wrong = ell()
+            at = wrong
+            for key in pointer[:-1]:
+                at = at[key]
+            at[pointer[-1]] = value
+            self.refusal("invalid_input", "/" + "/".join(map(str, pointer)), wrong, "must be")
+
+    def test_two_plates_of_one_name(self):
+        wrong = ell()
+        wrong["plates"][1]["id"] = "A"
+        self.refusal("invalid_input", "/plates/1/id", wrong)
+
+    def test_standard_input_is_named_as_such(self):
+        sentence = self.refused("connect", "-", "--check", status=3, stdin=b'{"thicknes": 1}')
+        self.assertIn("standard input/thicknes", sentence)
+
+
+class WrongPlates(Refusal):
+    def outline(self, corners, plate=1):
+        wrong = ell()
+        wrong["plates"][plate]["outline"] = corners
+        return wrong
+
+    def test_too_few_corners(self):
+        self.refusal("too_few_corners", "/plates/1/outline",
+                     self.outline([[0, 120, 20], [200, 120, 20]]))
+
+    def test_repeated_corner(self):
+        self.refusal("repeated_corner", "/plates/1/outline",
+                     self.outline([[0, 120, 20], [200, 120, 20], [200, 120, 20], [0, 120, 120]]))
+
+    def test_not_planar(self):
+        self.refusal("not_planar", "/plates/1/outline",
+                     self.outline([[0, 120, 20], [200, 120, 20], [200, 125, 120], [0, 120, 120]]),
+                     "mm")
+
+    def test_self_crossing(self):
+        self.refusal("self_crossing", "/plates/1/outline",
+                     self.outline([[0, 120, 20], [200, 120, 20], [0, 120, 120], [200, 120, 120]]))
+
+    def test_unknown_plate(self):
+        wrong = ell()
+        wrong["bends"][0]["between"] = ["A", "C"]
+        self.refusal("unknown_plate", "/bends/0/between", wrong, "C")
+        wrong = ell()
+        wrong["root"] = "C"
+        self.refusal("unknown_plate", "/root", wrong, "C")
+
+    def test_edges_that_a_plate_does_not_have(self):
+        wrong = ell()
+        wrong["bends"][0]["edges"] = {"A": [4]}
+        self.refusal("unknown_edge", "/bends/0/edges/A", wrong)
+
+    def test_edges_that_cannot_carry_one_bend(self):
+        wrong = ell()
+        wrong["bends"][0]["edges"] = {"A": [0, 2]}
+        self.refusal("unknown_edge", "/bends/0/edges/A", wrong)
+
+    def test_loop_of_bends(self):
+        wrong = ell()
+        wrong["plates"].append({"id": "C", "outline": [[220, 0, 20], [220, 100, 20], [220, 100, 120],
+                                                       [220, 0, 120]]})
+        wrong["bends"] = [{"between": pair} for pair in (["A", "B"], ["A", "C"], ["B", "C"])]
+        self.refusal("bend_loop", "/bends/2", wrong)
+
+    def test_plate_left_alone(self):
+        wrong = ell()
+        wrong["plates"].append({"id": "C", "outline": [[220, 0, 20], [220, 100, 20], [220, 100, 120],
+                                                       [220, 0, 120]]})
+        self.refusal("not_connected", "/plates/2", wrong, "C")
+
+    def test_radius_that_does_not_fit(self):
+        wrong = ell()
+        wrong["bends"][0]["inside_radius"] = 40
+        # The tangent lines may lie 20 before the line in which the planes meet: 20 - 4 / 2.
+        sentence = self.refusal("no_bend_fits", "/bends/0/inside_radius", wrong, "18", "mm", status=4)
+        self.assertTrue(sentence.startswith("planish: refused: "))
+
+
+class Usage(PlatesTest):
+    def wrong(self, *arguments):
+        self.plates()
+        sentence = self.refused("connect", *arguments, status=2)
+        self.assertEqual(self.names(), ["plates.json"])
+        return sentence
+
+    def test_help_has_every_option_and_examples(self):
+        out, _ = self.run_cli("connect", "--help")
+        for words in ("-o,", "--flat", "--json", "--check", "--quiet", "--k ", "--k-table",
+                      "--din6935", "--units", "--profile", "--r12", "--splines", "--rules",
+                      "--no-rules", "--density", "--write-overlapping", "Examples:", "Exit status:"):
+            self.assertIn(words, out)
+        self.assertIn("connect", self.run_cli("--help")[0])
+
+    def test_values_and_words_that_are_not_allowed(self):
+        for option, value in (("--k", "1.5"), ("--density", "0"), ("--units", "cm"),
+                              ("--profile", "autocad")):
+            self.assertIn(option, self.wrong("plates.json", option, value))
+        self.wrong("plates.json", "--body", "1")
+        self.wrong("plates.json", "--root", "1")
+        self.wrong()
+
+    def test_options_that_contradict_each_other(self):
+        for options in (["--k", "0.4", "--din6935"], ["--no-rules", "--rules", "r.json"],
+                        ["--check", "-o", "a.step"], ["--check", "--flat", "a.dxf"],
+                        ["--r12", "--splines", "keep"]):
+            self.wrong("plates.json", *options)
+        self.wrong("-", "--rules", "-", "-o", "a.step")
+
+    def test_names_that_do_not_say_what_to_write(self):
+        for option, name in (("-o", "a.dxf"), ("-o", "a"), ("-o", "folder/"), ("--flat", "a.stl"),
+                             ("--flat", "a"), ("--flat", "")):
+            self.assertIn(option, self.wrong("plates.json", option, name))
+
+    def test_standard_input_needs_names_for_the_outputs(self):
+        self.assertIn("-o", self.wrong("-"))
+
+    def test_an_output_never_replaces_an_input(self):
+        self.plates(name="plates.step")
+        before = (self.dir / "plates.step").read_bytes()
+        os.symlink("plates.step", self.dir / "link.step")
+        for options in (["-o", "plates.step"], ["-o", "link.step"], ["--flat", "./plates.step"],
+                        ["--json", "plates.step"], []):
+            sentence = self.refused("connect", "plates.step", *options, status=2)
+            self.assertIn("would be lost", sentence)
+        self.assertEqual((self.dir / "plates.step").read_bytes(), before)
+
+    def test_two_outputs_under_one_name(self):
+        self.wrong("plates.json", "-o", "a.step", "--flat", "./a.step")
+        self.wrong("plates.json", "-o", "a.step", "-o", "a.step")
+
+    def test_outputs_into_a_folder_that_is_not_there(self):
+        self.plates()
+        self.refused("connect", "plates.json", "--flat", "no/a.dxf", status=3)
+        self.assertEqual(self.names(), ["plates.json"])
+
+
+if __name__ == "__main__":
+    main()
