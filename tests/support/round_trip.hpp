@@ -56,7 +56,9 @@ inline void expect_round_trip(const Sheet& sheet, double tolerance = 1e-6) {
   const Recognized again = recognized_again(sheet);
   if (again.sheet.faces.empty()) return;
   EXPECT_NEAR(again.sheet.thickness, sheet.thickness, 1e-6 * sheet.thickness);
-  if (sheet.volume > 0.0) EXPECT_NEAR(again.sheet.volume, sheet.volume, 1e-6 * sheet.volume);
+  if (sheet.volume > 0.0) {
+    EXPECT_NEAR(again.sheet.volume, sheet.volume, 1e-6 * sheet.volume);
+  }
   const auto after = flatten(again.sheet, options);
   ASSERT_TRUE(after) << after.error().message;
   const Traits a = traits_of(*before);
