@@ -4,6 +4,7 @@
 #include <memory>
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
+#include <planish/geometry/mesh.hpp>
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/sheet.hpp>
@@ -65,5 +66,14 @@ Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::strin
 
 /// Folded solid of a sheet of real thickness as STEP text: planes, cylinders and cones stay analytic.
 Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name);
+
+/// The same solid as a closed mesh: every triangle side is shared with one neighbour, which runs it
+/// the other way. Corner points lie on the solid, triangles within `chord` mm of it, and along curved
+/// borders neighbouring chords turn by at most 10°, so that small radii look round. Points and
+/// triangles come in the order of the sheet's faces. Cost: grows with the number of triangles, about
+/// with 1/√chord where bends are cylinders.
+/// Errors: `bad_option` (chord not positive), those of a sheet that has no solid as
+/// `folded_solid_step` has them, `internal` (the kernel's mesh has a gap).
+Result<Mesh> folded_mesh(const Sheet& sheet, double chord = 0.05);
 
 }  // namespace planish

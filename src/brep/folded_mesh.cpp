@@ -1,0 +1,175 @@
+#include "guarded.hpp"
+#include "kernel_points.hpp"
+#include "thicken.hpp"
+
+#include <planish/base/angle.hpp>
+#include <planish/brep/step.hpp>
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
+#include <Poly_Triangulation.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Vertex.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace planish {
+namespace {
+
+using Triangle = std::array<int, 3>;
+
+constexpr Angle largest_turn = Angle::degrees(10);  // between neighbouring chords
+
+/// Numbers some of which stand for the same thing.
+class Classes {
+ public:
+  /// Adds `count` numbers; returns the first.
+  int add(int count) {
+    const int first = static_cast<int>(parent_.size());
+    parent_.resize(parent_.size() + count);
+    std::iota(parent_.begin() + first, parent_.end(), first);
+    return first;
+  }
+  /// The number that stands for all of its class: the smallest.
+  int of(int n) {
+    while (parent_[n] != n)
+      n = parent_[n] = parent_[parent_[n]];
+    return n;
+  }
+  void unite(int a, int b) {
+    a = of(a);
+    b = of(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// The kernel's triangles, face by face, put together along edges and vertices: the kernel gives
+/// every face nodes of its own.
+class Welder {
+ public:
+  explicit Welder(const TopoDS_Shape& solid) {
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
+      add(TopoDS::Face(faces.Current()));
+  }
+
+  /// The triangles over the points that are left; those of which two corners are one point are
+  /// gone.
+  Mesh mesh() {
+    Mesh result;
+    std::vector<int> number(points_.size(), -1);
+    const auto numbered = [&](int node) {
+      int& n = number[classes_.of(node)];
+      if (n < 0) {
+        n = static_cast<int>(result.points.size());
+        result.points.push_back(points_[classes_.of(node)]);
+      }
+      return n;
+    };
+    for (const Triangle& t : triangles_) {
+      const Triangle roots{classes_.of(t[0]), classes_.of(t[1]), classes_.of(t[2])};
+      if (roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0]) continue;
+      result.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
+    }
+    return result;
+  }
+
+ private:
+  void add(const TopoDS_Face& face) {
+    TopLoc_Location place;
+    const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
+    if (own.IsNull()) return;  // the gap is found in the end
+    const int first = classes_.add(own->NbNodes());
+    for (int i = 1; i <= own->NbNodes(); ++i)
+      points_.push_back(brep::vector_of(own->Node(i).Transformed(place)));
+    for (int i = 1; i <= own->NbTriangles(); ++i) {
+      int a, b, c;
+      own->Triangle(i).Get(a, b, c);
+      if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
+      triangles_.push_back({first + a - 1, first + b - 1, first + c - 1});
+    }
+    for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+      join(TopoDS::Edge(edges.Current()), own, place, first);
+  }
+
+  /// Unites the nodes of a face along an edge with those that other faces have there.
+  void join(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & own,
+            const TopLoc_Location& place, int first) {
+    const Handle(Poly_PolygonOnTriangulation) polygon =
+        BRep_Tool::PolygonOnTriangulation(edge, own, place);
+    if (polygon.IsNull()) return;
+    std::vector<int> row;
+    for (int i = 1; i <= polygon->NbNodes(); ++i)
+      row.push_back(first + polygon->Node(i) - 1);
+    const auto& known = rows_.emplace(edges_.Add(edge), row).first->second;
+    if (known.size() == row.size())
+      for (std::size_t i = 0; i < row.size(); ++i)
+        classes_.unite(known[i], row[i]);
+    join(TopExp::FirstVertex(edge), row.front());
+    join(TopExp::LastVertex(edge), row.back());
+  }
+
+  void join(const TopoDS_Vertex& vertex, int node) {
+    classes_.unite(node_at_.emplace(vertices_.Add(vertex), node).first->second, node);
+  }
+
+  Classes classes_;
+  std::vector<Vec3> points_;
+  std::vector<Triangle> triangles_;
+  TopTools_IndexedMapOfShape edges_, vertices_;
+  std::map<int, std::vector<int>> rows_;  ///< nodes along an edge, as the first face has them
+  std::map<int, int> node_at_;            ///< a node at a vertex
+};
+
+/// How many sides of triangles have no neighbour that runs them the other way, or more than one.
+std::size_t open_sides(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> runs;
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      ++runs[{t[i], t[(i + 1) % 3]}];
+  std::size_t open = 0;
+  for (const auto& [side, times] : runs) {
+    const auto back = runs.find({side.second, side.first});
+    if (times != 1 || back == runs.end() || back->second != 1) ++open;
+  }
+  return open;
+}
+
+}  // namespace
+
+Result<Mesh> folded_mesh(const Sheet& sheet, double chord) {
+  if (!(chord > 0.0))
+    return fail(ErrorCode::bad_option,
+                fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  return brep::guarded([&]() -> Result<Mesh> {
+    const auto solid = brep::thicken(sheet);
+    if (!solid) return tl::unexpected(solid.error());
+    IMeshTools_Parameters limits;
+    limits.Deflection = chord;
+    limits.Angle = largest_turn.radians();
+    limits.MinSize = Precision::Confusion();  // by itself the kernel stops at a tenth of the chord
+    const BRepMesh_IncrementalMesh triangulated(*solid, limits);
+    Mesh mesh = Welder(*solid).mesh();
+    if (const std::size_t open = open_sides(mesh); open > 0 || mesh.triangles.empty())
+      return fail(
+          ErrorCode::internal,
+          fmt::format("The CAD kernel's mesh of the folded solid has {} open sides.", open));
+    return mesh;
+  });
+}
+
+}  // namespace planish
