@@ -65,6 +65,7 @@ Json frame_json(const BendFrame& frame, const Units& units) {
   json["e1"] = direction_json(frame.e[0]);
   json["e2"] = direction_json(frame.e[1]);
   json["beta"] = number_json(frame.beta.degrees());
+  json["rise"] = space_point_json(frame.rise, units);
   return json;
 }
 

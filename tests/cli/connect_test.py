@@ -168,6 +168,32 @@ class Ell(PlatesTest):
         self.assertEqual(before, {name: (self.dir / name).read_bytes() for name in before})
 
 
+class Section(PlatesTest):
+    """What ends free: its neutral surface is unrolled at K."""
+
+    def test_pipe_of_its_own(self):
+        pipe = {"thickness": 2, "plates": [],
+                "bends": [{"between": [], "inside_radius": 30, "angle": 300, "length": 100}]}
+        report = self.report(content=pipe)
+        self.assertAlmostEqual(report["flat"]["area"], 100 * math.radians(300) * 30.88, places=4)
+        self.assertAlmostEqual(report["verification"]["volume_ratio"], 1.0, places=6)
+        bend = report["flat"]["bends"][0]
+        self.assertEqual(bend["between"], [])
+        self.assertEqual(bend["edges"], {})
+
+    def test_half_pipe_at_a_plate(self):
+        half = {"thickness": 2, "plates": ell()["plates"][:1],
+                "bends": [{"between": ["A"], "edges": {"A": [2]}, "inside_radius": 30, "angle": 180}]}
+        report = self.report(content=half)
+        self.assertAlmostEqual(report["flat"]["area"], 200 * (100 + math.pi * 30.88), places=4)
+        self.assertEqual(report["flat"]["bends"][0]["edges"], {"A": [2]})
+
+    def test_section_without_its_angle(self):
+        self.plates({"thickness": 2, "plates": [], "bends": [{"between": [], "length": 9}]})
+        sentence = self.refused("connect", "plates.json", "--check", status=3)
+        self.assertIn("plates.json/bends/0/angle", sentence)
+
+
 class Outputs(PlatesTest):
     def test_each_goes_where_it_is_said(self):
         self.plates()
@@ -337,7 +363,7 @@ class WrongPlates(Refusal):
     def test_edges_that_cannot_carry_one_bend(self):
         wrong = ell()
         wrong["bends"][0]["edges"] = {"A": [0, 2]}
-        self.refusal("unknown_edge", "/bends/0/edges/A", wrong)
+        self.refusal("unknown_edge", "/bends/0", wrong, "0, 2")
 
     def test_loop_of_bends(self):
         wrong = ell()
@@ -350,7 +376,7 @@ class WrongPlates(Refusal):
         wrong = ell()
         wrong["plates"].append({"id": "C", "outline": [[220, 0, 20], [220, 100, 20], [220, 100, 120],
                                                        [220, 0, 120]]})
-        self.refusal("not_connected", "/plates/2", wrong, "C")
+        self.refusal("not_connected", "/bends", wrong, '"C"')
 
     def test_radius_that_does_not_fit(self):
         wrong = ell()
