@@ -4,6 +4,8 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/brep/step.hpp>
+#include <planish/io/mesh_writers.hpp>
 #include <planish/job/connect.hpp>
 
 namespace planish::cli {
@@ -15,12 +17,21 @@ std::string failed_json(const job::ConnectRequest& request, const Error& error) 
   return job::report_json(job::failed(request, error));
 }
 
+// The folded part as the name of its file asks for it.
+Result<std::string> folded_text(const ConnectReport& report, const std::filesystem::path& path) {
+  if (suffix_of(path) != ".stl") return report.solid;
+  const auto mesh = folded_mesh(report.connection.sheet);
+  if (!mesh) return tl::unexpected(mesh.error());
+  return stl_binary(*mesh, stem_of(report.input));
+}
+
 // All files, or the first reason why one cannot be composed.
 Result<std::vector<File>> files_of(const ConnectReport& report, const ConnectPlan& plan) {
   std::vector<File> files;
   for (const auto& path : plan.folded) {
-    if (!report.solid) return tl::unexpected(report.solid.error());
-    files.push_back({path, *report.solid});
+    auto text = folded_text(report, path);
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({path, std::move(*text)});
   }
   DxfOptions dxf = plan.dxf;
   dxf.units = report.units;

@@ -35,7 +35,8 @@ Result<void> plan_outputs(const ConnectArguments& arguments, ConnectPlan& plan) 
   if (arguments.check) return {};
   if (arguments.folded.empty() && arguments.flat.empty()) return plan_defaults(arguments, plan);
   for (const std::string& name : arguments.folded) {
-    if (format_by_suffix(name) != OutputFormat::step) return not_a_name("-o", name, ".step");
+    const bool known = format_by_suffix(name) == OutputFormat::step || suffix_of(name) == ".stl";
+    if (!known) return not_a_name("-o", name, ".step or .stl");
     plan.folded.emplace_back(name);
   }
   for (const std::string& name : arguments.flat) {

@@ -1,5 +1,6 @@
 #include "assemble.hpp"
 
+#include "general_fit.hpp"
 #include "plate_outline.hpp"
 
 #include <planish/base/assert.hpp>
@@ -199,6 +200,7 @@ class Assembler {
     const double offset = 0.5 * parts_.thickness * bend_sense_[static_cast<std::size_t>(bend)];
     if (const auto* cylinder = std::get_if<Cylinder>(&surface.mid))
       return {Cylinder{cylinder->frame, cylinder->radius + offset}, 0.0};
+    if (surface.kind == BendKind::general) return {offset_surface(surface, offset), 0.0};
     Cone cone = std::get<Cone>(surface.mid);
     cone.frame.origin -= offset / std::sin(cone.half_angle) * cone.frame.z;
     return {cone, offset / std::tan(cone.half_angle)};

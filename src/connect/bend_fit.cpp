@@ -1,5 +1,6 @@
 #include "bend_fit.hpp"
 
+#include "general_fit.hpp"
 #include "tangent_line.hpp"
 
 #include <fmt/format.h>
@@ -62,6 +63,7 @@ std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surf
   double low = std::min(ends.low[0].x(), ends.low[1].x()) - extent;
   const double high = std::max(ends.high[0].x(), ends.high[1].x()) + extent;
   if (surface.kind == BendKind::cone) low = std::max(low, 0.0);
+  if (surface.kind == BendKind::general) low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
   std::array<std::vector<Interval>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
@@ -69,6 +71,8 @@ std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surf
     for (int c = 0; c < task.plates[i]->edge_count(); ++c)
       outline.push_back(surface.local(side, task.plates[i]->corner(c)));
     legal[i] = legal_sections(outline, low, high, kOnRuling * extent);
+    for (Interval& section : legal[i])
+      section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
   return common(legal[0], legal[1]);
 }
@@ -82,26 +86,36 @@ BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, c
   return result;
 }
 
+// Lowest and highest level of the bend: what the recogniser's middle of a cone is the middle of.
+std::pair<double, double> levels(const BendFit& fit) {
+  const Boundary& low = fit.boundaries.low;
+  const Boundary& high = fit.boundaries.high;
+  if (fit.surface.kind == BendKind::general)
+    return {std::min(fit.surface.level(0, low.v[0]), fit.surface.level(1, low.v[1])),
+            std::max(fit.surface.level(0, high.v[0]), fit.surface.level(1, high.v[1]))};
+  return {bounds(low.curve).lo.y(), bounds(high.curve).hi.y()};
+}
+
 void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
-  const Box2 low_box = bounds(fit.boundaries.low.curve), high_box = bounds(fit.boundaries.high.curve);
-  const double low = low_box.lo.y(), high = high_box.hi.y();
-  const auto inside = [&](double v) { return fit.surface.radius(v) - 0.5 * thickness; };
-  report.inside_radius = inside(0.5 * (low + high));
-  // v of a cone grows away from the apex, which lies to the right of the plates where the slope is negative.
+  const auto [low, high] = levels(fit);
+  const auto inside = [&](double level) { return fit.surface.radius(level) - 0.5 * thickness; };
+  report.inside_radius = inside(fit.surface.kind == BendKind::general ? low : 0.5 * (low + high));
+  // Levels of a cone grow away from the apex, which lies to the right of the plates where the slope is
+  // negative.
   const bool turned = report.line.slope < 0.0;
   report.inside_radii = {inside(turned ? high : low), inside(turned ? low : high)};
 }
 
 Result<void> check_radii(const FitTask& task, const BendFit& fit) {
-  for (const Boundary* boundary : {&fit.boundaries.low, &fit.boundaries.high})
-    for (const double v : boundary->v) {
-      const double inside = fit.surface.radius(v) - 0.5 * task.thickness;
-      if (inside >= kSmallestInsideRadius) continue;
-      return fail(ErrorCode::radius_too_small,
-                  fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of "
-                              "{:.4g} mm at one end and needs more than {:.4g} mm",
-                              task.thickness, fit.surface.radius(v), 0.5 * task.thickness));
-    }
+  const auto [low, high] = levels(fit);
+  for (const double level : {low, high}) {
+    const double radius = fit.surface.radius(level);
+    if (radius - 0.5 * task.thickness >= kSmallestInsideRadius) continue;
+    return fail(ErrorCode::radius_too_small,
+                fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of {:.4g} "
+                            "mm at one end and needs more than {:.4g} mm",
+                            task.thickness, radius, 0.5 * task.thickness));
+  }
   return {};
 }
 
@@ -123,7 +137,6 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice, co
   report.lateral = fit.boundaries.kind;
   report.width = best.width;
   report.span = best.span + (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
-  report.extension_area = extension_area(choice.corners(best), best.kind, report.line);
   set_radii(report, fit, task.thickness);
   for (const EdgeChoice& other : choice.search.alternatives)
     report.alternatives.push_back(alternative(choice, other, task, options));
@@ -140,15 +153,33 @@ Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
               "/inside_radius");
 }
 
-Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
-  if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
+// The mid-surface, with the tangent line and the plate extension it is for.
+Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice, const ConnectOptions& options,
+                                   FittedBend& report) {
+  const EdgeChoice& best = choice.search.best;
+  const Corners corners = choice.corners(best);
+  if (task.request.surface == SurfaceChoice::general && !choice.frame.parallel()) {
+    const auto lines = general_lines(corners, best.kind, task.request.apex);
+    if (!lines) return tl::unexpected(lines.error());
+    report.line = lines->lines[0];
+    report.apex = lines->apex;
+    report.extension_area = lines->area;
+    return general_surface(choice.frame, *lines, corners, task.request.tangent_point, extent_of(task));
+  }
   const auto line = tangent_line(task, choice, options);
   if (!line) return tl::unexpected(line.error());
+  report.line = *line;
+  report.extension_area = extension_area(corners, best.kind, *line);
+  return choice.frame.parallel() ? half_turn(choice.frame, *line) : tangent_surface(choice.frame, best.kind, *line);
+}
+
+Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+  if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
   const EdgeChoice& best = choice.search.best;
   BendFit fit;
-  fit.report.line = *line;
-  fit.surface = choice.frame.parallel() ? half_turn(choice.frame, *line)
-                                        : tangent_surface(choice.frame, best.kind, *line);
+  auto surface = chosen_surface(task, choice, options, fit.report);
+  if (!surface) return tl::unexpected(surface.error());
+  fit.surface = std::move(*surface);
   const Corners corners = choice.corners(best);
   const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
   LateralOptions lateral;

@@ -1,5 +1,7 @@
 #include "bend_surface.hpp"
 
+#include <planish/geometry/fit.hpp>
+
 #include <cmath>
 #include <numbers>
 
@@ -81,9 +83,28 @@ BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line
 
 }  // namespace
 
-double BendSurface::radius(double v) const {
+double BendSurface::level(int side, double v) const {
+  return kind == BendKind::general ? 1.0 + v / rails[static_cast<std::size_t>(side)] : v;
+}
+
+double BendSurface::v_at(int side, double level) const {
+  return kind == BendKind::general ? (level - 1.0) * rails[static_cast<std::size_t>(side)] : level;
+}
+
+double BendSurface::radius(double level) const {
   if (const auto* cylinder = std::get_if<Cylinder>(&mid)) return cylinder->radius;
-  return v * tan_half_angle;
+  return level * (kind == BendKind::general ? tightest : tan_half_angle);
+}
+
+Curve2 BendSurface::at_level(double level, double tolerance) const {
+  if (kind != BendKind::general) return Segment{{0.0, level}, {sweep, level}};
+  if (level == 1.0) return Segment{{0.0, 0.0}, {sweep, 0.0}};
+  const auto curve = [&](double u) -> CurveSample {
+    const SpaceCurvePoint c = arc(u);
+    const Vec3 arm = c.point - apex;
+    return {{u, (level - 1.0) * arm.norm()}, {1.0, (level - 1.0) * c.derivative.dot(arm.normalized())}};
+  };
+  return fit_cubics(curve, 0.0, sweep, tolerance).spline;
 }
 
 Angle BendSurface::turned() const {

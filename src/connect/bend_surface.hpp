@@ -3,6 +3,7 @@
 #include <planish/connect/connect.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/developable.hpp>
+#include <planish/geometry/general_cone.hpp>
 
 #include <array>
 
@@ -23,6 +24,13 @@ struct BendSurface {
   std::array<Tangent, 2> tangents;
   double tan_half_angle = 0.0;  ///< of cones: radius of curvature over the distance from the apex
 
+  // Of general cones: the arc they stand on, the apex, the distances of the arc's ends from it by side, and
+  // the smallest radius of curvature along the arc.
+  SpaceCurve arc;
+  Vec3 apex = Vec3::Zero();
+  std::array<double, 2> rails{};
+  double tightest = 0.0;
+
   double azimuth(int side) const { return side == first ? 0.0 : sweep; }
   /// (v, h) of a point in the plane of a side: v along the tangent ruling, h away from the bend.
   Vec2 local(int side, const Vec3& p) const {
@@ -33,8 +41,14 @@ struct BendSurface {
     const Tangent& t = tangents[static_cast<std::size_t>(side)];
     return t.origin + vh.x() * t.along + vh.y() * t.away;
   }
-  /// Radius of curvature of the mid-surface at v (of general bends the smallest along the azimuth).
-  double radius(double v) const;
+  /// What is the same along a circle about the axis: v of cylinders and cones, of general cones the share of
+  /// the way from the apex to the arc.
+  double level(int side, double v) const;
+  double v_at(int side, double level) const;
+  /// Radius of curvature of the mid-surface at a level (of general cones the smallest there).
+  double radius(double level) const;
+  /// The curve of one level in (u, v), from azimuth 0 to `sweep`; of general cones to `tolerance`.
+  Curve2 at_level(double level, double tolerance) const;
   /// The angle through which the sheet is turned from one side to the other.
   Angle turned() const;
 };

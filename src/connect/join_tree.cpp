@@ -99,6 +99,10 @@ Result<void> check_numbers(const BendRequest& r, const std::string& pointer) {
   const bool conical = r.slope || r.apex || r.aperture || r.inside_radii;
   if (r.surface == SurfaceChoice::cylinder && conical)
     return bad("/surface", "a cylinder has no slope, apex, aperture or radii at its ends: give them with a cone");
+  if (r.surface == SurfaceChoice::general && (r.slope || r.aperture || r.inside_radius || r.inside_radii))
+    return bad("/surface", "of a general bend only edges, apex, tangent_point and lateral can be given");
+  if (r.tangent_point && r.surface != SurfaceChoice::general)
+    return bad("/tangent_point", "a tangent_point goes with the surface general");
   const int ways = (r.inside_radii ? 1 : 0) + (r.aperture ? 1 : 0) + (r.slope || r.apex ? 1 : 0);
   if (ways > 1) return bad("", "slope and apex, aperture, and inside_radii say the same: give one of the three");
   if (r.inside_radius && (r.inside_radii || r.aperture || r.apex))

@@ -71,8 +71,8 @@ class Flat {
   double reference_ = 1.0;
 };
 
-Boundary along_directrix(const BendSurface& surface, double v) {
-  return {{v, v}, Segment{{0.0, v}, {surface.sweep, v}}};
+Boundary along_directrix(const BendSurface& surface, double level, double extent) {
+  return {{surface.v_at(0, level), surface.v_at(1, level)}, surface.at_level(level, kCurveTolerance * extent)};
 }
 
 // The straight boundary between two corners; none where it does not cross the rulings in order.
@@ -85,7 +85,7 @@ std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
     // A corner on the ruling is where the boundary starts.
     boundary.v[i] = corners[i].y() <= kCurveTolerance * extent ? corners[i].x() : flat.crossing(side, a, b);
     if (!std::isfinite(boundary.v[i])) return std::nullopt;
-    if (surface.kind != BendKind::cylinder && surface.radius(boundary.v[i]) <= 0.0) return std::nullopt;
+    if (surface.radius(surface.level(side, boundary.v[i])) <= 0.0) return std::nullopt;
   }
   const Vec2 p = flat.image(0, {boundary.v[0], 0.0}), q = flat.image(1, {boundary.v[1], 0.0});
   // In order: corner, its ruling, the other ruling, the other corner.
@@ -104,9 +104,13 @@ double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
   return std::abs(corners[1].x() - corners[0].x()) / way;
 }
 
-bool within(const Boundaries& b, const Interval& legal, double tolerance) {
-  for (std::size_t side = 0; side < 2; ++side)
-    if (b.low.v[side] < legal.first - tolerance || b.high.v[side] > legal.second + tolerance) return false;
+bool within(const BendSurface& surface, const Boundaries& b, const Interval& legal, double tolerance) {
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    if (b.low.v[i] < surface.v_at(side, legal.first) - tolerance ||
+        b.high.v[i] > surface.v_at(side, legal.second) + tolerance)
+      return false;
+  }
   return true;
 }
 
@@ -137,24 +141,26 @@ std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const 
     if (both.high.v[side] - both.low.v[side] <= kNoWidth * options.extent) return std::nullopt;
   const double tolerance = kNoWidth * options.extent;
   for (const Interval& section : options.legal)
-    if (within(both, section, tolerance)) return both;
+    if (within(surface, both, section, tolerance)) return both;
   return std::nullopt;
 }
 
 Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnds& ends, LateralBoundary kind,
                                         const LateralOptions& options) {
+  const std::array low_ends{surface.level(0, ends.low[0].x()), surface.level(1, ends.low[1].x())};
+  const std::array high_ends{surface.level(0, ends.high[0].x()), surface.level(1, ends.high[1].x())};
   const bool corner = kind == LateralBoundary::corner;
-  double low = corner ? std::max(ends.low[0].x(), ends.low[1].x()) : 0.5 * (ends.low[0].x() + ends.low[1].x());
-  double high =
-      corner ? std::min(ends.high[0].x(), ends.high[1].x()) : 0.5 * (ends.high[0].x() + ends.high[1].x());
+  double low = corner ? std::max(low_ends[0], low_ends[1]) : 0.5 * (low_ends[0] + low_ends[1]);
+  double high = corner ? std::min(high_ends[0], high_ends[1]) : 0.5 * (high_ends[0] + high_ends[1]);
   if (const auto section = widest(options.legal, low, high)) {
     low = section->first;
     high = section->second;
   } else {
     high = low;
   }
-  if (high - low <= kNoWidth * options.extent) return tl::unexpected(too_narrow(high - low));
-  return Boundaries{kind, along_directrix(surface, low), along_directrix(surface, high)};
+  const double width = surface.v_at(0, high) - surface.v_at(0, low);
+  if (width <= kNoWidth * options.extent) return tl::unexpected(too_narrow(width));
+  return Boundaries{kind, along_directrix(surface, low, options.extent), along_directrix(surface, high, options.extent)};
 }
 
 }  // namespace

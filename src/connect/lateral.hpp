@@ -29,7 +29,7 @@ struct RunEnds {
 struct LateralOptions {
   double neutral_offset = 0.0;  ///< of the neutral surface from the mid-surface along its normal, mm
   /// Sections of both tangent rulings on which the bend runs over no plate (MATH 3.8), as far as they are
-  /// common to both sides: intervals of v, ascending.
+  /// common to both sides: intervals of levels, ascending.
   std::vector<std::pair<double, double>> legal;
   double extent = 0.0;  ///< of both plates, mm
 };

@@ -28,9 +28,17 @@ std::vector<Chain> without(const std::vector<Chain>& chains, const std::set<int>
   return left;
 }
 
-// Between parallel planes only edges that look outward carry a half-turn.
-std::vector<Chain> averted_only(std::vector<Chain> chains) {
-  std::erase_if(chains, [](const Chain& chain) { return chain.kind == EdgeKind::facing; });
+// Edges too near to the intersection line for the thickness carry no bend, whatever the line.
+std::set<int> too_near(const std::vector<Chain>& chains, double height) {
+  std::set<int> edges;
+  for (const Chain& chain : chains)
+    for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j)
+      if (std::min(chain.corners[j].y(), chain.corners[j + 1].y()) < height) edges.insert(chain.edges[j]);
+  return edges;
+}
+
+std::vector<Chain> of_kind(std::vector<Chain> chains, EdgeKind kind) {
+  std::erase_if(chains, [&](const Chain& chain) { return chain.kind != kind; });
   return chains;
 }
 
@@ -45,14 +53,33 @@ bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
   return range[0].second <= range[1].first || range[1].second <= range[0].first;
 }
 
-Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, const ConnectOptions& options) {
+Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
+  auto found = search_edges(choice.chains, choice.frame.beta, wanted);
+  if (!found) return tl::unexpected(found.error());
+  choice.search = std::move(*found);
+  return {};
+}
+
+// Whether the best edges reach so near to the intersection line that the bend there would be too sharp.
+bool is_too_near(const FitTask& task, const PairChoice& choice) {
+  if (choice.search.best.kind == EdgeKind::averted) return false;
+  const double height = least_height(task, choice.frame);
+  for (const auto& side : choice.corners(choice.search.best))
+    for (const Vec2& p : side)
+      if (p.y() < height) return true;
+  return false;
+}
+
+Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, const ConnectOptions& options,
+                                std::optional<EdgeKind> kind) {
   PairChoice choice{frame, {}, {}};
   std::array<std::vector<Vec2>, 2> outlines;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     outlines[i] = side_outline(*task.plates[i], frame, side);
     choice.chains[i] = without(viable_chains(outlines[i]), task.taken[i]);
-    if (frame.parallel()) choice.chains[i] = averted_only(std::move(choice.chains[i]));
+    if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
+    if (frame.parallel()) choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
   }
   if (frame.parallel() && beside(outlines))
     return fail(ErrorCode::plates_offset,
@@ -64,14 +91,33 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, con
   wanted.line = given_line(task.request, frame, task.thickness);
   wanted.edges = task.request.edges;
   wanted.alternatives = options.alternatives;
-  auto found = search_edges(choice.chains, frame.beta, wanted);
-  if (!found) return tl::unexpected(found.error());
-  choice.search = std::move(*found);
+  if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
+  if (is_too_near(task, choice)) {
+    PairChoice farther = choice;
+    for (std::size_t i = 0; i < 2; ++i) {
+      farther.chains[i] = of_kind(std::move(farther.chains[i]), EdgeKind::facing);
+      if (!task.request.edges[i])
+        farther.chains[i] = without(farther.chains[i], too_near(farther.chains[i], least_height(task, frame)));
+    }
+    if (search(farther, wanted)) return farther;
+  }
   return choice;
 }
 
 bool better(const PairChoice& a, const PairChoice& b) {
   return a.search.reference_length < b.search.reference_length;
+}
+
+// A slope or an apex is one for the edges that would be joined without it: it must not turn the bend
+// round the back of the plates.
+std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
+  if (!task.request.slope && !task.request.apex) return std::nullopt;
+  FitTask free = task;
+  free.request.slope.reset();
+  free.request.apex.reset();
+  const auto choice = search_pair(free, options);
+  if (!choice) return std::nullopt;
+  return choice->search.best.kind;
 }
 
 }  // namespace
@@ -96,6 +142,10 @@ std::array<std::vector<int>, 2> PairChoice::edges(const EdgeChoice& choice) cons
   return result;
 }
 
+double least_height(const FitTask& task, const BendFrame& frame) {
+  return tangent_distance(frame, kSmallestInsideRadius + 0.5 * task.thickness);
+}
+
 double tangent_distance(const BendFrame& frame, double mid_radius) {
   return mid_radius / std::tan(0.5 * frame.beta.radians());
 }
@@ -106,6 +156,8 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
     line.slope = 0.0;
     return line;
   }
+  // Each side of a general cone has a slope of its own.
+  if (request.surface == SurfaceChoice::general) return line;
   line.slope = request.slope;
   line.apex = request.apex;
   const bool rolled = request.inside_radius && request.surface != SurfaceChoice::cone;
@@ -119,10 +171,11 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
   if (kind == PlanePair::coplanar)
     return fail(ErrorCode::plates_coplanar,
                 "the plates lie in one plane, there is nothing to bend between them: make them one plate");
+  const std::optional<EdgeKind> natural = natural_kind(task, options);
   std::optional<PairChoice> best;
   Error why{ErrorCode::no_bend_fits, "no edges of the two plates look towards each other", {}};
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], kind)) {
-    auto choice = search_frame(task, frame, options);
+    auto choice = search_frame(task, frame, options, natural);
     if (!choice) {
       why = choice.error();
     } else if (!best || better(*choice, *best)) {

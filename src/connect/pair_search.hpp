@@ -26,6 +26,12 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
 /// The tangent line that a request asks for in a frame.
 GivenLine given_line(const BendRequest& request, const BendFrame& frame, double thickness);
 
+/// Inside radii below this are none: a solid needs a cylinder there, mm.
+inline constexpr double kSmallestInsideRadius = 1e-3;
+
+/// Height of the tangent line over the intersection line at which the inside radius is that small.
+double least_height(const FitTask& task, const BendFrame& frame);
+
 /// Distance of the tangent line from the intersection line, where the mid-surface has this radius.
 double tangent_distance(const BendFrame& frame, double mid_radius);
 

@@ -20,11 +20,6 @@ double mid_radius_of(double inside_radius, const FitTask& task) { return inside_
 
 double extent_of(const FitTask& task) { return std::max(task.plates[0]->extent, task.plates[1]->extent); }
 
-// Height of the tangent line at which the inside radius is as small as it may be.
-double least_height(const FitTask& task, const BendFrame& frame) {
-  return tangent_distance(frame, mid_radius_of(kSmallestInsideRadius, task));
-}
-
 Corners shifted(Corners corners, double x, double y) {
   for (auto& side : corners)
     for (Vec2& p : side)
@@ -148,6 +143,15 @@ Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice
   return fit;
 }
 
+std::optional<Error> apex_within(const BendRequest& asked, const Corners& corners) {
+  if (!asked.apex || *asked.apex <= low_x(corners) || *asked.apex >= high_x(corners)) return std::nullopt;
+  return Error{ErrorCode::apex_in_span,
+               fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm: it must "
+                           "lie beyond one of its ends",
+                           *asked.apex, low_x(corners), high_x(corners)),
+               "/apex"};
+}
+
 Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const Corners& corners,
                           const ConnectOptions& options) {
   const BendRequest& request = task.request;
@@ -161,6 +165,7 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     if (!least_extension(corners, kind, {}, height)) return tl::unexpected(too_sharp(task, choice, corners));
     return tl::unexpected(fit.error());
   }
+  if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
   const bool tiny = std::abs(fit->line.slope) < options.smallest_slope;
   if (tiny && fit->line.slope != 0.0 && !given.slope && !given.apex && request.surface != SurfaceChoice::cone) {
     const auto cylinder = least_extension(corners, kind, GivenLine{0.0, {}, {}}, height);
@@ -240,6 +245,8 @@ Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice, 
         far = std::max(far, p.y());
     return TangentLine{0.0, -far};
   }
+  // A line through such an apex leaves the plates whole only where it has no height at all.
+  if (auto within = apex_within(task.request, corners)) return tl::unexpected(*within);
   if (task.request.inside_radii) return by_radii(task, choice, corners);
   if (task.request.aperture) return by_aperture(task, choice, corners);
   return least(task, choice, corners, options);
@@ -264,12 +271,7 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
                         "/inside_radius");
   }
   const EdgeKind kind = choice->search.best.kind;
-  if (asked.apex && *asked.apex > low_x(corners) && *asked.apex < high_x(corners))
-    return {ErrorCode::apex_in_span,
-            fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm: it must "
-                        "lie beyond one of its ends",
-                        *asked.apex, low_x(corners), high_x(corners)),
-            "/apex"};
+  if (const auto within = apex_within(asked, corners)) return *within;
   if (asked.slope) {
     const auto slopes = feasible_slopes(corners, kind);
     if (slopes && (*asked.slope < slopes->low || *asked.slope > slopes->high || !asked.apex))

@@ -13,7 +13,4 @@ Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice, 
 /// slope or apex.
 Error with_range(const FitTask& task, const ConnectOptions& options, const Error& error);
 
-/// Inside radii below this are none: a solid needs a cylinder there, mm.
-inline constexpr double kSmallestInsideRadius = 1e-3;
-
 }  // namespace planish::connect_detail

@@ -13,7 +13,7 @@ namespace {
 constexpr auto kFormat = "planish/plates";
 constexpr int kVersion = 1;
 constexpr Allowed kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false, false};
-constexpr Allowed kTurn{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
+constexpr Allowed kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
 
 Vec3 point_at(const JsonPlace& place) {
   const auto xyz = place.items(3, "a point [x, y, z]");
@@ -103,6 +103,7 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
   bend.aperture = place["aperture"].maybe_angle(kAperture);
   bend.slope = place["slope"].maybe_number();
   bend.apex = place["apex"].maybe_length();
+  if (place["tangent_point"].given()) bend.tangent_point = point_at(place["tangent_point"]);
   bend.trade_off = place["trade_off"].maybe_number(kAtLeastZero).value_or(bend.trade_off);
   bend.angle = place["angle"].maybe_angle(kTurn);
   bend.length = place["length"].maybe_length(kAboveZero);
@@ -124,7 +125,7 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
 
 BendRequest bend_at(const JsonPlace& place) {
   place.keys({"between"}, {"edges", "surface", "inside_radius", "inside_radii", "aperture", "slope",
-                           "apex", "lateral", "trade_off", "angle", "length"});
+                           "apex", "tangent_point", "lateral", "trade_off", "angle", "length"});
   BendRequest bend;
   bend.between = ids_at(place["between"]);
   read_edges(bend, place["edges"]);

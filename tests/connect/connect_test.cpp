@@ -171,6 +171,54 @@ TEST(Connect, CurvesOnBehindAnEdge) {
   EXPECT_NEAR(flat(cone, 0.5).area, 200 * 100 + 0.5 * (s1 * s1 - s0 * s0) * (kPi / 2) * sine, 1e-6);
 }
 
+/// Two truncated triangles of a square-to-round piece: their edges run to one corner of the square.
+PlateStructure lofted(double t = 2.0) {
+  PlateStructure s;
+  s.thickness = t;
+  s.plates = {{"A", {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}}, {}},
+              {"B", {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}}, {}}};
+  s.bends = {{.between = {"A", "B"},
+              .edges = {std::vector{2}, std::vector{3}},
+              .surface = SurfaceChoice::general,
+              .tangent_point = Vec3(120, 120, 300),
+              .lateral = LateralBoundary::arc}};
+  return s;
+}
+
+TEST(Connect, LoftsAnObliqueConeToARoundOpening) {
+  const Connection c = joined(lofted());
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_EQ(c.bends[0].kind, BendKind::general);
+  EXPECT_NEAR(c.bends[0].extension_area, 0.0, 1e-6);
+  expect_tangent(c);
+  // The outer end is the quarter circle about the pipe's axis, on the mid-surface.
+  const Face& bend = c.sheet.faces.back();
+  const double half = 0.5 * c.sheet.thickness;
+  for (const double u : {0.0, 0.2, 0.5, 0.9, 1.0}) {
+    const Vec3 p = skin_point(bend, {u, 0.0}) - half * outward_normal(bend, {u, 0.0});
+    EXPECT_NEAR(p.z(), 300.0, 1e-6);
+    EXPECT_NEAR(p.head<2>().norm(), 120.0, 1e-6);
+  }
+  // Area of the mid-surface between both ends, by MATH 2.4 over the circle.
+  double area = 0.0;
+  constexpr int kParts = 20000;
+  const Vec3 apex(200, 200, 0);
+  for (int i = 0; i < kParts; ++i) {
+    const double a = kPi / 2 * (i + 0.5) / kParts;
+    const Vec3 arm = Vec3(120 * std::cos(a), 120 * std::sin(a), 300) - apex;
+    const Vec3 step = kPi / 2 / kParts * Vec3(-120 * std::sin(a), 120 * std::cos(a), 0);
+    area += 0.5 * arm.cross(step).norm() * (1 - 0.12 * 0.12);
+  }
+  double plates = 0.0;
+  for (const Plate& plate : c.structure.plates) {
+    Vec3 twice = Vec3::Zero();
+    for (std::size_t i = 1; i + 1 < plate.outline.size(); ++i)
+      twice += (plate.outline[i] - plate.outline[0]).cross(plate.outline[i + 1] - plate.outline[0]);
+    plates += 0.5 * twice.norm();
+  }
+  EXPECT_NEAR(flat(c, 0.5).area, plates + area, 1e-7 * (plates + area));
+}
+
 TEST(Connect, DoesNotDependOnPlaceHandScaleOrOrder) {
   for (const PlateStructure& s : {angle_pair(14.0), tray(), cone_pair(), u_pair()}) {
     const double area = flat(joined(s)).area;

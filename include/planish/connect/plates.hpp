@@ -37,6 +37,8 @@ struct BendRequest {
   std::optional<Angle> aperture = std::nullopt;                       ///< of a cone: twice its half-angle
   std::optional<double> slope = std::nullopt;                         ///< k of MATH 3
   std::optional<double> apex = std::nullopt;                          ///< x₀ = q/k of MATH 3
+  /// Of a general bend: where the tangents at both ends of its outer arc meet, on the line of the planes.
+  std::optional<Vec3> tangent_point = std::nullopt;
   LateralBoundary lateral = LateralBoundary::automatic;
   double trade_off = 1.0;                              ///< γ of MATH 3.7, ≥ 0
   std::optional<Angle> angle = std::nullopt;                          ///< of a section with a free end, ≤ 360°
