@@ -301,15 +301,28 @@ class Assembler {
     }
   }
 
+  /// Middle of the part of the ruling at u that lies on the face.
+  static double middle_of_ruling(const Face& face, double u, const Box2& box) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Border& border : face.loops.front())
+      for (const double t : crossings(border.curve, {u, 0.0}, Vec2::UnitY())) {
+        const double v = point_at(border.curve, t).y();
+        low = std::min(low, v);
+        high = std::max(high, v);
+      }
+    return low <= high ? 0.5 * (low + high) : 0.5 * (box.lo.y() + box.hi.y());
+  }
+
   /// Normals along the middle of the bend tell its turn, its smallest radius and its inside.
   void measure_general(Bend& bend, const Face& face, const Box2& box) const {
     constexpr int kSteps = 256;
-    const double v = (box.lo.y() + box.hi.y()) / 2;
     double turned = 0.0;
     double smallest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kSteps; ++i) {
-      const Vec2 a(box.lo.x() + box.size().x() * i / kSteps, v);
-      const Vec2 b(box.lo.x() + box.size().x() * (i + 1) / kSteps, v);
+      const double u0 = box.lo.x() + box.size().x() * i / kSteps;
+      const double u1 = box.lo.x() + box.size().x() * (i + 1) / kSteps;
+      const double v = middle_of_ruling(face, 0.5 * (u0 + u1), box);
+      const Vec2 a(u0, v), b(u1, v);
       const Vec3 n0 = outward_normal(face, a);
       const Vec3 n1 = outward_normal(face, b);
       const Vec3 d = skin_point(face, b) - skin_point(face, a);
@@ -320,9 +333,17 @@ class Assembler {
       if (step > 0) smallest = std::min(smallest, across / step);
     }
     bend.kind = BendKind::general;
-    bend.angle = Angle::radians(std::abs(turned));
+    bend.angle = Angle::radians(turn_between(face, box, std::abs(turned)));
     bend.reference_inside = turned < 0;
     bend.inside_radius = std::max(0.0, smallest - (bend.reference_inside ? 0.0 : sheet_.thickness));
+  }
+
+  /// The angle between the sheet at both ends; `along` is how far the normal travels between, which is
+  /// more where it does not stay in one plane.
+  static double turn_between(const Face& face, const Box2& box, double along) {
+    const Vec3 n0 = outward_normal(face, box.lo), n1 = outward_normal(face, box.hi);
+    const double between = std::atan2(n0.cross(n1).norm(), n0.dot(n1));
+    return along <= std::numbers::pi ? between : 2 * std::numbers::pi - between;
   }
 
   const Recognition& of_;

@@ -99,7 +99,10 @@ std::pair<double, double> levels(const BendFit& fit) {
 void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
   const auto [low, high] = levels(fit);
   const auto inside = [&](double level) { return fit.surface.radius(level) - 0.5 * thickness; };
-  report.inside_radius = inside(fit.surface.kind == BendKind::general ? low : 0.5 * (low + high));
+  report.inside_radius = inside(0.5 * (low + high));
+  if (fit.surface.kind == BendKind::general)
+    report.inside_radius =
+        middle_radius(fit.surface, fit.boundaries.low.curve, fit.boundaries.high.curve) - 0.5 * thickness;
   // Levels of a cone grow away from the apex, which lies to the right of the plates where the slope is
   // negative.
   const bool turned = report.line.slope < 0.0;

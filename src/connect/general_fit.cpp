@@ -168,6 +168,22 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
   return surface;
 }
 
+double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high) {
+  const auto v_of = [](const Curve2& boundary, double u) {
+    const auto at = crossings(boundary, {u, 0.0}, Vec2::UnitY());
+    return point_at(boundary, at.empty() ? 0.5 : at.front()).y();
+  };
+  double smallest = std::numeric_limits<double>::infinity();
+  constexpr int kRulings = 256;
+  for (int i = 0; i < kRulings; ++i) {
+    const double u = surface.sweep * (i + 0.5) / kRulings;
+    const SpaceCurvePoint c = surface.arc(u);
+    const double s = (c.point - surface.apex).norm() + 0.5 * (v_of(low, u) + v_of(high, u));
+    smallest = std::min(smallest, s / sharpness(c, surface.apex));
+  }
+  return smallest;
+}
+
 Ruled offset_surface(const BendSurface& surface, double offset) {
   Ruled result = std::get<Ruled>(surface.mid);
   for (Ruled::Knot& knot : result.knots) {

@@ -28,6 +28,9 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
                                     const std::array<std::vector<Vec2>, 2>& corners,
                                     const std::optional<Vec3>& tangent_point, double extent);
 
+/// Smallest radius of curvature of the mid-surface in the middle of a ruling between two boundaries.
+double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high);
+
 /// The surface at a constant distance along the normal, with the same (u, v) on the same normals (MATH 2.6).
 Ruled offset_surface(const BendSurface& surface, double offset);
 

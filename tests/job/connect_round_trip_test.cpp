@@ -1,3 +1,4 @@
+#include "connect/random_sides.hpp"
 #include "connect/sample_plates.hpp"
 #include "support/round_trip.hpp"
 
@@ -85,6 +86,39 @@ RC_GTEST_PROP(ConnectRoundTrip, GivesBackRandomPairs, ()) {
               connection.error().code == ErrorCode::no_common_width);
     RC_DISCARD();
   }
+  expect_round_trip(connection->sheet, 1e-5);
+  RC_ASSERT(!::testing::Test::HasFailure());
+}
+
+/// An irregular plate whose edges look towards the line through the origin along d.
+Plate irregular_plate(const std::string& id, std::mt19937& random, const Vec3& e, const Vec3& d) {
+  std::uniform_int_distribution<int> count(1, 6);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Plate plate{id, {}, {}};
+  for (const Vec2& p : random_outline(random, {count(random), 25.0 * unit(random), 0.3 * unit(random) - 0.15,
+                                               unit(random) < 0.5, false}))
+    plate.outline.push_back(p.x() * d + p.y() * e);
+  return plate;
+}
+
+RC_GTEST_PROP(ConnectRoundTrip, GivesBackIrregularPairs, ()) {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  const double beta = 0.01 * *rc::gen::inRange(60, 250);
+  PlateStructure s;
+  s.thickness = 0.1 * *rc::gen::inRange(8, 30);
+  s.plates = {irregular_plate("A", random, Vec3::UnitY(), Vec3::UnitX()),
+              irregular_plate("B", random, {0, std::cos(beta), std::sin(beta)}, Vec3::UnitX())};
+  s.bends = {{.between = {"A", "B"},
+              .lateral = *rc::gen::element(LateralBoundary::automatic, LateralBoundary::arc, LateralBoundary::corner),
+              .trade_off = *rc::gen::element(0.0, 1.0, 3.0)}};
+  const auto connection = connect(s);
+  if (!connection) {
+    RC_LOG() << connection.error().message;
+    RC_ASSERT(connection.error().code == ErrorCode::radius_too_small ||
+              connection.error().code == ErrorCode::no_common_width || connection.error().code == ErrorCode::overlap);
+    RC_DISCARD();
+  }
+  RC_ASSERT(connection->bends[0].extension_area >= 0.0);
   expect_round_trip(connection->sheet, 1e-5);
   RC_ASSERT(!::testing::Test::HasFailure());
 }

@@ -72,7 +72,7 @@ struct Bend {
   BendKind kind = BendKind::cylinder;
   std::vector<FaceId> faces;  ///< empty for sharp bends
   Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
-  double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest
+  double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest of the middles of their rulings
   bool reference_inside = false;  ///< the reference skin is the inside (concave) one
 };
 
