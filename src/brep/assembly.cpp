@@ -320,9 +320,20 @@ class Assembler {
       if (step > 0) smallest = std::min(smallest, across / step);
     }
     bend.kind = BendKind::general;
-    bend.angle = Angle::radians(std::abs(turned));
+    bend.angle = between_ends(face, box, std::abs(turned));
     bend.reference_inside = turned < 0;
     bend.inside_radius = std::max(0.0, smallest - (bend.reference_inside ? 0.0 : sheet_.thickness));
+  }
+
+  /// Angle between the ends' tangent planes, as a cone's; more than half a turn when the normals turn
+  /// by more. Past a whole turn what the normals turn by.
+  static Angle between_ends(const Face& face, const Box2& box, double turned) {
+    constexpr double kTurn = 2 * std::numbers::pi;
+    const Vec3 n0 = outward_normal(face, box.lo);
+    const Vec3 n1 = outward_normal(face, box.hi);
+    const double between = std::atan2(n0.cross(n1).norm(), n0.dot(n1));
+    if (turned >= kTurn) return Angle::radians(turned);
+    return Angle::radians(turned <= std::numbers::pi ? between : kTurn - between);
   }
 
   const Recognition& of_;
