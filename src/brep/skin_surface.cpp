@@ -1,11 +1,13 @@
 #include "border_curve.hpp"
 #include "fitted_curve.hpp"
 #include "kernel_points.hpp"
+#include "ruling_range.hpp"
 
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
+#include <gp_Vec2d.hxx>
 
 #include <algorithm>
 #include <cmath>
@@ -14,19 +16,18 @@
 namespace planish::brep {
 namespace {
 
-/// Extent of a face in (u, v).
-Box2 extent(const Face& face) {
-  Box2 box;
-  for (const BorderLoop& loop : face.loops)
-    for (const Border& border : loop)
-      box.add(bounds(border.curve));
-  return box;
+using Curve = Handle(Geom2d_Curve);
+
+SkinSurface shifted(const Handle(Geom_Surface) & surface, double v_shift) {
+  return {surface, [v_shift](const Curve& curve, double) {
+            return Curve::DownCast(curve->Translated(gp_Vec2d(0.0, v_shift)));
+          }};
 }
 
 SkinSurface surface_below(const Cylinder& cylinder, const Face& face, double depth, double) {
-  return {new Geom_CylindricalSurface(kernel_frame(cylinder.frame),
-                                      cylinder.radius - face.sense * depth),
-          0.0};
+  return shifted(new Geom_CylindricalSurface(kernel_frame(cylinder.frame),
+                                             cylinder.radius - face.sense * depth),
+                 0.0);
 }
 
 SkinSurface surface_below(const Cone& cone, const Face& face, double depth, double) {
@@ -37,9 +38,9 @@ SkinSurface surface_below(const Cone& cone, const Face& face, double depth, doub
   const Vec3 base = (near * cosine - offset * sine) * cone.frame.z;
   Frame frame = cone.frame;
   frame.origin += base;
-  return {
+  return shifted(
       new Geom_ConicalSurface(kernel_frame(frame), cone.half_angle, near * sine + offset * cosine),
-      -near};
+      -near);
 }
 
 SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, double tolerance) {
@@ -49,12 +50,40 @@ SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, do
   for (const Ruled::Knot& knot : ruled.knots)
     if (knot.u > box.lo.x() + margin && knot.u < box.hi.x() - margin) breaks.push_back(knot.u);
   breaks.push_back(box.hi.x());
+  const RulingRange range = ruling_range(face, depth);
   const auto rails = [&](double u) {
     Eigen::VectorXd both(6);
-    both << point_below(face, {u, box.lo.y()}, depth), point_below(face, {u, box.hi.y()}, depth);
+    both << point_below(face, {u, range.lo(u)}, depth), point_below(face, {u, range.hi(u)}, depth);
     return both;
   };
-  return {ruled_surface(fit_path(rails, breaks, tolerance), box.lo.y(), box.hi.y()), 0.0};
+  const Handle(Geom_Surface) surface =
+      ruled_surface(fit_path(rails, breaks, tolerance), box.lo.y(), box.hi.y());
+  if (range.constant()) return shifted(surface, 0.0);
+  return {surface, [=](const Curve& curve, double length) {
+            return carried_into(range, curve, length, tolerance);
+          }};
+}
+
+/// Radius of curvature across the ruling at a point of the reference skin, positive where it curves
+/// towards the material; not positive where the skin itself folds over.
+double radius_towards_material(const Face& face, const Vec2& uv) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double deeper = 1.0;  // mm; the speed is linear in the depth
+  const double speed = speed_across(face, uv, 0.0);
+  if (speed <= 0.0) return 0.0;
+  const double loss = speed - speed_across(face, uv, deeper);
+  return loss > 0.0 ? deeper * speed / loss : infinite;
+}
+
+double smallest_ruled_radius(const Face& face, double depth) {
+  constexpr int samples = 32;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const BorderLoop& loop : face.loops)
+    for (const Border& border : loop)
+      for (int i = 0; i <= samples; ++i)
+        smallest = std::min(
+            smallest, radius_towards_material(face, point_at(border.curve, double(i) / samples)));
+  return smallest - depth;
 }
 
 }  // namespace
@@ -63,7 +92,7 @@ SkinSurface skin_surface(const Face& face, double depth, double tolerance) {
   if (const auto* frame = std::get_if<Frame>(&face.surface)) {
     Frame below = *frame;
     below.origin -= depth * below.z;
-    return {new Geom_Plane(kernel_frame(below)), 0.0};
+    return shifted(new Geom_Plane(kernel_frame(below)), 0.0);
   }
   return std::visit(
       [&](const auto& surface) { return surface_below(surface, face, depth, tolerance); },
@@ -78,7 +107,7 @@ double smallest_radius(const Face& face, double depth) {
     return cylinder->radius - face.sense * depth;
   if (const auto* cone = std::get_if<Cone>(surface))
     return extent(face).lo.y() * std::tan(cone->half_angle) - face.sense * depth;
-  return infinite;
+  return smallest_ruled_radius(face, depth);
 }
 
 }  // namespace planish::brep

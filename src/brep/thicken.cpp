@@ -12,7 +12,6 @@
 #include <GProp_GProps.hxx>
 #include <Precision.hxx>
 #include <fmt/format.h>
-#include <gp_Vec2d.hxx>
 
 #include <array>
 #include <map>
@@ -127,7 +126,7 @@ class Thickener {
     return {};
   }
 
-  /// The edge of a border as its own face uses it; its curve in (u, v) still without the shift.
+  /// The edge of a border as its own face uses it; its curve still in the face's (u, v).
   EdgeUse skin_use(int row, double depth) const {
     const auto& node = topology_.borders[row];
     const int leader = node.leads ? row : node.mate;
@@ -151,8 +150,7 @@ class Thickener {
       for (std::size_t b = 0; b < borders.size(); ++b, ++row) {
         EdgeUse use = skin_use(row, depth);
         if (!use.curve.IsNull())
-          use.curve =
-              Handle(Geom2d_Curve)::DownCast(use.curve->Translated(gp_Vec2d(0.0, skin.v_shift)));
+          use.curve = skin.carried(use.curve, use.edge->length);
         // Seen from outside, the other skin's loops run the other way.
         if (outer_skin) {
           loop.push_back(use);

@@ -84,9 +84,9 @@ TEST(FoldedMesh, OfBoxesConesPlatesAndCreasesIsClosedAndHasTheirVolume) {
 }
 
 TEST(FoldedMesh, OfOpenedAndGeneralBendsIsClosedAndHasTheirVolume) {
-  for (const Sheet& sheet :
-       {slot_across_bend(), slot_into_bend(), hole_in_bend(5, 0.44), hole_across_bend(20, 0.44),
-        as_ruled(l_bracket(), Angle::degrees(2)), as_ruled(cone_joined(), Angle::degrees(2))})
+  for (const Sheet& sheet : {slot_across_bend(), slot_into_bend(), hole_in_bend(5, 0.44),
+                             hole_across_bend(20, 0.44), as_ruled(l_bracket(), Angle::degrees(2)),
+                             as_ruled(cone_joined(), Angle::degrees(2)), lofted_corner()})
     expect_sound(sheet);
 }
 

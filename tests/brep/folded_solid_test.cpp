@@ -187,6 +187,27 @@ TEST(FoldedSolid, OfGeneralDevelopablesAgreesWithCylindersAndCones) {
   }
 }
 
+/// Valid and closed says `thicken`; the volume is measured from the borders, because that of
+/// `SolidCheck` takes a minute here.
+TEST(FoldedSolid, OfPlatesJoinedByObliqueConesHasTheirVolume) {
+  LoftedCorner leaning;
+  leaning.apex = {60, -10, 60};
+  for (double near : {0.5, 0.25, 0.1}) {
+    SCOPED_TRACE(near);
+    leaning.near = near;
+    for (const LoftedCorner& corner : {leaning, other_side(leaning)}) {
+      const Sheet sheet = lofted_corner(corner);
+      const auto text = folded_solid_step(sheet, "part");
+      ASSERT_TRUE(text) << text.error().message;
+      const auto file = read_step_text(*text, "part");
+      ASSERT_TRUE(file) << file.error().message;
+      ASSERT_EQ(file->bodies.size(), 1u);
+      EXPECT_EQ(file->bodies[0].face_count(), 6 + 2 * 3 + 2);
+      EXPECT_NEAR(file->bodies[0].volume() / sheet.volume, 1.0, 1e-7);
+    }
+  }
+}
+
 TEST(FoldedSolid, OfRandomSheetsIsSoundWhereverTheyLie) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
@@ -262,6 +283,10 @@ TEST(FoldedSolid, RefusesWhatHasNoSolid) {
       code_of(strip({Straight{30}, Turn{Angle::degrees(90), 0.0, down}, Straight{20}}, 15, 1)),
       "unsupported_shape")
       << "an inside radius of zero";
+  LoftedCorner pointed;
+  pointed.near = 0.01;
+  EXPECT_EQ(code_of(lofted_corner(other_side(pointed))), "unsupported_shape")
+      << "an oblique cone thicker than its radius near the apex";
   EXPECT_EQ(code_of(strip({Straight{30}, Crease{Angle::degrees(175), up}, Straight{20}}, 15, 1)),
             "unsupported_shape")
       << "a mitre that runs away";

@@ -56,6 +56,45 @@ TEST(RoundTrip, RecognisesSplineSurfacesAsWhatTheyAre) {
   }
 }
 
+/// Flat area and size as before, and a general bend of the same angle between the plates.
+void expect_lofted_round_trip(const LoftedCorner& corner) {
+  const Sheet sheet = lofted_corner(corner);
+  const FlattenOptions options{.allowance = ConstantK{0.44, "test"}};
+  const auto before = flatten(sheet, options);
+  ASSERT_TRUE(before);
+  const Recognized again = recognized_again(sheet);
+  ASSERT_EQ(again.sheet.bends.size(), 1u);
+  EXPECT_EQ(again.sheet.bends[0].kind, BendKind::general);
+  EXPECT_NEAR(again.sheet.bends[0].angle.degrees(), sheet.bends[0].angle.degrees(), 1e-3);
+  const auto after = flatten(again.sheet, options);
+  ASSERT_TRUE(after) << after.error().message;
+  const Traits a = traits_of(*before);
+  const Traits b = traits_of(*after);
+  EXPECT_NEAR(b.area, a.area, 1e-6 * a.area);
+  EXPECT_NEAR(b.perimeter, a.perimeter, 1e-5 * a.perimeter);
+  EXPECT_LT((b.size - a.size).norm(), 1e-5 * a.size.norm());
+  const auto certificate = certify(again.sheet, *after, again.distance, options);
+  ASSERT_TRUE(certificate);
+  EXPECT_NEAR(certificate->volume_ratio, 1.0, 1e-6);
+  EXPECT_LT(certificate->refold_deviation, 1e-4);
+  EXPECT_LT(certificate->length_error, 1e-4);
+}
+
+TEST(RoundTrip, GivesBackPlatesJoinedByObliqueCones) {
+  expect_lofted_round_trip({});
+  expect_lofted_round_trip(other_side({}));
+}
+
+TEST(RoundTrip, GivesBackObliqueConesWhoseRectangleOfParametersHoldsTheApex) {
+  LoftedCorner leaning;
+  leaning.apex = {60, -10, 60};
+  for (double near : {0.3, 0.1}) {
+    leaning.near = near;
+    expect_lofted_round_trip(leaning);
+    expect_lofted_round_trip(other_side(leaning));
+  }
+}
+
 TEST(RoundTrip, DoesNotDependOnPlaceOrScale) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.rotate(Eigen::AngleAxisd(0.7, Vec3(3, -1, 2).normalized())).pretranslate(Vec3(1000, -500, 70));

@@ -28,15 +28,18 @@ Loop bend_rectangle(double u0, double u1, double v_end, double v_start) {
   return polygon({{u0, v_end}, {u0, v_start}, {u1, v_start}, {u1, v_end}});
 }
 
-/// ∫ f(t) dt over [0, 1]: Gauss–Legendre, five points on each of 48 equal parts.
-double integral(const std::function<double(double)>& f) {
+/// ∫ f(t) dt over the curve's [0, 1]: Gauss–Legendre, five points on each of 48 parts or more, none
+/// of which holds an end of a spline's piece, where speeds jump.
+double integral(const Curve2& curve, const std::function<double(double)>& f) {
   static constexpr std::array<std::array<double, 2>, 5> nodes{
       {{0.0, 128.0 / 225.0},
        {0.5384693101056831, 0.4786286704993665},
        {-0.5384693101056831, 0.4786286704993665},
        {0.9061798459386640, 0.2369268850561891},
        {-0.9061798459386640, 0.2369268850561891}}};
-  constexpr int parts = 48;
+  const auto* spline = std::get_if<CubicSpline>(&curve);
+  const int pieces = spline == nullptr ? 1 : static_cast<int>(spline->poles.size() / 3);
+  const int parts = pieces * (1 + 47 / pieces);
   double sum = 0.0;
   for (int i = 0; i < parts; ++i)
     for (const auto& [x, weight] : nodes)
@@ -44,17 +47,27 @@ double integral(const std::function<double(double)>& f) {
   return sum / (2 * parts);
 }
 
-/// |∂x/∂u| on the offset surface: the rest of the metric is 1 along v and 0 mixed for cylinders
-/// and cones.
-double stretch(const Developable& surface, double v, double offset) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&surface)) return cylinder->radius + offset;
-  const auto& cone = std::get<Cone>(surface);
-  return v * std::sin(cone.half_angle) + offset * std::cos(cone.half_angle);
+/// ∂x/∂u on the offset of a ruled surface, to some 1e-9 of its size.
+Vec3 by_u(const Developable& surface, const Vec2& uv, double offset) {
+  const auto& knots = std::get<Ruled>(surface).knots;
+  const Vec2 h(1e-5 * (knots.back().u - knots.front().u), 0.0);
+  return (point_on(surface, uv + h, offset) - point_on(surface, uv - h, offset)) / (2 * h.x());
 }
 
-/// ∫ stretch dv from v = 0.
-double stretch_integral(const Developable& surface, double v, double offset) {
-  return v * 0.5 * (stretch(surface, 0.0, offset) + stretch(surface, v, offset));
+/// ∂x/∂u on the offset surface: across the ruling, and along it.
+Vec2 rate(const Developable& surface, const Vec2& uv, double offset) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface))
+    return {cylinder->radius + offset, 0.0};
+  if (const auto* cone = std::get_if<Cone>(&surface))
+    return {uv.y() * std::sin(cone->half_angle) + offset * std::cos(cone->half_angle), 0.0};
+  const Vec3 velocity = by_u(surface, uv, offset);
+  const Vec3 ruling = ruling_on(surface, uv.x());
+  return {velocity.dot(ruling.cross(normal_on(surface, uv.x()))), velocity.dot(ruling)};
+}
+
+/// ∫ rate across the ruling dv from v = 0: it is linear in v.
+double stretch_integral(const Developable& surface, const Vec2& uv, double offset) {
+  return uv.y() * rate(surface, {uv.x(), 0.5 * uv.y()}, offset).x();
 }
 
 }  // namespace
@@ -255,22 +268,25 @@ Loop obround_opening(const Vec2& center, double straight, double radius, Angle a
 double skin_length(const Face& face, const Curve2& uv) {
   const auto* surface = std::get_if<Developable>(&face.surface);
   if (surface == nullptr) return length(uv);
-  return integral([&](double t) {
+  return integral(uv, [&](double t) {
     const Vec2 d = derivative_at(uv, t);
-    return std::hypot(d.x() * stretch(*surface, point_at(uv, t).y(), 0.0), d.y());
+    return (d.x() * rate(*surface, point_at(uv, t), 0.0) + Vec2(0.0, d.y())).norm();
   });
 }
 
 double volume_under(const Face& face, double thickness) {
   const auto* surface = std::get_if<Developable>(&face.surface);
+  const auto under = [&](const Curve2& curve) {
+    if (surface == nullptr) return green_area(curve);
+    const double middle = -0.5 * face.sense * thickness;
+    return -face.sense * integral(curve, [&](double t) {
+      return derivative_at(curve, t).x() * stretch_integral(*surface, point_at(curve, t), middle);
+    });
+  };
   double area = 0.0;
   for (const BorderLoop& loop : face.loops)
     for (const Border& border : loop)
-      area += surface == nullptr ? green_area(border.curve) : -face.sense * integral([&](double t) {
-        return derivative_at(border.curve, t).x() * stretch_integral(*surface,
-                                                                     point_at(border.curve, t).y(),
-                                                                     -0.5 * face.sense * thickness);
-      });
+      area += under(border.curve);
   return area * thickness;
 }
 

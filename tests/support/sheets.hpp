@@ -2,6 +2,7 @@
 
 #include "support/sheet_builder.hpp"
 
+#include <planish/geometry/general_cone.hpp>
 #include <planish/sheet/certificate.hpp>
 
 #include <random>
@@ -73,6 +74,20 @@ Sheet cone_joined(const ConeJoint& joint = {});
 /// flange. Flat at K = ½: annular sector of angle sweep·sin ω, radii s + (t/2)·(1 − 2) / tan ω
 /// at both ends, s = r / sin ω, tan ω = (r2 − r1) / height.
 Sheet truncated_cone(double r1, double r2, double height, Angle sweep, double thickness);
+
+/// Two plates like those of a transition at one of its corners, triangles with the corner at `apex`
+/// cut off, tangent to the oblique cone between them: the cone over the conic arc from p0 to p1. Both
+/// plates are `width` wide at the arc, all three end at `near` of the way from the apex. The outward
+/// normal of the reference skin is that of c′ × (c − apex): turn p0 and p1 round for the other skin.
+struct LoftedCorner {
+  Vec3 apex{0, 0, 100};
+  Vec3 p0{60, -20, 0}, tangent_point{62, 34, 0}, p1{10, 45, 0};
+  double near = 0.4, width = 50.0, thickness = 1.5;
+  SpaceCurve arc() const { return conic_arc(p0, tangent_point, p1); }
+};
+Sheet lofted_corner(const LoftedCorner& corner = {});
+/// The same with the reference skin on the other side.
+LoftedCorner other_side(LoftedCorner corner);
 
 /// 100 × 60 plate, t 3, with holes: Ø10 at (20, 30), Ø6.6 at (80, 15), obround 20 × 8 at (60, 40)
 /// turned by 30°.

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <planish/sheet/sheet.hpp>
+
+#include <Geom2d_Curve.hxx>
+
+#include <array>
+
+namespace planish::brep {
+
+/// Extent of a face in (u, v).
+Box2 extent(const Face& face);
+
+/// |∂x/∂u| across the ruling, `depth` below the reference skin of a face on a ruled surface;
+/// negative past the edge of regression. Linear in v and in the depth. By differences: to some 1e-9
+/// of itself.
+double speed_across(const Face& face, const Vec2& uv, double depth);
+
+/// What part of each ruling a face on a ruled surface asks for: all of it lies in lo(u) … hi(u).
+/// The same for all u, the face's extent, unless the edge of regression comes into that; then the
+/// limit on its side keeps away from it.
+class RulingRange {
+ public:
+  explicit RulingRange(const Box2& box) : box_(box) {}
+
+  double lo(double u) const;
+  double hi(double u) const;
+  bool constant() const { return reach_ == 0.0; }
+  const Box2& box() const { return box_; }
+
+ private:
+  friend RulingRange ruling_range(const Face& face, double depth);
+  static constexpr std::size_t nodes = 5;
+
+  double node(std::size_t i) const {
+    return box_.lo.x() + box_.size().x() * static_cast<double>(i) / (nodes - 1);
+  }
+  double narrowing(double u) const;
+  double limit(double u) const;
+
+  Box2 box_;
+  /// The surface narrows along a ruling as 1 + q v, and is 1/(1 + |q| L) as wide at −L/(1 + q L)
+  /// (q > 0), at L/(1 − q L) (q < 0): never nothing. q by the polynomial through its values at the
+  /// nodes, so that the limit is smooth; L is `reach_`, of the sign of the side.
+  std::array<double, nodes> narrowing_{};
+  double reach_ = 0.0;
+};
+RulingRange ruling_range(const Face& face, double depth);
+
+/// A curve in the face's (u, v), run over 0 … length, where the range's rectangle box() stands for
+/// lo(u) … hi(u): rulings exactly, others within `tolerance`.
+Handle(Geom2d_Curve) carried_into(const RulingRange& range, const Handle(Geom2d_Curve) & curve,
+                                  double length, double tolerance);
+
+}  // namespace planish::brep
