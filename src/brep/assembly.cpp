@@ -317,7 +317,7 @@ class Assembler {
   void measure_general(Bend& bend, const Face& face, const Box2& box) const {
     constexpr int kSteps = 256;
     double turned = 0.0;
-    double smallest = std::numeric_limits<double>::infinity();
+    std::vector<double> radii;
     for (int i = 0; i < kSteps; ++i) {
       const double u0 = box.lo.x() + box.size().x() * i / kSteps;
       const double u1 = box.lo.x() + box.size().x() * (i + 1) / kSteps;
@@ -326,16 +326,26 @@ class Assembler {
       const Vec3 n0 = outward_normal(face, a);
       const Vec3 n1 = outward_normal(face, b);
       const Vec3 d = skin_point(face, b) - skin_point(face, a);
-      const Vec3 ruling = ruling_on(std::get<Developable>(face.surface), a.x());
+      const Vec3 ruling = ruling_on(std::get<Developable>(face.surface), 0.5 * (u0 + u1));
       const double across = (d - d.dot(ruling) * ruling).norm();
       const double step = std::atan2(n0.cross(n1).norm(), n0.dot(n1));
       turned += d.dot(n1 - n0) > 0 ? step : -step;
-      if (step > 0) smallest = std::min(smallest, across / step);
+      radii.push_back(step > 0 ? across / step : std::numeric_limits<double>::infinity());
     }
     bend.kind = BendKind::general;
     bend.angle = Angle::radians(turn_between(face, box, std::abs(turned)));
     bend.reference_inside = turned < 0;
-    bend.inside_radius = std::max(0.0, smallest - (bend.reference_inside ? 0.0 : sheet_.thickness));
+    bend.inside_radius = std::max(0.0, smallest_of(radii) - (bend.reference_inside ? 0.0 : sheet_.thickness));
+  }
+
+  /// Smallest of radii taken in the middles of equal steps, the ends of the first and the last step
+  /// included: there the parabola through the three nearest goes on.
+  static double smallest_of(const std::vector<double>& radii) {
+    double smallest = *std::min_element(radii.begin(), radii.end());
+    const auto end_beyond = [&](auto first) { return (15 * first[0] - 10 * first[1] + 3 * first[2]) / 8; };
+    for (const double end : {end_beyond(radii.begin()), end_beyond(radii.rbegin())})
+      if (end > 0) smallest = std::min(smallest, end);
+    return smallest;
   }
 
   /// The angle between the sheet at both ends; `along` is how far the normal travels between, which is

@@ -175,8 +175,8 @@ double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2
   };
   double smallest = std::numeric_limits<double>::infinity();
   constexpr int kRulings = 256;
-  for (int i = 0; i < kRulings; ++i) {
-    const double u = surface.sweep * (i + 0.5) / kRulings;
+  for (int i = 0; i <= kRulings; ++i) {
+    const double u = surface.sweep * i / kRulings;
     const SpaceCurvePoint c = surface.arc(u);
     const double s = (c.point - surface.apex).norm() + 0.5 * (v_of(low, u) + v_of(high, u));
     smallest = std::min(smallest, s / sharpness(c, surface.apex));

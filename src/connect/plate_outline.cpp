@@ -39,15 +39,17 @@ double joint_end(const Vec2& corner, double boundary, double inward, double tole
   return on_ruling && past ? corner.x() : boundary;
 }
 
-// Shortest way from a corner of the run to the point v on the ruling that does not cut the run: the
-// lower hull of the corners between, ordered from the corner on.
+// Shortest way from a corner of the run to the point v on the ruling that leaves the run on the plate's
+// side: the hull of the corners between, ordered from the corner on; below them where the way goes in under
+// the run, above them where it goes out past its end.
 std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
   const double inward = target.x() >= corners.front().x() ? 1.0 : -1.0;
+  const double below = (corners.back().x() - corners.front().x()) * inward > 0.0 ? 1.0 : -1.0;
   std::vector<Vec2> way{corners.front()};
   const auto add = [&](const Vec2& p) {
     while (way.size() > 1) {
       const Vec2& a = way[way.size() - 2];
-      if (inward * cross2(way.back() - a, p - a) > 0.0) break;
+      if (below * inward * cross2(way.back() - a, p - a) > 0.0) break;
       way.pop_back();
     }
     way.push_back(p);

@@ -113,6 +113,8 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
 void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.inside_radius && bend.inside_radii)
     place["inside_radii"].mistake("stands beside inside_radius: give one of them");
+  if (bend.angle && *bend.angle == Angle{})
+    place["angle"].mistake("is 0, which bends nothing: give the angle that the section turns, or leave the section out");
   if (bend.angle && bend.between.size() == 2)
     place["angle"].mistake(
         "belongs to a section with a free end; between two plates it follows "
