@@ -147,19 +147,19 @@ TEST(EdgeSearchOracle, AgreesOnAvertedPairsOfTwoToFourEdges) {
 }
 
 TEST(EdgeSearchOracle, AgreesOnFacingPairsOfFiveToEightEdges) {
-  expect_agreement_of(EdgeKind::facing, {5, 8}, 3000, 50);
+  expect_agreement_of(EdgeKind::facing, {5, 8}, 3000, 100);
 }
 
 TEST(EdgeSearchOracle, AgreesOnAvertedPairsOfFiveToEightEdges) {
-  expect_agreement_of(EdgeKind::averted, {5, 8}, 4000, 50);
+  expect_agreement_of(EdgeKind::averted, {5, 8}, 4000, 100);
 }
 
 TEST(EdgeSearchOracle, AgreesOnFacingPairsOfNineToTwelveEdges) {
-  expect_agreement_of(EdgeKind::facing, {9, 12}, 5000, 10);
+  expect_agreement_of(EdgeKind::facing, {9, 12}, 5000, 30);
 }
 
 TEST(EdgeSearchOracle, AgreesOnAvertedPairsOfNineToTwelveEdges) {
-  expect_agreement_of(EdgeKind::averted, {9, 12}, 6000, 10);
+  expect_agreement_of(EdgeKind::averted, {9, 12}, 6000, 30);
 }
 
 TEST(EdgeSearchOracle, AgreesOnWholePlatesWithChainsOfBothKinds) {
