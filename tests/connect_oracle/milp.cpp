@@ -1,6 +1,7 @@
 #include "connect_oracle/milp.hpp"
 
 #include "connect_oracle/line_bounds.hpp"
+#include "connect_oracle/line_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,121 +10,6 @@
 
 namespace planish::oracle {
 namespace {
-
-constexpr double kNoSpan = std::numeric_limits<double>::infinity();
-
-/// Corners moved and scaled so that the solver's absolute tolerances mean the same for every pair: their
-/// x lies in [−½, ½] · kSize.
-struct Normal {
-  static constexpr double kSize = 10.0;
-  double centre = 0.0, scale = 1.0;
-
-  explicit Normal(const Corners& corners) {
-    double low = kNoSpan, high = -kNoSpan;
-    for (const auto& side : corners)
-      for (const Vec2& p : side) {
-        low = std::min(low, p.x());
-        high = std::max(high, p.x());
-      }
-    centre = 0.5 * (low + high);
-    scale = kSize / (high - low);
-  }
-  Corners of(Corners corners) const {
-    for (auto& side : corners)
-      for (Vec2& p : side)
-        p = scale * Vec2(p.x() - centre, p.y());
-    return corners;
-  }
-  TangentLine back(double slope, double offset) const { return {slope, offset / scale + slope * centre}; }
-};
-
-double most(const std::vector<Vec2>& corners) {
-  double y = 0.0;
-  for (const Vec2& p : corners)
-    y = std::max(y, p.y());
-  return y;
-}
-
-// ---- what is said of the tangent line, k and q ----
-
-struct LineColumns {
-  Column slope = 0, offset = 0;
-  Linear height(double x) const { return x * Linear::of(slope) - Linear::of(offset); }
-};
-
-/// A height above the plate counts as extension for averted edges, one below it for facing ones.
-double extension_sign(EdgeKind kind) { return kind == EdgeKind::facing ? 1.0 : -1.0; }
-
-Linear extension(const LineColumns& line, EdgeKind kind, const Vec2& p) {
-  return extension_sign(kind) * (p.y() - line.height(p.x()));
-}
-
-// ---- linear programs for given corners ----
-
-LineColumns free_line(LinearProgram& program) {
-  constexpr double kFree = std::numeric_limits<double>::max();
-  return {program.continuous(-kFree, kFree), program.continuous(-kFree, kFree)};
-}
-
-void require_feasible(LinearProgram& program, const LineColumns& line, const Corners& corners, EdgeKind kind) {
-  for (const auto& side : corners)
-    for (const Vec2& p : side) {
-      program.at_most(0.0, line.height(p.x()));
-      program.at_most(0.0, extension(line, kind, p));
-    }
-}
-
-double shift_of(const Corners& c) {
-  return std::abs(c[0].front().x() - c[1].front().x()) + std::abs(c[0].back().x() - c[1].back().x());
-}
-
-struct Fit {
-  double cost = kNoSpan;
-  TangentLine line;
-};
-
-template <typename MakeCost>
-Fit fit(const Corners& given, EdgeKind kind, const MakeCost& make_cost) {
-  const Normal normal(given);
-  const Corners corners = normal.of(given);
-  LinearProgram program;
-  const LineColumns line = free_line(program);
-  require_feasible(program, line, corners, kind);
-  const Linear cost = make_cost(program, line, corners);
-  program.minimise(cost);
-  const Solution solution = program.solve(kUnlimited);
-  if (solution.values.empty()) return {};
-  return {solution.value(cost) / normal.scale,
-          normal.back(solution.value(Linear::of(line.slope)), solution.value(Linear::of(line.offset)))};
-}
-
-Fit length_fit(const Corners& given, EdgeKind kind, double psi) {
-  return fit(given, kind, [&](LinearProgram&, const LineColumns& line, const Corners& corners) {
-    Linear length = shift_of(corners);
-    for (const auto& side : corners)
-      for (const Vec2& p : side)
-        length += 1.0 / static_cast<double>(side.size()) * (0.5 * psi * line.height(p.x()) + extension(line, kind, p));
-    return length;
-  });
-}
-
-Fit span_fit(const Corners& given, EdgeKind kind, double psi) {
-  return fit(given, kind, [&](LinearProgram& program, const LineColumns& line, const Corners& corners) {
-    Linear span = shift_of(corners);
-    for (const auto& side : corners) {
-      const Linear tallest = Linear::of(program.continuous(0.0, std::numeric_limits<double>::max()));
-      const Linear longest = Linear::of(program.continuous(0.0, std::numeric_limits<double>::max()));
-      for (const Vec2& p : side) {
-        program.at_most(line.height(p.x()), tallest);
-        program.at_most(extension(line, kind, p), longest);
-      }
-      span += 0.5 * psi * tallest + longest;
-    }
-    return span;
-  });
-}
-
-// ---- the mixed-integer programs ----
 
 /// A corner of a chain in a program: what says that it is selected (1, else 0), and the line's height.
 struct SelectableCorner {
@@ -210,9 +96,7 @@ int first_set(const Solution& solution, const std::vector<Column>& columns) {
   return static_cast<int>(std::find_if(columns.begin(), columns.end(), set) - columns.begin());
 }
 
-// ---- [99]: the shortest bend ----
-
-/// Left and right corner of the one edge of a side, each a vector of binaries with a single one.
+/// [99]: left and right corner of the one edge of a side, each a vector of binaries with a single one.
 struct EdgeColumns {
   std::vector<Column> left, right;
 };
@@ -248,10 +132,10 @@ Linear mean_length(Model& model, const std::vector<Vec2>& side, const EdgeColumn
   return length;
 }
 
-/// A bend there is: the shortest with a level tangent line, at the highest of its four corners (lowest
-/// where edges face), is as long or longer than the optimum.
+/// Length of the shortest bend of averted edges with a level tangent line, at the highest of its four
+/// corners: there is one, so the optimum is no longer.
 double level_length(const Corners& corners, double psi) {
-  double best = kNoSpan;
+  double best = kNoBend;
   for (auto a = corners[0].begin(); a + 1 != corners[0].end(); ++a)
     for (auto b = corners[1].begin(); b + 1 != corners[1].end(); ++b) {
       const Corners edges{std::vector<Vec2>{a[0], a[1]}, std::vector<Vec2>{b[0], b[1]}};
@@ -267,9 +151,7 @@ double highest_of_shortest(const Corners& corners, double psi) {
   return 2.0 * (level_length(corners, psi) + most(corners[0]) + most(corners[1])) / (0.5 * psi + 1.0);
 }
 
-// ---- [114]: the widest bend ----
-
-/// A run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to the last.
+/// [114]: a run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to the last.
 struct RunColumns {
   std::vector<Column> from, to;
   Linear selected(std::size_t j) const { return Linear::of(from[j]) + Linear::of(to[j]) - 1.0; }
@@ -339,16 +221,12 @@ double width_of(const Corners& c) {
   return 0.5 * (c[0].back().x() - c[0].front().x() + c[1].back().x() - c[1].front().x());
 }
 
-double smallest_length(const Corners& corners, EdgeKind kind, double psi) { return length_fit(corners, kind, psi).cost; }
-
-double smallest_span(const Corners& corners, EdgeKind kind, double psi) { return span_fit(corners, kind, psi).cost; }
-
 MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, double psi, double seconds) {
   const Normal normal({chain1.corners, chain2.corners});
   const Corners corners = normal.of({chain1.corners, chain2.corners});
   const double cap = highest_of_shortest(corners, psi);
   auto model = model_of(corners, chain1.kind, cap);
-  if (!model) return {Outcome::infeasible, kNoSpan, {}, {}};
+  if (!model) return {Outcome::infeasible, kNoBend, {}, {}};
   LinearProgram& program = model->program;
   const std::array<EdgeColumns, 2> edges{one_edge(program, corners[0].size()), one_edge(program, corners[1].size())};
   Linear length;
@@ -361,7 +239,7 @@ MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, doub
   length += absolute(program, x_at(0, edges[0].right) - x_at(1, edges[1].right));
   program.minimise(length);
   const Solution solution = program.solve(seconds);
-  MilpReference reference{solution.outcome, kNoSpan, {}, {}};
+  MilpReference reference{solution.outcome, kNoBend, {}, {}};
   if (solution.values.empty()) return reference;
   reference.edges = {first_set(solution, edges[0].left), first_set(solution, edges[1].left)};
   const Fit exact = length_fit({corners_of(chain1, reference.edges[0], reference.edges[0]),
@@ -378,7 +256,7 @@ MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, c
   Wanted wanted = scaled(given, normal.scale);
   wanted.reference_span += kSpanSlack * Normal::kSize;
   auto model = model_of(corners, chain1.kind, highest_of_widest(corners, psi, wanted));
-  if (!model) return {Outcome::infeasible, 0.0, {}, kNoSpan};
+  if (!model) return {Outcome::infeasible, 0.0, {}, kNoBend};
   LinearProgram& program = model->program;
   const std::array<RunColumns, 2> runs{one_run(program, corners[0].size()), one_run(program, corners[1].size())};
   std::array<Linear, 2> left, right;
@@ -393,7 +271,7 @@ MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, c
   program.at_most(span - wanted.reference_span, wanted.trade_off * (width - wanted.reference_width));
   program.minimise(-1.0 * width);
   const Solution solution = program.solve(seconds);
-  MilpTopology topology{solution.outcome, 0.0, {}, kNoSpan};
+  MilpTopology topology{solution.outcome, 0.0, {}, kNoBend};
   if (solution.values.empty()) return topology;
   const std::array<const Chain*, 2> chains{&chain1, &chain2};
   Corners selected;

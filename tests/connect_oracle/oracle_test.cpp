@@ -151,15 +151,15 @@ TEST(EdgeSearchOracle, AgreesOnFacingPairsOfFiveToEightEdges) {
 }
 
 TEST(EdgeSearchOracle, AgreesOnAvertedPairsOfFiveToEightEdges) {
-  expect_agreement_of(EdgeKind::averted, {5, 8}, 4000, 100);
+  expect_agreement_of(EdgeKind::averted, {5, 8}, 4000, 80);
 }
 
 TEST(EdgeSearchOracle, AgreesOnFacingPairsOfNineToTwelveEdges) {
-  expect_agreement_of(EdgeKind::facing, {9, 12}, 5000, 30);
+  expect_agreement_of(EdgeKind::facing, {9, 12}, 5000, 20);
 }
 
 TEST(EdgeSearchOracle, AgreesOnAvertedPairsOfNineToTwelveEdges) {
-  expect_agreement_of(EdgeKind::averted, {9, 12}, 6000, 30);
+  expect_agreement_of(EdgeKind::averted, {9, 12}, 6000, 20);
 }
 
 TEST(EdgeSearchOracle, AgreesOnWholePlatesWithChainsOfBothKinds) {
