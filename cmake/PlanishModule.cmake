@@ -27,7 +27,8 @@ set(PLANISH_WALLED_LIBS
   GEOS::geos_c=geos_c.h,geos.h
   Dxflib::dxflib=dxflib/dl_dxf.h,dxflib/dl_creationadapter.h,dxflib/dl_creationinterface.h
   nlohmann_json::nlohmann_json=nlohmann/json.hpp,nlohmann/json_fwd.hpp
-  CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp)
+  CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp
+  Cbc::Cbc=coin/Cbc_C_Interface.h)
 
 # Hides the headers of every walled library that is not among the given ones from `target`.
 function(_planish_hide_libs target)

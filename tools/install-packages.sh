@@ -14,7 +14,7 @@ build=(
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
 )
-test=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-ezdxf)
+test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf)
 develop=(libbenchmark-dev clang clang-format clang-tidy)
 
 case "${1:-}" in
