@@ -38,6 +38,7 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
   };
   Side left, right;
   std::optional<Minimum> best;
+  constexpr double kResolution = 1e-11;
   constexpr int kMostSteps = 400;  // doublings and cuts; far more than any chain of corners needs
   double x = search.start, step = search.step;
   for (int i = 0; i < kMostSteps; ++i) {
@@ -83,6 +84,10 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
       const double across = left.line.slope - right.line.slope;
       if (across == 0.0) return best;
       next = (right.line.value - left.line.value + left.line.slope * left.at - right.line.slope * right.at) / across;
+      // f is nowhere below both lines, and they are steep enough to say where it is least.
+      const double least = left.line.value + left.line.slope * (next - left.at);
+      const double flatter = std::min(-left.line.slope, right.line.slope);
+      if (best->value - least <= search.value_noise && flatter * kResolution > search.value_noise) return best;
     } else {
       return best;  // the minimum is where the constraint begins
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace planish::connect_detail {
@@ -10,7 +11,7 @@ namespace {
 /// One edge, or the fixed run of a side.
 struct Unit {
   int first = 0, last = 0;
-  double left = 0.0, right = 0.0, mean_x = 0.0, mean_y = 0.0;
+  Vec2 left = Vec2::Zero(), right = Vec2::Zero(), mean = Vec2::Zero();
 };
 
 std::vector<Unit> units_of(const ChainPair& pair, int side) {
@@ -23,38 +24,68 @@ std::vector<Unit> units_of(const ChainPair& pair, int side) {
       runs.emplace_back(e, e);
   std::vector<Unit> units;
   for (const auto& [first, last] : runs) {
-    Unit unit{first, last, pair.x(side, first), pair.x(side, last + 1), 0.0, 0.0};
-    for (int c = first; c <= last + 1; ++c) {
-      unit.mean_x += pair.sides[i]->corners[static_cast<std::size_t>(c)].x();
-      unit.mean_y += pair.sides[i]->corners[static_cast<std::size_t>(c)].y();
-    }
-    unit.mean_x /= last - first + 2;
-    unit.mean_y /= last - first + 2;
-    units.push_back(unit);
+    const auto corner = pair.sides[i]->corners.begin() + first;
+    const int count = last - first + 2;
+    units.push_back({first, last, corner[0], corner[count - 1],
+                     std::accumulate(corner, corner + count, Vec2(0.0, 0.0)) / count});
   }
   // Near ones first: lengths grow with the mean height.
-  std::stable_sort(units.begin(), units.end(), [](const Unit& a, const Unit& b) { return a.mean_y < b.mean_y; });
+  std::stable_sort(units.begin(), units.end(), [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
   return units;
 }
 
-double shift(const Unit& a, const Unit& b) { return std::abs(a.left - b.left) + std::abs(a.right - b.right); }
+double shift(const Unit& a, const Unit& b) { return std::abs(a.left.x() - b.left.x()) + std::abs(a.right.x() - b.right.x()); }
 
-/// The objective of MATH 3.6 without the shift, minimised over the tangent lines.
-std::optional<double> length(const ChainPair& pair, const Unit& a, const Unit& b, double start, double& slope) {
-  // Means of k x − q are linear in (k, q); those of y are constants.
-  const double weight = pair.kind == EdgeKind::facing ? 0.5 * pair.factor - 1.0 : 0.5 * pair.factor + 1.0;
-  const double constant = pair.kind == EdgeKind::facing ? a.mean_y + b.mean_y : -(a.mean_y + b.mean_y);
+/// The objective of MATH 3.6 without the shift: of tangent lines (k, q), `of_height` · 2 H + `constant`
+/// where H = k x̄ − q is the height of the line over the mean x of all corners.
+struct Length {
+  double of_height = 0.0, constant = 0.0, mean_x = 0.0;
+
+  Length(const ChainPair& pair, const Unit& a, const Unit& b) : mean_x(0.5 * (a.mean.x() + b.mean.x())) {
+    const double sign = pair.kind == EdgeKind::facing ? 1.0 : -1.0;
+    of_height = 0.5 * pair.factor - sign;
+    constant = sign * (a.mean.y() + b.mean.y());
+  }
+};
+
+std::optional<double> shortest(const ChainPair& pair, const Unit& a, const Unit& b, double start, double& slope) {
+  const Length length(pair, a, b);
   TangentCost cost;
-  cost.linear = weight * Vec2(a.mean_x + b.mean_x, -2.0);
+  cost.linear = 2.0 * length.of_height * Vec2(length.mean_x, -1.0);
   const std::array<CornerRange, 2> sides{pair.corners(0, a.first, a.last), pair.corners(1, b.first, b.last)};
   const auto best = cheapest_tangent(sides, pair.kind, cost, pair.line, pair.size, start);
   if (!best) return std::nullopt;
   slope = best->line.slope;
   // Evaluated at the line itself: the program's value is about another origin.
-  return constant + cost.linear.dot(Vec2(best->line.slope, best->line.offset));
+  return length.constant + cost.linear.dot(Vec2(best->line.slope, best->line.offset));
 }
 
-/// Below this no pair of these mean heights can be: the line is as near to the plates as it can be.
+/// Facing: how high over x a line can be at most that lies below the ends of both units, averted: how low at
+/// least one that lies above them. A hull of four corners.
+double extreme_height(EdgeKind kind, const Unit& a, const Unit& b, double x) {
+  const double sign = kind == EdgeKind::facing ? 1.0 : -1.0;
+  const std::array<const Vec2*, 4> corners{&a.left, &a.right, &b.left, &b.right};
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vec2* p : corners)
+    for (const Vec2* q : corners) {
+      if (p->x() > x || q->x() < x) continue;
+      const double across = q->x() - p->x();
+      const double share = across > 0.0 ? (x - p->x()) / across : 0.0;
+      least = std::min(least, sign * (p->y() + share * (q->y() - p->y())));
+    }
+  return sign * least;
+}
+
+/// What no bend between the two is shorter than, whatever else its tangent line has to respect; nearly
+/// always its length.
+double least_length(const ChainPair& pair, const Unit& a, const Unit& b) {
+  const Length length(pair, a, b);
+  const double height =
+      pair.kind == EdgeKind::facing && length.of_height >= 0.0 ? 0.0 : extreme_height(pair.kind, a, b, length.mean_x);
+  return length.constant + 2.0 * length.of_height * height + shift(a, b);
+}
+
+/// The same for all pairs of these mean heights: the line is as near to the plates as it can be.
 double least_length(const ChainPair& pair, double heights) {
   return (pair.kind == EdgeKind::facing ? std::min(0.5 * pair.factor, 1.0) : 0.5 * pair.factor) * heights;
 }
@@ -67,12 +98,11 @@ std::optional<ReferenceBend> reference_bend(const ChainPair& pair, double bound)
   const double noise = kEqualWidths * pair.size;
   double start = 0.0;
   for (const Unit& a : left) {
-    if (least_length(pair, a.mean_y + right.front().mean_y) > bound + noise) break;
+    if (least_length(pair, a.mean.y() + right.front().mean.y()) > bound + noise) break;
     for (const Unit& b : right) {
-      const double least = least_length(pair, a.mean_y + b.mean_y);
-      if (least > bound + noise) break;
-      if (least + shift(a, b) > bound + noise) continue;
-      const auto straight = length(pair, a, b, start, start);
+      if (least_length(pair, a.mean.y() + b.mean.y()) > bound + noise) break;
+      if (least_length(pair, a, b) > bound + noise) continue;
+      const auto straight = shortest(pair, a, b, start, start);
       if (!straight) continue;
       const double whole = *straight + shift(a, b);
       if (best ? whole >= best->length + noise : whole >= bound) continue;
