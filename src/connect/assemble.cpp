@@ -25,20 +25,24 @@ Curve2 shifted(const Curve2& curve, double v) {
   return transformed(curve, motion);
 }
 
-// Length on the skin by chords in space, extrapolated: it does not know of any development.
+// Length on the skin by chords in space, extrapolated: it does not know of any development. A ruling is
+// its own chord.
 double length_in_space(const Developable& surface, const Curve2& uv) {
-  const auto chords = [&](int parts) {
+  const auto* segment = std::get_if<Segment>(&uv);
+  if (segment && segment->a.x() == segment->b.x())
+    return (point_on(surface, segment->b) - point_on(surface, segment->a)).norm();
+  const auto* spline = std::get_if<CubicSpline>(&uv);
+  const int chords = std::max(64, spline ? 16 * static_cast<int>(spline->poles.size() / 3) : 0);
+  std::vector<Vec3> points;
+  for (int i = 0; i <= chords; ++i)
+    points.push_back(point_on(surface, point_at(uv, static_cast<double>(i) / chords)));
+  const auto length = [&](std::size_t step) {
     double sum = 0.0;
-    Vec3 last = point_on(surface, point_at(uv, 0.0));
-    for (int i = 1; i <= parts; ++i) {
-      const Vec3 p = point_on(surface, point_at(uv, static_cast<double>(i) / parts));
-      sum += (p - last).norm();
-      last = p;
-    }
+    for (std::size_t i = step; i < points.size(); i += step)
+      sum += (points[i] - points[i - step]).norm();
     return sum;
   };
-  constexpr int kParts = 48;
-  const double a = chords(kParts), b = chords(2 * kParts), c = chords(4 * kParts);
+  const double a = length(4), b = length(2), c = length(1);
   const double ab = b + (b - a) / 3.0, bc = c + (c - b) / 3.0;
   return bc + (bc - ab) / 15.0;
 }
