@@ -6,6 +6,7 @@ import json
 import math
 import os
 import pathlib
+import struct
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -42,6 +43,24 @@ def scaled(plates, scale):
     for bend in scaled_plates["bends"]:
         bend["inside_radius"] *= scale
     return scaled_plates
+
+
+def facets_of_stl(data):
+    """(normal, three corners) of each."""
+    count, = struct.unpack_from("<I", data, 80)
+    assert len(data) == 84 + 50 * count, "not a whole binary STL"
+    return [[struct.unpack_from("<3f", data, 84 + 50 * i + 12 * k) for k in range(4)]
+            for i in range(count)]
+
+
+def corners_of_stl(data):
+    return [corner for facet in facets_of_stl(data) for corner in facet[1:]]
+
+
+def volume_of_stl(data):
+    """By the divergence theorem."""
+    return sum(a[i] * (b[j] * c[k] - b[k] * c[j]) / 6
+               for n, a, b, c in facets_of_stl(data) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)))
 
 
 class PlatesTest(CliTest):
@@ -188,10 +207,45 @@ class Section(PlatesTest):
         self.assertAlmostEqual(report["flat"]["area"], 200 * (100 + math.pi * 30.88), places=4)
         self.assertEqual(report["flat"]["bends"][0]["edges"], {"A": [2]})
 
+    def test_angle_below_zero_bends_the_other_way(self):
+        half = {"thickness": 2, "plates": ell()["plates"][:1],
+                "bends": [{"between": ["A"], "edges": {"A": [2]}, "inside_radius": 30, "angle": 180}]}
+        areas, heights = [], []
+        for half["bends"][0]["angle"] in (180, -180):
+            areas.append(self.report("-o", "half.stl", content=half)["flat"]["area"])
+            heights.append([z for x, y, z in corners_of_stl((self.dir / "half.stl").read_bytes())])
+        self.assertAlmostEqual(*areas, places=6)
+        for height, wanted in zip((min(heights[0]), max(heights[0]), min(heights[1]), max(heights[1])),
+                                  (-1, 63, -63, 1)):
+            self.assertAlmostEqual(height, wanted, places=3)
+
     def test_section_without_its_angle(self):
         self.plates({"thickness": 2, "plates": [], "bends": [{"between": [], "length": 9}]})
         sentence = self.refused("connect", "plates.json", "--check", status=3)
         self.assertIn("plates.json/bends/0/angle", sentence)
+
+
+class ObliqueCone(PlatesTest):
+    """Two neighbouring corner pieces of a square-to-round: triangles whose planes meet at the apex."""
+
+    def loft(self, tangent_point):
+        plates = [{"id": "A", "outline": [[200, -170, 0], [200, 170, 0], [120, 0, 300]]},
+                  {"id": "B", "outline": [[170, 200, 0], [-170, 200, 0], [0, 120, 300]]}]
+        return {"thickness": 2, "plates": plates,
+                "bends": [{"between": ["A", "B"], "edges": {"A": [1], "B": [2]}, "surface": "general",
+                           "tangent_point": tangent_point}]}
+
+    def test_is_developed_and_certified(self):
+        report = self.report(content=self.loft([120, 120, 300]))
+        bend = report["flat"]["bends"][0]
+        self.assertEqual(bend["surface"], "general")
+        self.assertAlmostEqual(bend["extension_area"], 0.0, places=6)
+        self.assertLess(report["verification"]["volume_ratio"] - 1, 1e-5)
+
+    def test_tangent_point_off_the_line_of_the_planes(self):
+        self.plates(self.loft([120, 100, 300]))
+        sentence = self.refused("connect", "plates.json", "--check", status=4)
+        self.assertIn("plates.json/bends/0/tangent_point", sentence)
 
 
 class Outputs(PlatesTest):
@@ -205,6 +259,12 @@ class Outputs(PlatesTest):
         self.assertIn("<svg", (self.dir / "d.svg").read_text())
         self.assertEqual((self.dir / "a.step").read_bytes(), (self.dir / "b.STP").read_bytes())
         self.assertNotEqual((self.dir / "a.step").read_bytes(), (self.dir / "e.step").read_bytes())
+
+    def test_mesh_of_the_folded_part(self):
+        self.report("-o", "part.stl")
+        volume = THICKNESS * WIDTH * flat_length(0.5)
+        self.assertLess(abs(volume_of_stl((self.dir / "part.stl").read_bytes()) / volume - 1), 0.001)
+        self.assertEqual(self.names(), ["part.stl", "plates.json", "report.json"])
 
     def test_only_what_is_asked_for_is_written(self):
         self.plates()

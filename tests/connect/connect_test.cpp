@@ -249,5 +249,48 @@ TEST(Connect, FollowsAPlateThatIsMoved) {
   EXPECT_NEAR(flat(*after).area, flat(joined(s)).area, 1e-6);
 }
 
+TEST(Connect, KeepsWhatWasGivenWhenAPlateIsMoved) {
+  PlateStructure s = angle_pair(14.0);
+  s.bends = {{.between = {"A", "B"}, .edges = {std::vector{2}, std::vector{0}}, .inside_radius = 5.0, .lateral = LateralBoundary::arc}};
+  const Connection before = joined(s);
+  for (Vec3& p : s.plates[1].outline)
+    p += Vec3(30, 2, 1);
+  const auto after = refit(before, s.plates[1]);
+  ASSERT_TRUE(after) << after.error().message;
+  EXPECT_NEAR(after->bends[0].inside_radius, 5.0, 1e-9);
+  EXPECT_EQ(after->bends[0].lateral, LateralBoundary::arc);
+  EXPECT_EQ(after->bends[0].edges[0], std::vector{2});
+  const auto back = refit(*after, before.structure.plates[1]);
+  ASSERT_TRUE(back);
+  EXPECT_NEAR(flat(*back).area, flat(before).area, 1e-9);
+}
+
+// The nearest plates are joined first; those that are joined stay so when others come nearer.
+TEST(Connect, JoinsTheSamePlatesWhenOneIsMoved) {
+  PlateStructure s = tray();
+  const Connection before = joined(s);
+  for (Vec3& p : s.plates[4].outline)
+    p += Vec3(30, 0, 30);
+  const auto after = refit(before, s.plates[4]);
+  ASSERT_TRUE(after) << after.error().message;
+  for (std::size_t b = 0; b < before.bends.size(); ++b) {
+    EXPECT_EQ(after->bends[b].plates, before.bends[b].plates);
+    if (before.bends[b].request.between[0] == "right" || before.bends[b].request.between[1] == "right") continue;
+    EXPECT_EQ(after->bends[b].inside_radius, before.bends[b].inside_radius);
+    EXPECT_EQ(after->bends[b].edges, before.bends[b].edges);
+  }
+}
+
+TEST(Connect, SaysWhyAMovedPlateCannotBeFollowed) {
+  PlateStructure s = angle_pair(14.0);
+  const Connection before = joined(s);
+  Plate stranger = s.plates[1];
+  stranger.id = "C";
+  EXPECT_EQ(refit(before, stranger).error().code, ErrorCode::unknown_plate);
+  for (Vec3& p : s.plates[1].outline)
+    p = Vec3(p.x(), p.y() - 60, p.z() - 60);
+  EXPECT_EQ(refit(before, s.plates[1]).error().code, ErrorCode::plates_intersect);
+}
+
 }  // namespace
 }  // namespace planish::test
