@@ -75,9 +75,22 @@ void add_sharp_lines(const Sheet& sheet, const UnfoldingTree& tree, BendId id, F
     const Vec2 b0 = tree.image(sheet, joint.b.face, end_of(b));
     const Vec2 b1 = tree.image(sheet, joint.b.face, start_of(b));
     flat.lines.push_back({(a0 + b0) / 2, (a1 + b1) / 2});
+    flat.line_angles.push_back(flat.angle);
     flat.tangent_lines.push_back({a0, a1});
     flat.tangent_lines.push_back({b0, b1});
   }
+}
+
+void add_press_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend, const Range& range,
+                     FlatBend& flat) {
+  const auto add = [&](double at, Angle angle) {
+    for (const Segment& line : ruling_lines(sheet, tree, bend, range, at)) {
+      flat.lines.push_back(line);
+      flat.line_angles.push_back(angle);
+    }
+  };
+  for (const PressLine& press : bend.press_lines) add((press.u - range.lo) / (range.hi - range.lo), press.angle);
+  if (bend.press_lines.empty()) add(0.5, bend.angle);
 }
 
 double total_length(const std::vector<Segment>& lines) {
@@ -104,7 +117,7 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree) 
       add_sharp_lines(sheet, tree, flat.bend, flat);
     } else {
       const Range range = u_range(sheet, bend);
-      flat.lines = ruling_lines(sheet, tree, bend, range, 0.5);
+      add_press_lines(sheet, tree, bend, range, flat);
       flat.tangent_lines = ruling_lines(sheet, tree, bend, range, 0.0);
       for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0)) flat.tangent_lines.push_back(line);
     }

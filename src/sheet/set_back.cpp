@@ -71,7 +71,7 @@ bool outward(const Sheet& sheet, const Joint& joint) {
 }  // namespace
 
 bool needs_setback(const Sheet& sheet) {
-  return std::any_of(sheet.joints.begin(), sheet.joints.end(), [&](const Joint& joint) { return outward(sheet, joint); });
+  return sheet.reference_depth == 0.0 && std::any_of(sheet.joints.begin(), sheet.joints.end(), [&](const Joint& joint) { return outward(sheet, joint); });
 }
 
 Result<Sheet> with_setback(const Sheet& sheet) {

@@ -92,18 +92,31 @@ class Grower {
     return {};
   }
 
+  /// How far the neutral surface of a bend lies below the reference surface.
+  double neutral_depth(const Bend& bend, double k) const {
+    return (bend.reference_inside ? k : 1.0 - k) * sheet_.thickness - sheet_.reference_depth;
+  }
+
   double offset_of(BendId id, const Face& face) const {
     const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(id))];
     const double k = tree_.allowance[static_cast<size_t>(index_of(id))].k_factor;
-    const double depth = (bend.reference_inside ? k : 1.0 - k) * sheet_.thickness;
-    return -face.sense * depth;
+    return -face.sense * neutral_depth(bend, k);
+  }
+
+  /// What a sharp bend takes between its two borders. Between skins its radius is zero on the inside,
+  /// elsewhere on the reference surface.
+  double gap_of(BendId id) const {
+    const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(id))];
+    const BendAllowance& allowance = tree_.allowance[static_cast<size_t>(index_of(id))];
+    if (sheet_.reference_depth == 0.0) return allowance.allowance;
+    const double outwards = bend.reference_inside ? 1.0 : -1.0;
+    return bend.angle.radians() * outwards * neutral_depth(bend, allowance.k_factor);
   }
 
   Development development_of(const Bend& bend, double k) const {
     if (bend.faces.empty()) return Development(Cylinder{{}, 1.0}, 0.0);
     const Face& face = face_at(sheet_, bend.faces.front());
-    const double depth = (bend.reference_inside ? k : 1.0 - k) * sheet_.thickness;
-    return Development(std::get<Developable>(face.surface), -face.sense * depth);
+    return Development(std::get<Developable>(face.surface), -face.sense * neutral_depth(bend, k));
   }
 
   static Isometry2 mirror_of(const Face& face) {
@@ -204,7 +217,7 @@ class Grower {
     const double c = child.direction.dot(target);
     const double s = child.direction.x() * target.y() - child.direction.y() * target.x();
     placement.linear() << c, -s, s, c;
-    const double gap = joint.sharp ? tree_.allowance[static_cast<size_t>(index_of(*joint.sharp))].allowance : 0.0;
+    const double gap = joint.sharp ? gap_of(*joint.sharp) : 0.0;
     const Vec2 outwards(x.y(), -x.x());
     const double shift = joint.sharp ? shift_along(joint, line) : 0.0;
     placement.translation() =
@@ -260,7 +273,7 @@ class Grower {
 
   /// The two borders of a sharp bend are parallel, one allowance apart; their ends may differ.
   double sharp_mismatch(const Joint& joint) const {
-    const double gap = tree_.allowance[static_cast<size_t>(index_of(*joint.sharp))].allowance;
+    const double gap = gap_of(*joint.sharp);
     const Curve2& a = border_at(sheet_, joint.a).curve;
     const Curve2& b = border_at(sheet_, joint.b).curve;
     const Vec2 a0 = tree_.image(sheet_, joint.a.face, start_of(a));

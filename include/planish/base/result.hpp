@@ -26,6 +26,7 @@ enum class ErrorCode {
   self_crossing,  ///< a polygon that crosses itself
   unknown_plate,  ///< an id that no plate has
   unknown_edge,  ///< edges that a plate does not have, or that cannot carry one bend together
+  unknown_seam,  ///< an edge or corner for the seam that the profile does not have
   bend_loop,  ///< bends given that close a loop of plates
   not_connected,  ///< bends given that leave a plate alone
   no_solid,  ///< the file holds no solid body (wires, points, nothing)
@@ -44,6 +45,9 @@ enum class ErrorCode {
   radius_too_small,  ///< the thickness is too large for the radius of a bend
   apex_in_span,  ///< the apex of a cone lies within the span of its edges
   no_common_width,  ///< a bend would run over the interior of a plate on all of its width
+  profile_not_convex,  ///< a profile of a transition that turns inwards somewhere
+  profiles_meet,  ///< profiles of a transition that touch each other's plane, or lie in one
+  profile_hidden,  ///< a part of a profile would be hidden inside the transition
   pattern_wrong,  ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   // Others.

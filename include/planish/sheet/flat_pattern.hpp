@@ -29,7 +29,8 @@ struct FlatBend {
   double inside_radius = 0.0;
   BendAllowance allowance;
   BendDirection direction = BendDirection::up;
-  std::vector<Segment> lines;          ///< bend line, cut where there is no material
+  std::vector<Segment> lines;          ///< bend line or press lines, cut where there is no material
+  std::vector<Angle> line_angles;      ///< what the sheet is bent by at each of `lines`
   std::vector<Segment> tangent_lines;  ///< limits of the bend zone, cut likewise
   double length = 0.0;                 ///< sum of the lengths of `lines`
 };

@@ -31,7 +31,7 @@ struct Border {
 };
 using BorderLoop = std::vector<Border>;
 
-/// A piece of the sheet's *reference skin*: a plane region (of a flange) or a region of a
+/// A piece of the sheet's reference surface: a plane region (of a flange) or a region of a
 /// developable surface (of a bend). `sense` is +1 when the skin's outward normal (away from the
 /// material) is the surface's normal, −1 when it is the opposite; planes always have +1 (their z).
 /// Loops keep the face on their left seen from outside the material; loops[0] is the outer one.
@@ -67,6 +67,12 @@ struct Flange {
 
 enum class BendKind { cylinder, cone, general, sharp };
 
+/// A ruling of a bend where the press brake strikes, and by how much; all of them make the bend.
+struct PressLine {
+  double u = 0.0;  ///< of the ruling, on the surface of the bend's faces
+  Angle angle;
+};
+
 /// Everything that turns between two flanges about one developable surface.
 struct Bend {
   BendKind kind = BendKind::cylinder;
@@ -74,6 +80,7 @@ struct Bend {
   Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
   double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest of the middles of their rulings
   bool reference_inside = false;  ///< the reference skin is the inside (concave) one
+  std::vector<PressLine> press_lines;  ///< u growing; empty: one in the middle, or rolled
 };
 
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
@@ -86,10 +93,13 @@ struct FormedFeature {
   Error at_rim;                      ///< why there is no flat pattern when it reaches the outer contour
 };
 
-/// A sheet: one flat, inextensible region and the way it is folded. The reference skin is one of
-/// its two skins; the other lies `thickness` towards the material.
+/// A sheet: one flat, inextensible region and the way it is folded. The reference surface is one of
+/// its two skins, the other lies `thickness` towards the material; or it is a surface between them,
+/// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp bends
+/// are hinges that take no allowance.
 struct Sheet {
   double thickness = 0.0;         ///< mm
+  double reference_depth = 0.0;   ///< mm, 0 to the thickness
   double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
   double volume = 0.0;            ///< of the solid, mm³; 0 when there is none
   std::vector<Face> faces;
@@ -102,9 +112,9 @@ struct Sheet {
   double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³
 };
 
-/// Outward unit normal of the reference skin at (u, v).
+/// Outward unit normal of the reference surface at (u, v).
 Vec3 outward_normal(const Face& face, const Vec2& uv);
-/// Point of the reference skin at (u, v).
+/// Point of the reference surface at (u, v).
 Vec3 skin_point(const Face& face, const Vec2& uv);
 
 }  // namespace planish

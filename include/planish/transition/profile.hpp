@@ -1,0 +1,45 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/geometry/frame.hpp>
+
+#include <variant>
+#include <vector>
+
+namespace planish {
+
+/// Corners, either way round. Edge i runs from corner i to corner i + 1.
+struct PolygonProfile {
+  std::vector<Vec2> corners;
+};
+
+/// About the origin. A circle has rx = ry.
+struct EllipseProfile {
+  double rx = 0.0, ry = 0.0;
+};
+
+/// A rectangle about the origin, its corners rounded. Edges 0 … 3: below, right, above, left.
+struct RoundedRectangleProfile {
+  double width = 0.0, height = 0.0, radius = 0.0;
+};
+
+/// Two half circles about the origin, `length` apart at their far ends along x, with straight sides.
+struct ObroundProfile {
+  double length = 0.0, width = 0.0;
+};
+
+/// The closed C² cubic spline through points, with their chords' lengths as parameter.
+struct SplineProfile {
+  std::vector<Vec2> points;
+};
+
+using Profile =
+    std::variant<PolygonProfile, EllipseProfile, RoundedRectangleProfile, ObroundProfile, SplineProfile>;
+
+/// A profile in space: in the x–y plane of its frame.
+struct PlacedProfile {
+  Profile profile;
+  Frame frame;
+};
+
+}  // namespace planish

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <planish/base/angle.hpp>
+#include <planish/base/progress.hpp>
+#include <planish/sheet/sheet.hpp>
+#include <planish/transition/profile.hpp>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace planish {
+
+/// Which face of the sheet the profiles are given for.
+enum class SizesAre { inside, mid, outside };
+
+/// Where the sheet is closed, on the first profile: in the middle of an edge, at a corner, or at the
+/// share `parameter` (0 to 1) of its length from the start of edge 0, or of the curve.
+struct SeamEdge {
+  int edge = 0;
+};
+struct SeamCorner {
+  int corner = 0;
+};
+struct SeamParameter {
+  double parameter = 0.0;
+};
+using Seam = std::variant<SeamEdge, SeamCorner, SeamParameter>;
+
+/// How the curved patches are pressed, each: by a number of lines, by the largest angle of a line, or by
+/// the largest distance of lines along the wider profile.
+struct PressCount {
+  int count = 1;
+};
+struct PressAngle {
+  Angle largest = Angle::degrees(10.0);
+};
+struct PressChord {
+  double largest = 0.0;  ///< mm
+};
+using Pressing = std::variant<std::monostate, PressCount, PressAngle, PressChord>;
+
+/// One piece, two halves (the second seam opposite, at half the first profile's length), or a piece for
+/// each side of the first profile.
+enum class Pieces { one, two, per_side };
+
+struct TransitionSpec {
+  double thickness = 0.0;   ///< mm
+  double k_factor = 0.5;    ///< where the neutral surface is
+  PlacedProfile from, to;
+  SizesAre sizes_are = SizesAre::mid;
+  std::optional<Seam> seam;  ///< default: where the weld is shortest
+  Pieces pieces = Pieces::one;
+  Pressing pressing;         ///< none: rolled
+};
+
+enum class PatchKind { plane, cone, general };
+
+/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its apex in
+/// a corner or anywhere, a developable between two curves.
+struct TransitionPatch {
+  PatchKind kind = PatchKind::plane;
+  double area = 0.0;              ///< of the neutral surface, mm²
+  std::array<double, 2> border{}; ///< lengths along both profiles, mm
+  Angle turn;                     ///< between the normals at both ends, along the surface
+};
+
+/// A ruling that a template shows: between patches, at a seam, or a press line. Labels: corners of the first
+/// profile are A, B, C …, of the second a, b, c …, points on curves are numbered along.
+struct TrueLength {
+  std::string from, to;
+  std::array<Vec3, 2> points{};
+  double length = 0.0;  ///< mm
+};
+
+/// A developable surface between two profiles, as sheets that lie flat.
+struct Transition {
+  /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is curved
+  /// and the sharp folds, in the order of the profile.
+  std::vector<Sheet> pieces;
+  std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
+  std::vector<TrueLength> true_lengths;
+  double area = 0.0;                     ///< of the neutral surface, mm²
+  std::array<double, 2> perimeters{};    ///< of the neutral surface's borders on both profiles, mm
+};
+
+struct TransitionOptions {
+  /// Share of the profiles' extent that points of general developables may be off.
+  double tolerance = 1e-11;
+};
+
+/// The surface that bounds the opening between two convex profiles in two planes: the lateral boundary of
+/// their convex hull (MATH 5.1–5.3), made of planes, cones and general developables whose tangent plane
+/// touches both profiles. Profiles are set in or out, in their planes, from the face that they are given
+/// for to the neutral surface; so the surface meets what is joined to it in its own neutral surface.
+/// `where` of an error is the JSON pointer of its cause in a transition file.
+/// Errors (exit status 3): `invalid_input` (numbers not finite, or sizes not positive), `too_few_corners`,
+/// `repeated_corner`, `self_crossing`, `unknown_seam`.
+/// Errors (exit status 4): `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in
+/// one plane), `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
+/// the hull), `radius_too_small` (thickness too large for a profile or a bend).
+Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options = {},
+                                   const Progress& progress = {});
+
+}  // namespace planish

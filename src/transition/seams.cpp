@@ -1,0 +1,272 @@
+#include "seams.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::transition_detail {
+namespace {
+
+double length_of(const Strip& strip, double at) {
+  const auto [p, q] = strip.ruling(at);
+  return (q - p).norm();
+}
+
+class Cutter {
+ public:
+  explicit Cutter(const Ring& ring) : ring_(ring), boundary_(ring.hull->boundaries[0]) {}
+
+  Result<Cut> at(const SeamEdge& seam) const {
+    for (int i = 0; i < ring_.count(); ++i) {
+      const Stretch& side = ring_.strip(i).patch().sides[0];
+      if (ring_.strip(i).plane() && side.moves() && edge_of(side) == seam.edge) return Cut{i, 0.5};
+    }
+    return fail(ErrorCode::unknown_seam,
+                fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edge_of)), "/seam/edge");
+  }
+
+  /// The middle of what turns about the corner, so that both planes beside it stay whole.
+  Result<Cut> at(const SeamCorner& seam) const {
+    const auto found = std::find(boundary_.corner_of.begin(), boundary_.corner_of.end(), seam.corner);
+    if (seam.corner < 0 || found == boundary_.corner_of.end())
+      return fail(ErrorCode::unknown_seam,
+                  fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corner_of)), "/seam/corner");
+    return at_start_of(static_cast<int>(found - boundary_.corner_of.begin()));
+  }
+
+  Result<Cut> at(const SeamParameter& seam) const {
+    if (!(seam.parameter >= 0.0 && seam.parameter <= 1.0))
+      return fail(ErrorCode::unknown_seam, fmt::format("the parameter is {:.6g}; it must be from 0 to 1", seam.parameter),
+                  "/seam/parameter");
+    const double whole = perimeter();
+    return at_length(start_of_profile() + (boundary_.turned ? -1.0 : 1.0) * seam.parameter * whole);
+  }
+
+  /// Where welding is least work.
+  Cut shortest() const {
+    Cut best;
+    double least = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Cut& cut) {
+      constexpr double kClearlyShorter = 1.0 - 1e-9;
+      const double length = length_of(ring_.strip(cut.strip), cut.at);
+      if (length >= least * kClearlyShorter) return;
+      least = length;
+      best = cut;
+    };
+    for (int i = 0; i < ring_.count(); ++i) {
+      consider({i, 0.0});
+      if (ring_.strip(i).plane() && ring_.strip(i).patch().sides[0].moves()) consider({i, 0.5});
+    }
+    return best;
+  }
+
+  /// The cut where the first profile has run a length from the start of its first element.
+  Cut at_length(double length) const {
+    const double whole = perimeter();
+    length -= whole * std::floor(length / whole);
+    const double noise = 1e-9 * whole;
+    for (int i = 0; i < boundary_.count(); ++i) {
+      const Element& element = boundary_.element(i);
+      const double here = length_of(element);
+      if (boundary_.corner_at(i) && length <= noise) return at_start_of(i);
+      if (length < here - (boundary_.corner_at(i + 1) ? noise : 0.0)) return in_element(i, parameter_at(element, length));
+      length = std::max(0.0, length - here);
+    }
+    return boundary_.corner_at(0) ? at_start_of(0) : in_element(0, boundary_.element(0).t0);
+  }
+
+  double length_at(const Cut& cut) const {
+    const Strip& strip = ring_.strip(cut.strip);
+    const Stretch& side = strip.patch().sides[0];
+    double length = 0.0;
+    for (int i = 0; i < side.element; ++i)
+      length += length_of(boundary_.element(i));
+    const Element& element = boundary_.element(side.element);
+    return length + length_between(element, element.t0, side.moves() ? side.t0 : side.t1) + strip.border_length(0, 0.0, cut.at);
+  }
+
+  double perimeter() const {
+    double whole = 0.0;
+    for (const Element& element : boundary_.elements)
+      whole += length_of(element);
+    return whole;
+  }
+
+  /// One between every two edges: at corners, or in the middle of what is round between.
+  Result<std::vector<Cut>> between_edges() const {
+    std::vector<Cut> cuts;
+    double before = 0.0, round = 0.0;
+    bool edges = false;
+    const int n = boundary_.count();
+    int first = 0;
+    while (first < n && !boundary_.element(first).straight) ++first;
+    for (int k = 0; k < n && first < n; ++k) {
+      const int i = (first + 1 + k) % n;
+      const Element& element = boundary_.element(i);
+      if (!element.straight) {
+        if (round == 0.0) before = length_before(i);
+        round += length_of(element);
+        continue;
+      }
+      edges = true;
+      cuts.push_back(round > 0.0 ? at_length(before + 0.5 * round) : at_start_of(i));
+      round = 0.0;
+    }
+    if (edges && cuts.size() > 1) return cuts;
+    return fail(ErrorCode::invalid_input, "the first profile has no sides to make a piece of each: give 1 or 2 pieces", "/pieces");
+  }
+
+ private:
+  int edge_of(const Stretch& stretch) const { return boundary_.edge_of[static_cast<std::size_t>(stretch.element)]; }
+
+  static double length_between(const Element& element, double t0, double t1) {
+    return element.straight ? (element.curve(t1).point - element.curve(t0).point).norm() : arc_length(element, t0, t1);
+  }
+  static double length_of(const Element& element) { return length_between(element, element.t0, element.t1); }
+  static double length_of(const Strip& strip, double at) { return transition_detail::length_of(strip, at); }
+
+  double length_before(int i) const {
+    double length = 0.0;
+    for (int k = 0; k < i; ++k)
+      length += length_of(boundary_.element(k));
+    return length;
+  }
+
+  static double parameter_at(const Element& element, double length) {
+    if (element.straight) return element.t0 + (element.t1 - element.t0) * length / length_of(element);
+    return root_between(
+        [&](double t) {
+          return std::pair{length_between(element, element.t0, t) - length, element.curve(t).derivative.norm()};
+        },
+        element.t0, element.t1);
+  }
+
+  static std::string known(const std::vector<int>& numbers) {
+    const int most = *std::max_element(numbers.begin(), numbers.end());
+    return most < 0 ? ": it has none" : fmt::format(": it has 0 to {}", most);
+  }
+
+  /// Length from the boundary's first element to where the profile begins that was given.
+  double start_of_profile() const {
+    for (int i = 0; i < boundary_.count(); ++i)
+      if (boundary_.edge_of[static_cast<std::size_t>(i)] == 0)
+        return length_before(i) + (boundary_.turned ? length_of(boundary_.element(i)) : 0.0);
+    return 0.0;
+  }
+
+  Cut in_element(int element, double t) const {
+    const Element& wanted = boundary_.element(element);
+    for (int i = 0; i < ring_.count(); ++i) {
+      const Strip& strip = ring_.strip(i);
+      const Stretch& side = strip.patch().sides[0];
+      const Element& here = boundary_.element(side.element);
+      if (!side.moves() || here.source != wanted.source || here.straight != wanted.straight) continue;
+      const double period = wanted.period;
+      const double same = period > 0.0 ? t + period * std::ceil((side.t0 - t) / period - 1e-12) : t;
+      if (same < side.t0 || same >= side.t1) continue;
+      return {i, std::clamp(strip.ruling_at(0, same), 0.0, 1.0)};
+    }
+    return {0, 0.0};
+  }
+
+  Cut at_start_of(int element) const {
+    const Vec3 corner = boundary_.element(element).curve(boundary_.element(element).t0).point;
+    std::vector<int> standing;
+    int after = 0;  // the strip that runs on from the corner
+    for (int i = 0; i < ring_.count(); ++i) {
+      const Stretch& side = ring_.strip(i).patch().sides[0];
+      if (ring_.hull->point(0, side, side.t0) != corner) continue;
+      if (side.moves())
+        after = i;
+      else
+        standing.push_back(i);
+    }
+    double whole = 0.0;
+    for (const int i : standing)
+      whole += ring_.strip(i).turn(0.0, 1.0);
+    if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
+    // Standing strips in the order in which they follow each other, which may run over the ring's end.
+    std::sort(standing.begin(), standing.end(), [&](int a, int b) { return (a - after + ring_.count()) % ring_.count() < (b - after + ring_.count()) % ring_.count(); });
+    double turned = 0.0;
+    for (const int i : standing) {
+      const double here = ring_.strip(i).turn(0.0, 1.0);
+      if (turned + here >= 0.5 * whole) {
+        const double left = 0.5 * whole - turned;
+        const double at = root_between(
+            [&](double ruling) {
+              return std::pair{ring_.strip(i).turn(0.0, ruling) - left, here};
+            },
+            0.0, 1.0);
+        constexpr double kAtEnd = 1e-9;
+        if (at > 1.0 - kAtEnd) return {(i + 1) % ring_.count(), 0.0};
+        return {i, at < kAtEnd ? 0.0 : at};
+      }
+      turned += here;
+    }
+    return {after, 0.0};
+  }
+
+  const Ring& ring_;
+  const Boundary& boundary_;
+};
+
+}  // namespace
+
+Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces) {
+  const Cutter cutter(ring);
+  if (pieces == Pieces::per_side) {
+    auto cuts = cutter.between_edges();
+    if (!cuts) return cuts;
+    std::sort(cuts->begin(), cuts->end());
+    return cuts;
+  }
+  const Result<Cut> first =
+      seam ? std::visit([&](const auto& given) { return cutter.at(given); }, *seam) : Result<Cut>(cutter.shortest());
+  if (!first) return tl::unexpected(first.error());
+  std::vector<Cut> cuts{*first};
+  if (pieces == Pieces::two) {
+    const Cut opposite = cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter());
+    if (opposite != *first) cuts.push_back(opposite);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+Ring begun_at(const Ring& ring, double at, double tolerance) {
+  const Strip& strip = ring.strip(0);
+  HullPatch patch = strip.patch();
+  const std::vector<std::array<double, 2>> stops = std::move(patch.stops);
+  const std::array<double, 2> start{strip.parameter(0, at), strip.parameter(1, at)};
+  const std::array<double, 2> period{stops.back()[0] - stops.front()[0], stops.back()[1] - stops.front()[1]};
+  patch.stops = {start};
+  for (const auto& stop : stops)
+    if (stop[0] > start[0] && stop[1] > start[1]) patch.stops.push_back(stop);
+  for (std::size_t i = 1; i < stops.size(); ++i)
+    if (stops[i][0] <= start[0] || stops[i][1] <= start[1]) patch.stops.push_back({stops[i][0] + period[0], stops[i][1] + period[1]});
+  patch.stops.push_back({start[0] + period[0], start[1] + period[1]});
+  for (std::size_t side = 0; side < 2; ++side) {
+    patch.sides[side].t0 = patch.stops.front()[side];
+    patch.sides[side].t1 = patch.stops.back()[side];
+  }
+  return {ring.hull, {Strip(ring.hull, patch, tolerance)}};
+}
+
+std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end) {
+  std::vector<StripPart> parts;
+  const auto add = [&](int strip, double from, double to) {
+    if (to > from) parts.push_back({strip % ring.count(), from, to});
+  };
+  if (begin.strip == end.strip && begin.at < end.at) {
+    add(begin.strip, begin.at, end.at);
+    return parts;
+  }
+  add(begin.strip, begin.at, 1.0);
+  for (int i = begin.strip + 1; i % ring.count() != end.strip; ++i)
+    add(i, 0.0, 1.0);
+  add(end.strip, 0.0, end.at);
+  return parts;
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "strip.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace planish::transition_detail {
+
+/// The strips of a hull in order, closed to a ring.
+struct Ring {
+  std::shared_ptr<const Hull> hull;
+  std::vector<Strip> strips;
+
+  int count() const { return static_cast<int>(strips.size()); }
+  const Strip& strip(int i) const { return strips[static_cast<std::size_t>(((i % count()) + count()) % count())]; }
+};
+
+/// A ruling at which the ring is cut: in a strip, from 0 (its start) up to but not including 1.
+struct Cut {
+  int strip = 0;
+  double at = 0.0;
+  friend auto operator<=>(const Cut&, const Cut&) = default;
+};
+
+/// The cuts for a seam and a number of pieces, ascending. Errors: `unknown_seam`.
+Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces);
+
+/// A ring whose only strip is closed, begun anew at a ruling of it.
+Ring begun_at(const Ring& ring, double at, double tolerance);
+
+/// A stretch of strips between two cuts.
+struct StripPart {
+  int strip = 0;
+  double from = 0.0, to = 1.0;
+};
+std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,338 @@
+#include "strip.hpp"
+
+#include "integral.hpp"
+
+#include <planish/geometry/fit.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::transition_detail {
+namespace {
+
+/// Directions that differ by less (sine), lengths by less (share), are the same: of right cones.
+constexpr double kRight = 1e-12;
+
+Border border(const Curve2& curve, double length) {
+  Border border;
+  border.curve = curve;
+  border.edge_length = length;
+  return border;
+}
+
+}  // namespace
+
+double arc_length(const Element& element, double t0, double t1) {
+  return integral([&](double t) { return element.curve(t).derivative.norm(); }, t0, t1);
+}
+
+Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance)
+    : hull_(std::move(hull)),
+      patch_(patch),
+      curves_{&hull_->element(0, patch.sides[0]), &hull_->element(1, patch.sides[1])},
+      tolerance_(tolerance) {
+  if (patch_.plane) return;
+  find_right();
+  if (right_) {
+    base_ = patch_.sides[0].moves() ? 0 : 1;
+    return;
+  }
+  // The surface is written about the side that nowhere stands still, or nearly so.
+  std::array<double, 2> slowest{1.0, 1.0};
+  constexpr int kSamples = 16;
+  for (std::size_t side = 0; side < 2; ++side)
+    for (int i = 0; i <= kSamples; ++i) {
+      const double whole = patch_.sides[side].t1 - patch_.sides[side].t0;
+      slowest[side] = whole == 0.0 ? 0.0 : std::min(slowest[side], pairing(i / double(kSamples)).rate[side] / whole);
+    }
+  base_ = slowest[1] > slowest[0] ? 1 : 0;
+}
+
+PatchKind Strip::kind() const {
+  if (patch_.plane) return PatchKind::plane;
+  const bool apex = !patch_.sides[0].moves() || !patch_.sides[1].moves();
+  return apex || right_ ? PatchKind::cone : PatchKind::general;
+}
+
+BendKind Strip::bend_kind() const {
+  if (!right_) return BendKind::general;
+  return std::holds_alternative<Cylinder>(right_->surface) ? BendKind::cylinder : BendKind::cone;
+}
+
+void Strip::find_right() {
+  const std::array<std::optional<Circle>, 2> circles{curves_[0]->circle, curves_[1]->circle};
+  const int moving = patch_.sides[0].moves() ? 0 : 1;
+  const auto m = static_cast<std::size_t>(moving), o = 1 - m;
+  if (!circles[m]) return;
+  const SpaceCurvePoint start = point(moving, patch_.sides[m].t0);
+  const Vec3 centre = circles[m]->centre;
+  const double radius = circles[m]->radius, turned = patch_.sides[m].t1 - patch_.sides[m].t0;
+  const Vec3 up = (start.point - centre).cross(start.derivative).normalized();
+  const auto on_axis = [&](const Vec3& p) { return (p - centre).cross(up).norm() <= kRight * (p - centre).norm(); };
+  double other_radius = 0.0;
+  Vec3 other = point(static_cast<int>(o), patch_.sides[o].t0).point;
+  if (patch_.sides[o].moves()) {
+    if (!circles[o]) return;
+    const SpaceCurvePoint there = point(static_cast<int>(o), patch_.sides[o].t0);
+    const Vec3 arm = there.point - circles[o]->centre;
+    if (arm.cross(start.point - centre).norm() > kRight * arm.norm() * radius) return;
+    if (std::abs(up.dot(arm)) > kRight * arm.norm() || up.cross(arm.cross(there.derivative)).norm() > kRight * arm.cross(there.derivative).norm()) return;
+    other = circles[o]->centre;
+    other_radius = circles[o]->radius;
+  }
+  if (!on_axis(other)) return;
+  const double rise = up.dot(other - centre);  // from the moving side's circle to the other
+  const Vec3 x = (start.point - centre) / radius;
+  Right right;
+  const double slant = std::hypot(rise, radius - other_radius);
+  if (std::abs(radius - other_radius) <= kRight * radius) {
+    right.surface = Cylinder{{centre, x, up.cross(x), up}, radius};
+    right.u1 = turned;
+    right.v[o] = rise;
+  } else {
+    // The apex beyond the smaller circle; the cone opens away from it.
+    const double to_apex = rise * radius / (radius - other_radius);
+    const Vec3 z = to_apex > 0.0 ? Vec3(-up) : up;
+    right.surface = Cone{{centre + to_apex * up, x, z.cross(x), z}, std::atan2(std::abs(radius - other_radius), std::abs(rise))};
+    right.u1 = to_apex > 0.0 ? -turned : turned;
+    const double scale = slant / std::abs(radius - other_radius);
+    right.v[m] = scale * radius;
+    right.v[o] = scale * other_radius;
+  }
+  right_ = right;
+}
+
+Strip::Pairing Strip::pairing(double at) const {
+  const bool both = patch_.sides[0].moves() && patch_.sides[1].moves();
+  if (both && !patch_.plane && !right_) return solved(at);
+  Pairing pairing;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Stretch& stretch = patch_.sides[side];
+    pairing.t[side] = std::lerp(stretch.t0, stretch.t1, at);
+    pairing.rate[side] = stretch.t1 - stretch.t0;
+  }
+  return pairing;
+}
+
+// Rulings are numbered by the mean of the shares of both curves that lie behind them, since either may
+// stand still for a moment. MATH 5.3 then fixes both.
+Strip::Pairing Strip::solved(double at) const {
+  const Stretch &a = patch_.sides[0], &b = patch_.sides[1];
+  const double whole_a = a.t1 - a.t0, whole_b = b.t1 - b.t0;
+  const auto share_of = [&](const std::array<double, 2>& stop) { return (stop[0] - a.t0) / whole_a; };
+  const auto number_of = [&](const std::array<double, 2>& stop) {
+    return 0.5 * (share_of(stop) + (stop[1] - b.t0) / whole_b);
+  };
+  const auto above = std::find_if(patch_.stops.begin() + 1, patch_.stops.end() - 1,
+                                  [&](const auto& stop) { return number_of(stop) > at; });
+  const auto slopes = [&](double share) {
+    const SpaceCurvePoint p = point(0, a.t0 + share * whole_a), q = point(1, b.t0 + (2.0 * at - share) * whole_b);
+    const Vec3 arm = q.point - p.point;
+    return std::array{ahead(p, q), p.second.cross(q.derivative).dot(arm) * whole_a, p.derivative.cross(q.second).dot(arm) * whole_b};
+  };
+  const double low = share_of(*(above - 1)), high = share_of(*above);
+  const double high_b = 2.0 * number_of(*above) - high, low_b = 2.0 * number_of(*(above - 1)) - low;
+  const double share = root_between(
+      [&](double s) {
+        const auto [value, by_a, by_b] = slopes(s);
+        return std::pair{value, by_a - by_b};
+      },
+      std::max(low, 2.0 * at - high_b), std::min(high, 2.0 * at - low_b));
+  const auto [value, by_a, by_b] = slopes(share);
+  const double rate_a = by_b == by_a ? 1.0 : 2.0 * by_b / (by_b - by_a);
+  return {{a.t0 + share * whole_a, b.t0 + (2.0 * at - share) * whole_b}, {rate_a * whole_a, (2.0 - rate_a) * whole_b}};
+}
+
+std::array<Vec3, 2> Strip::ruling(double at) const {
+  const Pairing pair = pairing(at);
+  return {point(0, pair.t[0]).point, point(1, pair.t[1]).point};
+}
+
+Vec3 Strip::normal(double at) const {
+  if (!patch_.plane) return local(at).normal;
+  const int edge = patch_.sides[0].moves() ? 0 : 1;
+  const auto [p, q] = ruling(at);
+  return point(edge, patch_.sides[static_cast<std::size_t>(edge)].t0).derivative.cross(q - p).normalized();
+}
+
+double Strip::ruling_at(int side, double t) const {
+  const Stretch& stretch = patch_.sides[static_cast<std::size_t>(side)];
+  const double share = (t - stretch.t0) / (stretch.t1 - stretch.t0);
+  const bool both = patch_.sides[0].moves() && patch_.sides[1].moves();
+  if (!both || patch_.plane || right_) return share;
+  const auto s = static_cast<std::size_t>(side);
+  return root_between(
+      [&](double at) {
+        const Pairing pair = pairing(at);
+        return std::pair{pair.t[s] - t, pair.rate[s]};
+      },
+      0.0, 1.0);
+}
+
+Strip::Local Strip::local(double at) const {
+  const Pairing pair = pairing(at);
+  const std::array<SpaceCurvePoint, 2> ends{point(0, pair.t[0]), point(1, pair.t[1])};
+  const auto base = static_cast<std::size_t>(base_);
+  const Vec3 arm = ends[1].point - ends[0].point;
+  const Vec3 arm_rate = pair.rate[1] * ends[1].derivative - pair.rate[0] * ends[0].derivative;
+  Local local;
+  local.length = arm.norm();
+  const Vec3 g = arm / local.length;
+  local.length_rate = g.dot(arm_rate);
+  const Vec3 g_rate = (arm_rate - local.length_rate * g) / local.length;
+  const Vec3 b_rate = pair.rate[base] * ends[base].derivative;
+  local.knot = {at, ends[base].point, b_rate, g, g_rate};
+  local.normal = b_rate.cross(g).normalized();
+  const Vec3 across = g.cross(local.normal);
+  local.across = b_rate.dot(across);
+  local.far_across = local.across + (base_ == 0 ? 1.0 : -1.0) * local.length * g_rate.dot(across);
+  // n · b′ = 0 all along, so n′ · b′ = −n · b″, and n′ is across the ruling.
+  local.turn_rate = std::abs(local.normal.dot(ends[base].second)) * pair.rate[base] * pair.rate[base] / local.across;
+  return local;
+}
+
+double Strip::area(double from, double to) const {
+  if (patch_.plane) {
+    const auto [p0, q0] = ruling(from);
+    const auto [p1, q1] = ruling(to);
+    return 0.5 * (q1 - p0).cross(q0 - p1).norm();
+  }
+  return integral(
+      [&](double at) {
+        const Local l = local(at);
+        return 0.5 * l.length * (l.across + l.far_across);
+      },
+      from, to);
+}
+
+double Strip::border_length(int side, double from, double to) const {
+  if (!patch_.sides[static_cast<std::size_t>(side)].moves()) return 0.0;
+  if (patch_.plane) return (ruling(to)[static_cast<std::size_t>(side)] - ruling(from)[static_cast<std::size_t>(side)]).norm();
+  const auto s = static_cast<std::size_t>(side);
+  return arc_length(*curves_[s], pairing(from).t[s], pairing(to).t[s]);
+}
+
+double Strip::turn(double from, double to) const {
+  return patch_.plane ? 0.0 : integral([&](double at) { return local(at).turn_rate; }, from, to);
+}
+
+std::vector<double> Strip::evenly_turned(double from, double to, int count) const {
+  constexpr int kParts = 32;
+  std::vector<double> behind{0.0};
+  const auto at = [&](int part) { return std::lerp(from, to, part / double(kParts)); };
+  for (int i = 0; i < kParts; ++i)
+    behind.push_back(behind.back() + turn(at(i), at(i + 1)));
+  std::vector<double> rulings;
+  for (int i = 0; i < count; ++i) {
+    const double wanted = (i + 0.5) / count * behind.back();
+    const auto above = std::upper_bound(behind.begin() + 1, behind.end() - 1, wanted);
+    const int part = static_cast<int>(above - behind.begin()) - 1;
+    rulings.push_back(root_between(
+        [&](double ruling) {
+          return std::pair{behind[static_cast<std::size_t>(part)] + turn(at(part), ruling) - wanted, local(ruling).turn_rate};
+        },
+        at(part), at(part + 1)));
+  }
+  return rulings;
+}
+
+Strip::Radii Strip::smallest_radii(double from, double to) const {
+  constexpr int kSamples = 64;
+  Radii radii{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const bool apex = !patch_.sides[0].moves() || !patch_.sides[1].moves();
+  for (int i = 0; i <= kSamples; ++i) {
+    const Local l = local(std::lerp(from, to, i / double(kSamples)));
+    if (l.turn_rate == 0.0) continue;
+    const auto [tight, wide] = std::minmax(l.across, l.far_across);
+    radii.middle = std::min(radii.middle, 0.5 * (tight + wide) / l.turn_rate);
+    radii.end = std::min(radii.end, (apex ? wide : tight) / l.turn_rate);
+  }
+  return radii;
+}
+
+Strip::Part Strip::part(double from, double to) const {
+  if (patch_.plane) return plane_part(from, to);
+  return right_ ? right_part(from, to) : ruled_part(from, to);
+}
+
+Strip::Part Strip::plane_part(double from, double to) const {
+  const auto [p0, q0] = ruling(from);
+  const auto [p1, q1] = ruling(to);
+  const Vec3 along = patch_.sides[0].moves() ? p1 - p0 : q1 - q0;
+  Part part;
+  part.from = from;
+  part.to = to;
+  const Frame frame = frame_from_axes(p0, normal(0.5 * (from + to)), along);
+  part.face.surface = frame;
+  BorderLoop loop;
+  const auto add = [&](const Vec3& a, const Vec3& b) {
+    loop.push_back(border(Segment{frame.local2(a), frame.local2(b)}, (b - a).norm()));
+  };
+  if (patch_.sides[0].moves()) add(p0, p1);
+  part.ruling_borders[1] = static_cast<int>(loop.size());
+  add(p1, q1);
+  if (patch_.sides[1].moves()) add(q1, q0);
+  part.ruling_borders[0] = static_cast<int>(loop.size());
+  add(q0, p0);
+  part.face.loops.push_back(std::move(loop));
+  return part;
+}
+
+Strip::Part Strip::right_part(double from, double to) const {
+  Part part;
+  part.from = from;
+  part.to = to;
+  part.u0 = std::lerp(right_->u0, right_->u1, from);
+  part.u1 = std::lerp(right_->u0, right_->u1, to);
+  part.face.surface = right_->surface;
+  const Vec2 p0(part.u0, right_->v[0]), p1(part.u1, right_->v[0]), q0(part.u0, right_->v[1]), q1(part.u1, right_->v[1]);
+  const double length = std::abs(right_->v[1] - right_->v[0]);
+  part.face.loops.push_back({border(Segment{p0, p1}, border_length(0, from, to)), border(Segment{p1, q1}, length),
+                             border(Segment{q1, q0}, border_length(1, from, to)), border(Segment{q0, p0}, length)});
+  part.ruling_borders = {3, 1};
+  return part;
+}
+
+Strip::Part Strip::ruled_part(double from, double to) const {
+  const double sign = base_ == 0 ? 1.0 : -1.0;
+  std::vector<double> breaks{from};
+  for (std::size_t side = 0; side < 2; ++side)
+    for (const double t : curves_[side]->knots) {
+      const Stretch& stretch = patch_.sides[side];
+      const double period = curves_[side]->period;
+      const double first = t + period * std::ceil((stretch.t0 - t) / period);
+      for (double here = first; stretch.moves() && here < stretch.t1; here += period) breaks.push_back(ruling_at(static_cast<int>(side), here));
+    }
+  breaks.push_back(to);
+  constexpr double kApart = 1e-9;
+  std::erase_if(breaks, [&](double at) { return at != from && at != to && (at < from + kApart || at > to - kApart); });
+  std::sort(breaks.begin(), breaks.end());
+  breaks.erase(std::unique(breaks.begin(), breaks.end(), [&](double a, double b) { return b - a < kApart; }), breaks.end());
+  Part part;
+  part.from = part.u0 = from;
+  part.to = part.u1 = to;
+  part.face.surface = ruled_through(
+      [&](double at) -> Ruling {
+        const Local l = local(at);
+        return {l.knot, sign * l.length};
+      },
+      breaks, tolerance_);
+  const CubicSpline far = fit_cubics(
+      [&](double at) -> CurveSample {
+        const Local l = local(at);
+        return {{at, sign * l.length}, {1.0, sign * l.length_rate}};
+      },
+      from, to, tolerance_).spline;
+  const Curve2 near = Segment{{from, 0.0}, {to, 0.0}};
+  const auto length = [&](double at) { return local(at).length; };
+  const Curve2 bottom = base_ == 0 ? near : Curve2(far);
+  const Curve2 top = reversed(base_ == 0 ? Curve2(far) : near);
+  const Vec2 p0 = start_of(bottom), p1 = end_of(bottom), q1 = start_of(top), q0 = end_of(top);
+  part.face.loops.push_back({border(bottom, border_length(0, from, to)), border(Segment{p1, q1}, length(to)),
+                             border(top, border_length(1, from, to)), border(Segment{q0, p0}, length(from))});
+  part.ruling_borders = {3, 1};
+  return part;
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,101 @@
+#pragma once
+
+#include "hull.hpp"
+
+#include <planish/geometry/ruled_fit.hpp>
+#include <planish/sheet/sheet.hpp>
+#include <planish/transition/transition.hpp>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace planish::transition_detail {
+
+/// Length of an element's curve.
+double arc_length(const Element& element, double t0, double t1);
+
+/// One patch of the hull with its rulings numbered from 0 to 1, as the profiles run.
+class Strip {
+ public:
+  /// `tolerance`: mm that points of general developables may be off.
+  Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance);
+
+  bool plane() const { return patch_.plane; }
+  PatchKind kind() const;
+  BendKind bend_kind() const;
+
+  /// The ends of a ruling on both profiles.
+  std::array<Vec3, 2> ruling(double at) const;
+  /// Normal of the surface along it, away from the hull.
+  Vec3 normal(double at) const;
+  /// The ruling that leaves a profile at the curve's parameter t (or share of an edge).
+  double ruling_at(int side, double t) const;
+  /// The other way round.
+  double parameter(int side, double at) const { return pairing(at).t[static_cast<std::size_t>(side)]; }
+  const HullPatch& patch() const { return patch_; }
+
+  double area(double from, double to) const;
+  double border_length(int side, double from, double to) const;
+  /// By how much the normal turns.
+  double turn(double from, double to) const;
+  /// The rulings that divide what turns between `from` and `to` into 2 · count equal parts, every other one.
+  std::vector<double> evenly_turned(double from, double to, int count) const;
+  /// Smallest radius of curvature between `from` and `to`: at mid-length of the rulings, and at the tighter
+  /// of their ends (of cones: the one away from the apex).
+  struct Radii {
+    double middle = 0.0, end = 0.0;
+  };
+  Radii smallest_radii(double from, double to) const;
+
+  /// The part between two rulings as a face. Its borders: first profile, ruling at `to`, second profile,
+  /// ruling at `from`; where a side stands still its border is a point (of bends), or left out (of planes).
+  struct Part {
+    Face face;
+    std::array<int, 2> ruling_borders{};  ///< positions of the borders at `from` and `to`
+    double u(double at) const { return u0 + (u1 - u0) * (at - from) / (to - from); }
+    double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
+  };
+  Part part(double from, double to) const;
+
+ private:
+  /// Parameters on both profiles at a ruling, and their derivatives.
+  struct Pairing {
+    std::array<double, 2> t{}, rate{};
+  };
+  Pairing pairing(double at) const;
+  Pairing solved(double at) const;
+
+  /// A ruling seen from the side that the surface is written about.
+  struct Local {
+    Ruled::Knot knot;
+    double length = 0.0, length_rate = 0.0;  ///< of the ruling
+    double across = 0.0, far_across = 0.0;  ///< speed across the ruling at the base and on the other side
+    Vec3 normal;
+    double turn_rate = 0.0;
+  };
+  Local local(double at) const;
+
+  Part plane_part(double from, double to) const;
+  Part right_part(double from, double to) const;
+  Part ruled_part(double from, double to) const;
+
+  SpaceCurvePoint point(int side, double t) const { return curves_[static_cast<std::size_t>(side)]->curve(t); }
+  void find_right();
+
+  std::shared_ptr<const Hull> hull_;
+  HullPatch patch_;
+  std::array<const Element*, 2> curves_;
+  double tolerance_;
+  int base_ = 0;  ///< the side that the surface is written about: it moves
+  /// Of right cones and cylinders.
+  struct Right {
+    Developable surface;
+    double u0 = 0.0, u1 = 0.0;           ///< at rulings 0 and 1
+    std::array<double, 2> v{};           ///< of the profiles
+  };
+  std::optional<Right> right_;
+};
+
+}  // namespace planish::transition_detail

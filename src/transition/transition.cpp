@@ -1,0 +1,271 @@
+#include "seams.hpp"
+
+#include <planish/transition/transition.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+using namespace transition_detail;
+
+/// How far the neutral surface lies outside the face that the sizes are given for.
+double set_off(const TransitionSpec& spec) {
+  const double share = spec.sizes_are == SizesAre::inside ? 0.0 : spec.sizes_are == SizesAre::mid ? 0.5 : 1.0;
+  return (spec.k_factor - share) * spec.thickness;
+}
+
+Result<void> check_numbers(const TransitionSpec& spec) {
+  if (!(spec.thickness > 0.0) || !std::isfinite(spec.thickness))
+    return fail(ErrorCode::invalid_input, fmt::format("the thickness is {} mm; it must be above 0", spec.thickness), "/thickness");
+  if (!(spec.k_factor >= 0.0 && spec.k_factor <= 1.0))
+    return fail(ErrorCode::invalid_input, fmt::format("the K-factor is {}; it must be from 0 to 1", spec.k_factor), "/k_factor");
+  const auto* count = std::get_if<PressCount>(&spec.pressing);
+  const auto* angle = std::get_if<PressAngle>(&spec.pressing);
+  const auto* chord = std::get_if<PressChord>(&spec.pressing);
+  if ((count && count->count < 1) || (angle && !(angle->largest > Angle())) || (chord && !(chord->largest > 0.0)))
+    return fail(ErrorCode::invalid_input, "press lines need a count, a largest angle or a chord above 0", "/press_lines");
+  return {};
+}
+
+double extent_of(const std::array<Boundary, 2>& boundaries) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Boundary& boundary : boundaries)
+    for (const Element& element : boundary.elements) {
+      const Vec3 p = element.curve(element.t0).point;
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  return (high - low).norm();
+}
+
+Vec3 middle_of(const Boundary& boundary) {
+  Vec3 sum = Vec3::Zero();
+  for (const Element& element : boundary.elements)
+    sum += element.curve(element.t0).point;
+  return sum / boundary.count();
+}
+
+/// Both boundaries, the first one's axis towards the second, the second one's on.
+Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
+  const double outwards = set_off(spec);
+  const auto first = boundary_of(spec.from, outwards, spec.from.frame.z, "/from/profile");
+  if (!first) return tl::unexpected(first.error());
+  const auto second = boundary_of(spec.to, outwards, spec.to.frame.z, "/to/profile");
+  if (!second) return tl::unexpected(second.error());
+  const Vec3 towards = middle_of(*second) - middle_of(*first);
+  return std::array{*boundary_of(spec.from, outwards, towards, "/from/profile"),
+                    *boundary_of(spec.to, outwards, towards, "/to/profile")};
+}
+
+Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& options, double& size) {
+  auto boundaries = boundaries_of(spec);
+  if (!boundaries) return tl::unexpected(boundaries.error());
+  size = extent_of(*boundaries);
+  auto hull = lateral_hull(std::move((*boundaries)[0]), std::move((*boundaries)[1]), size);
+  if (!hull) return tl::unexpected(hull.error());
+  Ring ring{std::make_shared<const Hull>(std::move(*hull)), {}};
+  for (const HullPatch& patch : ring.hull->patches)
+    ring.strips.emplace_back(ring.hull, patch, options.tolerance * size);
+  return ring;
+}
+
+Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
+  const double inside = spec.k_factor * spec.thickness;
+  for (const Strip& strip : ring.strips) {
+    if (strip.plane()) continue;
+    const double radius = strip.smallest_radii(0.0, 1.0).end;
+    if (radius > inside) continue;
+    return fail(ErrorCode::radius_too_small,
+                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a radius of {:.4g} mm and needs more than "
+                            "{:.4g} mm, the part of the thickness that lies inside it",
+                            spec.thickness, radius, inside),
+                "/thickness");
+  }
+  return {};
+}
+
+int press_count(const Strip& strip, double from, double to, const Pressing& pressing) {
+  constexpr double kExactly = 1e-9;  // 90° by 10° are 9 lines, whatever rounding says
+  const auto lines = [](double amount) { return std::max(1, static_cast<int>(std::ceil(amount - kExactly))); };
+  if (const auto* count = std::get_if<PressCount>(&pressing))
+    return std::max(1, static_cast<int>(std::lround(count->count * strip.turn(from, to) / strip.turn(0.0, 1.0))));
+  if (const auto* angle = std::get_if<PressAngle>(&pressing)) return lines(strip.turn(from, to) / angle->largest.radians());
+  if (const auto* chord = std::get_if<PressChord>(&pressing))
+    return lines(std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) / chord->largest);
+  return 0;
+}
+
+/// The sheet of one piece.
+class PieceMaker {
+ public:
+  PieceMaker(const Ring& ring, const TransitionSpec& spec) : ring_(ring), spec_(spec) {
+    sheet_.thickness = spec.thickness;
+    sheet_.reference_depth = (1.0 - spec.k_factor) * spec.thickness;
+  }
+
+  Sheet run(const std::vector<StripPart>& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Strip::Part part = ring_.strip(parts[i].strip).part(parts[i].from, parts[i].to);
+      if (i > 0) join(parts[i - 1], parts[i], part);
+      add(parts[i], part);
+    }
+    number_edges();
+    return std::move(sheet_);
+  }
+
+ private:
+  FaceId next_face() const { return static_cast<FaceId>(sheet_.faces.size()); }
+
+  void add(const StripPart& range, const Strip::Part& part) {
+    Face face = part.face;
+    const Strip& strip = ring_.strip(range.strip);
+    if (strip.plane()) {
+      face.part_of = static_cast<FlangeId>(sheet_.flanges.size());
+      sheet_.flanges.push_back({{next_face()}});
+    } else {
+      face.part_of = static_cast<BendId>(sheet_.bends.size());
+      sheet_.bends.push_back(bend_of(strip, range, part));
+    }
+    last_border_ = {next_face(), 0, part.ruling_borders[1]};
+    sheet_.faces.push_back(std::move(face));
+  }
+
+  Bend bend_of(const Strip& strip, const StripPart& range, const Strip::Part& part) const {
+    Bend bend;
+    bend.kind = strip.bend_kind();
+    bend.faces = {next_face()};
+    const double turn = strip.turn(range.from, range.to);
+    const Vec3 a = strip.normal(range.from), b = strip.normal(range.to);
+    const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+    bend.angle = Angle::radians(bend.kind == BendKind::cylinder    ? turn
+                                : turn <= std::numbers::pi ? between
+                                                           : 2.0 * std::numbers::pi - between);
+    bend.inside_radius = std::max(0.0, strip.smallest_radii(range.from, range.to).middle - spec_.k_factor * spec_.thickness);
+    const int count = press_count(strip, range.from, range.to, spec_.pressing);
+    for (const double at : strip.evenly_turned(range.from, range.to, count))
+      bend.press_lines.push_back({part.u(at), Angle::radians(turn / count)});
+    if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
+    return bend;
+  }
+
+  /// Smooth, or folded sharply.
+  void join(const StripPart& before, const StripPart& after, const Strip::Part& part) {
+    const Vec3 a = ring_.strip(before.strip).normal(before.to), b = ring_.strip(after.strip).normal(after.from);
+    Joint joint{last_border_, {next_face(), 0, part.ruling_borders[0]}, std::nullopt};
+    constexpr double kSmooth = 1e-7;  // sine; planes and what they touch agree to rounding
+    if (const double sine = a.cross(b).norm(); sine > kSmooth) {
+      joint.sharp = static_cast<BendId>(sheet_.bends.size());
+      Bend fold;
+      fold.kind = BendKind::sharp;
+      fold.angle = Angle::radians(std::atan2(sine, a.dot(b)));
+      sheet_.bends.push_back(std::move(fold));
+    }
+    sheet_.joints.push_back(joint);
+  }
+
+  void number_edges() {
+    int edge = 0;
+    for (Face& face : sheet_.faces)
+      for (Border& border : face.loops.front())
+        border.edge = ++edge;
+    for (const Joint& joint : sheet_.joints)
+      border(joint.b).edge = border(joint.a).edge;
+  }
+  Border& border(const BorderRef& ref) {
+    return sheet_.faces[static_cast<std::size_t>(index_of(ref.face))].loops.front()[static_cast<std::size_t>(ref.border)];
+  }
+
+  const Ring& ring_;
+  const TransitionSpec& spec_;
+  Sheet sheet_;
+  BorderRef last_border_;
+};
+
+/// Names of points on both profiles, as templates have them.
+class Labels {
+ public:
+  explicit Labels(const Hull& hull) : hull_(hull) {}
+
+  std::string operator()(int side, const Vec3& p) {
+    const Boundary& boundary = hull_.boundaries[static_cast<std::size_t>(side)];
+    for (int i = 0; i < boundary.count(); ++i) {
+      const int corner = boundary.corner_of[static_cast<std::size_t>(i)];
+      if (corner >= 0 && boundary.element(i).curve(boundary.element(i).t0).point == p) return letter(corner, side == 0 ? 'A' : 'a');
+    }
+    auto& known = points_[static_cast<std::size_t>(side)];
+    const auto found = std::find(known.begin(), known.end(), p);
+    const auto number = found - known.begin() + 1;
+    if (found == known.end()) known.push_back(p);
+    return fmt::format("{}{}", number, side == 0 ? "" : "'");
+  }
+
+ private:
+  static std::string letter(int corner, char first) {
+    const std::string rounds = corner < 26 ? "" : std::to_string(corner / 26);
+    return std::string(1, static_cast<char>(first + corner % 26)) + rounds;
+  }
+
+  const Hull& hull_;
+  std::array<std::vector<Vec3>, 2> points_;
+};
+
+void add_true_lengths(const Ring& ring, const std::vector<StripPart>& parts, const Pressing& pressing, Labels& labels,
+                      std::vector<TrueLength>& lengths) {
+  const auto add = [&](const Strip& strip, double at) {
+    const auto points = strip.ruling(at);
+    const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const TrueLength& other) { return other.points == points; });
+    if (!known) lengths.push_back({labels(0, points[0]), labels(1, points[1]), points, (points[1] - points[0]).norm()});
+  };
+  for (const StripPart& part : parts) {
+    const Strip& strip = ring.strip(part.strip);
+    add(strip, part.from);
+    if (!strip.plane())
+      for (const double at : strip.evenly_turned(part.from, part.to, press_count(strip, part.from, part.to, pressing)))
+        add(strip, at);
+    add(strip, part.to);
+  }
+}
+
+}  // namespace
+
+Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
+  if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
+  double size = 0.0;
+  auto ring = ring_of(spec, options, size);
+  if (!ring) return tl::unexpected(ring.error());
+  if (auto wide = check_radii(*ring, spec); !wide) return tl::unexpected(wide.error());
+  auto cuts = cuts_of(*ring, spec.seam, spec.pieces);
+  if (!cuts) return tl::unexpected(cuts.error());
+  if (ring->count() == 1) {
+    ring = begun_at(*ring, cuts->front().at, options.tolerance * size);
+    const double moved = cuts->front().at;
+    for (Cut& cut : *cuts)
+      cut.at -= moved;
+  }
+  if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
+
+  Transition transition;
+  for (const Strip& strip : ring->strips) {
+    transition.patches.push_back({strip.kind(), strip.area(0.0, 1.0), {strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0)},
+                                  Angle::radians(strip.turn(0.0, 1.0))});
+    transition.area += transition.patches.back().area;
+    for (std::size_t side = 0; side < 2; ++side)
+      transition.perimeters[side] += transition.patches.back().border[side];
+  }
+  Labels labels(*ring->hull);
+  for (std::size_t i = 0; i < cuts->size(); ++i) {
+    const auto parts = parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]);
+    transition.pieces.push_back(PieceMaker(*ring, spec).run(parts));
+    add_true_lengths(*ring, parts, spec.pressing, labels, transition.true_lengths);
+  }
+  return transition;
+}
+
+}  // namespace planish
