@@ -1,6 +1,6 @@
 #pragma once
 
-#include "connect_arguments.hpp"
+#include "make_arguments.hpp"
 #include "unfold_arguments.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -14,7 +14,9 @@ namespace planish::cli {
 /// `planish unfold`; returns the exit status.
 int run_unfold(const UnfoldArguments& arguments);
 /// `planish connect`; returns the exit status.
-int run_connect(const ConnectArguments& arguments);
+int run_connect(const MakeArguments& arguments);
+/// `planish transition`; returns the exit status.
+int run_transition(const MakeArguments& arguments);
 
 struct InfoArguments {
   std::string input, body;

@@ -1,5 +1,5 @@
 #include "commands.hpp"
-#include "connect_plan.hpp"
+#include "make_plan.hpp"
 #include "ending.hpp"
 #include "output_files.hpp"
 #include "terminal.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 using job::ConnectReport;
 
-std::string failed_json(const job::ConnectRequest& request, const Error& error) {
+std::string failed_json(const job::MakeRequest& request, const Error& error) {
   return job::report_json(job::failed(request, error));
 }
 
@@ -26,7 +26,7 @@ Result<std::string> folded_text(const ConnectReport& report, const std::filesyst
 }
 
 // All files, or the first reason why one cannot be composed.
-Result<std::vector<File>> files_of(const ConnectReport& report, const ConnectPlan& plan) {
+Result<std::vector<File>> files_of(const ConnectReport& report, const MakePlan& plan) {
   std::vector<File> files;
   for (const auto& path : plan.folded) {
     auto text = folded_text(report, path);
@@ -43,7 +43,7 @@ Result<std::vector<File>> files_of(const ConnectReport& report, const ConnectPla
   return files;
 }
 
-std::optional<Error> write_files(ConnectReport& report, const ConnectPlan& plan) {
+std::optional<Error> write_files(ConnectReport& report, const MakePlan& plan) {
   const auto files = files_of(report, plan);
   if (!files) return files.error();
   if (auto error = write_all(*files, plan.inputs)) return error;
@@ -53,10 +53,10 @@ std::optional<Error> write_files(ConnectReport& report, const ConnectPlan& plan)
 
 }  // namespace
 
-int run_connect(const ConnectArguments& arguments) {
+int run_connect(const MakeArguments& arguments) {
   const auto plan = planned(arguments);
   if (!plan) {
-    job::ConnectRequest request;
+    job::MakeRequest request;
     request.input = arguments.input;
     request.units = arguments.units;
     return end_unplanned(arguments, plan.error(), failed_json(request, plan.error()));

@@ -24,11 +24,11 @@ int end_unplanned(const PatternArguments& arguments, const Error& error, const s
 /// Ends a request that gave a report. Returns the exit status.
 template <typename Report>
 int end_reported(const PatternArguments& arguments, const Report& report) {
-  if (const auto error = write_report(arguments.json, job::report_json(report))) {
+  if (const auto error = write_report(arguments.json, report_json(report))) {
     return complain(*error);
   }
   if (report.refusal) return complain(*report.refusal);
-  print_summary(arguments, job::report_text(report));
+  print_summary(arguments, report_text(report));
   return 0;
 }
 

@@ -54,7 +54,7 @@ std::vector<Contradiction> of_outputs(const UnfoldArguments& a) {
   };
 }
 
-std::vector<Contradiction> of_outputs(const ConnectArguments& a) {
+std::vector<Contradiction> of_outputs(const MakeArguments& a) {
   return {
       {a.check && !a.folded.empty(), "--check writes no part: leave -o out"},
       {a.check && !a.flat.empty(), "--check writes no pattern: leave --flat out"},
@@ -77,7 +77,7 @@ std::optional<std::string> contradiction_in(const UnfoldArguments& arguments) {
       {of_bends_and_dxf(arguments), of_several_bodies(arguments), of_outputs(arguments)});
 }
 
-std::optional<std::string> contradiction_in(const ConnectArguments& arguments) {
+std::optional<std::string> contradiction_in(const MakeArguments& arguments) {
   return first_of({of_bends_and_dxf(arguments), of_outputs(arguments)});
 }
 

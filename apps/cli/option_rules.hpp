@@ -1,6 +1,6 @@
 #pragma once
 
-#include "connect_arguments.hpp"
+#include "make_arguments.hpp"
 #include "unfold_arguments.hpp"
 
 #include <optional>
@@ -10,6 +10,6 @@ namespace planish::cli {
 
 /// What is wrong with options that are each right by themselves, in one sentence; none if nothing.
 std::optional<std::string> contradiction_in(const UnfoldArguments& arguments);
-std::optional<std::string> contradiction_in(const ConnectArguments& arguments);
+std::optional<std::string> contradiction_in(const MakeArguments& arguments);
 
 }  // namespace planish::cli

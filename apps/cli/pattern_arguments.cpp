@@ -24,12 +24,16 @@ void add_report_options(CLI::App& app, PatternArguments& to, const std::string& 
       ->group("Output");
 }
 
-void add_k_options(CLI::App& app, PatternArguments& to, const std::string& otherwise) {
+void add_k_option(CLI::App& app, PatternArguments& to, const std::string& otherwise) {
   add_number(app, "--k", to.k, is_share, "from 0 to 1",
              std::string("K-factor of every bend: the neutral line lies at K times the thickness "
                          "from the inside; default ") +
                  otherwise)
       ->group("Bends");
+}
+
+void add_k_options(CLI::App& app, PatternArguments& to, const std::string& otherwise) {
+  add_k_option(app, to, otherwise);
   add_text(app, "--k-table", to.k_table, "FILE.csv",
            "bend table: columns r/t (or r and t in mm), angle if wanted, and k, ba or bd")
       ->group("Bends");

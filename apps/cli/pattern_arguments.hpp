@@ -38,6 +38,8 @@ struct PatternArguments {
 
 /// --json, --check, --quiet, --units; `otherwise` says in words which unit is the default.
 void add_report_options(CLI::App& app, PatternArguments& to, const std::string& otherwise);
+/// --k alone; `otherwise` as below.
+void add_k_option(CLI::App& app, PatternArguments& to, const std::string& otherwise);
 /// --k, --k-table, --din6935; `otherwise` says in words what K is without.
 void add_k_options(CLI::App& app, PatternArguments& to, const std::string& otherwise);
 /// --profile and all else that is said of the DXF.

@@ -60,12 +60,12 @@ Result<job::UnfoldRequest> request_of(const UnfoldArguments& arguments) {
   return request;
 }
 
-Result<job::ConnectRequest> request_of(const ConnectArguments& arguments) {
+Result<job::MakeRequest> request_of(const MakeArguments& arguments) {
   auto allowance = allowance_of(arguments);
   if (!allowance) return tl::unexpected(allowance.error());
   auto checks = checks_of(arguments);
   if (!checks) return tl::unexpected(checks.error());
-  job::ConnectRequest request;
+  job::MakeRequest request;
   static_cast<job::PatternChecks&>(request) = std::move(*checks);
   request.input = arguments.input;
   request.allowance = std::move(*allowance);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "connect_arguments.hpp"
+#include "make_arguments.hpp"
 #include "unfold_arguments.hpp"
 
 #include <planish/base/result.hpp>
@@ -12,6 +12,6 @@ namespace planish::cli {
 /// The request of a command line, with bend table and rules file read. Errors: `cannot_read`,
 /// `invalid_input`.
 Result<job::UnfoldRequest> request_of(const UnfoldArguments& arguments);
-Result<job::ConnectRequest> request_of(const ConnectArguments& arguments);
+Result<job::MakeRequest> request_of(const MakeArguments& arguments);
 
 }  // namespace planish::cli

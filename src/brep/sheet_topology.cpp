@@ -1,5 +1,7 @@
 #include "sheet_topology.hpp"
 
+#include "side_wall.hpp"
+
 #include "border_curve.hpp"
 
 #include <Eigen/QR>
@@ -115,11 +117,14 @@ Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetT
   std::vector<CornerPoints> points(topology.corners);
   std::vector<int> count(topology.corners, 0);
   std::vector<std::vector<Vec3>> normals(topology.corners);
+  std::vector<Vec3> middle(topology.corners, Vec3::Zero());
+  const Depths depths(sheet);
   for (const auto& node : topology.borders) {
     const Face& face = face_of(sheet, node.ref);
     const Vec2 uv = start_of(border_of(sheet, node.ref).curve);
-    points[node.corner].reference += skin_point(face, uv);
-    points[node.corner].other += point_below(face, uv, sheet.thickness);
+    points[node.corner].reference += point_below(face, uv, depths.first);
+    points[node.corner].other += point_below(face, uv, depths.second);
+    middle[node.corner] += skin_point(face, uv);
     add_direction(normals[node.corner], outward_normal(face, uv));
     ++count[node.corner];
   }
@@ -128,11 +133,13 @@ Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetT
     points[c].other /= count[c];
     if (!topology.sharp[c]) continue;
     const Vec3 step = mitre(normals[c], sheet.thickness);
+    const Vec3 on_reference = middle[c] / count[c];
     if (!(step.norm() < 10 * sheet.thickness))
       return fail(ErrorCode::unsupported_shape,
                   "A sharp bend turns by more than 168°, so its mitre would be longer than ten "
                   "times the thickness; give it an inside radius.");
-    points[c].other = points[c].reference + step;
+    points[c].reference = on_reference + depths.first / sheet.thickness * step;
+    points[c].other = on_reference + depths.second / sheet.thickness * step;
   }
   return points;
 }

@@ -102,32 +102,32 @@ SideWall straight_wall(const std::array<Vec3, 4>& corners, const Vec3& outward, 
   return wall;
 }
 
-CurvedWall curved_wall(const Face& face, const BorderCurve& border, double thickness,
+CurvedWall curved_wall(const Face& face, const BorderCurve& border, const Depths& depths,
                        double tolerance) {
   CurvedWall result;
   SideWall& wall = result.wall;
   wall.outward = outward_across(face, border, 0.5 * border.length);
   switch (border.shape) {
     case BorderCurve::Shape::circle:
-      set_turned_surface(wall, circle_below(face, border, 0.0),
-                         circle_below(face, border, thickness), border.length);
+      set_turned_surface(wall, circle_below(face, border, depths.first),
+                         circle_below(face, border, depths.second), border.length);
       return result;
     case BorderCurve::Shape::planar_spline:
       wall.surface =
-          new Geom_SurfaceOfLinearExtrusion(space_curve_below(face, border, 0.0, tolerance),
+          new Geom_SurfaceOfLinearExtrusion(space_curve_below(face, border, depths.first, tolerance),
                                             kernel_direction(-std::get<Frame>(face.surface).z));
-      set_curves(wall, 1.0, border.length, thickness);
+      set_curves(wall, 1.0, border.length, depths.between());
       return result;
     case BorderCurve::Shape::general:
       break;
     case BorderCurve::Shape::line:
       break;
   }
-  const FittedPath path = fit_two_depths(face, border, 0.0, thickness, tolerance);
+  const FittedPath path = fit_two_depths(face, border, depths.first, depths.second, tolerance);
   result.reference_edge = space_curve(path, 0);
   result.other_edge = space_curve(path, 3);
-  wall.surface = ruled_surface(path, 0.0, thickness);
-  set_curves(wall, 1.0, border.length, thickness);
+  wall.surface = ruled_surface(path, 0.0, depths.between());
+  set_curves(wall, 1.0, border.length, depths.between());
   return result;
 }
 

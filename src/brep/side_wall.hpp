@@ -9,6 +9,13 @@
 
 namespace planish::brep {
 
+/// How far both skins lie below the reference surface.
+struct Depths {
+  double first = 0.0, second = 0.0;
+  explicit Depths(const Sheet& sheet) : first(-sheet.reference_depth), second(sheet.thickness - sheet.reference_depth) {}
+  double between() const { return second - first; }
+};
+
 /// The cut edge of the sheet along one free border: the surface between the border on the reference
 /// skin and on the other one, and the curves of its four edges in that surface (null on planes,
 /// which need none). Parameters: those of the border for the two long edges; 0 … length for the
@@ -27,14 +34,14 @@ struct SideWall {
 /// plane by more than `tolerance`. Corners: start and end on the reference skin, then on the other.
 SideWall straight_wall(const std::array<Vec3, 4>& corners, const Vec3& outward, double tolerance);
 
-/// Wall along a curved border, `thickness` deep: a plane, cylinder or cone along circles; along
+/// Wall along a curved border between two depths: a plane, cylinder or cone along circles; along
 /// planar splines an extrusion; else a ruled surface.
 struct CurvedWall {
   SideWall wall;
   /// Both long edges when the wall fitted them, else null.
   Handle(Geom_Curve) reference_edge, other_edge;
 };
-CurvedWall curved_wall(const Face& face, const BorderCurve& border, double thickness,
+CurvedWall curved_wall(const Face& face, const BorderCurve& border, const Depths& depths,
                        double tolerance);
 
 /// Out of the material across the border at parameter s, in the skin's tangent plane: to the right

@@ -31,8 +31,8 @@ Result<void> check_input(const Sheet& sheet) {
         ErrorCode::invalid_input,
         fmt::format("The sheet's thickness is {} mm; it must be positive.", sheet.thickness));
   for (std::size_t f = 0; f < sheet.faces.size(); ++f)
-    if (const double r = std::min(smallest_radius(sheet.faces[f], 0.0),
-                                  smallest_radius(sheet.faces[f], sheet.thickness));
+    if (const double r = std::min(smallest_radius(sheet.faces[f], Depths(sheet).first),
+                                  smallest_radius(sheet.faces[f], Depths(sheet).second));
         r < Precision::Confusion())
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("A bend has an inside radius of {:.3g} mm; a solid needs one above "
@@ -54,6 +54,7 @@ class Thickener {
   Thickener(const Sheet& sheet, const ThickenOptions& options, SheetTopology topology,
             std::vector<CornerPoints> corners)
       : sheet_(sheet),
+        depths_(sheet),
         options_(options),
         topology_(std::move(topology)),
         points_(std::move(corners)) {}
@@ -67,7 +68,7 @@ class Thickener {
           return tl::unexpected(made.error());
     int first_row = 0;
     for (const Face& face : sheet_.faces) {
-      for (double depth : {0.0, sheet_.thickness})
+      for (double depth : {depths_.first, depths_.second})
         make_skin(face, first_row, depth);
       for (const BorderLoop& loop : face.loops)
         first_row += static_cast<int>(loop.size());
@@ -100,15 +101,15 @@ class Thickener {
                   place(topology_.borders[row].ref));
 
     if (topology_.borders[row].mate < 0)
-      edges.wall = curved_wall(face, edges.border, sheet_.thickness, options_.fit_tolerance);
+      edges.wall = curved_wall(face, edges.border, depths_, options_.fit_tolerance);
     const auto curve = [&](const Handle(Geom_Curve) & fitted, double depth) {
       return fitted.IsNull() ? space_curve_below(face, edges.border, depth, options_.fit_tolerance)
                              : fitted;
     };
     const double length = edges.border.length;
-    edges.reference = builder_.edge(curve(edges.wall.reference_edge, 0.0), length,
+    edges.reference = builder_.edge(curve(edges.wall.reference_edge, depths_.first), length,
                                     reference_[start], reference_[end]);
-    edges.other = builder_.edge(curve(edges.wall.other_edge, sheet_.thickness), length,
+    edges.other = builder_.edge(curve(edges.wall.other_edge, depths_.second), length,
                                 other_[start], other_[end]);
     return {};
   }
@@ -131,7 +132,7 @@ class Thickener {
     const auto& node = topology_.borders[row];
     const int leader = node.leads ? row : node.mate;
     const BorderEdges& edges = edges_[leader];
-    EdgeUse use{depth == 0.0 ? &edges.reference : &edges.other, edges.border.uv, node.leads};
+    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv, node.leads};
     if (std::holds_alternative<Frame>(face_at(row).surface))
       use.curve.Nullify();
     else if (!node.leads)
@@ -142,7 +143,7 @@ class Thickener {
 
   void make_skin(const Face& face, int first_row, double depth) {
     const SkinSurface skin = skin_surface(face, depth, options_.fit_tolerance);
-    const bool outer_skin = depth == 0.0;
+    const bool outer_skin = depth == depths_.first;
     std::vector<std::vector<EdgeUse>> loops;
     int row = first_row;
     for (const BorderLoop& borders : face.loops) {
@@ -191,6 +192,7 @@ class Thickener {
   }
 
   const Sheet& sheet_;
+  Depths depths_;
   const ThickenOptions& options_;
   SheetTopology topology_;
   std::vector<CornerPoints> points_;

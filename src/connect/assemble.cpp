@@ -234,7 +234,7 @@ class Assembler {
     }
     face.loops.push_back(std::move(borders));
     made_.sheet.faces.push_back(std::move(face));
-    made_.sheet.bends.push_back({fit.report.kind, {face_id}, fit.report.angle, fit.report.inside_radius, sense < 0});
+    made_.sheet.bends.push_back({fit.report.kind, {face_id}, fit.report.angle, fit.report.inside_radius, sense < 0, {}});
     made_.bends.push_back(id);
   }
 

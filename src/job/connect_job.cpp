@@ -1,4 +1,5 @@
 #include "connected.hpp"
+#include "folded.hpp"
 
 #include <planish/job/connect.hpp>
 #include <planish/job/text_file.hpp>
@@ -7,11 +8,6 @@
 
 namespace planish::job {
 namespace {
-
-// What places in the file are called: its path, as it was given.
-std::string name_of(const ConnectRequest& request) {
-  return request.input == "-" ? "standard input" : request.input.string();
-}
 
 // A straight lateral boundary is straight where the neutral surface lies; rules by which K differs
 // from bend to bend are known only when the bends are, so their boundaries take the default.
@@ -35,7 +31,7 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file,
   const AllowanceRule allowance = allowance_of(file, request);
   progress.at("joining the plates", 0.0);
   auto connection = planish::connect(file.structure, options_for(allowance), first_part(progress));
-  if (!connection) return placed(connection.error(), name_of(request));
+  if (!connection) return placed(connection.error(), place_name(request.input.string()));
   return finish(report, std::move(*connection), allowance, request, progress);
 }
 
@@ -54,7 +50,7 @@ Result<ConnectReport> connect(const ConnectRequest& request, const Progress& pro
   const auto start = std::chrono::steady_clock::now();
   const auto text = read_text(request.input, "plates file");
   if (!text) return tl::unexpected(text.error());
-  const auto file = parse_plates(*text, name_of(request));
+  const auto file = parse_plates(*text, place_name(request.input.string()));
   if (!file) return tl::unexpected(file.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   auto report = connect_plates(*file, request, progress);

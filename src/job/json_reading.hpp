@@ -98,6 +98,8 @@ class JsonPlace {
   int index() const;
   std::string text() const;  ///< not empty
   bool yes() const;          ///< true or false
+  /// Whether it is this text; anything else is no mistake.
+  bool is_text(std::string_view text) const;
 
   /// The same, none where the place is not given.
   std::optional<double> maybe_number(const Allowed& allowed = kAnyNumber) const;
@@ -122,7 +124,6 @@ class JsonPlace {
       : reading_(reading), value_(value), pointer_(std::move(pointer)) {}
   JsonPlace child(const std::string& token, const Json* value) const;
   std::string shown() const;
-  bool is_text(std::string_view text) const;
   void not_among(const std::vector<std::string_view>& words) const;
   double scaled(const Allowed& allowed, double scale) const;
 

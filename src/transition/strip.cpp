@@ -251,50 +251,95 @@ Strip::Radii Strip::smallest_radii(double from, double to) const {
   return radii;
 }
 
-Strip::Part Strip::part(double from, double to) const {
-  if (patch_.plane) return plane_part(from, to);
-  return right_ ? right_part(from, to) : ruled_part(from, to);
+double Strip::distance_of_radius(double radius) const {
+  // On cones the radius grows with the distance from the apex.
+  constexpr int kSamples = 64;
+  double distance = 0.0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const Local l = local(i / double(kSamples));
+    distance = std::max(distance, radius * l.turn_rate * l.length / std::max(l.across, l.far_across));
+  }
+  return distance;
 }
 
-Strip::Part Strip::plane_part(double from, double to) const {
+double Strip::tip_area(double from, double to, const Tips& tips) const {
+  const auto triangle = [](const Vec3& p, const Vec3& a, const Vec3& b, double cut) {
+    return 0.5 * cut * cut * (a - p).normalized().cross((b - p).normalized()).norm();
+  };
   const auto [p0, q0] = ruling(from);
   const auto [p1, q1] = ruling(to);
-  const Vec3 along = patch_.sides[0].moves() ? p1 - p0 : q1 - q0;
+  double area = 0.0;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const bool still = stands(static_cast<int>(side));
+    const Vec3 &a = side == 0 ? p0 : q0, &b = side == 0 ? p1 : q1, &over_a = side == 0 ? q0 : p0, &over_b = side == 0 ? q1 : p1;
+    const double first = tips.at_from[side], last = tips.at_to[side];
+    if (!patch_.plane && still)
+      area += 0.5 * first * first * integral([&](double at) {
+        const Local l = local(at);
+        return std::max(l.across, l.far_across) / l.length;
+      }, from, to);
+    else if (patch_.plane)
+      area += still ? triangle(a, over_a, over_b, first) : triangle(a, b, over_a, first) + triangle(b, a, over_b, last);
+  }
+  return area;
+}
+
+Strip::Part Strip::part(double from, double to, const Tips& tips) const {
+  if (patch_.plane) return plane_part(from, to, tips);
+  return right_ ? right_part(from, to, tips) : ruled_part(from, to, tips);
+}
+
+Strip::Part Strip::plane_part(double from, double to, const Tips& tips) const {
+  const auto [p0, q0] = ruling(from);
+  const auto [p1, q1] = ruling(to);
   Part part;
   part.from = from;
   part.to = to;
-  const Frame frame = frame_from_axes(p0, normal(0.5 * (from + to)), along);
+  const Frame frame = frame_from_axes(p0, normal(0.5 * (from + to)), stands(0) ? q1 - q0 : p1 - p0);
   part.face.surface = frame;
+  struct Corner {
+    Vec3 at;
+    double cut;
+  };
+  std::vector<Corner> corners{{p0, tips.at_from[0]}};
+  if (!stands(0)) corners.push_back({p1, tips.at_to[0]});
+  const std::size_t over = corners.size() - 1;  // the ruling at `to` begins here
+  if (!stands(1)) corners.push_back({q1, tips.at_to[1]});
+  corners.push_back({q0, tips.at_from[1]});
   BorderLoop loop;
   const auto add = [&](const Vec3& a, const Vec3& b) {
     loop.push_back(border(Segment{frame.local2(a), frame.local2(b)}, (b - a).norm()));
   };
-  if (patch_.sides[0].moves()) add(p0, p1);
-  part.ruling_borders[1] = static_cast<int>(loop.size());
-  add(p1, q1);
-  if (patch_.sides[1].moves()) add(q1, q0);
-  part.ruling_borders[0] = static_cast<int>(loop.size());
-  add(q0, p0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner &a = corners[i], &b = corners[(i + 1) % corners.size()], &c = corners[(i + 2) % corners.size()];
+    const Vec3 along = (b.at - a.at).normalized(), on = (c.at - b.at).normalized();
+    if (i == over) part.ruling_borders[1] = static_cast<int>(loop.size());
+    if (i + 1 == corners.size()) part.ruling_borders[0] = static_cast<int>(loop.size());
+    add(a.at + a.cut * along, b.at - b.cut * along);
+    if (b.cut > 0.0) add(b.at - b.cut * along, b.at + b.cut * on);
+  }
   part.face.loops.push_back(std::move(loop));
   return part;
 }
 
-Strip::Part Strip::right_part(double from, double to) const {
+Strip::Part Strip::right_part(double from, double to, const Tips& tips) const {
   Part part;
   part.from = from;
   part.to = to;
   part.u0 = std::lerp(right_->u0, right_->u1, from);
   part.u1 = std::lerp(right_->u0, right_->u1, to);
   part.face.surface = right_->surface;
-  const Vec2 p0(part.u0, right_->v[0]), p1(part.u1, right_->v[0]), q0(part.u0, right_->v[1]), q1(part.u1, right_->v[1]);
-  const double length = std::abs(right_->v[1] - right_->v[0]);
+  const double v0 = right_->v[0] + (stands(0) ? tips.at_from[0] : 0.0), v1 = right_->v[1] + (stands(1) ? tips.at_from[1] : 0.0);
+  const Vec2 p0(part.u0, v0), p1(part.u1, v0), q0(part.u0, v1), q1(part.u1, v1);
+  const double length = std::abs(v1 - v0);
   part.face.loops.push_back({border(Segment{p0, p1}, border_length(0, from, to)), border(Segment{p1, q1}, length),
                              border(Segment{q1, q0}, border_length(1, from, to)), border(Segment{q0, p0}, length)});
   part.ruling_borders = {3, 1};
   return part;
 }
 
-Strip::Part Strip::ruled_part(double from, double to) const {
+Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
+  const double cut = (stands(0) ? tips.at_from[0] : 0.0) + (stands(1) ? tips.at_from[1] : 0.0);
   const double sign = base_ == 0 ? 1.0 : -1.0;
   std::vector<double> breaks{from};
   for (std::size_t side = 0; side < 2; ++side)
@@ -321,11 +366,11 @@ Strip::Part Strip::ruled_part(double from, double to) const {
   const CubicSpline far = fit_cubics(
       [&](double at) -> CurveSample {
         const Local l = local(at);
-        return {{at, sign * l.length}, {1.0, sign * l.length_rate}};
+        return {{at, sign * (l.length - cut)}, {1.0, sign * l.length_rate}};
       },
       from, to, tolerance_).spline;
   const Curve2 near = Segment{{from, 0.0}, {to, 0.0}};
-  const auto length = [&](double at) { return local(at).length; };
+  const auto length = [&](double at) { return local(at).length - cut; };
   const Curve2 bottom = base_ == 0 ? near : Curve2(far);
   const Curve2 top = reversed(base_ == 0 ? Curve2(far) : near);
   const Vec2 p0 = start_of(bottom), p1 = end_of(bottom), q1 = start_of(top), q0 = end_of(top);

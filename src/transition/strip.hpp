@@ -57,7 +57,18 @@ class Strip {
     double u(double at) const { return u0 + (u1 - u0) * (at - from) / (to - from); }
     double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
   };
-  Part part(double from, double to) const;
+  /// `tips`: how much is cut off the corners that the strip has at both ends of both sides, mm along its
+  /// borders (where a side stands still both are one).
+  struct Tips {
+    std::array<double, 2> at_from{}, at_to{};
+  };
+  Part part(double from, double to, const Tips& tips) const;
+  /// Area of what `tips` cut off.
+  double tip_area(double from, double to, const Tips& tips) const;
+  /// Where the strip is a cone with its apex in a profile's corner: how far from there its radius is at least
+  /// `radius`.
+  double distance_of_radius(double radius) const;
+  bool stands(int side) const { return !patch_.sides[static_cast<std::size_t>(side)].moves(); }
 
  private:
   /// Parameters on both profiles at a ruling, and their derivatives.
@@ -77,9 +88,9 @@ class Strip {
   };
   Local local(double at) const;
 
-  Part plane_part(double from, double to) const;
-  Part right_part(double from, double to) const;
-  Part ruled_part(double from, double to) const;
+  Part plane_part(double from, double to, const Tips& tips) const;
+  Part right_part(double from, double to, const Tips& tips) const;
+  Part ruled_part(double from, double to, const Tips& tips) const;
 
   SpaceCurvePoint point(int side, double t) const { return curves_[static_cast<std::size_t>(side)]->curve(t); }
   void find_right();

@@ -102,17 +102,59 @@ int press_count(const Strip& strip, double from, double to, const Pressing& pres
   return 0;
 }
 
+/// Corners in which a cone has its apex, and how much is cut off there so that its inside has a radius.
+class TipCuts {
+ public:
+  TipCuts(const Ring& ring, const TransitionSpec& spec, double size) : near_(1e-9 * size) {
+    constexpr double kInsideRadius = 0.1;  // in thicknesses
+    const double radius = (spec.k_factor + kInsideRadius) * spec.thickness;
+    for (const Strip& strip : ring.strips)
+      for (int side = 0; side < 2; ++side)
+        if (!strip.plane() && strip.stands(side))
+          tips_.push_back({side, strip.ruling(0.0)[static_cast<std::size_t>(side)], strip.distance_of_radius(radius)});
+  }
+
+  Strip::Tips of(const Strip& strip, double from, double to) const {
+    const auto first = strip.ruling(from), last = strip.ruling(to);
+    Strip::Tips tips;
+    for (std::size_t side = 0; side < 2; ++side) {
+      tips.at_from[side] = at(static_cast<int>(side), first[side]);
+      tips.at_to[side] = at(static_cast<int>(side), last[side]);
+    }
+    return tips;
+  }
+
+ private:
+  struct Tip {
+    int side = 0;
+    Vec3 at;
+    double cut = 0.0;
+  };
+  double at(int side, const Vec3& p) const {
+    double cut = 0.0;
+    for (const Tip& tip : tips_)
+      if (tip.side == side && (tip.at - p).norm() <= near_) cut = std::max(cut, tip.cut);
+    return cut;
+  }
+
+  double near_;
+  std::vector<Tip> tips_;
+};
+
 /// The sheet of one piece.
 class PieceMaker {
  public:
-  PieceMaker(const Ring& ring, const TransitionSpec& spec) : ring_(ring), spec_(spec) {
+  /// Without cuts its tips stay whole.
+  PieceMaker(const Ring& ring, const TransitionSpec& spec, const TipCuts* cuts) : ring_(ring), spec_(spec), cuts_(cuts) {
     sheet_.thickness = spec.thickness;
     sheet_.reference_depth = (1.0 - spec.k_factor) * spec.thickness;
   }
 
   Sheet run(const std::vector<StripPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const Strip::Part part = ring_.strip(parts[i].strip).part(parts[i].from, parts[i].to);
+      const Strip& strip = ring_.strip(parts[i].strip);
+      const Strip::Tips tips = cuts_ ? cuts_->of(strip, parts[i].from, parts[i].to) : Strip::Tips{};
+      const Strip::Part part = strip.part(parts[i].from, parts[i].to, tips);
       if (i > 0) join(parts[i - 1], parts[i], part);
       add(parts[i], part);
     }
@@ -184,6 +226,7 @@ class PieceMaker {
 
   const Ring& ring_;
   const TransitionSpec& spec_;
+  const TipCuts* cuts_;
   Sheet sheet_;
   BorderRef last_border_;
 };
@@ -260,9 +303,14 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
       transition.perimeters[side] += transition.patches.back().border[side];
   }
   Labels labels(*ring->hull);
+  const TipCuts tips(*ring, spec, size);
   for (std::size_t i = 0; i < cuts->size(); ++i) {
     const auto parts = parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]);
-    transition.pieces.push_back(PieceMaker(*ring, spec).run(parts));
+    transition.pieces.push_back(PieceMaker(*ring, spec, nullptr).run(parts));
+    transition.folded.push_back(PieceMaker(*ring, spec, &tips).run(parts));
+    double& tip_area = transition.tip_areas.emplace_back(0.0);
+    for (const StripPart& part : parts)
+      tip_area += ring->strip(part.strip).tip_area(part.from, part.to, tips.of(ring->strip(part.strip), part.from, part.to));
     add_true_lengths(*ring, parts, spec.pressing, labels, transition.true_lengths);
   }
   return transition;

@@ -18,12 +18,13 @@ MODULES = {
     "sheet": {"base", "geometry"},
     "inspect": {"base", "geometry", "sheet"},
     "connect": {"base", "geometry", "sheet"},
+    "transition": {"base", "geometry", "sheet"},
     "io": {"base", "geometry", "sheet"},
     "brep": {"base", "geometry", "sheet"},
-    "job": {"base", "geometry", "sheet", "inspect", "connect", "io", "brep"},
+    "job": {"base", "geometry", "sheet", "inspect", "connect", "transition", "io", "brep"},
 }
 LIBRARIES = {
-    "Eigen/Core": {"geometry", "sheet", "inspect", "connect", "io", "brep", "job"},
+    "Eigen/Core": {"geometry", "sheet", "inspect", "connect", "transition", "io", "brep", "job"},
     "geos_c.h": {"geometry"},
     "dxflib/dl_dxf.h": {"io"},
     "nlohmann/json.hpp": {"io", "job"},

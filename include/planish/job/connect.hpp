@@ -12,11 +12,7 @@
 namespace planish::job {
 
 /// One request to make a sheet of the plates of a file, as data.
-struct ConnectRequest : PatternChecks {
-  std::filesystem::path input;             ///< "-" reads standard input
-  std::optional<AllowanceRule> allowance;  ///< empty: the file's K-factor, or else the default
-  std::optional<LengthUnit> units;         ///< of the report; empty: those of the file
-};
+using ConnectRequest = MakeRequest;
 
 /// What came of it. The connection holds what was known when it was refused.
 struct ConnectReport : Report {

@@ -5,6 +5,7 @@
 #include <planish/io/flat_writers.hpp>
 #include <planish/sheet/certificate.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ struct PatternChecks {
   bool write_overlapping = false;  ///< write the pattern although it covers itself
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
+};
+
+/// One request to make a sheet of what a file describes, as data.
+struct MakeRequest : PatternChecks {
+  std::filesystem::path input;             ///< "-" reads standard input
+  std::optional<AllowanceRule> allowance;  ///< empty: the file's K-factor, or else the default
+  std::optional<LengthUnit> units;         ///< of the report; empty: those of the file
 };
 
 struct SheetSummary {

@@ -80,6 +80,10 @@ struct Transition {
   /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is curved
   /// and the sharp folds, in the order of the profile.
   std::vector<Sheet> pieces;
+  /// The same as a solid can have them: the tips of cones are cut off where their inside radius would be less
+  /// than a tenth of the thickness. `tip_areas`: of the neutral surface, by piece, mm².
+  std::vector<Sheet> folded;
+  std::vector<double> tip_areas;
   std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
   std::vector<TrueLength> true_lengths;
   double area = 0.0;                     ///< of the neutral surface, mm²

@@ -9,14 +9,16 @@
 
 namespace planish::cli {
 
-/// What stands on the command line of `planish connect`; what the options mean together is settled
-/// in `planned`.
-struct ConnectArguments : PatternArguments {
+/// What stands on the command line of `planish connect` and `planish transition`; what the options
+/// mean together is settled in `planned`.
+struct MakeArguments : PatternArguments {
   std::vector<std::string> folded;  ///< -o
   std::vector<std::string> flat;    ///< --flat
 };
 
 /// Defines the subcommand `connect`; parsing fills `arguments`, which must outlive `app`.
-CLI::App* add_connect(CLI::App& app, ConnectArguments& arguments);
+CLI::App* add_connect(CLI::App& app, MakeArguments& arguments);
+/// The same for `transition`.
+CLI::App* add_transition(CLI::App& app, MakeArguments& arguments);
 
 }  // namespace planish::cli

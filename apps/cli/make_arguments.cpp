@@ -1,11 +1,11 @@
-#include "connect_arguments.hpp"
+#include "make_arguments.hpp"
 
 #include "option_parts.hpp"
 
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kConnectExamples = R"(Examples:
   planish connect plates.json                  plates.step and plates.dxf beside it
   planish connect plates.json -o part.step --flat part.dxf --json report.json
   planish connect plates.json --flat part.svg  the flat pattern only, to look at
@@ -19,8 +19,23 @@ Exit status:
 
 The plates file and all else in docs/connect.md.)";
 
-void add_files(CLI::App& app, ConnectArguments& to) {
-  add_text(app, "input", to.input, "FILE", "plates file (JSON), or - for standard input")
+constexpr auto kTransitionExamples = R"(Examples:
+  planish transition spec.json                 spec.step and spec.dxf beside it
+  planish transition spec.json -o part.step --flat net.dxf --json report.json
+  planish transition spec.json --flat net.svg  the net only, to look at
+  planish transition spec.json --check         what comes of it, on the terminal
+
+Of several pieces each has files of its own: net-1.dxf, net-2.dxf, ...
+
+Exit status:
+  0 done (also with warnings)        3 a file cannot be read, is invalid or cannot be written
+  1 internal error, or cancelled     4 refused: understood, but the profiles have no transition
+  2 wrong usage
+
+The transition file and all else in docs/transition.md.)";
+
+void add_files(CLI::App& app, MakeArguments& to, const std::string& kind) {
+  add_text(app, "input", to.input, "FILE", kind + " file (JSON), or - for standard input")
       ->required();
   add_repeatable(app, "-o,--output", to.folded,
                  "folded part: .step or .stl (mesh) file; may be given several times; default, without --flat: "
@@ -36,14 +51,25 @@ void add_files(CLI::App& app, ConnectArguments& to) {
 
 }  // namespace
 
-CLI::App* add_connect(CLI::App& app, ConnectArguments& arguments) {
+CLI::App* add_connect(CLI::App& app, MakeArguments& arguments) {
   CLI::App* command = app.add_subcommand("connect", "join plates by bends to one sheet");
-  add_files(*command, arguments);
+  add_files(*command, arguments, "plates");
   add_report_options(*command, arguments, "that of the plates file");
   add_k_options(*command, arguments, "that of the plates file, or 0.44");
   add_dxf_options(*command, arguments);
   add_check_options(*command, arguments);
-  command->footer(kExamples);
+  command->footer(kConnectExamples);
+  return command;
+}
+
+CLI::App* add_transition(CLI::App& app, MakeArguments& arguments) {
+  CLI::App* command = app.add_subcommand("transition", "make the surface between two profiles, and its net");
+  add_files(*command, arguments, "transition");
+  add_report_options(*command, arguments, "that of the transition file");
+  add_k_option(*command, arguments, "that of the transition file, or 0.5");
+  add_dxf_options(*command, arguments);
+  add_check_options(*command, arguments);
+  command->footer(kTransitionExamples);
   return command;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "connect_arguments.hpp"
+#include "make_arguments.hpp"
 #include "unfold_plan.hpp"
 
 #include <planish/base/result.hpp>
@@ -13,8 +13,8 @@
 namespace planish::cli {
 
 /// What a command line means, options checked against each other and side files read.
-struct ConnectPlan {
-  job::ConnectRequest request;
+struct MakePlan {
+  job::MakeRequest request;
   DxfOptions dxf;
   std::vector<std::filesystem::path> folded;  ///< STEP files of the folded part
   std::vector<Target> flat;
@@ -22,6 +22,6 @@ struct ConnectPlan {
 };
 
 /// Errors: as of `planned` for `unfold`.
-Result<ConnectPlan> planned(const ConnectArguments& arguments);
+Result<MakePlan> planned(const MakeArguments& arguments);
 
 }  // namespace planish::cli

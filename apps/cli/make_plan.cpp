@@ -1,4 +1,4 @@
-#include "connect_plan.hpp"
+#include "make_plan.hpp"
 
 #include "option_rules.hpp"
 #include "output_files.hpp"
@@ -18,7 +18,7 @@ tl::unexpected<Error> not_a_name(const std::string& option, const std::string& n
       "{} \"{}\" does not say what to write: the name must end in {}", option, name, suffixes)));
 }
 
-Result<void> plan_defaults(const ConnectArguments& arguments, ConnectPlan& plan) {
+Result<void> plan_defaults(const MakeArguments& arguments, MakePlan& plan) {
   const fs::path input(arguments.input);
   if (input == "-") {
     return tl::unexpected(
@@ -31,7 +31,7 @@ Result<void> plan_defaults(const ConnectArguments& arguments, ConnectPlan& plan)
   return {};
 }
 
-Result<void> plan_outputs(const ConnectArguments& arguments, ConnectPlan& plan) {
+Result<void> plan_outputs(const MakeArguments& arguments, MakePlan& plan) {
   if (arguments.check) return {};
   if (arguments.folded.empty() && arguments.flat.empty()) return plan_defaults(arguments, plan);
   for (const std::string& name : arguments.folded) {
@@ -47,7 +47,7 @@ Result<void> plan_outputs(const ConnectArguments& arguments, ConnectPlan& plan) 
   return {};
 }
 
-Result<void> check_files(const ConnectArguments& arguments, const ConnectPlan& plan) {
+Result<void> check_files(const MakeArguments& arguments, const MakePlan& plan) {
   std::vector<fs::path> files = files_named({arguments.json});
   files.insert(files.end(), plan.folded.begin(), plan.folded.end());
   for (const Target& target : plan.flat)
@@ -61,10 +61,10 @@ Result<void> check_files(const ConnectArguments& arguments, const ConnectPlan& p
 
 }  // namespace
 
-Result<ConnectPlan> planned(const ConnectArguments& arguments) {
+Result<MakePlan> planned(const MakeArguments& arguments) {
   if (const auto contradiction = contradiction_in(arguments))
     return tl::unexpected(bad_option(*contradiction));
-  ConnectPlan plan;
+  MakePlan plan;
   plan.inputs = files_named({arguments.input, arguments.k_table, arguments.rules});
   plan.dxf = dxf_of(arguments);
   if (auto made = plan_outputs(arguments, plan); !made) return tl::unexpected(made.error());

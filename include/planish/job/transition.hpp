@@ -1,0 +1,45 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/job/report.hpp>
+#include <planish/job/transition_json.hpp>
+#include <planish/transition/transition.hpp>
+
+#include <string>
+#include <vector>
+
+namespace planish::job {
+
+/// One piece of a transition, laid flat.
+struct TransitionPiece : Report {
+  Sheet folded;  ///< as a solid is made of it
+  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report); empty in a
+  /// report refused before.
+  Result<std::string> solid;
+};
+
+/// What came of a request to make a transition: of the only piece, or of all of several, whose findings it
+/// has too.
+struct TransitionReport : Report {
+  Transition transition;
+  std::vector<TransitionPiece> pieces;
+};
+
+/// Makes the transition, lays each piece flat and certifies it. An error means that the file could not be read
+/// or is invalid; profiles that have no transition give a report with `refusal`. `where` of both is the
+/// file's name, followed by the JSON pointer of the cause. `request.allowance` is a constant K or empty.
+/// Errors: `cannot_read`, those of `parse_transition`, those of `make_transition` with exit status 3.
+Result<TransitionReport> transition(const MakeRequest& request, const Progress& progress = {});
+
+/// The part of it that begins with a file already read (`request.input` only names it).
+Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request,
+                                            const Progress& progress = {});
+
+/// The report of a request that ended with an error.
+TransitionReport failed_transition(const MakeRequest& request, const Error& error);
+
+/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+std::string report_json(const TransitionReport& report);
+std::string report_text(const TransitionReport& report);
+
+}  // namespace planish::job

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/transition/transition.hpp>
+
+#include <string>
+
+namespace planish::job {
+
+/// What a transition file says (FORMATS, "planish/transition"; docs/transition.md), lengths in mm.
+struct TransitionFile {
+  TransitionSpec spec;
+  LengthUnit units = LengthUnit::mm;  ///< of the file
+};
+
+/// Reads a transition file. Errors: `invalid_input` for anything that is not JSON (`where` is
+/// name:line:column), unknown, repeated and missing keys, values of another kind or outside their range
+/// (`where` is name and JSON pointer). What profiles must be is left to `make_transition`.
+Result<TransitionFile> parse_transition(const std::string& json, const std::string& name);
+
+}  // namespace planish::job

@@ -1,0 +1,59 @@
+#include "folded.hpp"
+
+#include <planish/brep/step.hpp>
+
+#include <fmt/format.h>
+
+namespace planish::job {
+namespace {
+
+struct FoldedSolid {
+  std::string step;
+  double volume = 0.0;  ///< mm³
+};
+
+Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
+                                 const Progress& progress) {
+  auto step = folded_solid_step(sheet, name);
+  if (!step) return tl::unexpected(step.error());
+  Progress silent;  // its stages are none of the whole
+  silent.cancelled = progress.cancelled;
+  const auto read = read_step_text(*step, name, silent);
+  if (!read) return tl::unexpected(read.error());
+  return FoldedSolid{std::move(*step), read->bodies.front().volume()};
+}
+
+Finding unmeasured(const Error& error) {
+  return {"folded_solid",
+          Severity::warning,
+          fmt::format("no folded solid could be made, so the volume is not verified: {}",
+                      error.message),
+          {}};
+}
+
+}  // namespace
+
+std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Result<std::string>& solid,
+                          const Progress& progress) {
+  progress.at("folding it", 0.3);
+  auto folded = folded_solid(to_fold, report.body, progress);
+  if (folded) {
+    solid = std::move(folded->step);
+    sheet.volume = folded->volume;
+    return std::nullopt;
+  }
+  if (folded.error().code == ErrorCode::cancelled) return folded.error();
+  report.findings.push_back(unmeasured(folded.error()));
+  solid = tl::unexpected(folded.error());
+  sheet.volume = 0.0;
+  return std::nullopt;
+}
+
+Error placed(Error error, const std::string& name) {
+  if (error.where.empty() || error.where.front() == '/') error.where = name + error.where;
+  return error;
+}
+
+std::string place_name(const std::string& input) { return input == "-" ? "standard input" : input; }
+
+}  // namespace planish::job

@@ -1,0 +1,108 @@
+#include "folded.hpp"
+#include "lay_flat.hpp"
+
+#include <planish/job/text_file.hpp>
+#include <planish/job/transition.hpp>
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace planish::job {
+namespace {
+
+/// Outlines are held to this, because nets are compared with closed forms and with each other (mm).
+constexpr double kOutline = 1e-7;
+
+TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
+  TransitionReport report;
+  report.input = request.input.string();
+  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
+  report.units = request.units.value_or(unit);
+  return report;
+}
+
+FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request) {
+  FlattenOptions options;
+  options.allowance = ConstantK{spec.k_factor, request.allowance ? "command line" : "transition file"};
+  options.curve_tolerance = options.merge_tolerance = kOutline;
+  return options;
+}
+
+std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, double tip_area, const TransitionSpec& spec,
+                               const MakeRequest& request, const Progress& progress) {
+  if (auto stopped = fold(piece, sheet, piece.folded, piece.solid, progress)) return stopped;
+  sheet.forms_volume = -tip_area * sheet.thickness;
+  piece.sheet = summary_of(sheet);
+  return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request), progress);
+}
+
+/// What is said of one piece is said of the whole; of several, their findings are.
+void gather(TransitionReport& report) {
+  if (report.pieces.size() == 1) {
+    static_cast<Report&>(report) = report.pieces.front();
+    return;
+  }
+  for (const TransitionPiece& piece : report.pieces) {
+    report.sheet.thickness = piece.sheet.thickness;
+    report.sheet.flanges += piece.sheet.flanges;
+    report.sheet.bends += piece.sheet.bends;
+    report.findings.insert(report.findings.end(), piece.findings.begin(), piece.findings.end());
+    if (piece.mass) report.mass = report.mass.value_or(0.0) + *piece.mass;
+  }
+}
+
+std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, const MakeRequest& request,
+                          const Progress& progress) {
+  TransitionSpec spec = file.spec;
+  if (request.allowance) spec.k_factor = std::get<ConstantK>(*request.allowance).k;
+  progress.at("finding the surface", 0.0);
+  auto made = make_transition(spec, {}, progress);
+  if (!made) return placed(made.error(), place_name(report.input));
+  report.transition = std::move(*made);
+  auto& sheets = report.transition.pieces;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    TransitionPiece piece;
+    piece.input = report.input;
+    piece.units = report.units;
+    piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
+    piece.folded = report.transition.folded[i];
+    auto wrong = lay_piece(piece, sheets[i], report.transition.tip_areas[i], spec, request, progress);
+    report.pieces.push_back(std::move(piece));
+    if (wrong) {
+      gather(report);
+      return wrong;
+    }
+  }
+  gather(report);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request, const Progress& progress) {
+  TransitionReport report = begun(request, file.units);
+  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
+    return tl::unexpected(*error);
+  return report;
+}
+
+Result<TransitionReport> transition(const MakeRequest& request, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto text = read_text(request.input, "transition file");
+  if (!text) return tl::unexpected(text.error());
+  const auto file = parse_transition(*text, place_name(request.input.string()));
+  if (!file) return tl::unexpected(file.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  auto report = transition_between(*file, request, progress);
+  if (report) report->read_seconds = taken.count();
+  return report;
+}
+
+TransitionReport failed_transition(const MakeRequest& request, const Error& error) {
+  TransitionReport report = begun(request, LengthUnit::mm);
+  report.refusal = error;
+  return report;
+}
+
+}  // namespace planish::job
