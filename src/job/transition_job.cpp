@@ -60,14 +60,16 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
   auto made = make_transition(spec, {}, progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
+  auto folded = folded_pieces(spec);
+  if (!folded) return placed(folded.error(), place_name(report.input));
   auto& sheets = report.transition.pieces;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     TransitionPiece piece;
     piece.input = report.input;
     piece.units = report.units;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
-    piece.folded = report.transition.folded[i];
-    auto wrong = lay_piece(piece, sheets[i], report.transition.tip_areas[i], spec, request, progress);
+    piece.folded = std::move((*folded)[i].sheet);
+    auto wrong = lay_piece(piece, sheets[i], (*folded)[i].tip_area, spec, request, progress);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

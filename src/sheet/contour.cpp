@@ -74,17 +74,17 @@ struct RawContour {
   }
 };
 
-RawContour walk(const Sheet& sheet, const UnfoldingTree& tree, const BorderTable& table, int start,
-                double tolerance, std::vector<bool>& seen) {
+RawContour walk(const UnfoldingTree& tree, const BorderTable& table, int start,
+                std::vector<bool>& seen) {
   RawContour contour;
   int row = start;
   do {
     seen[static_cast<size_t>(row)] = true;
-    contour.add(tree.image(sheet, table.ref(row), tolerance), table.ref(row), false);
+    contour.add(tree.image(table.ref(row)), table.ref(row), false);
     const BorderTable::Step step = table.next(row);
     if (step.across_sharp) {
       const Vec2 from = end_of(contour.loop.back());
-      const Vec2 to = start_of(tree.image(sheet, table.ref(step.row), tolerance));
+      const Vec2 to = start_of(tree.image(table.ref(step.row)));
       contour.add(Segment{from, to}, table.ref(row), true);
     }
     row = step.row;
@@ -124,7 +124,7 @@ Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, c
   double outer_area = 0.0;
   for (int row = 0; row < table.size(); ++row) {
     if (seen[static_cast<size_t>(row)] || !table.free(row)) continue;
-    RawContour raw = walk(sheet, tree, table, row, options.curve_tolerance, seen);
+    RawContour raw = walk(tree, table, row, seen);
     const double area = signed_area(raw.loop);
     const int feature = feature_of(sheet, raw);
     if (feature >= 0 && area > outer_area) return tl::unexpected(sheet.features[static_cast<size_t>(feature)].at_rim);

@@ -10,15 +10,8 @@
 namespace planish {
 namespace {
 
-void add_face_outlines(const Sheet& sheet, const UnfoldingTree& tree, double tolerance, FlatPattern& pattern) {
-  for (size_t f = 0; f < sheet.faces.size(); ++f) {
-    std::vector<Loop> images;
-    for (size_t l = 0; l < sheet.faces[f].loops.size(); ++l) {
-      Loop& image = images.emplace_back();
-      for (size_t i = 0; i < sheet.faces[f].loops[l].size(); ++i)
-        image.push_back(tree.image(
-            sheet, {FaceId{static_cast<int>(f)}, static_cast<int>(l), static_cast<int>(i)}, tolerance));
-    }
+void add_face_outlines(UnfoldingTree& tree, FlatPattern& pattern) {
+  for (std::vector<Loop>& images : tree.images) {
     pattern.face_outlines.push_back(std::move(images.front()));
     pattern.face_openings.emplace_back(std::make_move_iterator(images.begin() + 1),
                                        std::make_move_iterator(images.end()));
@@ -135,8 +128,8 @@ Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& o
   pattern.placement = tree->placement;
   pattern.neutral_offset = tree->neutral_offset;
   pattern.closure = tree->closure;
-  add_face_outlines(sheet, *tree, options.curve_tolerance, pattern);
   add_features(sheet, *tree, *contours, options.merge_tolerance, pattern);
+  add_face_outlines(*tree, pattern);
   if (other_side_up(pattern, options.up)) {
     Isometry2 mirror = Isometry2::Identity();
     mirror.linear()(0, 0) = -1.0;

@@ -74,6 +74,7 @@ class Grower {
       tree_.placement.push_back(*node_placement_[static_cast<size_t>(nodes_.of(face))] * mirror_of(face));
     }
     if (auto done = check_closure(); !done) return tl::unexpected(done.error());
+    for (size_t f = 0; f < sheet_.faces.size(); ++f) tree_.images.push_back(images_of(sheet_.faces[f], tree_.placement[f]));
     return std::move(tree_);
   }
 
@@ -235,6 +236,21 @@ class Grower {
     return (middle(joint.b) - middle(joint.a)).dot(line);
   }
 
+  std::vector<Loop> images_of(const Face& face, const Isometry2& place) const {
+    const auto* bend = std::get_if<BendId>(&face.part_of);
+    const auto laid = [&](const Curve2& curve) {
+      if (!bend) return transformed(curve, place);
+      const Development& development = tree_.development[static_cast<size_t>(index_of(*bend))];
+      return transformed(development.develop(curve, options_.curve_tolerance), place);
+    };
+    std::vector<Loop> images;
+    for (const BorderLoop& loop : face.loops) {
+      Loop& image = images.emplace_back();
+      for (const Border& border : loop) image.push_back(laid(border.curve));
+    }
+    return images;
+  }
+
   Result<void> check_reached() const {
     for (size_t node = 0; node < node_placement_.size(); ++node) {
       const bool sharp = static_cast<int>(node) >= nodes_.flanges &&
@@ -308,12 +324,8 @@ Vec2 UnfoldingTree::image(const Sheet& sheet, FaceId id, const Vec2& uv) const {
   return placement[static_cast<size_t>(index_of(id))] * flat;
 }
 
-Curve2 UnfoldingTree::image(const Sheet& sheet, const BorderRef& ref, double tolerance) const {
-  const Curve2& curve = border_at(sheet, ref).curve;
-  const auto* bend = std::get_if<BendId>(&face_at(sheet, ref.face).part_of);
-  const Isometry2& place = placement[static_cast<size_t>(index_of(ref.face))];
-  if (!bend) return transformed(curve, place);
-  return transformed(development[static_cast<size_t>(index_of(*bend))].develop(curve, tolerance), place);
+const Curve2& UnfoldingTree::image(const BorderRef& ref) const {
+  return images[static_cast<size_t>(index_of(ref.face))][static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
 }
 
 Result<UnfoldingTree> grow_unfolding_tree(const Sheet& sheet, const FlattenOptions& options) {

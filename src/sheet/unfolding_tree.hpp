@@ -12,8 +12,9 @@ struct UnfoldingTree {
   std::vector<Isometry2> placement;              ///< by face: developed plane → pattern
   double closure = 0.0;                          ///< mm, worst joint outside the tree
 
-  /// Image of a border in the pattern.
-  Curve2 image(const Sheet& sheet, const BorderRef& ref, double tolerance) const;
+  std::vector<std::vector<Loop>> images;         ///< of all borders in the pattern, by face and loop
+
+  const Curve2& image(const BorderRef& ref) const;
   /// Image of the point of a face with parameters uv.
   Vec2 image(const Sheet& sheet, FaceId face, const Vec2& uv) const;
 };

@@ -218,21 +218,37 @@ double Strip::turn(double from, double to) const {
 }
 
 std::vector<double> Strip::evenly_turned(double from, double to, int count) const {
+  // Behind each of some rulings lies so much turning, which grows at the rate there: a Hermite cubic between.
   constexpr int kParts = 32;
-  std::vector<double> behind{0.0};
-  const auto at = [&](int part) { return std::lerp(from, to, part / double(kParts)); };
-  for (int i = 0; i < kParts; ++i)
-    behind.push_back(behind.back() + turn(at(i), at(i + 1)));
+  struct Station {
+    double at = 0.0, behind = 0.0, rate = 0.0;
+  };
+  std::vector<Station> stations;
+  for (int i = 0; count > 0 && i <= kParts; ++i) {
+    Station station{std::lerp(from, to, i / double(kParts)), 0.0, 0.0};
+    station.rate = local(station.at).turn_rate;
+    if (i > 0) {
+      const Station& last = stations.back();
+      const double step = station.at - last.at;
+      const double middle_rate = local(last.at + 0.5 * step).turn_rate;
+      station.behind = last.behind + step / 6.0 * (last.rate + 4.0 * middle_rate + station.rate);
+    }
+    stations.push_back(station);
+  }
   std::vector<double> rulings;
   for (int i = 0; i < count; ++i) {
-    const double wanted = (i + 0.5) / count * behind.back();
-    const auto above = std::upper_bound(behind.begin() + 1, behind.end() - 1, wanted);
-    const int part = static_cast<int>(above - behind.begin()) - 1;
+    const double wanted = (i + 0.5) / count * stations.back().behind;
+    const auto above = std::find_if(stations.begin() + 1, stations.end() - 1, [&](const Station& s) { return s.behind >= wanted; });
+    const Station &a = *(above - 1), &b = *above;
+    const double step = b.at - a.at;
     rulings.push_back(root_between(
-        [&](double ruling) {
-          return std::pair{behind[static_cast<std::size_t>(part)] + turn(at(part), ruling) - wanted, local(ruling).turn_rate};
+        [&](double at) {
+          const double s = (at - a.at) / step, rise = b.behind - a.behind;
+          const double behind = a.behind + s * (step * a.rate + s * (3.0 * rise - step * (2.0 * a.rate + b.rate) +
+                                                                      s * (step * (a.rate + b.rate) - 2.0 * rise)));
+          return std::pair{behind - wanted, std::lerp(a.rate, b.rate, s)};
         },
-        at(part), at(part + 1)));
+        a.at, b.at));
   }
   return rulings;
 }

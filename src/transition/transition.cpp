@@ -278,42 +278,73 @@ void add_true_lengths(const Ring& ring, const std::vector<StripPart>& parts, con
 
 }  // namespace
 
-Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
-  if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
+namespace {
+
+/// The ring and what each piece is made of.
+struct Division {
+  Ring ring;
+  std::vector<std::vector<StripPart>> pieces;
   double size = 0.0;
-  auto ring = ring_of(spec, options, size);
+};
+
+Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
+  if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
+  Division division;
+  auto ring = ring_of(spec, options, division.size);
   if (!ring) return tl::unexpected(ring.error());
   if (auto wide = check_radii(*ring, spec); !wide) return tl::unexpected(wide.error());
   auto cuts = cuts_of(*ring, spec.seam, spec.pieces);
   if (!cuts) return tl::unexpected(cuts.error());
   if (ring->count() == 1) {
-    ring = begun_at(*ring, cuts->front().at, options.tolerance * size);
     const double moved = cuts->front().at;
+    ring = begun_at(*ring, moved, options.tolerance * division.size);
     for (Cut& cut : *cuts)
       cut.at -= moved;
   }
-  if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
+  for (std::size_t i = 0; i < cuts->size(); ++i)
+    division.pieces.push_back(parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]));
+  division.ring = std::move(*ring);
+  return division;
+}
 
+}  // namespace
+
+Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
+  const auto division = divided(spec, options);
+  if (!division) return tl::unexpected(division.error());
+  if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
+  const Ring& ring = division->ring;
   Transition transition;
-  for (const Strip& strip : ring->strips) {
+  for (const Strip& strip : ring.strips) {
     transition.patches.push_back({strip.kind(), strip.area(0.0, 1.0), {strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0)},
                                   Angle::radians(strip.turn(0.0, 1.0))});
     transition.area += transition.patches.back().area;
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += transition.patches.back().border[side];
   }
-  Labels labels(*ring->hull);
-  const TipCuts tips(*ring, spec, size);
-  for (std::size_t i = 0; i < cuts->size(); ++i) {
-    const auto parts = parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]);
-    transition.pieces.push_back(PieceMaker(*ring, spec, nullptr).run(parts));
-    transition.folded.push_back(PieceMaker(*ring, spec, &tips).run(parts));
-    double& tip_area = transition.tip_areas.emplace_back(0.0);
-    for (const StripPart& part : parts)
-      tip_area += ring->strip(part.strip).tip_area(part.from, part.to, tips.of(ring->strip(part.strip), part.from, part.to));
-    add_true_lengths(*ring, parts, spec.pressing, labels, transition.true_lengths);
+  Labels labels(*ring.hull);
+  for (const auto& parts : division->pieces) {
+    transition.pieces.push_back(PieceMaker(ring, spec, nullptr).run(parts));
+    add_true_lengths(ring, parts, spec.pressing, labels, transition.true_lengths);
   }
   return transition;
+}
+
+Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options) {
+  const auto division = divided(spec, options);
+  if (!division) return tl::unexpected(division.error());
+  const Ring& ring = division->ring;
+  const TipCuts tips(ring, spec, division->size);
+  std::vector<FoldedPiece> pieces;
+  for (const auto& parts : division->pieces) {
+    FoldedPiece& piece = pieces.emplace_back();
+    piece.sheet = PieceMaker(ring, spec, &tips).run(parts);
+    for (const StripPart& part : parts) {
+      const Strip& strip = ring.strip(part.strip);
+      piece.tip_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
+    }
+  }
+  return pieces;
 }
 
 }  // namespace planish

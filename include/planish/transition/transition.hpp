@@ -80,14 +80,17 @@ struct Transition {
   /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is curved
   /// and the sharp folds, in the order of the profile.
   std::vector<Sheet> pieces;
-  /// The same as a solid can have them: the tips of cones are cut off where their inside radius would be less
-  /// than a tenth of the thickness. `tip_areas`: of the neutral surface, by piece, mm².
-  std::vector<Sheet> folded;
-  std::vector<double> tip_areas;
   std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
   std::vector<TrueLength> true_lengths;
   double area = 0.0;                     ///< of the neutral surface, mm²
   std::array<double, 2> perimeters{};    ///< of the neutral surface's borders on both profiles, mm
+};
+
+/// A piece as a solid can be made of it: the tips of cones are cut off where their inside radius would be less
+/// than a tenth of the thickness.
+struct FoldedPiece {
+  Sheet sheet;
+  double tip_area = 0.0;  ///< of the neutral surface, mm²: what is cut off
 };
 
 struct TransitionOptions {
@@ -107,5 +110,8 @@ struct TransitionOptions {
 /// the hull), `radius_too_small` (thickness too large for a profile or a bend).
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options = {},
                                    const Progress& progress = {});
+
+/// The same pieces with their tips cut off, for solids. Errors: those of `make_transition`.
+Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options = {});
 
 }  // namespace planish
