@@ -5,7 +5,6 @@
 #include "terminal.hpp"
 
 #include <planish/brep/step.hpp>
-#include <planish/io/mesh_writers.hpp>
 #include <planish/job/connect.hpp>
 
 namespace planish::cli {
@@ -19,10 +18,10 @@ std::string failed_json(const job::MakeRequest& request, const Error& error) {
 
 // The folded part as the name of its file asks for it.
 Result<std::string> folded_text(const ConnectReport& report, const std::filesystem::path& path) {
-  if (suffix_of(path) != ".stl") return report.solid;
+  if (!is_mesh_name(path)) return report.solid;
   const auto mesh = folded_mesh(report.connection.sheet);
   if (!mesh) return tl::unexpected(mesh.error());
-  return stl_binary(*mesh, stem_of(report.input));
+  return mesh_text(*mesh, path, stem_of(report.input));
 }
 
 // All files, or the first reason why one cannot be composed.

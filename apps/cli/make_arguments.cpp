@@ -38,7 +38,7 @@ void add_files(CLI::App& app, MakeArguments& to, const std::string& kind) {
   add_text(app, "input", to.input, "FILE", kind + " file (JSON), or - for standard input")
       ->required();
   add_repeatable(app, "-o,--output", to.folded,
-                 "folded part: .step or .stl (mesh) file; may be given several times; default, without --flat: "
+                 "folded part: .step, or a mesh: .stl, .obj; may be given several times; default, without --flat: "
                  "<input>.step beside the input")
       ->type_name("PATH")
       ->group("Output");

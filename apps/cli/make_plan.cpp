@@ -35,8 +35,8 @@ Result<void> plan_outputs(const MakeArguments& arguments, MakePlan& plan) {
   if (arguments.check) return {};
   if (arguments.folded.empty() && arguments.flat.empty()) return plan_defaults(arguments, plan);
   for (const std::string& name : arguments.folded) {
-    const bool known = format_by_suffix(name) == OutputFormat::step || suffix_of(name) == ".stl";
-    if (!known) return not_a_name("-o", name, ".step or .stl");
+    const bool known = format_by_suffix(name) == OutputFormat::step || is_mesh_name(name);
+    if (!known) return not_a_name("-o", name, ".step, .stl or .obj");
     plan.folded.emplace_back(name);
   }
   for (const std::string& name : arguments.flat) {

@@ -16,7 +16,7 @@ namespace planish::cli {
 struct MakePlan {
   job::MakeRequest request;
   DxfOptions dxf;
-  std::vector<std::filesystem::path> folded;  ///< STEP files of the folded part
+  std::vector<std::filesystem::path> folded;  ///< files of the folded part
   std::vector<Target> flat;
   std::vector<std::filesystem::path> inputs;  ///< files read: no output may replace them
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/geometry/mesh.hpp>
 #include <planish/job/outputs.hpp>
 
 #include <filesystem>
@@ -26,6 +27,10 @@ std::optional<job::OutputFormat> format_by_suffix(const std::filesystem::path& p
 
 /// "part" for part.step; what comes from standard input has no name of its own: "stdin".
 std::string stem_of(const std::filesystem::path& input);
+
+/// Whether a name's suffix is that of a mesh (.stl, .obj), and the mesh as that suffix asks for it.
+bool is_mesh_name(const std::filesystem::path& path);
+std::string mesh_text(const Mesh& mesh, const std::filesystem::path& path, const std::string& name);
 
 /// The files among the values of options: neither empty nor "-".
 std::vector<std::filesystem::path> files_named(const std::vector<std::string>& values);

@@ -4,8 +4,6 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
-#include <planish/brep/step.hpp>
-#include <planish/io/mesh_writers.hpp>
 #include <planish/job/transition.hpp>
 
 #include <fmt/format.h>
@@ -13,7 +11,6 @@
 namespace planish::cli {
 namespace {
 
-using job::TransitionPiece;
 using job::TransitionReport;
 
 std::string failed_json(const job::MakeRequest& request, const Error& error) {
@@ -26,25 +23,23 @@ std::filesystem::path name_of_piece(const std::filesystem::path& path, std::size
   return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
 }
 
-// The folded piece as the name of its file asks for it.
-Result<std::string> folded_text(const TransitionPiece& piece, const std::filesystem::path& path) {
-  if (suffix_of(path) != ".stl") return piece.solid;
-  const auto mesh = folded_mesh(piece.folded);
-  if (!mesh) return tl::unexpected(mesh.error());
-  return stl_binary(*mesh, piece.body);
-}
-
-// All files, or the first reason why one cannot be composed.
+// All files, or the first reason why one cannot be composed. A mesh is that of the whole surface.
 Result<std::vector<File>> files_of(const TransitionReport& report, const MakePlan& plan) {
   std::vector<File> files;
   const std::size_t count = report.pieces.size();
   DxfOptions dxf = plan.dxf;
   dxf.units = report.units;
+  for (const auto& path : plan.folded) {
+    if (!is_mesh_name(path)) continue;
+    const auto mesh = transition_mesh(report.spec);
+    if (!mesh) return tl::unexpected(mesh.error());
+    files.push_back({path, mesh_text(*mesh, path, report.body)});
+  }
   for (std::size_t i = 0; i < count; ++i) {
     for (const auto& path : plan.folded) {
-      auto text = folded_text(report.pieces[i], path);
-      if (!text) return tl::unexpected(text.error());
-      files.push_back({name_of_piece(path, i, count), std::move(*text)});
+      if (is_mesh_name(path)) continue;
+      if (!report.pieces[i].solid) return tl::unexpected(report.pieces[i].solid.error());
+      files.push_back({name_of_piece(path, i, count), *report.pieces[i].solid});
     }
     for (const Target& target : plan.flat) {
       auto text = job::composed(report.pieces[i], target.format, dxf);

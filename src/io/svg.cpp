@@ -101,7 +101,12 @@ std::string bend_lines(const FlatPattern& pattern, double font) {
 
 std::string label_text(const FlatBend& bend) {
   // Words, not arrows: an arrow turned with its line no longer points up or down.
-  return fmt::format("{} {} {}° R{}", bend.id, bend.direction == BendDirection::up ? "UP" : "DOWN",
+  const std::string direction = bend.direction == BendDirection::up ? "UP" : "DOWN";
+  const bool pressed = bend.line_angles.size() > 1 && bend.line_angles.front() < bend.angle;
+  if (pressed)
+    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(),
+                       svg_number(bend.line_angles.front().degrees(), 2));
+  return fmt::format("{} {} {}° R{}", bend.id, direction,
                      svg_number(bend.angle.degrees(), 2), svg_number(bend.inside_radius, 2));
 }
 

@@ -14,6 +14,9 @@ namespace {
 /// Outlines are held to this, because nets are compared with closed forms and with each other (mm).
 constexpr double kOutline = 1e-7;
 
+/// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
+constexpr double kFolded = 1e-8;
+
 TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
   TransitionReport report;
   report.input = request.input.string();
@@ -29,10 +32,10 @@ FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request
   return options;
 }
 
-std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, double tip_area, const TransitionSpec& spec,
+std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const FoldedPiece& folded, const TransitionSpec& spec,
                                const MakeRequest& request, const Progress& progress) {
-  if (auto stopped = fold(piece, sheet, piece.folded, piece.solid, progress)) return stopped;
-  sheet.forms_volume = -tip_area * sheet.thickness;
+  if (auto stopped = fold(piece, sheet, folded.sheet, piece.solid, progress)) return stopped;
+  sheet.forms_volume = -folded.tip_area * sheet.thickness;
   piece.sheet = summary_of(sheet);
   return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request), progress);
 }
@@ -54,13 +57,14 @@ void gather(TransitionReport& report) {
 
 std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, const MakeRequest& request,
                           const Progress& progress) {
-  TransitionSpec spec = file.spec;
+  TransitionSpec& spec = report.spec;
+  spec = file.spec;
   if (request.allowance) spec.k_factor = std::get<ConstantK>(*request.allowance).k;
   progress.at("finding the surface", 0.0);
   auto made = make_transition(spec, {}, progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
-  auto folded = folded_pieces(spec);
+  auto folded = folded_pieces(spec, {.tolerance = kFolded});
   if (!folded) return placed(folded.error(), place_name(report.input));
   auto& sheets = report.transition.pieces;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
@@ -68,8 +72,7 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
     piece.input = report.input;
     piece.units = report.units;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
-    piece.folded = std::move((*folded)[i].sheet);
-    auto wrong = lay_piece(piece, sheets[i], (*folded)[i].tip_area, spec, request, progress);
+    auto wrong = lay_piece(piece, sheets[i], (*folded)[i], spec, request, progress);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

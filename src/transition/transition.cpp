@@ -1,4 +1,5 @@
 #include "seams.hpp"
+#include "surface_mesh.hpp"
 
 #include <planish/transition/transition.hpp>
 
@@ -345,6 +346,13 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
     }
   }
   return pieces;
+}
+
+Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord, const TransitionOptions& options) {
+  if (!(chord > 0.0)) return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  const auto division = divided(spec, options);
+  if (!division) return tl::unexpected(division.error());
+  return surface_mesh(division->ring, chord);
 }
 
 }  // namespace planish

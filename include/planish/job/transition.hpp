@@ -12,7 +12,6 @@ namespace planish::job {
 
 /// One piece of a transition, laid flat.
 struct TransitionPiece : Report {
-  Sheet folded;  ///< as a solid is made of it
   /// The folded solid as STEP text, or why the kernel could make none (a warning of the report); empty in a
   /// report refused before.
   Result<std::string> solid;
@@ -21,6 +20,7 @@ struct TransitionPiece : Report {
 /// What came of a request to make a transition: of the only piece, or of all of several, whose findings it
 /// has too.
 struct TransitionReport : Report {
+  TransitionSpec spec;
   Transition transition;
   std::vector<TransitionPiece> pieces;
 };

@@ -2,6 +2,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/base/progress.hpp>
+#include <planish/geometry/mesh.hpp>
 #include <planish/sheet/sheet.hpp>
 #include <planish/transition/profile.hpp>
 
@@ -110,6 +111,11 @@ struct TransitionOptions {
 /// the hull), `radius_too_small` (thickness too large for a profile or a bend).
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options = {},
                                    const Progress& progress = {});
+
+/// Triangles of the neutral surface, its outside facing out: facets leave it by about `chord` (mm) at most. A
+/// closed ring without a seam; corners that lie on one ruling are shared. Errors: those of `make_transition`,
+/// `bad_option` (chord not positive).
+Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord = 0.05, const TransitionOptions& options = {});
 
 /// The same pieces with their tips cut off, for solids. Errors: those of `make_transition`.
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options = {});

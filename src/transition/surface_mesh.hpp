@@ -1,0 +1,12 @@
+#pragma once
+
+#include "seams.hpp"
+
+#include <planish/geometry/mesh.hpp>
+
+namespace planish::transition_detail {
+
+/// Triangles of all strips of a ring, which is closed.
+Mesh surface_mesh(const Ring& ring, double chord);
+
+}  // namespace planish::transition_detail
