@@ -255,8 +255,9 @@ def drawn(facets, azimuth, elevation, size):
     view = View(azimuth, elevation, facets, size * SUPERSAMPLING)
     picture = Picture(view.width, view.height)
     for facet in facets:
-        if dot(facet.normal, view.towards) > 0:
-            picture.fill([view.point(p) for p in facet.corners], view.shade(facet.normal))
+        # Of solids no back is seen; of open surfaces it is the inside.
+        normal = facet.normal if dot(facet.normal, view.towards) > 0 else minus((0, 0, 0), facet.normal)
+        picture.fill([view.point(p) for p in facet.corners], view.shade(normal))
     width = {INK: max(2.2, size / 400) * SUPERSAMPLING / 1.25,
              THIN_INK: max(1.2, size / 800) * SUPERSAMPLING / 1.25}
     for (a, b), ink in sorted(lines_of(facets, view.towards), key=lambda line: -line[1]):
