@@ -152,7 +152,7 @@ Sheet split_bend(BendDirection direction, bool spline) {
   if (spline) back = CubicSpline{{q, q + 0.1 * (p - q), q + 0.5 * (p - q), p}};
 
   SheetBuilder builder(1.5);
-  const BendId id = builder.new_bend({BendKind::cylinder, {}, turn.angle, 10, sense < 0});
+  const BendId id = builder.new_bend({BendKind::cylinder, {}, turn.angle, 10, sense < 0, {}});
   const FaceId first = builder.bend_face(
       id, cylinder, sense,
       {{Segment{uv(0, 50), uv(0, 0)}, Segment{uv(0, 0), p}, Segment{p, q}, Segment{q, uv(0, 50)}}});

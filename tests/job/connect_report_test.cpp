@@ -1,4 +1,5 @@
 #include "connected.hpp"
+#include "folded.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/job/connect.hpp>
