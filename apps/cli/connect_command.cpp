@@ -19,7 +19,7 @@ std::string failed_json(const job::MakeRequest& request, const Error& error) {
 // The folded part as the name of its file asks for it.
 Result<std::string> folded_text(const ConnectReport& report, const std::filesystem::path& path) {
   if (!is_mesh_name(path)) return report.solid;
-  const auto mesh = folded_mesh(report.connection.sheet);
+  const auto mesh = folded_mesh(with_open_seam(report.connection.sheet));
   if (!mesh) return tl::unexpected(mesh.error());
   return mesh_text(*mesh, path, stem_of(report.input));
 }

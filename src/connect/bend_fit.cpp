@@ -113,7 +113,7 @@ Result<void> check_radii(const FitTask& task, const BendFit& fit) {
   const auto [low, high] = levels(fit);
   for (const double level : {low, high}) {
     const double radius = fit.surface.radius(level);
-    if (radius - 0.5 * task.thickness >= kSmallestInsideRadius) continue;
+    if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - 1e-9)) continue;
     return fail(ErrorCode::radius_too_small,
                 fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of {:.4g} "
                             "mm at one end and needs more than {:.4g} mm",
@@ -146,6 +146,10 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice, co
 }
 
 Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
+  if (frame.parallel() && (is_conical(task.request) || task.request.inside_radii || task.request.aperture ||
+                           task.request.surface == SurfaceChoice::general))
+    return fail(ErrorCode::no_bend_fits,
+                "plates in parallel planes are joined by half a cylinder: leave surface, slope, aperture and inside_radii out", "/surface");
   if (!frame.parallel() || !task.request.inside_radius) return {};
   const double fixed = 0.5 * (frame.rise.norm() - task.thickness);
   if (std::abs(*task.request.inside_radius - fixed) <= kSmallestInsideRadius) return {};
@@ -203,6 +207,11 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const 
 }  // namespace
 
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
+  if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
+    return tl::unexpected(at(task, {ErrorCode::radius_too_small,
+                                    fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm",
+                                                *task.request.inside_radius, kSmallestInsideRadius),
+                                    "/inside_radius"}));
   const auto choice = search_pair(task, options);
   if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);

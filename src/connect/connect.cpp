@@ -32,12 +32,22 @@ Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure, cons
 Result<void> check_apart(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
                          const ConnectOptions& options) {
   for (std::size_t a = 0; a < plates.size(); ++a)
-    for (std::size_t b = a + 1; b < plates.size(); ++b)
+    for (std::size_t b = a + 1; b < plates.size(); ++b) {
       if (const auto at = intersection(plates[a], plates[b], options.planarity))
         return fail(ErrorCode::plates_intersect,
                     fmt::format("plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
                                 structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
                     fmt::format("/plates/{}", b));
+      auto near = too_near(plates[a], plates[b], structure.thickness);
+      if (!near) near = too_near(plates[b], plates[a], structure.thickness);
+      if (near)
+        return fail(ErrorCode::plates_touch,
+                    fmt::format("plates \"{}\" and \"{}\" are {:.4g} mm apart at ({:.6g}, {:.6g}, {:.6g}), where sheets of {:.4g} mm need {:.4g} "
+                                "mm between their middles: move them apart",
+                                structure.plates[a].id, structure.plates[b].id, near->distance, near->at.x(), near->at.y(), near->at.z(),
+                                structure.thickness, near->needed),
+                    fmt::format("/plates/{}", b));
+    }
   return {};
 }
 

@@ -142,6 +142,10 @@ std::array<std::vector<int>, 2> PairChoice::edges(const EdgeChoice& choice) cons
   return result;
 }
 
+bool is_conical(const BendRequest& request) {
+  return request.surface == SurfaceChoice::cone || request.slope.value_or(0.0) != 0.0;
+}
+
 double least_height(const FitTask& task, const BendFrame& frame) {
   return tangent_distance(frame, kSmallestInsideRadius + 0.5 * task.thickness);
 }
@@ -160,7 +164,7 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
   if (request.surface == SurfaceChoice::general) return line;
   line.slope = request.slope;
   line.apex = request.apex;
-  const bool rolled = request.inside_radius && request.surface != SurfaceChoice::cone;
+  const bool rolled = request.inside_radius && !is_conical(request);
   if (request.surface == SurfaceChoice::cylinder || rolled) line.slope = 0.0;
   if (rolled) line.offset = -tangent_distance(frame, *request.inside_radius + 0.5 * thickness);
   return line;

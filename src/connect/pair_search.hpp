@@ -29,6 +29,9 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
 /// Inside radii below this are none: a solid needs a cylinder there, mm.
 inline constexpr double kSmallestInsideRadius = 1e-3;
 
+/// Whether a cone is asked for, by name or by its slope.
+bool is_conical(const BendRequest& request);
+
 /// Height of the tangent line over the intersection line at which the inside radius is that small.
 double least_height(const FitTask& task, const BendFrame& frame);
 

@@ -3,10 +3,12 @@
 #include "bend_frame.hpp"
 #include "lateral.hpp"
 
+#include <planish/geometry/curve.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace planish::connect_detail {
 namespace {
@@ -73,6 +75,31 @@ std::optional<Vec3> intersection(const PlacedPlate& a, const PlacedPlate& b, dou
   const auto frames = bend_frames(a, b, kind);
   if (frames.empty()) return std::nullopt;
   return crossing(a, b, frames.front());
+}
+
+std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, double thickness) {
+  // Two sheets need half a thickness each: b's counts as far as it leans over a.
+  const double leaning = std::abs(a.frame.z.dot(b.frame.z));
+  const double needed = 0.5 * thickness * (1.0 + leaning);
+  constexpr int kParts = 16;  // of an edge
+  for (int i = 0; i < b.edge_count(); ++i)
+    for (int k = 0; k < kParts; ++k) {
+      const Vec3 from = b.corner(i), to = b.corner((i + 1) % b.edge_count());
+      const Vec3 p = from + double(k) / kParts * (to - from);
+      const Vec3 local = a.frame.local(p);
+      const double distance = std::abs(local.z());
+      if (distance >= needed * (1.0 - kTouch) || !inside({a.outline}, local.head<2>())) continue;
+      // Near a's border a bend or a weld may be meant; further in the sheets are in each other.
+      double to_border = std::numeric_limits<double>::infinity();
+      for (std::size_t j = 0; j < a.outline.size(); ++j) {
+        const Vec2 &c = a.outline[j], &d = a.outline[(j + 1) % a.outline.size()];
+        to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
+      }
+      if (to_border <= thickness) continue;
+      const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) { return inside({hole}, local.head<2>()); });
+      if (!in_hole) return TooNear{p, distance, needed};
+    }
+  return std::nullopt;
 }
 
 }  // namespace planish::connect_detail

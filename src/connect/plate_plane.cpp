@@ -118,6 +118,44 @@ std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
   return corners;
 }
 
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 d = b - a;
+  const double t = std::clamp((p - a).dot(d) / d.squaredNorm(), 0.0, 1.0);
+  return (p - a - t * d).norm();
+}
+
+// A place where the borders of two polygons cross, or come as near as `same`.
+std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second, double same) {
+  const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& { return ring[(i + 1) % ring.size()]; };
+  for (std::size_t i = 0; i < first.size(); ++i)
+    for (std::size_t j = 0; j < second.size(); ++j) {
+      const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
+      if (distance(a, c, d) <= same) return a;
+      if (distance(c, a, b) <= same) return c;
+      const double ca = cross2(b - a, c - a), da = cross2(b - a, d - a), ac = cross2(d - c, a - c), bc = cross2(d - c, b - c);
+      if (ca * da < 0.0 && ac * bc < 0.0) return Vec2(c + ca / (ca - da) * (d - c));
+    }
+  return std::nullopt;
+}
+
+Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>& hole, const std::string& place) {
+  const double same = kSameCorner * placed.extent;
+  if (const auto at = meeting(hole, placed.outline, same))
+    return fail(ErrorCode::self_crossing,
+                fmt::format("the hole touches or crosses the plate's outline at {}: leave material between", text(placed.frame.point(*at))),
+                place);
+  for (std::size_t h = 0; h < placed.holes.size(); ++h) {
+    const auto& other = placed.holes[h];
+    const auto at = meeting(hole, other, same);
+    if (!at && !inside({other}, hole.front()) && !inside({hole}, other.front())) continue;
+    return fail(ErrorCode::self_crossing,
+                fmt::format("the hole overlaps or touches hole {} at {}: make them one", h,
+                            text(placed.frame.point(at.value_or(hole.front())))),
+                place);
+  }
+  return {};
+}
+
 Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::string& pointer,
                        double planarity) {
   for (std::size_t h = 0; h < plate.holes.size(); ++h) {
@@ -133,6 +171,7 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
                     fmt::format("corner {} of the hole at {} lies outside the plate's outline", i,
                                 text(ring[i])),
                     fmt::format("{}/{}", place, i));
+    if (auto apart = check_hole_apart(placed, hole, place); !apart) return apart;
     if (ring_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
     placed.holes.push_back(std::move(hole));
   }

@@ -32,6 +32,9 @@ Result<Beginning> beginning(const FitTask& task) {
     return tl::unexpected(at(task, ErrorCode::invalid_input,
                              "a bend of one plate begins at one of its edges: name it in edges", "/edges"));
   const int edge = edges->front();
+  if (task.taken[0].count(edge) != 0)
+    return tl::unexpected(at(task, ErrorCode::unknown_edge,
+                             fmt::format("edge {} is used by another bend already: each edge carries one", edge), "/edges"));
   const Vec3 from = plate->corner(edge), to = plate->corner((edge + 1) % plate->edge_count());
   const Vec3 d = (to - from).normalized();
   const double up = task.request.angle->radians() > 0.0 ? 1.0 : -1.0;
@@ -88,6 +91,10 @@ std::array<double, 2> free_cone(Beginning& begin, const std::array<double, 2>& i
   return {inside[0] / cosine + 0.5 * thickness, inside[1] / cosine + 0.5 * thickness};
 }
 
+bool conical(const BendRequest& request) {
+  return request.inside_radii && (*request.inside_radii)[0] != (*request.inside_radii)[1];
+}
+
 Result<void> check(const FitTask& task) {
   const BendRequest& request = task.request;
   const auto missing = [&](const std::string& what, const std::string& key) {
@@ -101,6 +108,11 @@ Result<void> check(const FitTask& task) {
     return missing("a section with a free end needs its inside_radius, or inside_radii for a cone", "/inside_radius");
   if (task.plates[0] == nullptr && !(request.length && *request.length > 0.0))
     return missing("a section without plates needs its length", "/length");
+  if (request.surface == SurfaceChoice::cone && !conical(request))
+    return missing("a conical section needs two different inside_radii", "/surface");
+  if (request.surface == SurfaceChoice::general) return missing("a section with a free end is a cylinder or a cone", "/surface");
+  if (request.surface == SurfaceChoice::cylinder && conical(request))
+    return missing("two different inside_radii make a cone, not a cylinder", "/surface");
   const double smallest = request.inside_radii ? std::min((*request.inside_radii)[0], (*request.inside_radii)[1])
                                                : *request.inside_radius;
   if (smallest < kSmallestInsideRadius)
@@ -121,9 +133,8 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
   const double half = 0.5 * task.thickness;
   const double sweep = std::min(std::abs(request.angle->radians()), kFullTurn);
   BendFit fit;
-  const bool conical = request.inside_radii && (*request.inside_radii)[0] != (*request.inside_radii)[1];
   const double radius = request.inside_radii ? (*request.inside_radii)[0] : *request.inside_radius;
-  if (!conical) {
+  if (!conical(request)) {
     if (task.plates[0] == nullptr) begin->start = (radius + half) * Vec3::UnitX();
     roll_cylinder(fit, *begin, radius + half, sweep);
   } else {
@@ -142,11 +153,16 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
   report.angle = fit.surface.turned();
   report.lateral = LateralBoundary::arc;
   report.width = begin->length;
-  if (conical) report.half_angle = Angle::radians(std::atan(fit.surface.tan_half_angle));
+  if (conical(request)) report.half_angle = Angle::radians(std::atan(fit.surface.tan_half_angle));
   const double low = fit.surface.radius(fit.boundaries.low.v[0]) - half;
   const double high = fit.surface.radius(fit.boundaries.high.v[0]) - half;
   report.inside_radius = 0.5 * (low + high);
   report.inside_radii = {low, high};
+  if (request.inside_radii) {
+    // As they were given: left is where the ruling begins.
+    report.inside_radii = *request.inside_radii;
+    report.inside_radius = 0.5 * (report.inside_radii[0] + report.inside_radii[1]);
+  }
   return fit;
 }
 

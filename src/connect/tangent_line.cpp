@@ -158,7 +158,7 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
   const EdgeKind kind = choice.search.best.kind;
   const GivenLine given = given_line(request, choice.frame, task.thickness);
   const double height = least_height(task, choice.frame);
-  auto fit = request.inside_radius && request.surface == SurfaceChoice::cone
+  auto fit = request.inside_radius && is_conical(request)
                  ? by_middle_radius(task, choice, corners)
                  : least_extension(corners, kind, given, height);
   if (!fit) {
@@ -177,6 +177,35 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
         "two radii, or choose a cylinder",
         "/surface"));
   return fit->line;
+}
+
+// What to say of a cone's radius at mid-length that does not fit: the nearest one that does.
+Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
+  const Corners corners = choice.corners(choice.search.best);
+  FitTask tried = task;
+  const auto fits = [&](double radius) {
+    tried.request.inside_radius = radius;
+    const auto fit = by_middle_radius(tried, choice, corners);
+    if (!fit) return false;
+    const double lowest = std::min(fit->line.at(low_x(corners)), fit->line.at(high_x(corners)));
+    return lowest >= least_height(task, choice.frame) && fit->line.slope != 0.0;
+  };
+  const double scale = std::tan(0.5 * choice.frame.beta.radians());
+  const double middle = 0.5 * (low_x(corners) + high_x(corners));
+  const auto free = smallest_extension(corners, choice.search.best.kind, GivenLine{task.request.slope, {}, {}});
+  const double asked = *task.request.inside_radius;
+  std::string remedy = "give another slope, or other edges";
+  if (double good = free ? free->line.at(middle) * scale - 0.5 * task.thickness : -1.0; free && fits(good)) {
+    double bad = asked;
+    constexpr int kHalvings = 50;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double between = 0.5 * (good + bad);
+      (fits(between) ? good : bad) = between;
+    }
+    remedy = fmt::format("the nearest that does is {:.6g} mm", good);
+  }
+  return does_not_fit(fmt::format("a cone with an inside radius of {:.8g} mm at mid-length does not fit between the edges: {}", asked, remedy),
+                      "/inside_radius");
 }
 
 // The largest (facing) or smallest (averted) distance at which a cylinder is tangent to both plates.
@@ -263,10 +292,11 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   const auto choice = search_pair(free, options);
   if (!choice) return choice.error();
   const Corners corners = choice->corners(choice->search.best);
+  if (asked.inside_radius && is_conical(asked)) return nearest_middle_radius(task, *choice);
   if (asked.inside_radius) {
     const std::string range = radius_range(task, *choice);
     if (range.empty()) return too_sharp(task, *choice, corners);
-    return does_not_fit(fmt::format("an inside radius of {:.4g} mm does not fit between the plates: it can be {}",
+    return does_not_fit(fmt::format("an inside radius of {:.8g} mm does not fit between the plates: it can be {}",
                                     *asked.inside_radius, range),
                         "/inside_radius");
   }

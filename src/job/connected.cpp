@@ -22,7 +22,7 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const Progress& progress) {
   report.connection = std::move(connection);
   Sheet& sheet = report.connection.sheet;
-  if (auto stopped = fold(report, sheet, sheet, report.solid, progress)) return stopped;
+  if (auto stopped = fold(report, sheet, with_open_seam(sheet), report.solid, progress)) return stopped;
   report.sheet = summary_of(sheet);
   FlattenOptions options;
   options.allowance = allowance;

@@ -119,6 +119,11 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
     place["angle"].mistake(
         "belongs to a section with a free end; between two plates it follows "
         "from where they lie: leave it out");
+  if (bend.between.size() < 2)
+    for (const char* key : {"slope", "apex", "aperture", "tangent_point", "lateral"})
+      if (place[key].given() && !place[key].is_text("auto") && !place[key].is_text("arc"))
+        place[key].mistake("belongs to a bend between two plates; a section has inside_radius or inside_radii, angle and ends "
+                           "at right angles to its axis: leave it out");
   if (bend.length && !bend.between.empty())
     place["length"].mistake(
         "belongs to a section without plates; beside a plate it follows from "

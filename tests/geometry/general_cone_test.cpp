@@ -330,7 +330,7 @@ TEST(ConeOverDeathTest, RefusesATangentThroughTheApex) {
   const SpaceCurve line = [](double t) -> SpaceCurvePoint {
     return {{t, 0, 0}, {1, 0, 0}, {0, 0, 0}};
   };
-  EXPECT_DEATH(cone_over({-1, 0, 0}, line, 0, 1, 1e-6), "turning");
+  EXPECT_DEATH(cone_over({-1, 0, 0}, line, 0, 1, 1e-6), "b_prime");
   EXPECT_DEATH(cone_over({0, 0, 1}, line, 0, 1, 0.0), "tolerance");
 }
 

@@ -92,6 +92,10 @@ struct ConnectOptions {
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
                            const Progress& progress = {});
 
+/// The sheet as a solid can have it: the ends of a section that turns once round stand 0.01 mm apart, since
+/// a solid may not touch itself. Other sheets stay as they are.
+Sheet with_open_seam(const Sheet& sheet);
+
 /// The same after one plate (found by its id) was moved or changed: which plates are joined stays,
 /// bends that do not touch the plate are kept as they are, the others fitted anew with what was given.
 /// Errors: those of `connect`.

@@ -1,0 +1,45 @@
+#include <planish/connect/connect.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish {
+namespace {
+
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kSeam = 0.01;     // mm between the ends, at the smaller end of cones
+constexpr double kRounding = 1e-9;  // rad
+
+/// Radius of the surface where the face is narrowest; 0 where azimuths mean nothing.
+double narrowest_radius(const Face& face, const Box2& box) {
+  const auto* surface = std::get_if<Developable>(&face.surface);
+  if (surface == nullptr) return 0.0;
+  if (const auto* cylinder = std::get_if<Cylinder>(surface)) return cylinder->radius;
+  if (const auto* cone = std::get_if<Cone>(surface)) return box.lo.y() * std::sin(cone->half_angle);
+  return 0.0;
+}
+
+}  // namespace
+
+Sheet with_open_seam(const Sheet& sheet) {
+  Sheet open = sheet;
+  for (Face& face : open.faces) {
+    Box2 box;
+    for (const Border& border : face.loops.front())
+      box.add(bounds(border.curve));
+    const double radius = narrowest_radius(face, box);
+    if (radius <= 0.0 || box.size().x() < kFullTurn - kRounding) continue;
+    // Only sections of their own close: their borders are segments along and across the rulings.
+    const double share = 1.0 - kSeam / (kFullTurn * radius), first = box.lo.x();
+    for (Border& border : face.loops.front())
+      if (auto* segment = std::get_if<Segment>(&border.curve)) {
+        segment->a.x() = first + share * (segment->a.x() - first);
+        segment->b.x() = first + share * (segment->b.x() - first);
+        border.edge_length = 0.0;
+      }
+  }
+  return open;
+}
+
+}  // namespace planish
