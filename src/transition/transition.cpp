@@ -34,6 +34,12 @@ Result<void> check_numbers(const TransitionSpec& spec) {
   return {};
 }
 
+Result<void> check_frame(const Frame& frame, const char* where) {
+  for (const Vec3& v : {frame.origin, frame.x, frame.y, frame.z})
+    if (!v.allFinite()) return fail(ErrorCode::invalid_input, "a coordinate of the frame is not a finite number", where);
+  return {};
+}
+
 double extent_of(const std::array<Boundary, 2>& boundaries) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Boundary& boundary : boundaries)
@@ -237,6 +243,8 @@ void add_true_lengths(const Ring& ring, const std::vector<StripPart>& parts, con
 
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
   if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.from.frame, "/from/frame"); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.to.frame, "/to/frame"); !sound) return tl::unexpected(sound.error());
   double size = 0.0;
   auto ring = ring_of(spec, options, size);
   if (!ring) return tl::unexpected(ring.error());

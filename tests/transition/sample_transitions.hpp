@@ -67,8 +67,9 @@ inline double flat_area(const Transition& transition, const TransitionSpec& spec
   return area;
 }
 
-/// Whether a border of a piece lies on a profile: all of it in the profile's plane.
+/// Whether a border of a piece runs along a profile: all of it in the profile's plane, and no apex.
 inline bool lies_on(const Face& face, const Border& border, const PlacedProfile& profile) {
+  if (border.edge_length == 0.0) return false;
   for (const double t : {0.0, 0.5, 1.0}) {
     const Vec3 p = profile.frame.local(skin_point(face, point_at(border.curve, t)));
     if (std::abs(p.z()) > 1e-7 * (1.0 + p.norm())) return false;
