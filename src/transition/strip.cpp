@@ -153,7 +153,7 @@ Strip::Pairing Strip::solved(double at) const {
   };
   const double low = share_of(*(above - 1)), high = share_of(*above);
   const double high_b = 2.0 * number_of(*above) - high, low_b = 2.0 * number_of(*(above - 1)) - low;
-  const double share = root_between(
+  const double share = falling_root(
       [&](double s) {
         const auto [value, by_a, by_b] = slopes(s);
         return std::pair{value, by_a - by_b};
