@@ -56,7 +56,7 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
         seams.push_back({first.back().edge_length, last[index].edge_length});
       }
       for (std::size_t i = 0; i < seams.size(); ++i)
-        EXPECT_NEAR(seams[i][1], seams[(i + 1) % seams.size()][0], 1e-9 * whole) << "seed " << seed;
+        EXPECT_NEAR(seams[i][1], seams[(i + 1) % seams.size()][0], 1e-9 * seams[i][1]) << "seed " << seed;
     }
   }
 }
