@@ -285,6 +285,7 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   if (error.code != ErrorCode::no_bend_fits) return error;
   const BendRequest& asked = task.request;
   if (!asked.inside_radius && !asked.slope && !asked.apex) return error;
+  if (error.where == "/surface" || plane_pair(*task.plates[0], *task.plates[1], options.planarity) == PlanePair::parallel) return error;
   FitTask free = task;
   free.request.inside_radius.reset();
   free.request.slope.reset();

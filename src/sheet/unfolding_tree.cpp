@@ -241,7 +241,10 @@ class Grower {
     const auto laid = [&](const Curve2& curve) {
       if (!bend) return transformed(curve, place);
       const Development& development = tree_.development[static_cast<size_t>(index_of(*bend))];
-      return transformed(development.develop(curve, options_.curve_tolerance), place);
+      const Curve2 image = transformed(development.develop(curve, options_.curve_tolerance), place);
+      // A border that becomes a point, as at a cone's apex, is one, not the rounding about it.
+      const bool point = bounds(image).size().norm() <= options_.merge_tolerance;
+      return point ? Curve2(Segment{start_of(image), end_of(image)}) : image;
     };
     std::vector<Loop> images;
     for (const BorderLoop& loop : face.loops) {

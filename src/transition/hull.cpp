@@ -96,11 +96,12 @@ class Walker {
     return {best, best};
   }
 
+  /// Where the slope is largest within an element.
   std::pair<Place, Place> point_on(int element, const Element& curve, const SpaceCurvePoint& line) const {
-    const double t = root_between(
+    const double t = falling_root(
         [&](double s) {
           const SpaceCurvePoint q = curve.curve(s);
-          return std::pair{ahead(line, q), line.derivative.cross(q.second).dot(q.point - line.point)};
+          return std::pair{-ahead(line, q), -line.derivative.cross(q.second).dot(q.point - line.point)};
         },
         curve.t0, curve.t1);
     const Place place = element + (t - curve.t0) / (curve.t1 - curve.t0);
@@ -150,7 +151,7 @@ class Walker {
     const int element = static_cast<int>(std::floor(0.5 * (low + high)));
     const Element& curve = first().element(element);
     const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
-    const double t = root_between(
+    const double t = falling_root(
         [&](double s) {
           const SpaceCurvePoint p = curve.curve(s);
           return std::pair{ahead(p, line), p.second.cross(line.derivative).dot(line.point - p.point)};

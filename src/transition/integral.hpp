@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace planish::transition_detail {
 
@@ -27,6 +28,15 @@ double integral(const Function& f, double a, double b) {
   };
   constexpr int kHalvings = 12;
   return a == b ? 0.0 : halved(halved, a, b, whole, kHalvings);
+}
+
+/// The same from the first to the last of `breaks`, at which f may be less smooth.
+template <typename Function>
+double integral_over(const Function& f, const std::vector<double>& breaks) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i < breaks.size(); ++i)
+    sum += integral(f, breaks[i - 1], breaks[i]);
+  return sum;
 }
 
 }  // namespace planish::transition_detail

@@ -14,6 +14,21 @@ namespace {
 /// Directions that differ by less (sine), lengths by less (share), are the same: of right cones.
 constexpr double kRight = 1e-12;
 
+/// Knots of an element's curve after t0 and before t1, of a closed one round after round; ascending.
+std::vector<double> knots_between(const Element& element, double t0, double t1) {
+  std::vector<double> knots;
+  for (const double t : element.knots) {
+    if (element.period == 0.0) {
+      if (t > t0 && t < t1) knots.push_back(t);
+      continue;
+    }
+    for (double here = t + element.period * std::ceil((t0 - t) / element.period); here < t1; here += element.period)
+      if (here > t0) knots.push_back(here);
+  }
+  std::sort(knots.begin(), knots.end());
+  return knots;
+}
+
 Border border(const Curve2& curve, double length) {
   Border border;
   border.curve = curve;
@@ -24,7 +39,11 @@ Border border(const Curve2& curve, double length) {
 }  // namespace
 
 double arc_length(const Element& element, double t0, double t1) {
-  return integral([&](double t) { return element.curve(t).derivative.norm(); }, t0, t1);
+  if (t1 < t0) return -arc_length(element, t1, t0);
+  std::vector<double> breaks = knots_between(element, t0, t1);
+  breaks.insert(breaks.begin(), t0);
+  breaks.push_back(t1);
+  return integral_over([&](double t) { return element.curve(t).derivative.norm(); }, breaks);
 }
 
 Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance)
@@ -47,6 +66,7 @@ Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double to
       slowest[side] = whole == 0.0 ? 0.0 : std::min(slowest[side], pairing(i / double(kSamples)).rate[side] / whole);
     }
   base_ = slowest[1] > slowest[0] ? 1 : 0;
+  find_breaks();
 }
 
 PatchKind Strip::kind() const {
@@ -133,7 +153,7 @@ Strip::Pairing Strip::solved(double at) const {
   };
   const double low = share_of(*(above - 1)), high = share_of(*above);
   const double high_b = 2.0 * number_of(*above) - high, low_b = 2.0 * number_of(*(above - 1)) - low;
-  const double share = root_between(
+  const double share = falling_root(
       [&](double s) {
         const auto [value, by_a, by_b] = slopes(s);
         return std::pair{value, by_a - by_b};
@@ -198,12 +218,12 @@ double Strip::area(double from, double to) const {
     const auto [p1, q1] = ruling(to);
     return 0.5 * (q1 - p0).cross(q0 - p1).norm();
   }
-  return integral(
+  return integral_over(
       [&](double at) {
         const Local l = local(at);
         return 0.5 * l.length * (l.across + l.far_across);
       },
-      from, to);
+      breaks_between(from, to));
 }
 
 double Strip::border_length(int side, double from, double to) const {
@@ -214,7 +234,7 @@ double Strip::border_length(int side, double from, double to) const {
 }
 
 double Strip::turn(double from, double to) const {
-  return patch_.plane ? 0.0 : integral([&](double at) { return local(at).turn_rate; }, from, to);
+  return patch_.plane || from == to ? 0.0 : integral_over([&](double at) { return local(at).turn_rate; }, breaks_between(from, to));
 }
 
 std::vector<double> Strip::evenly_turned(double from, double to, int count) const {
@@ -354,22 +374,29 @@ Strip::Part Strip::right_part(double from, double to, const Tips& tips) const {
   return part;
 }
 
+void Strip::find_breaks() {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Stretch& stretch = patch_.sides[side];
+    if (!stretch.moves()) continue;
+    for (const double t : knots_between(*curves_[side], stretch.t0, stretch.t1))
+      breaks_.push_back(ruling_at(static_cast<int>(side), t));
+  }
+  std::sort(breaks_.begin(), breaks_.end());
+}
+
+std::vector<double> Strip::breaks_between(double from, double to) const {
+  constexpr double kApart = 1e-9;
+  std::vector<double> breaks{from};
+  for (const double at : breaks_)
+    if (at > breaks.back() + kApart && at < to - kApart) breaks.push_back(at);
+  breaks.push_back(to);
+  return breaks;
+}
+
 Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
   const double cut = (stands(0) ? tips.at_from[0] : 0.0) + (stands(1) ? tips.at_from[1] : 0.0);
   const double sign = base_ == 0 ? 1.0 : -1.0;
-  std::vector<double> breaks{from};
-  for (std::size_t side = 0; side < 2; ++side)
-    for (const double t : curves_[side]->knots) {
-      const Stretch& stretch = patch_.sides[side];
-      const double period = curves_[side]->period;
-      const double first = t + period * std::ceil((stretch.t0 - t) / period);
-      for (double here = first; stretch.moves() && here < stretch.t1; here += period) breaks.push_back(ruling_at(static_cast<int>(side), here));
-    }
-  breaks.push_back(to);
-  constexpr double kApart = 1e-9;
-  std::erase_if(breaks, [&](double at) { return at != from && at != to && (at < from + kApart || at > to - kApart); });
-  std::sort(breaks.begin(), breaks.end());
-  breaks.erase(std::unique(breaks.begin(), breaks.end(), [&](double a, double b) { return b - a < kApart; }), breaks.end());
+  const std::vector<double> breaks = breaks_between(from, to);
   Part part;
   part.from = part.u0 = from;
   part.to = part.u1 = to;

@@ -88,17 +88,22 @@ class Strip {
   };
   Local local(double at) const;
 
+  /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
+  std::vector<double> breaks_between(double from, double to) const;
+
   Part plane_part(double from, double to, const Tips& tips) const;
   Part right_part(double from, double to, const Tips& tips) const;
   Part ruled_part(double from, double to, const Tips& tips) const;
 
   SpaceCurvePoint point(int side, double t) const { return curves_[static_cast<std::size_t>(side)]->curve(t); }
   void find_right();
+  void find_breaks();
 
   std::shared_ptr<const Hull> hull_;
   HullPatch patch_;
   std::array<const Element*, 2> curves_;
   double tolerance_;
+  std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending
   int base_ = 0;  ///< the side that the surface is written about: it moves
   /// Of right cones and cylinders.
   struct Right {

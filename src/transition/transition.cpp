@@ -35,6 +35,12 @@ Result<void> check_numbers(const TransitionSpec& spec) {
   return {};
 }
 
+Result<void> check_frame(const Frame& frame, const char* where) {
+  for (const Vec3& v : {frame.origin, frame.x, frame.y, frame.z})
+    if (!v.allFinite()) return fail(ErrorCode::invalid_input, "a coordinate of the frame is not a finite number", where);
+  return {};
+}
+
 double extent_of(const std::array<Boundary, 2>& boundaries) {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Boundary& boundary : boundaries)
@@ -290,6 +296,8 @@ struct Division {
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
   if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.from.frame, "/from/frame"); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.to.frame, "/to/frame"); !sound) return tl::unexpected(sound.error());
   Division division;
   auto ring = ring_of(spec, options, division.size);
   if (!ring) return tl::unexpected(ring.error());
