@@ -80,7 +80,7 @@ struct Bend {
   Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
   double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest of the middles of their rulings
   bool reference_inside = false;  ///< the reference skin is the inside (concave) one
-  std::vector<PressLine> press_lines;  ///< u growing; empty: one in the middle, or rolled
+  std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
