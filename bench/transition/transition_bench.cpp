@@ -22,8 +22,8 @@ TransitionSpec square_to_round(int lines, double height) {
   return spec;
 }
 
-/// What is seen on a screen: points within some nanometres, outlines within a micrometre.
-constexpr TransitionOptions kDrawn{.tolerance = 1e-8};
+/// What is seen on a screen: points within a tenth of a micrometre, outlines within one.
+constexpr TransitionOptions kDrawn{.tolerance = 1e-7};
 FlattenOptions drawn() {
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "bench"};

@@ -158,11 +158,8 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
   const double high = fit.surface.radius(fit.boundaries.high.v[0]) - half;
   report.inside_radius = 0.5 * (low + high);
   report.inside_radii = {low, high};
-  if (request.inside_radii) {
-    // As they were given: left is where the ruling begins.
-    report.inside_radii = *request.inside_radii;
-    report.inside_radius = 0.5 * (report.inside_radii[0] + report.inside_radii[1]);
-  }
+  // As they were given, of the circles about the axis: left is where the ruling begins.
+  if (request.inside_radii) report.inside_radii = *request.inside_radii;
   return fit;
 }
 

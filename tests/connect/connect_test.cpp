@@ -292,5 +292,31 @@ TEST(Connect, SaysWhyAMovedPlateCannotBeFollowed) {
   EXPECT_EQ(refit(before, s.plates[1]).error().code, ErrorCode::plates_intersect);
 }
 
+TEST(Connect, MakesAConeOfASlopeAndARadius) {
+  PlateStructure s = cone_pair();
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 40.0, .slope = 0.1}};
+  const Connection c = joined(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_EQ(c.bends[0].kind, BendKind::cone);
+  EXPECT_NEAR(c.bends[0].line.slope, 0.1, 1e-12);
+  // At mid-length the tangent line is as far from the intersection line as the radius of the mid-surface.
+  EXPECT_NEAR(c.bends[0].line.at(c.bends[0].frame.local(0, {350, 0, 0}).x()), 41.5, 1e-9);
+}
+
+TEST(Connect, OpensTheSeamOfAFullTurnForASolid) {
+  PlateStructure pipe;
+  pipe.thickness = 2.0;
+  pipe.bends = {{.inside_radius = 50.0, .angle = Angle::degrees(360), .length = 200.0}};
+  const Connection c = joined(pipe);
+  EXPECT_NEAR(flat(c, 0.5).area, 2 * kPi * 51 * 200, 1e-6);
+  const Sheet open = with_open_seam(c.sheet);
+  double widest = 0.0;
+  for (const Border& border : open.faces[0].loops[0])
+    widest = std::max({widest, start_of(border.curve).x(), end_of(border.curve).x()});
+  EXPECT_LT(widest, 2 * kPi - 0.5 * 0.01 / 51);
+  EXPECT_GT(widest, 2 * kPi - 2.0 * 0.01 / 51);
+  EXPECT_EQ(with_open_seam(open).faces[0].loops[0][0].edge_length, open.faces[0].loops[0][0].edge_length);
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -133,5 +133,64 @@ TEST(ConnectRefuses, SectionsThatSayTooLittle) {
   expect_refused(s, ErrorCode::invalid_input, "/bends/0/edges");
 }
 
+TEST(ConnectRefuses, HolesThatMeetTheOutlineOrEachOther) {
+  const auto square = [](double x0, double x1, double y0, double y1) {
+    return std::vector<Vec3>{{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}};
+  };
+  PlateStructure s = angle_pair(14.0);
+  s.plates[0].holes = {square(20, 50, 0, 30)};
+  expect_refused(s, ErrorCode::self_crossing, "/plates/0/holes/0", "outline");
+  for (const auto& second : {square(40, 60, 40, 60), square(30, 40, 35, 45), square(20, 50, 30, 50), square(50, 80, 30, 50)}) {
+    s.plates[0].holes = {square(20, 50, 30, 50), second};
+    expect_refused(s, ErrorCode::self_crossing, "/plates/0/holes/1", "hole 0");
+  }
+  s.plates[0].holes[1] = square(51, 80, 30, 50);
+  EXPECT_TRUE(connect(s));
+}
+
+TEST(ConnectRefuses, AnEdgeThatTwoSectionsBegin) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0})};
+  s.bends = {{.between = {"A"}, .edges = {std::vector{0}}, .inside_radius = 10.0, .angle = Angle::degrees(90)}};
+  s.bends.push_back(s.bends[0]);
+  expect_refused(s, ErrorCode::unknown_edge, "/bends/1/edges", "another bend");
+}
+
+TEST(ConnectRefuses, ConesOfParallelPlatesAndOfSectionsWithOneRadius) {
+  PlateStructure s = u_pair();
+  s.bends = {{.between = {"A", "B"}, .surface = SurfaceChoice::cone}};
+  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/surface", "half a cylinder");
+  s.bends = {{.between = {"A", "B"}, .slope = 0.1}};
+  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/surface");
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 5.0}};
+  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/inside_radius", "18.5");
+  PlateStructure pipe;
+  pipe.thickness = 2.0;
+  pipe.bends = {{.surface = SurfaceChoice::cone, .inside_radius = 50.0, .angle = Angle::degrees(90), .length = 100.0}};
+  expect_refused(pipe, ErrorCode::invalid_input, "/bends/0/surface", "inside_radii");
+}
+
+TEST(ConnectRefuses, PlatesWithinEachOthersThickness) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("A", {0, -50, 0}, {200, 0, 0}, {0, 150, 0}),
+              rectangle_plate("B", {0, 0, 0.5}, {200, 0, 0}, {0, 0, 100})};
+  expect_refused(s, ErrorCode::plates_touch, "/plates/1", "0.5 mm apart");
+}
+
+TEST(ConnectRefuses, ARadiusOfAConeAndNamesTheNearestThatFits) {
+  PlateStructure s = cone_pair();
+  s.bends = {{.between = {"A", "B"}, .surface = SurfaceChoice::cone, .inside_radius = 1e4}};
+  const auto refused = connect(s);
+  ASSERT_FALSE(refused);
+  const std::string& message = refused.error().message;
+  const auto at = message.find("the nearest that does is ");
+  ASSERT_NE(at, std::string::npos) << message;
+  s.bends[0].inside_radius = std::stod(message.substr(at + 25)) * (1.0 - 1e-5);
+  const auto fits = connect(s);
+  EXPECT_TRUE(fits) << fits.error().message;
+}
+
 }  // namespace
 }  // namespace planish::test
