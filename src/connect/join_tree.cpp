@@ -1,5 +1,7 @@
 #include "join_tree.hpp"
 
+#include "bend_frame.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -229,6 +231,13 @@ class TreeSearch {
     if (why_)
       return {why_->code, fmt::format("plate \"{}\" cannot be joined to the others: {}", id, why_->message),
               fmt::format("/plates/{}", p)};
+    for (std::size_t other = 0; other < plates_.size(); ++other)
+      if (static_cast<int>(other) != p &&
+          plane_pair(plates_[static_cast<std::size_t>(p)], plates_[other], options_.planarity) == PlanePair::coplanar)
+        return {ErrorCode::plates_coplanar,
+                fmt::format("plates \"{}\" and \"{}\" lie in one plane, there is nothing to bend between them: make them one plate",
+                            structure_.plates[other].id, id),
+                fmt::format("/plates/{}", p)};
     return {ErrorCode::no_bend_fits,
             fmt::format("plate \"{}\" cannot be joined to the others: no edge of theirs and its own look towards each "
                         "other",

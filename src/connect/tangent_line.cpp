@@ -46,6 +46,17 @@ Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenL
   return fit;
 }
 
+// What `least_extension` leaves of the slopes and offsets that the edges allow.
+std::optional<Range> slopes_with_room(const Corners& corners, EdgeKind kind, double height) {
+  return feasible_slopes(kind == EdgeKind::facing ? shifted(corners, 0.0, height) : corners, kind);
+}
+std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, double slope, double height) {
+  if (kind == EdgeKind::averted) return feasible_offsets(corners, kind, slope);
+  auto range = feasible_offsets(shifted(corners, 0.0, height), kind, slope);
+  if (range) range = Range{range->low - height, range->high - height};
+  return range;
+}
+
 bool touch(const Corners& corners, double extent) {
   return std::all_of(corners.begin(), corners.end(), [&](const auto& side) {
     return std::any_of(side.begin(), side.end(), [&](const Vec2& p) { return p.y() <= kTouching * extent; });
@@ -124,7 +135,7 @@ Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice, c
       if (fit && (!best || fit->area < best->area)) best = *fit;
     }
   if (best) return best->line;
-  const auto slopes = feasible_slopes(corners, kind);
+  const auto slopes = slopes_with_room(corners, kind, height);
   const double steepest = slopes ? std::max(std::abs(slopes->low), std::abs(slopes->high)) : 0.0;
   const double widest = 2.0 * std::atan(std::sin(std::atan(steepest)) * tangent);
   return tl::unexpected(does_not_fit(
@@ -166,8 +177,12 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     return tl::unexpected(fit.error());
   }
   if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
-  const bool tiny = std::abs(fit->line.slope) < options.smallest_slope;
-  if (tiny && fit->line.slope != 0.0 && !given.slope && !given.apex && request.surface != SurfaceChoice::cone) {
+  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it: over a metre its
+  // radius changes by a micrometre.
+  constexpr double kNoSlope = 1e-6;
+  const double slope = std::abs(fit->line.slope);
+  const bool asked = given.slope || given.apex || request.surface == SurfaceChoice::cone;
+  if (slope != 0.0 && slope < (asked ? kNoSlope : options.smallest_slope)) {
     const auto cylinder = least_extension(corners, kind, GivenLine{0.0, {}, {}}, height);
     if (cylinder) return cylinder->line;
   }
@@ -304,12 +319,13 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   const EdgeKind kind = choice->search.best.kind;
   if (const auto within = apex_within(asked, corners)) return *within;
   if (asked.slope) {
-    const auto slopes = feasible_slopes(corners, kind);
+    const double height = least_height(task, choice->frame);
+    const auto slopes = slopes_with_room(corners, kind, height);
     if (slopes && (*asked.slope < slopes->low || *asked.slope > slopes->high || !asked.apex))
       return does_not_fit(fmt::format("a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}",
                                       *asked.slope, slopes->low, slopes->high),
                           "/slope");
-    const auto offsets = feasible_offsets(corners, kind, *asked.slope);
+    const auto offsets = offsets_with_room(corners, kind, *asked.slope, height);
     if (offsets && *asked.slope != 0.0) {
       const double a = offsets->low / *asked.slope, b = offsets->high / *asked.slope;
       return does_not_fit(

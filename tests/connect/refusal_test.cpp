@@ -2,6 +2,7 @@
 
 #include <planish/connect/connect.hpp>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -102,7 +103,8 @@ TEST(ConnectRefuses, PlatesInOnePlaneOrBesideEachOther) {
 TEST(ConnectRefuses, ValuesThatDoNotFitAndSaysWhichDo) {
   PlateStructure s = cone_pair(0.2, 200, 500);
   s.bends = {{.between = {"A", "B"}, .slope = 0.5}};
-  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/slope", "0.333333");
+  // From half the thickness and the smallest radius above the line at x = 200 to the edge at x = 500, y = 100.
+  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/slope", fmt::format("{:.6g}", (100.0 - 1.501) / 300.0));
   s.bends = {{.between = {"A", "B"}, .aperture = Angle::degrees(80)}};
   expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/aperture", "up to");
   s.bends = {{.between = {"A", "B"}, .inside_radii = std::array{10.0, 400.0}}};
