@@ -194,9 +194,18 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
   return fit->line;
 }
 
+Error slope_beyond(double slope, const Range& slopes) {
+  return does_not_fit(fmt::format("a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}", slope,
+                                  slopes.low, slopes.high),
+                      "/slope");
+}
+
 // What to say of a cone's radius at mid-length that does not fit: the nearest one that does.
 Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   const Corners corners = choice.corners(choice.search.best);
+  if (const auto slopes = slopes_with_room(corners, choice.search.best.kind, least_height(task, choice.frame));
+      task.request.slope && slopes && (*task.request.slope < slopes->low || *task.request.slope > slopes->high))
+    return slope_beyond(*task.request.slope, *slopes);
   FitTask tried = task;
   const auto fits = [&](double radius) {
     tried.request.inside_radius = radius;
@@ -322,9 +331,7 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
     const double height = least_height(task, choice->frame);
     const auto slopes = slopes_with_room(corners, kind, height);
     if (slopes && (*asked.slope < slopes->low || *asked.slope > slopes->high || !asked.apex))
-      return does_not_fit(fmt::format("a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}",
-                                      *asked.slope, slopes->low, slopes->high),
-                          "/slope");
+      return slope_beyond(*asked.slope, *slopes);
     const auto offsets = offsets_with_room(corners, kind, *asked.slope, height);
     if (offsets && *asked.slope != 0.0) {
       const double a = offsets->low / *asked.slope, b = offsets->high / *asked.slope;
