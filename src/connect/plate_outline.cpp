@@ -104,12 +104,30 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
     append(outline, points[j], points[j + 1], j == path.joint ? on.bend : -1, same);
 }
 
+// A corner that lies on a piece which does not end there: the extension runs back to the plate, over it.
+std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
+  const std::size_t n = ring.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      if (j == i || (j + 1) % n == i) continue;
+      if (nearest(Segment{ring[j], ring[(j + 1) % n]}, ring[i]).distance <= same) return ring[i];
+    }
+  return std::nullopt;
+}
+
 Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate, const std::string& id) {
   std::vector<Vec2> ring;
   for (const Piece& piece : outline.pieces)
     ring.push_back(piece.a);
   const auto crossings = self_crossings(ring);
-  if (crossings.empty() && ring_area(ring) > 0.0) return {};
+  if (crossings.empty() && ring_area(ring) > 0.0) {
+    if (const auto at = touching(ring, kSame * plate.extent))
+      return fail(ErrorCode::no_common_width,
+                  fmt::format("the bend that fits best begins beside the edges of plate {}, where its extension would run over the plate at "
+                              "({:.6g}, {:.6g}, {:.6g}): choose other edges or move a plate",
+                              id, plate.frame.point(*at).x(), plate.frame.point(*at).y(), plate.frame.point(*at).z()));
+    return {};
+  }
   const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
   return fail(ErrorCode::overlap,
               fmt::format("the extensions of plate {} that its bends need run into each other or over the plate, near "
