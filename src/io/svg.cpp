@@ -103,9 +103,11 @@ std::string label_text(const FlatBend& bend) {
   // Words, not arrows: an arrow turned with its line no longer points up or down.
   const std::string direction = bend.direction == BendDirection::up ? "UP" : "DOWN";
   const bool pressed = bend.line_angles.size() > 1 && bend.line_angles.front() < bend.angle;
-  if (pressed)
-    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(),
-                       svg_number(bend.line_angles.front().degrees(), 2));
+  if (pressed) {
+    const auto [least, most] = std::ranges::minmax(bend.line_angles);
+    const std::string from = svg_number(least.degrees(), 2), to = svg_number(most.degrees(), 2);
+    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(), from == to ? from : from + " … " + to);
+  }
   return fmt::format("{} {} {}° R{}", bend.id, direction,
                      svg_number(bend.angle.degrees(), 2), svg_number(bend.inside_radius, 2));
 }
@@ -144,7 +146,24 @@ double half_width(const FlatBend& bend, const Segment& line) {
   return width;
 }
 
-std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font) {
+std::vector<std::vector<Vec2>> rings(const FlatPattern& pattern, double chord) {
+  std::vector<std::vector<Vec2>> rings;
+  if (!pattern.outer.loop.empty()) rings.push_back(sampled(pattern.outer.loop, chord));
+  for (const Contour& opening : pattern.openings)
+    rings.push_back(sampled(opening.loop, chord));
+  return rings;
+}
+
+std::vector<PlacedLabel> point_labels(const FlatPattern& pattern, double font) {
+  constexpr double kSmaller = 0.75;  // than the bends' labels
+  if (pattern.labels.empty()) return {};
+  std::vector<PointRequest> requests;
+  for (const FlatLabel& label : pattern.labels)
+    requests.push_back({label.text, label.at});
+  return place_point_labels(requests, rings(pattern, 0.1 * font), obstacles(pattern, font), kSmaller * font);
+}
+
+std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font, const std::vector<PlacedLabel>& points) {
   const auto by_length = [](const Segment& a, const Segment& b) {
     return (a.b - a.a).norm() < (b.b - b.a).norm();
   };
@@ -156,20 +175,19 @@ std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font) {
     requests.push_back({label_text(bend), line, half_width(bend, line)});
     directions.push_back(bend.direction);
   }
-  const auto placed = place_labels(requests, obstacles(pattern, font), font);
+  const auto placed = place_labels(requests, obstacles(pattern, font), font, points);
   std::vector<BendLabel> labels;
   for (std::size_t i = 0; i < placed.size(); ++i)
     labels.push_back({placed[i], directions[i]});
   return labels;
 }
 
-std::string label_element(const BendLabel& bend) {
-  const PlacedLabel& label = bend.label;
+std::string label_element(const PlacedLabel& label, const char* color) {
   return fmt::format(
       "<text transform=\"translate({}) rotate({})\" y=\"{}\" font-size=\"{}\" fill=\"{}\" "
       "stroke-width=\"{}\">{}</text>\n",
       svg_point(label.center), svg_number(-Angle::radians(label.angle).degrees(), 3),
-      svg_number(0.36 * label.font), svg_number(label.font), color_of(bend.direction),
+      svg_number(0.36 * label.font), svg_number(label.font), color,
       svg_number(0.22 * label.font), xml_escaped(label.text));
 }
 
@@ -184,13 +202,15 @@ std::string leaders(const std::vector<BendLabel>& bends, double font) {
   return text + "</g>\n";
 }
 
-std::string labels(const std::vector<BendLabel>& bends) {
+std::string labels(const std::vector<BendLabel>& bends, const std::vector<PlacedLabel>& points) {
   // A pale rim keeps the letters apart from a line they have to cross.
   std::string text =
       "<g class=\"labels\" text-anchor=\"middle\" stroke=\"#ffffff\" stroke-opacity=\"0.75\" "
       "stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
+  for (const PlacedLabel& point : points)
+    text += label_element(point, kOutlineColor);
   for (const BendLabel& bend : bends)
-    text += label_element(bend);
+    text += label_element(bend.label, color_of(bend.direction));
   return text + "</g>\n";
 }
 
@@ -302,12 +322,17 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
       "stroke-linejoin=\"round\" d=\"{}\"/>\n",
       kOutlineColor, svg_number(line_width(font)), path);
   if (options.labels) {
-    const std::vector<BendLabel> bends = bend_labels(pattern, font);
-    for (const BendLabel& bend : bends) {
-      for (const Vec2& corner : corners(bend.label))
+    const std::vector<PlacedLabel> points = point_labels(pattern, font);
+    const std::vector<BendLabel> bends = bend_labels(pattern, font, points);
+    const auto make_room = [&](const PlacedLabel& label) {
+      for (const Vec2& corner : corners(label))
         body.add(corner);
-    }
-    content += leaders(bends, font) + labels(bends);
+    };
+    for (const PlacedLabel& point : points)
+      make_room(point);
+    for (const BendLabel& bend : bends)
+      make_room(bend.label);
+    content += leaders(bends, font) + labels(bends, points);
   }
   if (options.legend) content += legend(notes_of(pattern, part, font), font, body);
 

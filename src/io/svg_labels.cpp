@@ -1,7 +1,10 @@
 #include "svg_labels.hpp"
 
+#include <planish/geometry/region.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <ranges>
 
@@ -103,6 +106,50 @@ std::vector<PlacedLabel> beside(const LabelRequest& request, double font) {
   return places;
 }
 
+/// The places round a point, as near as the text may come in each direction and a little further.
+std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
+  constexpr int kDirections = 32;
+  const Vec2 half = 0.5 * Vec2(text_width(request.text, font), kBoxHeight * font);
+  std::vector<PlacedLabel> places;
+  for (int i = 0; i < kDirections; ++i) {
+    const double turn = 2.0 * pi * i / kDirections;
+    const Vec2 direction(std::cos(turn), std::sin(turn));
+    const double reach = half.cwiseQuotient(direction.cwiseAbs().cwiseMax(1e-9)).minCoeff();
+    places.push_back({request.text, request.at + (reach + 0.3 * font) * direction, 0.0, font, {}});
+  }
+  return places;
+}
+
+/// Those that come as near to a point as its label may.
+std::vector<Segment> near_point(const std::vector<Segment>& segments, const PointRequest& request, double font) {
+  const double reach = text_width(request.text, font) + 2.0 * font;
+  std::vector<Segment> near;
+  std::ranges::copy_if(segments, std::back_inserter(near), [&](const Segment& segment) {
+    const Vec2 low = segment.a.cwiseMin(segment.b).array() - reach, high = segment.a.cwiseMax(segment.b).array() + reach;
+    return (request.at.array() >= low.array()).all() && (request.at.array() <= high.array()).all();
+  });
+  return near;
+}
+
+/// All labels in one size that find a place.
+std::vector<PlacedLabel> beside_points(const std::vector<PointRequest>& requests, const std::vector<std::vector<Vec2>>& rings,
+                                       const std::vector<Segment>& obstacles, double font) {
+  std::vector<PlacedLabel> placed;
+  for (const PointRequest& request : requests) {
+    const std::vector<Segment> near = near_point(obstacles, request, font);
+    const auto free = [&](const PlacedLabel& label) {
+      return std::ranges::none_of(near, [&](const Segment& line) { return meets(label, line); }) &&
+             std::ranges::none_of(placed, [&](const PlacedLabel& other) { return meets(label, other); });
+    };
+    auto places = round_point(request, font);
+    const auto within = [&](const PlacedLabel& label) { return inside(rings, label.center); };
+    std::ranges::stable_partition(places, std::not_fn(within));
+    const auto place = std::ranges::find_if(places, free);
+    if (place != places.end()) placed.push_back(*place);
+  }
+  return placed;
+}
+
 PlacedLabel place(const LabelRequest& request, const std::vector<PlacedLabel>& placed,
                   const std::vector<Segment>& obstacles, double font) {
   std::vector<PlacedLabel> places;
@@ -142,12 +189,23 @@ std::vector<Vec2> corners(const PlacedLabel& label) {
   return result;
 }
 
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                      const std::vector<Segment>& obstacles, double font) {
-  std::vector<PlacedLabel> placed;
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Segment>& obstacles,
+                                      double font, const std::vector<PlacedLabel>& there) {
+  std::vector<PlacedLabel> placed = there;
   for (const LabelRequest& request : requests)
     placed.push_back(place(request, placed, obstacles, font));
+  placed.erase(placed.begin(), placed.begin() + static_cast<std::ptrdiff_t>(there.size()));
   return placed;
+}
+
+std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests, const std::vector<std::vector<Vec2>>& rings,
+                                            const std::vector<Segment>& obstacles, double font) {
+  std::vector<PlacedLabel> best;
+  for (double size = font; size > kSmallest * font && best.size() < requests.size(); size *= 0.85) {
+    auto placed = beside_points(requests, rings, obstacles, size);
+    if (placed.size() > best.size()) best = std::move(placed);
+  }
+  return best;
 }
 
 }  // namespace planish

@@ -74,6 +74,9 @@ Json flat_json(const Report& report, const Units& units, const BendDetails& deta
     json["bends"].push_back(bend_json(bend, ++order, units));
     if (details) details(json["bends"].back(), bend);
   }
+  if (!flat.labels.empty()) json["labels"] = Json::array();
+  for (const FlatLabel& label : flat.labels)
+    json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});
   json["features"] = Json::array();
   for (const FlatFeature& feature : flat.features) {
     json["features"].push_back(feature_json(feature, units));

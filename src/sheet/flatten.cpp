@@ -60,6 +60,7 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
   }
   for (FlatFeature& feature : pattern.features)
     for (Loop& outline : feature.outlines) outline = transformed(outline, motion);
+  for (FlatLabel& label : pattern.labels) label.at = motion * label.at;
   for (Isometry2& placement : pattern.placement) placement = motion * placement;
   for (Loop& outline : pattern.face_outlines) outline = transformed(outline, motion);
   for (auto& openings : pattern.face_openings)
@@ -129,6 +130,8 @@ Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& o
   pattern.neutral_offset = tree->neutral_offset;
   pattern.closure = tree->closure;
   add_features(sheet, *tree, *contours, options.merge_tolerance, pattern);
+  for (const PointLabel& label : sheet.labels)
+    pattern.labels.push_back({tree->image(sheet, label.face, label.at), label.text});
   add_face_outlines(*tree, pattern);
   if (other_side_up(pattern, options.up)) {
     Isometry2 mirror = Isometry2::Identity();

@@ -118,7 +118,21 @@ class Cutter {
     return fail(ErrorCode::invalid_input, "the first profile has no sides to make a piece of each: give 1 or 2 pieces", "/pieces");
   }
 
+  /// Cuts that would leave a sliver of a strip go to its end.
+  Cut settled(const Cut& cut) const {
+    const double sliver = kSliver * perimeter();
+    const auto narrow = [&](double from, double to) {
+      const Strip& strip = ring_.strip(cut.strip);
+      return std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) <= sliver;
+    };
+    if (cut.at > 0.0 && narrow(cut.at, 1.0)) return {(cut.strip + 1) % ring_.count(), 0.0};
+    return narrow(0.0, cut.at) ? Cut{cut.strip, 0.0} : cut;
+  }
+
  private:
+  /// Share of the first profile's length.
+  static constexpr double kSliver = 1e-9;
+
   int edge_of(const Stretch& stretch) const { return boundary_.edge_of[static_cast<std::size_t>(stretch.element)]; }
 
   static double length_between(const Element& element, double t0, double t1) {
@@ -199,9 +213,7 @@ class Cutter {
               return std::pair{ring_.strip(i).turn(0.0, ruling) - left, here};
             },
             0.0, 1.0);
-        constexpr double kAtEnd = 1e-9;
-        if (at > 1.0 - kAtEnd) return {(i + 1) % ring_.count(), 0.0};
-        return {i, at < kAtEnd ? 0.0 : at};
+        return {i, at};
       }
       turned += here;
     }
@@ -216,21 +228,22 @@ class Cutter {
 
 Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces) {
   const Cutter cutter(ring);
+  std::vector<Cut> cuts;
   if (pieces == Pieces::per_side) {
-    auto cuts = cutter.between_edges();
-    if (!cuts) return cuts;
-    std::sort(cuts->begin(), cuts->end());
-    return cuts;
+    auto sides = cutter.between_edges();
+    if (!sides) return sides;
+    cuts = std::move(*sides);
+  } else {
+    const Result<Cut> first =
+        seam ? std::visit([&](const auto& given) { return cutter.at(given); }, *seam) : Result<Cut>(cutter.shortest());
+    if (!first) return tl::unexpected(first.error());
+    cuts = {*first};
+    if (pieces == Pieces::two) cuts.push_back(cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter()));
   }
-  const Result<Cut> first =
-      seam ? std::visit([&](const auto& given) { return cutter.at(given); }, *seam) : Result<Cut>(cutter.shortest());
-  if (!first) return tl::unexpected(first.error());
-  std::vector<Cut> cuts{*first};
-  if (pieces == Pieces::two) {
-    const Cut opposite = cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter());
-    if (opposite != *first) cuts.push_back(opposite);
-  }
+  for (Cut& cut : cuts)
+    cut = cutter.settled(cut);
   std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   return cuts;
 }
 

@@ -237,40 +237,61 @@ double Strip::turn(double from, double to) const {
   return patch_.plane || from == to ? 0.0 : integral_over([&](double at) { return local(at).turn_rate; }, breaks_between(from, to));
 }
 
-std::vector<double> Strip::evenly_turned(double from, double to, int count) const {
-  // Behind each of some rulings lies so much turning, which grows at the rate there: a Hermite cubic between.
+template <typename Rate>
+std::vector<double> Strip::divided(const Rate& rate, double from, double to, int count) const {
+  // Behind each of some rulings, breaks among them, lies so much of the integral.
   constexpr int kParts = 32;
   struct Station {
-    double at = 0.0, behind = 0.0, rate = 0.0;
+    double at = 0.0, behind = 0.0;
   };
-  std::vector<Station> stations;
-  for (int i = 0; count > 0 && i <= kParts; ++i) {
-    Station station{std::lerp(from, to, i / double(kParts)), 0.0, 0.0};
-    station.rate = local(station.at).turn_rate;
-    if (i > 0) {
-      const Station& last = stations.back();
-      const double step = station.at - last.at;
-      const double middle_rate = local(last.at + 0.5 * step).turn_rate;
-      station.behind = last.behind + step / 6.0 * (last.rate + 4.0 * middle_rate + station.rate);
+  std::vector<Station> stations{{from, 0.0}};
+  const std::vector<double> breaks = breaks_between(from, to);
+  for (std::size_t piece = 1; piece < breaks.size(); ++piece) {
+    const double low = breaks[piece - 1], high = breaks[piece];
+    const int parts = static_cast<int>(std::ceil(kParts * (high - low) / (to - from)));
+    for (int i = 1; i <= parts; ++i) {
+      const Station last = stations.back();
+      const double at = std::lerp(low, high, i / double(parts));
+      stations.push_back({at, last.behind + short_integral(rate, last.at, at)});
     }
-    stations.push_back(station);
   }
-  std::vector<double> rulings;
-  for (int i = 0; i < count; ++i) {
-    const double wanted = (i + 0.5) / count * stations.back().behind;
-    const auto above = std::find_if(stations.begin() + 1, stations.end() - 1, [&](const Station& s) { return s.behind >= wanted; });
-    const Station &a = *(above - 1), &b = *above;
-    const double step = b.at - a.at;
-    rulings.push_back(root_between(
-        [&](double at) {
-          const double s = (at - a.at) / step, rise = b.behind - a.behind;
-          const double behind = a.behind + s * (step * a.rate + s * (3.0 * rise - step * (2.0 * a.rate + b.rate) +
-                                                                      s * (step * (a.rate + b.rate) - 2.0 * rise)));
-          return std::pair{behind - wanted, std::lerp(a.rate, b.rate, s)};
-        },
-        a.at, b.at));
+  std::vector<double> rulings{from};
+  auto above = stations.begin() + 1;
+  for (int i = 1; i < 2 * count; ++i) {
+    const double wanted = 0.5 * i / count * stations.back().behind;
+    while (above->behind < wanted && above + 1 != stations.end())
+      ++above;
+    const Station& below = *(above - 1);
+    double at = std::lerp(below.at, above->at, (wanted - below.behind) / (above->behind - below.behind));
+    constexpr int kSteps = 2;  // of Newton's, from the chord of a short part
+    for (int step = 0; step < kSteps; ++step)
+      at = std::clamp(at + (wanted - below.behind - short_integral(rate, below.at, at)) / rate(at), below.at, above->at);
+    rulings.push_back(at);
   }
+  rulings.push_back(to);
   return rulings;
+}
+
+std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count) const {
+  const double each = turn(from, to) / count;
+  const std::vector<double> rulings = divided([&](double at) { return local(at).turn_rate; }, from, to, count);
+  std::vector<Press> presses;
+  for (std::size_t i = 1; i < rulings.size(); i += 2)
+    presses.push_back({rulings[i], each});
+  return presses;
+}
+
+std::vector<Strip::Press> Strip::evenly_along(int side, double from, double to, int count) const {
+  const auto s = static_cast<std::size_t>(side);
+  const auto speed = [&](double at) {
+    const Pairing pair = pairing(at);
+    return point(side, pair.t[s]).derivative.norm() * pair.rate[s];
+  };
+  const std::vector<double> rulings = divided(speed, from, to, count);
+  std::vector<Press> presses;
+  for (std::size_t i = 1; i < rulings.size(); i += 2)
+    presses.push_back({rulings[i], turn(rulings[i - 1], rulings[i + 1])});
+  return presses;
 }
 
 Strip::Radii Strip::smallest_radii(double from, double to) const {

@@ -40,8 +40,16 @@ class Strip {
   double border_length(int side, double from, double to) const;
   /// By how much the normal turns.
   double turn(double from, double to) const;
-  /// The rulings that divide what turns between `from` and `to` into 2 · count equal parts, every other one.
-  std::vector<double> evenly_turned(double from, double to, int count) const;
+  /// A ruling on which the sheet is pressed, and by how much (radians).
+  struct Press {
+    double at = 0.0, turn = 0.0;
+  };
+  /// Presses by equal angles: what turns between `from` and `to` is divided into `count` parts, each pressed
+  /// in its middle.
+  std::vector<Press> evenly_turned(double from, double to, int count) const;
+  /// Presses at equal distances along a side: its border is divided, each part pressed in its middle by what
+  /// turns along it.
+  std::vector<Press> evenly_along(int side, double from, double to, int count) const;
   /// Smallest radius of curvature between `from` and `to`: at mid-length of the rulings, and at the tighter
   /// of their ends (of cones: the one away from the apex).
   struct Radii {
@@ -87,6 +95,11 @@ class Strip {
     double turn_rate = 0.0;
   };
   Local local(double at) const;
+
+  /// The rulings that divide the integral of `rate` from `from` to `to` into `count` equal parts, and the middles of
+  /// those in turn: 2 · count + 1 rulings.
+  template <typename Rate>
+  std::vector<double> divided(const Rate& rate, double from, double to, int count) const;
 
   /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
   std::vector<double> breaks_between(double from, double to) const;

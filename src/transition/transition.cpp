@@ -98,15 +98,21 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
   return {};
 }
 
-int press_count(const Strip& strip, double from, double to, const Pressing& pressing) {
+std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to, const Pressing& pressing) {
   constexpr double kExactly = 1e-9;  // 90° by 10° are 9 lines, whatever rounding says
   const auto lines = [](double amount) { return std::max(1, static_cast<int>(std::ceil(amount - kExactly))); };
-  if (const auto* count = std::get_if<PressCount>(&pressing))
-    return std::max(1, static_cast<int>(std::lround(count->count * strip.turn(from, to) / strip.turn(0.0, 1.0))));
-  if (const auto* angle = std::get_if<PressAngle>(&pressing)) return lines(strip.turn(from, to) / angle->largest.radians());
-  if (const auto* chord = std::get_if<PressChord>(&pressing))
-    return lines(std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) / chord->largest);
-  return 0;
+  if (const auto* count = std::get_if<PressCount>(&pressing)) {
+    const double share = strip.turn(from, to) / strip.turn(0.0, 1.0);
+    return strip.evenly_turned(from, to, std::max(1, static_cast<int>(std::lround(count->count * share))));
+  }
+  if (const auto* angle = std::get_if<PressAngle>(&pressing))
+    return strip.evenly_turned(from, to, lines(strip.turn(from, to) / angle->largest.radians()));
+  if (const auto* chord = std::get_if<PressChord>(&pressing)) {
+    const std::array lengths{strip.border_length(0, from, to), strip.border_length(1, from, to)};
+    const int wider = lengths[1] > lengths[0] ? 1 : 0;
+    return strip.evenly_along(wider, from, to, lines(lengths[static_cast<std::size_t>(wider)] / chord->largest));
+  }
+  return {};
 }
 
 /// Corners in which a cone has its apex, and how much is cut off there so that its inside has a radius.
@@ -148,11 +154,56 @@ class TipCuts {
   std::vector<Tip> tips_;
 };
 
+/// Names of points on both profiles, as templates have them.
+class RulingNames {
+ public:
+  /// Points nearer to each other than `near` (mm) are one.
+  RulingNames(const Hull& hull, double near) : hull_(hull), near_(near) {}
+
+  /// Of both ends of a ruling, which counts among the true lengths from now on.
+  std::array<std::string, 2> add(const std::array<Vec3, 2>& points) {
+    const auto known = std::find_if(lengths.begin(), lengths.end(), [&](const TrueLength& other) {
+      return same(other.points[0], points[0]) && same(other.points[1], points[1]);
+    });
+    if (known != lengths.end()) return {known->from, known->to};
+    lengths.push_back({name(0, points[0]), name(1, points[1]), points, (points[1] - points[0]).norm()});
+    return {lengths.back().from, lengths.back().to};
+  }
+
+  std::vector<TrueLength> lengths;
+
+ private:
+  std::string name(int side, const Vec3& p) {
+    const Boundary& boundary = hull_.boundaries[static_cast<std::size_t>(side)];
+    for (int i = 0; i < boundary.count(); ++i) {
+      const int corner = boundary.corner_of[static_cast<std::size_t>(i)];
+      if (corner >= 0 && same(boundary.element(i).curve(boundary.element(i).t0).point, p)) return letter(corner, side == 0 ? 'A' : 'a');
+    }
+    auto& known = points_[static_cast<std::size_t>(side)];
+    const auto found = std::find_if(known.begin(), known.end(), [&](const Vec3& other) { return same(other, p); });
+    const auto number = found - known.begin() + 1;
+    if (found == known.end()) known.push_back(p);
+    return fmt::format("{}{}", number, side == 0 ? "" : "'");
+  }
+
+  static std::string letter(int corner, char first) {
+    const std::string rounds = corner < 26 ? "" : std::to_string(corner / 26);
+    return std::string(1, static_cast<char>(first + corner % 26)) + rounds;
+  }
+
+  bool same(const Vec3& a, const Vec3& b) const { return (a - b).norm() <= near_; }
+
+  const Hull& hull_;
+  double near_;
+  std::array<std::vector<Vec3>, 2> points_;
+};
+
 /// The sheet of one piece.
 class PieceMaker {
  public:
-  /// Without cuts its tips stay whole.
-  PieceMaker(const Ring& ring, const TransitionSpec& spec, const TipCuts* cuts) : ring_(ring), spec_(spec), cuts_(cuts) {
+  /// Without cuts its tips stay whole, without names its points have no labels.
+  PieceMaker(const Ring& ring, const TransitionSpec& spec, const TipCuts* cuts, RulingNames* names)
+      : ring_(ring), spec_(spec), cuts_(cuts), names_(names) {
     sheet_.thickness = spec.thickness;
     sheet_.reference_depth = (1.0 - spec.k_factor) * spec.thickness;
   }
@@ -175,18 +226,45 @@ class PieceMaker {
   void add(const StripPart& range, const Strip::Part& part) {
     Face face = part.face;
     const Strip& strip = ring_.strip(range.strip);
+    std::vector<Strip::Press> presses;
     if (strip.plane()) {
       face.part_of = static_cast<FlangeId>(sheet_.flanges.size());
       sheet_.flanges.push_back({{next_face()}});
     } else {
+      presses = presses_of(strip, range.from, range.to, spec_.pressing);
       face.part_of = static_cast<BendId>(sheet_.bends.size());
-      sheet_.bends.push_back(bend_of(strip, range, part));
+      sheet_.bends.push_back(bend_of(strip, range, part, presses));
+    }
+    if (names_) {
+      label(strip, part, range.from);
+      for (const Strip::Press& press : presses)
+        label(strip, part, press.at);
+      label(strip, part, range.to);
     }
     last_border_ = {next_face(), 0, part.ruling_borders[1]};
     sheet_.faces.push_back(std::move(face));
   }
 
-  Bend bend_of(const Strip& strip, const StripPart& range, const Strip::Part& part) const {
+  /// Names both ends of a ruling, where they are not the last ones that have been named.
+  void label(const Strip& strip, const Strip::Part& part, double at) {
+    const std::array<Vec3, 2> ends = strip.ruling(at);
+    const std::array<std::string, 2> names = names_->add(ends);
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (names[side] == last_named_[side]) continue;
+      last_named_[side] = names[side];
+      sheet_.labels.push_back({next_face(), uv_of(part, at, ends[side]), names[side]});
+    }
+  }
+
+  /// Of a point on the ruling `at`.
+  static Vec2 uv_of(const Strip::Part& part, double at, const Vec3& p) {
+    if (const auto* plane = std::get_if<Frame>(&part.face.surface)) return plane->local2(p);
+    const auto& surface = std::get<Developable>(part.face.surface);
+    const double u = part.u(at);
+    return {u, ruling_on(surface, u).dot(p - point_on(surface, {u, 0.0}))};
+  }
+
+  Bend bend_of(const Strip& strip, const StripPart& range, const Strip::Part& part, const std::vector<Strip::Press>& presses) const {
     Bend bend;
     bend.kind = strip.bend_kind();
     bend.faces = {next_face()};
@@ -197,9 +275,8 @@ class PieceMaker {
                                 : turn <= std::numbers::pi ? between
                                                            : 2.0 * std::numbers::pi - between);
     bend.inside_radius = std::max(0.0, strip.smallest_radii(range.from, range.to).middle - spec_.k_factor * spec_.thickness);
-    const int count = press_count(strip, range.from, range.to, spec_.pressing);
-    for (const double at : strip.evenly_turned(range.from, range.to, count))
-      bend.press_lines.push_back({part.u(at), Angle::radians(turn / count)});
+    for (const Strip::Press& press : presses)
+      bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
     if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
     return bend;
   }
@@ -234,58 +311,11 @@ class PieceMaker {
   const Ring& ring_;
   const TransitionSpec& spec_;
   const TipCuts* cuts_;
+  RulingNames* names_;
+  std::array<std::string, 2> last_named_;
   Sheet sheet_;
   BorderRef last_border_;
 };
-
-/// Names of points on both profiles, as templates have them.
-class Labels {
- public:
-  explicit Labels(const Hull& hull) : hull_(hull) {}
-
-  std::string operator()(int side, const Vec3& p) {
-    const Boundary& boundary = hull_.boundaries[static_cast<std::size_t>(side)];
-    for (int i = 0; i < boundary.count(); ++i) {
-      const int corner = boundary.corner_of[static_cast<std::size_t>(i)];
-      if (corner >= 0 && boundary.element(i).curve(boundary.element(i).t0).point == p) return letter(corner, side == 0 ? 'A' : 'a');
-    }
-    auto& known = points_[static_cast<std::size_t>(side)];
-    const auto found = std::find(known.begin(), known.end(), p);
-    const auto number = found - known.begin() + 1;
-    if (found == known.end()) known.push_back(p);
-    return fmt::format("{}{}", number, side == 0 ? "" : "'");
-  }
-
- private:
-  static std::string letter(int corner, char first) {
-    const std::string rounds = corner < 26 ? "" : std::to_string(corner / 26);
-    return std::string(1, static_cast<char>(first + corner % 26)) + rounds;
-  }
-
-  const Hull& hull_;
-  std::array<std::vector<Vec3>, 2> points_;
-};
-
-void add_true_lengths(const Ring& ring, const std::vector<StripPart>& parts, const Pressing& pressing, Labels& labels,
-                      std::vector<TrueLength>& lengths) {
-  const auto add = [&](const Strip& strip, double at) {
-    const auto points = strip.ruling(at);
-    const bool known = std::any_of(lengths.begin(), lengths.end(), [&](const TrueLength& other) { return other.points == points; });
-    if (!known) lengths.push_back({labels(0, points[0]), labels(1, points[1]), points, (points[1] - points[0]).norm()});
-  };
-  for (const StripPart& part : parts) {
-    const Strip& strip = ring.strip(part.strip);
-    add(strip, part.from);
-    if (!strip.plane())
-      for (const double at : strip.evenly_turned(part.from, part.to, press_count(strip, part.from, part.to, pressing)))
-        add(strip, at);
-    add(strip, part.to);
-  }
-}
-
-}  // namespace
-
-namespace {
 
 /// The ring and what each piece is made of.
 struct Division {
@@ -331,11 +361,11 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += transition.patches.back().border[side];
   }
-  Labels labels(*ring.hull);
-  for (const auto& parts : division->pieces) {
-    transition.pieces.push_back(PieceMaker(ring, spec, nullptr).run(parts));
-    add_true_lengths(ring, parts, spec.pressing, labels, transition.true_lengths);
-  }
+  constexpr double kSamePoint = 1e-9;  // share of the extent: rounding
+  RulingNames names(*ring.hull, kSamePoint * division->size);
+  for (const auto& parts : division->pieces)
+    transition.pieces.push_back(PieceMaker(ring, spec, nullptr, &names).run(parts));
+  transition.true_lengths = std::move(names.lengths);
   return transition;
 }
 
@@ -347,7 +377,7 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
   std::vector<FoldedPiece> pieces;
   for (const auto& parts : division->pieces) {
     FoldedPiece& piece = pieces.emplace_back();
-    piece.sheet = PieceMaker(ring, spec, &tips).run(parts);
+    piece.sheet = PieceMaker(ring, spec, &tips, nullptr).run(parts);
     for (const StripPart& part : parts) {
       const Strip& strip = ring.strip(part.strip);
       piece.tip_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));

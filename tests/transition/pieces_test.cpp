@@ -88,5 +88,156 @@ TEST(TransitionPressing, TurnsEachPatchAsManyTimesAsTheAngleAsks) {
   EXPECT_NEAR(turned, all, 1e-11);
 }
 
+TEST(TransitionPressing, ByChordPutsLinesAtEqualDistancesAlongTheWiderProfile) {
+  TransitionSpec spec = between(EllipseProfile{90, 40}, EllipseProfile{30, 30}, {10, 0, 80});
+  spec.pressing = PressChord{11.0};
+  const Transition transition = made(spec);
+  const Sheet& sheet = transition.pieces.at(0);
+  ASSERT_EQ(sheet.bends.size(), 1u);
+  const auto& lines = sheet.bends[0].press_lines;
+  const double perimeter = ellipse_perimeter(90, 40);
+  ASSERT_EQ(lines.size(), static_cast<std::size_t>(std::ceil(perimeter / 11.0)));
+  // On the ellipse between the feet of neighbouring lines.
+  const FlatPattern pattern = laid_flat(sheet, spec);
+  ASSERT_EQ(pattern.bends.at(0).lines.size(), lines.size());
+  std::vector<double> eccentric;
+  for (const TrueLength& length : transition.true_lengths) {
+    const Vec2 p = spec.from.frame.local2(length.points[0]);
+    eccentric.push_back(std::atan2(p.y() / 40, p.x() / 90));
+  }
+  const auto arc = [](double a, double b) {
+    const double turn = std::remainder(b - a, 2 * kPi);
+    return std::abs(simpson([](double t) { return std::hypot(90 * std::sin(t), 40 * std::cos(t)); }, a, a + turn, 200));
+  };
+  for (std::size_t i = 2; i < eccentric.size(); ++i)  // the first is the seam
+    EXPECT_NEAR(arc(eccentric[i - 1], eccentric[i]), perimeter / static_cast<double>(lines.size()), 1e-5) << i;
+  double turned = 0.0;
+  for (const PressLine& line : lines)
+    turned += line.angle.radians();
+  EXPECT_NEAR(turned, transition.patches[0].turn.radians(), 1e-9);
+}
+
+TEST(TransitionPressing, ByCountPutsThatManyLinesOnEachPatch) {
+  TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
+  spec.pressing = PressCount{7};
+  spec.seam = SeamEdge{0};
+  const Transition transition = made(spec);
+  for (const Bend& bend : transition.pieces.at(0).bends) {
+    ASSERT_EQ(bend.press_lines.size(), 7u);
+    for (const PressLine& line : bend.press_lines)
+      EXPECT_NEAR(line.angle.radians(), bend.press_lines[0].angle.radians(), 1e-15);
+  }
+}
+
+/// The normals between which a press line bends the sheet are those in the middle between it and its neighbours.
+TEST(TransitionPressing, AngleOfALineIsThatOfTheSurfaceAboutIt) {
+  TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 20}, EllipseProfile{30, 30}, {0, 0, 80});
+  spec.pressing = PressAngle{Angle::degrees(6.0)};
+  const Transition transition = made(spec);
+  for (const Sheet& sheet : transition.pieces)
+    for (const Bend& bend : sheet.bends) {
+      const auto& surface = std::get<Developable>(sheet.faces[static_cast<std::size_t>(index_of(bend.faces[0]))].surface);
+      for (std::size_t i = 1; i < bend.press_lines.size(); ++i) {
+        const Vec3 a = normal_on(surface, bend.press_lines[i - 1].u), b = normal_on(surface, bend.press_lines[i].u);
+        // The surface turns about moving rulings, so its normals differ a little less than it turns.
+        const double between_lines = std::atan2(a.cross(b).norm(), a.dot(b)), pressed = bend.press_lines[i].angle.radians();
+        EXPECT_LE(between_lines, pressed * (1 + 1e-3));
+        EXPECT_GE(between_lines, pressed * 0.9);
+      }
+    }
+}
+
+/// Labels name the ends of all true lengths, so that those can be found in the net.
+TEST(TransitionLabels, StandInTheNetAsFarApartAsTheTrueLengthsSay) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    TransitionSpec spec = random_transition(random);
+    spec.pressing = PressCount{3};
+    spec.pieces = seed % 2 == 0 ? Pieces::one : Pieces::two;
+    const Transition transition = made(spec);
+    std::vector<FlatPattern> nets;
+    for (const Sheet& piece : transition.pieces)
+      nets.push_back(laid_flat(piece, spec));
+    for (const TrueLength& length : transition.true_lengths) {
+      bool found = false;
+      for (const FlatPattern& net : nets)
+        for (const FlatLabel& a : net.labels)
+          for (const FlatLabel& b : net.labels)
+            found = found || (a.text == length.from && b.text == length.to && std::abs((a.at - b.at).norm() - length.length) < 1e-7);
+      EXPECT_TRUE(found) << "seed " << seed << ": " << length.from << " – " << length.to << ", " << length.length;
+    }
+  }
+}
+
+TEST(TransitionLabels, AreLettersAtCornersAndNumbersOnCurves) {
+  TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
+  spec.seam = SeamEdge{0};
+  const FlatPattern net = laid_flat(made(spec).pieces.at(0), spec);
+  std::vector<std::string> first;
+  for (const FlatLabel& label : net.labels)
+    if (label.text.back() != '\'') first.push_back(label.text);
+  EXPECT_EQ(first, (std::vector<std::string>{"1", "B", "C", "D", "A", "1"}));
+}
+
+/// Where the sheet begins: on the first profile, and on a ruling.
+Vec2 beginning(const TransitionSpec& spec) {
+  const Sheet sheet = made(spec).pieces.at(0);
+  const Border& ruling = sheet.faces.front().loops.front().back();
+  Vec2 on_profile = Vec2::Constant(1e9);
+  double nearest = 1e9;
+  for (const double t : {0.0, 1.0}) {
+    const Vec3 p = spec.from.frame.local(skin_point(sheet.faces.front(), point_at(ruling.curve, t)));
+    if (std::abs(p.z()) >= nearest) continue;
+    nearest = std::abs(p.z());
+    on_profile = p.head<2>();
+  }
+  EXPECT_LT(nearest, 1e-9);
+  return on_profile;
+}
+
+TEST(TransitionSeams, BeginWhereTheyAreWanted) {
+  constexpr double kNear = 1e-8;
+  const auto expect_at = [&](Profile profile, Seam seam, const Vec2& wanted, const char* what) {
+    TransitionSpec spec = between(std::move(profile), EllipseProfile{25, 25}, {3, -2, 80});
+    spec.seam = seam;
+    EXPECT_LT((beginning(spec) - wanted).norm(), kNear) << what;
+  };
+  const PolygonProfile triangle{{{-60, -40}, {60, -40}, {0, 70}}};
+  expect_at(triangle, SeamEdge{0}, {0, -40}, "middle of edge 0");
+  expect_at(triangle, SeamEdge{1}, {30, 15}, "middle of edge 1");
+  for (int i = 0; i < 3; ++i)
+    expect_at(triangle, SeamCorner{i}, triangle.corners[static_cast<std::size_t>(i)], "corner of a triangle");
+  const PolygonProfile clockwise{{{-60, -40}, {0, 70}, {60, -40}}};
+  expect_at(clockwise, SeamEdge{0}, {-30, 15}, "middle of edge 0, clockwise");
+  expect_at(clockwise, SeamEdge{2}, {0, -40}, "middle of edge 2, clockwise");
+  expect_at(clockwise, SeamCorner{1}, {0, 70}, "corner 1, clockwise");
+  const RoundedRectangleProfile rounded{120, 80, 10};
+  expect_at(rounded, SeamEdge{0}, {0, -40}, "below");
+  expect_at(rounded, SeamEdge{1}, {60, 0}, "right");
+  expect_at(rounded, SeamEdge{2}, {0, 40}, "above");
+  expect_at(rounded, SeamEdge{3}, {-60, 0}, "left");
+  const double straight = 100, side = 60, arc = 5 * kPi, around = 2 * (straight + side) + 4 * arc;
+  expect_at(rounded, SeamParameter{straight / around}, {50, -40}, "end of edge 0");
+  expect_at(rounded, SeamParameter{(straight + 0.5 * arc) / around}, {50 + 10 * std::sqrt(0.5), -30 - 10 * std::sqrt(0.5)}, "middle of an arc");
+  const ObroundProfile obround{140, 60};
+  expect_at(obround, SeamEdge{0}, {0, -30}, "below");
+  expect_at(obround, SeamEdge{1}, {0, 30}, "above");
+  const double half = 30 * kPi;
+  expect_at(obround, SeamParameter{(80 + 0.5 * half) / (160 + 2 * half)}, {70, 0}, "right end");
+  expect_at(EllipseProfile{60, 60}, SeamParameter{0.0}, {60, 0}, "beginning of a circle");
+  expect_at(EllipseProfile{60, 60}, SeamParameter{1.0}, {60, 0}, "end of a circle");
+  expect_at(EllipseProfile{60, 60}, SeamParameter{1.0 / 3.0}, {-30, 30 * std::sqrt(3.0)}, "third of a circle");
+  expect_at(EllipseProfile{70, 40}, SeamParameter{0.25}, {0, 40}, "quarter of an ellipse");
+  expect_at(triangle, SeamParameter{0.0}, {-60, -40}, "start of edge 0");
+  const double slant = std::hypot(60.0, 110.0);
+  expect_at(triangle, SeamParameter{(120 + 0.25 * slant) / (120 + 2 * slant)}, {45, -12.5}, "on edge 1");
+  // Points of a spline lie on it; the curve begins at the first.
+  SplineProfile spline;
+  for (int i = 0; i < 12; ++i)
+    spline.points.emplace_back(60 * std::cos(kPi / 6 * i), 45 * std::sin(kPi / 6 * i));
+  expect_at(spline, SeamParameter{0.0}, {60, 0}, "beginning of a spline");
+  expect_at(spline, SeamParameter{0.5}, {-60, 0}, "half of a symmetric spline");
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -41,6 +41,12 @@ struct FlatFeature {
   std::vector<Loop> outlines;
 };
 
+/// A named point of the flat pattern.
+struct FlatLabel {
+  Vec2 at;
+  std::string text;
+};
+
 /// The flat pattern. Coordinates in mm, the chosen side facing up (towards +z).
 struct FlatPattern {
   double thickness = 0.0;
@@ -48,6 +54,7 @@ struct FlatPattern {
   std::vector<Contour> openings;
   std::vector<FlatBend> bends;
   std::vector<FlatFeature> features;
+  std::vector<FlatLabel> labels;
   std::vector<Isometry2> placement;       ///< by face: developed plane → pattern
   std::vector<double> neutral_offset;     ///< by face: neutral surface from the reference skin along the surface normal
   std::vector<Loop> face_outlines;        ///< by face: image of loops[0] (for overlap checks)

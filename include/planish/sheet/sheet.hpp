@@ -93,6 +93,13 @@ struct FormedFeature {
   Error at_rim;                      ///< why there is no flat pattern when it reaches the outer contour
 };
 
+/// The name of a point of a face, for drawings and templates.
+struct PointLabel {
+  FaceId face{};
+  Vec2 at;  ///< (u, v) on that face
+  std::string text;
+};
+
 /// A sheet: one flat, inextensible region and the way it is folded. The reference surface is one of
 /// its two skins, the other lies `thickness` towards the material; or it is a surface between them,
 /// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp bends
@@ -107,6 +114,7 @@ struct Sheet {
   std::vector<Flange> flanges;
   std::vector<Bend> bends;
   std::vector<FormedFeature> features;
+  std::vector<PointLabel> labels;
   double forms_volume = 0.0;   ///< what the features add to the plain sheet (pockets: negative), mm³…
   bool forms_measured = true;  ///< …all of them, or only as far as could be told
   double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³

@@ -31,7 +31,8 @@ struct SeamParameter {
 using Seam = std::variant<SeamEdge, SeamCorner, SeamParameter>;
 
 /// How the curved patches are pressed, each: by a number of lines, by the largest angle of a line, or by
-/// the largest distance of lines along the wider profile.
+/// the largest distance of lines along the wider profile. Lines by count or angle bend by equal angles, lines
+/// by chord are equally far from each other.
 struct PressCount {
   int count = 1;
 };
@@ -79,7 +80,7 @@ struct TrueLength {
 /// A developable surface between two profiles, as sheets that lie flat.
 struct Transition {
   /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is curved
-  /// and the sharp folds, in the order of the profile.
+  /// and the sharp folds, in the order of the profile. Labels name the ends of all true lengths.
   std::vector<Sheet> pieces;
   std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
   std::vector<TrueLength> true_lengths;
