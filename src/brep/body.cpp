@@ -1,11 +1,14 @@
 #include "body.hpp"
 
 #include "guarded.hpp"
+#include "kernel_points.hpp"
+#include "patch_volume.hpp"
 
 #include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
 #include <cmath>
 
 namespace planish {
@@ -18,10 +21,15 @@ int Body::face_count() const { return shape_->faces; }
 
 double Body::volume() const {
   const auto volume = brep::guarded([&] {
-    constexpr double kRelative = 1e-6;  // per face; without it the kernel is off by percents on spline walls
-    GProp_GProps properties;
-    BRepGProp::VolumeProperties(shape_->solid, properties, kRelative);
-    return std::abs(properties.Mass());
+    Bnd_Box box;
+    BRepBndLib::Add(shape_->solid, box, false);
+    const Vec3 low = brep::vector_of(box.CornerMin()), high = brep::vector_of(box.CornerMax());
+    constexpr double kAccuracy = 1e-11;  // of the cube about the body, for each border
+    const double error = kAccuracy * std::pow((high - low).norm(), 3);
+    double sum = 0.0;
+    for (TopExp_Explorer faces(shape_->solid, TopAbs_FACE); faces.More(); faces.Next())
+      sum += brep::patch_volume(TopoDS::Face(faces.Current()), 0.5 * (low + high), error);
+    return std::abs(sum);
   });
   return volume.value_or(0.0);
 }

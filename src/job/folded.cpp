@@ -43,10 +43,14 @@ std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Re
     return std::nullopt;
   }
   if (folded.error().code == ErrorCode::cancelled) return folded.error();
-  report.findings.push_back(unmeasured(folded.error()));
-  solid = tl::unexpected(folded.error());
+  leave_unfolded(report, folded.error(), solid);
   sheet.volume = 0.0;
   return std::nullopt;
+}
+
+void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid) {
+  report.findings.push_back(unmeasured(why));
+  solid = tl::unexpected(why);
 }
 
 Error placed(Error error, const std::string& name) {

@@ -16,6 +16,9 @@ namespace planish::job {
 std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Result<std::string>& solid,
                           const Progress& progress);
 
+/// Says in the report that there is no solid, and why.
+void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid);
+
 /// The error with the place in the file (a JSON pointer) behind the file's name.
 Error placed(Error error, const std::string& name);
 

@@ -32,10 +32,15 @@ FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request
   return options;
 }
 
-std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const FoldedPiece& folded, const TransitionSpec& spec,
+/// `folded` is what its solid is made of, or why there is none.
+std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const Result<FoldedPiece>& folded, const TransitionSpec& spec,
                                const MakeRequest& request, const Progress& progress) {
-  if (auto stopped = fold(piece, sheet, folded.sheet, piece.solid, progress)) return stopped;
-  sheet.forms_volume = -folded.tip_area * sheet.thickness;
+  if (folded) {
+    if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
+    sheet.forms_volume = -folded->cut_area * sheet.thickness;
+  } else {
+    leave_unfolded(piece, folded.error(), piece.solid);
+  }
   piece.sheet = summary_of(sheet);
   return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request), progress);
 }
@@ -64,15 +69,18 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
   auto made = make_transition(spec, {}, progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
-  auto folded = folded_pieces(spec, {.tolerance = kFolded});
-  if (!folded) return placed(folded.error(), place_name(report.input));
+  const auto folded = folded_pieces(spec, {.tolerance = kFolded});
+  const auto folded_piece = [&](std::size_t i) -> Result<FoldedPiece> {
+    if (!folded) return tl::unexpected(placed(folded.error(), place_name(report.input)));
+    return (*folded)[i];
+  };
   auto& sheets = report.transition.pieces;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     TransitionPiece piece;
     piece.input = report.input;
     piece.units = report.units;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
-    auto wrong = lay_piece(piece, sheets[i], (*folded)[i], spec, request, progress);
+    auto wrong = lay_piece(piece, sheets[i], folded_piece(i), spec, request, progress);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

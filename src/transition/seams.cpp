@@ -282,4 +282,19 @@ std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const C
   return parts;
 }
 
+double open_seam(const Ring& ring, std::vector<StripPart>& parts) {
+  constexpr double kHalfOpen = 0.005;  // mm
+  const auto step = [&](const StripPart& part) {
+    const Strip& strip = ring.strip(part.strip);
+    const double width = std::max(strip.border_length(0, part.from, part.to), strip.border_length(1, part.from, part.to));
+    return std::min(kHalfOpen / width, 0.25) * (part.to - part.from);
+  };
+  StripPart &first = parts.front(), &last = parts.back();
+  const double begin = first.from + step(first), end = last.to - step(last);
+  const double area = ring.strip(first.strip).area(first.from, begin) + ring.strip(last.strip).area(end, last.to);
+  first.from = begin;
+  last.to = end;
+  return area;
+}
+
 }  // namespace planish::transition_detail

@@ -36,4 +36,7 @@ struct StripPart {
 };
 std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
 
+/// Takes 0.005 mm from both ends of what closes to a ring. Returns the area that is missing.
+double open_seam(const Ring& ring, std::vector<StripPart>& parts);
+
 }  // namespace planish::transition_detail

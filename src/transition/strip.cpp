@@ -320,25 +320,46 @@ double Strip::distance_of_radius(double radius) const {
 }
 
 double Strip::tip_area(double from, double to, const Tips& tips) const {
-  const auto triangle = [](const Vec3& p, const Vec3& a, const Vec3& b, double cut) {
-    return 0.5 * cut * cut * (a - p).normalized().cross((b - p).normalized()).norm();
-  };
-  const auto [p0, q0] = ruling(from);
-  const auto [p1, q1] = ruling(to);
   double area = 0.0;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const bool still = stands(static_cast<int>(side));
-    const Vec3 &a = side == 0 ? p0 : q0, &b = side == 0 ? p1 : q1, &over_a = side == 0 ? q0 : p0, &over_b = side == 0 ? q1 : p1;
-    const double first = tips.at_from[side], last = tips.at_to[side];
-    if (!patch_.plane && still)
-      area += 0.5 * first * first * integral([&](double at) {
+  if (patch_.plane) {
+    for (const PanelCorner& corner : panel_corners(from, to, tips))
+      area += 0.5 * (corner.cut_before - corner.at).cross(corner.cut_after - corner.at).norm();
+    return area;
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const double cut = tips.at_from[side]; cut > 0.0 && stands(static_cast<int>(side)))
+      area += 0.5 * cut * cut * integral([&](double at) {
         const Local l = local(at);
         return std::max(l.across, l.far_across) / l.length;
       }, from, to);
-    else if (patch_.plane)
-      area += still ? triangle(a, over_a, over_b, first) : triangle(a, b, over_a, first) + triangle(b, a, over_b, last);
-  }
   return area;
+}
+
+std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to, const Tips& tips) const {
+  const auto [p0, q0] = ruling(from);
+  const auto [p1, q1] = ruling(to);
+  struct Corner {
+    Vec3 at;
+    double cut = 0.0;
+    bool edge_after = false;  ///< what follows is an edge of a profile
+  };
+  std::vector<Corner> corners{{p0, tips.at_from[0], !stands(0)}};
+  if (!stands(0)) corners.push_back({p1, tips.at_to[0], false});
+  if (!stands(1)) corners.push_back({q1, tips.at_to[1], true});
+  corners.push_back({q0, tips.at_from[1], false});
+  // Room is needed beside folds; of a profile's edge a part is enough.
+  constexpr double kMostOfEdge = 0.4;
+  const auto cut_on = [](const Corner& corner, const Vec3& towards, bool edge) -> Vec3 {
+    const Vec3 way = towards - corner.at;
+    const double cut = edge ? std::min(corner.cut, kMostOfEdge * way.norm()) : corner.cut;
+    return corner.at + cut * way.normalized();
+  };
+  std::vector<PanelCorner> cut;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Corner &before = corners[(i + corners.size() - 1) % corners.size()], &here = corners[i], &after = corners[(i + 1) % corners.size()];
+    cut.push_back({here.at, cut_on(here, before.at, before.edge_after), cut_on(here, after.at, here.edge_after)});
+  }
+  return cut;
 }
 
 Strip::Part Strip::part(double from, double to, const Tips& tips) const {
@@ -347,33 +368,23 @@ Strip::Part Strip::part(double from, double to, const Tips& tips) const {
 }
 
 Strip::Part Strip::plane_part(double from, double to, const Tips& tips) const {
-  const auto [p0, q0] = ruling(from);
-  const auto [p1, q1] = ruling(to);
+  const std::vector<PanelCorner> corners = panel_corners(from, to, tips);
   Part part;
   part.from = from;
   part.to = to;
-  const Frame frame = frame_from_axes(p0, normal(0.5 * (from + to)), stands(0) ? q1 - q0 : p1 - p0);
+  const Frame frame = frame_from_axes(corners[0].at, normal(0.5 * (from + to)), (stands(0) ? corners.back() : corners[1]).at - corners[0].at);
   part.face.surface = frame;
-  struct Corner {
-    Vec3 at;
-    double cut;
-  };
-  std::vector<Corner> corners{{p0, tips.at_from[0]}};
-  if (!stands(0)) corners.push_back({p1, tips.at_to[0]});
-  const std::size_t over = corners.size() - 1;  // the ruling at `to` begins here
-  if (!stands(1)) corners.push_back({q1, tips.at_to[1]});
-  corners.push_back({q0, tips.at_from[1]});
   BorderLoop loop;
   const auto add = [&](const Vec3& a, const Vec3& b) {
     loop.push_back(border(Segment{frame.local2(a), frame.local2(b)}, (b - a).norm()));
   };
+  const std::size_t over = stands(0) ? 0 : 1;  // the ruling at `to` begins here
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner &a = corners[i], &b = corners[(i + 1) % corners.size()], &c = corners[(i + 2) % corners.size()];
-    const Vec3 along = (b.at - a.at).normalized(), on = (c.at - b.at).normalized();
+    const PanelCorner &a = corners[i], &b = corners[(i + 1) % corners.size()];
     if (i == over) part.ruling_borders[1] = static_cast<int>(loop.size());
     if (i + 1 == corners.size()) part.ruling_borders[0] = static_cast<int>(loop.size());
-    add(a.at + a.cut * along, b.at - b.cut * along);
-    if (b.cut > 0.0) add(b.at - b.cut * along, b.at + b.cut * on);
+    add(a.cut_after, b.cut_before);
+    if (b.cut_before != b.cut_after) add(b.cut_before, b.cut_after);
   }
   part.face.loops.push_back(std::move(loop));
   return part;

@@ -66,7 +66,7 @@ class Strip {
     double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
   };
   /// `tips`: how much is cut off the corners that the strip has at both ends of both sides, mm along its
-  /// borders (where a side stands still both are one).
+  /// rulings (where a side stands still both are one).
   struct Tips {
     std::array<double, 2> at_from{}, at_to{};
   };
@@ -103,6 +103,12 @@ class Strip {
 
   /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
   std::vector<double> breaks_between(double from, double to) const;
+
+  /// A corner of a plane part, and where its two borders are cut.
+  struct PanelCorner {
+    Vec3 at, cut_before, cut_after;
+  };
+  std::vector<PanelCorner> panel_corners(double from, double to, const Tips& tips) const;
 
   Part plane_part(double from, double to, const Tips& tips) const;
   Part right_part(double from, double to, const Tips& tips) const;

@@ -1,5 +1,6 @@
 #include "seams.hpp"
 #include "surface_mesh.hpp"
+#include "tip_cuts.hpp"
 
 #include <planish/transition/transition.hpp>
 
@@ -114,45 +115,6 @@ std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to,
   }
   return {};
 }
-
-/// Corners in which a cone has its apex, and how much is cut off there so that its inside has a radius.
-class TipCuts {
- public:
-  TipCuts(const Ring& ring, const TransitionSpec& spec, double size) : near_(1e-9 * size) {
-    constexpr double kInsideRadius = 0.1;  // in thicknesses
-    const double radius = (spec.k_factor + kInsideRadius) * spec.thickness;
-    for (const Strip& strip : ring.strips)
-      for (int side = 0; side < 2; ++side)
-        if (!strip.plane() && strip.stands(side))
-          tips_.push_back({side, strip.ruling(0.0)[static_cast<std::size_t>(side)], strip.distance_of_radius(radius)});
-  }
-
-  Strip::Tips of(const Strip& strip, double from, double to) const {
-    const auto first = strip.ruling(from), last = strip.ruling(to);
-    Strip::Tips tips;
-    for (std::size_t side = 0; side < 2; ++side) {
-      tips.at_from[side] = at(static_cast<int>(side), first[side]);
-      tips.at_to[side] = at(static_cast<int>(side), last[side]);
-    }
-    return tips;
-  }
-
- private:
-  struct Tip {
-    int side = 0;
-    Vec3 at;
-    double cut = 0.0;
-  };
-  double at(int side, const Vec3& p) const {
-    double cut = 0.0;
-    for (const Tip& tip : tips_)
-      if (tip.side == side && (tip.at - p).norm() <= near_) cut = std::max(cut, tip.cut);
-    return cut;
-  }
-
-  double near_;
-  std::vector<Tip> tips_;
-};
 
 /// Names of points on both profiles, as templates have them.
 class RulingNames {
@@ -370,18 +332,21 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
 }
 
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options) {
-  const auto division = divided(spec, options);
+  auto division = divided(spec, options);
   if (!division) return tl::unexpected(division.error());
   const Ring& ring = division->ring;
-  const TipCuts tips(ring, spec, division->size);
+  const double open = division->pieces.size() == 1 ? open_seam(ring, division->pieces.front()) : 0.0;
+  const TipCuts tips(ring, division->pieces, spec, division->size);
   std::vector<FoldedPiece> pieces;
   for (const auto& parts : division->pieces) {
     FoldedPiece& piece = pieces.emplace_back();
-    piece.sheet = PieceMaker(ring, spec, &tips, nullptr).run(parts);
+    piece.cut_area = open;
     for (const StripPart& part : parts) {
       const Strip& strip = ring.strip(part.strip);
-      piece.tip_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
+      if (auto room = tips.leave_room(strip, part.from, part.to); !room) return tl::unexpected(room.error());
+      piece.cut_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
     }
+    piece.sheet = PieceMaker(ring, spec, &tips, nullptr).run(parts);
   }
   return pieces;
 }

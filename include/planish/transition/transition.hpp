@@ -88,11 +88,12 @@ struct Transition {
   std::array<double, 2> perimeters{};    ///< of the neutral surface's borders on both profiles, mm
 };
 
-/// A piece as a solid can be made of it: the tips of cones are cut off where their inside radius would be less
-/// than a tenth of the thickness.
+/// A piece as a solid can be made of it: corners in which cones or several folds meet are cut off where their
+/// inside radius would be less than a tenth of the thickness, and the seam of a sheet in one piece stands open by
+/// 0.01 mm, so that both its edges are seen as two.
 struct FoldedPiece {
   Sheet sheet;
-  double tip_area = 0.0;  ///< of the neutral surface, mm²: what is cut off
+  double cut_area = 0.0;  ///< of the neutral surface, mm²: what is missing
 };
 
 struct TransitionOptions {
@@ -118,7 +119,8 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
 /// `bad_option` (chord not positive).
 Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord = 0.05, const TransitionOptions& options = {});
 
-/// The same pieces with their tips cut off, for solids. Errors: those of `make_transition`.
+/// The same pieces as solids can be made of them. Errors: those of `make_transition`; `radius_too_small` also where
+/// the thickness leaves nothing of a border between two corners.
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options = {});
 
 }  // namespace planish

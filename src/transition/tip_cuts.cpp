@@ -1,0 +1,121 @@
+#include "tip_cuts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::transition_detail {
+namespace {
+
+/// Folds of less (sine) are none: planes and what they touch agree to rounding.
+constexpr double kSmooth = 1e-7;
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+/// The sharp fold between two parts that follow each other; 0 where they are smooth.
+double fold_between(const Ring& ring, const StripPart& before, const StripPart& after) {
+  const double angle = angle_between(ring.strip(before.strip).normal(before.to), ring.strip(after.strip).normal(after.from));
+  return angle > kSmooth ? angle : 0.0;
+}
+
+/// A corner of a plane part, and the folds along the two borders that meet there (0: none).
+struct PanelCorner {
+  int side = 0;
+  Vec3 at, one_way, other_way;  ///< the corner, and the next ones along both borders
+  double fold = 0.0, other_fold = 0.0;
+};
+
+std::vector<PanelCorner> corners_of(const Strip& strip, const StripPart& part, double first_fold, double last_fold) {
+  const auto [p0, q0] = strip.ruling(part.from);
+  const auto [p1, q1] = strip.ruling(part.to);
+  if (strip.stands(0)) return {{0, p0, q0, q1, first_fold, last_fold}, {1, q0, p0, q1, first_fold, 0.0}, {1, q1, p0, q0, last_fold, 0.0}};
+  if (strip.stands(1)) return {{1, q0, p0, p1, first_fold, last_fold}, {0, p0, q0, p1, first_fold, 0.0}, {0, p1, q0, p0, last_fold, 0.0}};
+  return {{0, p0, q0, p1, first_fold, 0.0}, {0, p1, q1, p0, last_fold, 0.0}, {1, q0, p0, q1, first_fold, 0.0}, {1, q1, p1, q0, last_fold, 0.0}};
+}
+
+/// How far from a panel's corner its inside is as wide as wanted: folds move there into the panel by
+/// inside · tan(fold / 2).
+double cut_of(const PanelCorner& corner, double inside, double radius) {
+  const double opening = angle_between(corner.one_way - corner.at, corner.other_way - corner.at);
+  const double moved = inside * (std::tan(0.5 * corner.fold) + std::tan(0.5 * corner.other_fold));
+  const double wanted = 0.5 * (radius - inside) * (corner.fold + corner.other_fold);
+  return (moved * std::cos(0.5 * opening) + wanted) / (2.0 * std::sin(0.5 * opening));
+}
+
+}  // namespace
+
+TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size) : near_(1e-9 * size), thickness_(spec.thickness) {
+  constexpr double kInsideRadius = 0.1;  // in thicknesses
+  const double inside = spec.k_factor * spec.thickness, radius = inside + kInsideRadius * spec.thickness;
+  add_cones(ring, radius);
+  add_fans(ring, pieces, inside, radius);
+}
+
+void TipCuts::add_cones(const Ring& ring, double radius) {
+  for (const Strip& strip : ring.strips)
+    for (int side = 0; side < 2; ++side)
+      if (!strip.plane() && strip.stands(side))
+        tips_.push_back({side, strip.ruling(0.0)[static_cast<std::size_t>(side)], strip.distance_of_radius(radius)});
+}
+
+/// Panels at corners in which more than one fold or also a cone ends: there the mitres of all would have to meet in
+/// one point, which offset planes do not.
+void TipCuts::add_fans(const Ring& ring, const Pieces& pieces, double inside, double radius) {
+  std::vector<PanelCorner> corners;
+  std::vector<Tip> folds;
+  for (const auto& parts : pieces)
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Strip& strip = ring.strip(parts[i].strip);
+      const double first = i == 0 ? 0.0 : fold_between(ring, parts[i - 1], parts[i]);
+      const double last = i + 1 == parts.size() ? 0.0 : fold_between(ring, parts[i], parts[i + 1]);
+      if (first > 0.0)
+        for (int side = 0; side < 2; ++side)
+          folds.push_back({side, strip.ruling(parts[i].from)[static_cast<std::size_t>(side)], 0.0});
+      if (!strip.plane()) continue;
+      for (const PanelCorner& corner : corners_of(strip, parts[i], first, last))
+        corners.push_back(corner);
+    }
+  const std::vector<Tip> cones = tips_;
+  for (const PanelCorner& corner : corners) {
+    const auto here = [&](const Tip& tip) { return tip.side == corner.side && (tip.at - corner.at).norm() <= near_; };
+    const auto ending = std::count_if(folds.begin(), folds.end(), here) + std::count_if(cones.begin(), cones.end(), here);
+    if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
+  }
+}
+
+double TipCuts::at(int side, const Vec3& p) const {
+  double cut = 0.0;
+  for (const Tip& tip : tips_)
+    if (tip.side == side && (tip.at - p).norm() <= near_) cut = std::max(cut, tip.cut);
+  return cut;
+}
+
+Strip::Tips TipCuts::of(const Strip& strip, double from, double to) const {
+  const auto first = strip.ruling(from), last = strip.ruling(to);
+  Strip::Tips tips;
+  for (std::size_t side = 0; side < 2; ++side) {
+    tips.at_from[side] = at(static_cast<int>(side), first[side]);
+    tips.at_to[side] = at(static_cast<int>(side), last[side]);
+  }
+  return tips;
+}
+
+Result<void> TipCuts::leave_room(const Strip& strip, double from, double to) const {
+  constexpr double kMost = 0.9;  // of a ruling may be cut
+  const Strip::Tips tips = of(strip, from, to);
+  const auto check = [&](const std::array<double, 2>& cuts, double ruling) -> Result<void> {
+    const auto [p, q] = strip.ruling(ruling);
+    const double length = (q - p).norm();
+    if (cuts[0] + cuts[1] <= kMost * length) return {};
+    return fail(ErrorCode::radius_too_small,
+                fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends meet in a corner they need {:.4g} mm of a line "
+                            "that is {:.4g} mm long",
+                            thickness_, cuts[0] + cuts[1], length),
+                "/thickness");
+  };
+  if (auto room = check(tips.at_from, from); !room) return room;
+  return check(tips.at_to, to);
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "seams.hpp"
+
+#include <vector>
+
+namespace planish::transition_detail {
+
+/// What is cut off at corners in which a sheet of real thickness has no room on its inside: where a cone has its
+/// apex, and where several folds meet. There the inside of what is left is as wide as that of a bend with an inside
+/// radius of a tenth of the thickness.
+class TipCuts {
+ public:
+  using Pieces = std::vector<std::vector<StripPart>>;
+
+  /// `size`: extent of the profiles.
+  TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size);
+
+  Strip::Tips of(const Strip& strip, double from, double to) const;
+
+  /// Errors: `radius_too_small` where the cuts at both ends of a ruling leave nothing of it.
+  Result<void> leave_room(const Strip& strip, double from, double to) const;
+
+ private:
+  struct Tip {
+    int side = 0;
+    Vec3 at;
+    double cut = 0.0;
+  };
+  void add_cones(const Ring& ring, double radius);
+  void add_fans(const Ring& ring, const Pieces& pieces, double inside, double radius);
+  double at(int side, const Vec3& p) const;
+
+  double near_, thickness_;
+  std::vector<Tip> tips_;
+};
+
+}  // namespace planish::transition_detail
