@@ -14,6 +14,9 @@ namespace {
 /// Outlines are held to this, because nets are compared with closed forms and with each other (mm).
 constexpr double kOutline = 1e-7;
 
+/// What is within this of a line, an arc or a point is one: more than the rounding of a cone's image about its apex (mm).
+constexpr double kMerged = 5e-7;
+
 /// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
 constexpr double kFolded = 1e-8;
 
@@ -28,7 +31,8 @@ TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
 FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request) {
   FlattenOptions options;
   options.allowance = ConstantK{spec.k_factor, request.allowance ? "command line" : "transition file"};
-  options.curve_tolerance = options.merge_tolerance = kOutline;
+  options.curve_tolerance = kOutline;
+  options.merge_tolerance = kMerged;
   return options;
 }
 

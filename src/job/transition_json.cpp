@@ -52,7 +52,7 @@ Frame frame_at(const JsonPlace& place) {
   const Vec3 x = vector_at(place["x"], Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
   if (x_given) place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
-  return frame_from_axes(origin, z, z.x() > 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ());
+  return frame_from_axes(origin, z, x_given ? Vec3(z.unitOrthogonal()) : z.x() > 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ());
 }
 
 Profile profile_at(const JsonPlace& place) {

@@ -78,8 +78,10 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  if (solid_volume > 0.0 && (off(certificate.volume_ratio, bounds.volume_warning) ||
-                             off(certificate.explained_ratio, bounds.volume_warning))) {
+  // Without features what explains the volume is what a made sheet is known to lack or to hold more.
+  const bool explained = flat.features.empty() && !off(certificate.explained_ratio, bounds.volume_warning);
+  if (solid_volume > 0.0 && !explained &&
+      (off(certificate.volume_ratio, bounds.volume_warning) || off(certificate.explained_ratio, bounds.volume_warning))) {
     found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
   }
   if (certificate.length_error > bounds.length_warning) {

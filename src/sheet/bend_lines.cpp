@@ -49,18 +49,38 @@ std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, doub
   return result;
 }
 
+using Intervals = std::vector<std::pair<double, double>>;
+
+/// Whether both are the same but for what the material's ends move from a ruling to the next.
+bool alike(const Intervals& a, const Intervals& b) {
+  constexpr double kMoved = 1e-3;  // share of the length
+  if (a.empty() || a.size() != b.size()) return false;
+  const double near = kMoved * (a.back().second - a.front().first);
+  for (size_t i = 0; i < a.size(); ++i)
+    if (std::abs(a[i].first - b[i].first) > near || std::abs(a[i].second - b[i].second) > near) return false;
+  return true;
+}
+
+Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
+  Intervals intervals;
+  for (const FaceId id : bend.faces)
+    add_material(sheet.faces[static_cast<size_t>(index_of(id))], u, intervals);
+  return joined(std::move(intervals));
+}
+
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked up
-/// a little aside, because seams and tangent lines run exactly along rulings.
+/// a little aside, because seams and tangent lines run exactly along rulings, and measured on the ruling
+/// itself where that finds the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
                                   const Range& range, double at) {
   constexpr double kAside = 1e-6;  // share of the range
   const double u = range.lo + at * (range.hi - range.lo);
   const double looked_at = range.lo + std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
-  std::vector<std::pair<double, double>> intervals;
-  for (const FaceId id : bend.faces)
-    add_material(sheet.faces[static_cast<size_t>(index_of(id))], looked_at, intervals);
+  auto intervals = material_along(sheet, bend, looked_at);
+  if (at > 2.0 * kAside && at < 1.0 - 2.0 * kAside)
+    if (auto exact = material_along(sheet, bend, u); alike(exact, intervals)) intervals = std::move(exact);
   std::vector<Segment> lines;
-  for (const auto& [from, to] : joined(std::move(intervals)))
+  for (const auto& [from, to] : intervals)
     lines.push_back({tree.image(sheet, bend.faces.front(), {u, from}), tree.image(sheet, bend.faces.front(), {u, to})});
   return lines;
 }
@@ -93,10 +113,11 @@ void add_press_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& 
   if (bend.press_lines.empty()) add(0.5, bend.angle);
 }
 
-double total_length(const std::vector<Segment>& lines) {
+/// Of the bend lines; of press lines, side by side, their mean.
+double length_of(const Bend& bend, const std::vector<Segment>& lines) {
   double sum = 0.0;
   for (const Segment& line : lines) sum += (line.b - line.a).norm();
-  return sum;
+  return sum / std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
 }
 
 }  // namespace
@@ -121,7 +142,7 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree) 
       flat.tangent_lines = ruling_lines(sheet, tree, bend, range, 0.0);
       for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0)) flat.tangent_lines.push_back(line);
     }
-    flat.length = total_length(flat.lines);
+    flat.length = length_of(bend, flat.lines);
     result.push_back(std::move(flat));
   }
   return result;

@@ -111,7 +111,7 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern, cons
   certificate.flat_area_half = *area;
   certificate.volume_ratio = sheet.volume > 0 ? *area * sheet.thickness / sheet.volume : std::nan("");
   const double plain = sheet.volume - sheet.forms_volume - sheet.mitres_volume;
-  certificate.explained_ratio = sheet.forms_measured && plain > 0 ? *area * sheet.thickness / plain : std::nan("");
+  certificate.explained_ratio = sheet.volume > 0 && sheet.forms_measured && plain > 0 ? *area * sheet.thickness / plain : std::nan("");
   check_lengths(sheet, pattern, options.curve_tolerance, certificate);
   if (!distance) {
     certificate.refold_deviation = std::nan("");

@@ -84,6 +84,7 @@ class Grower {
       auto allowance = bend_allowance(options_.allowance, sheet_.thickness, bend.inside_radius, bend.angle);
       if (!allowance) return tl::unexpected(allowance.error());
       tree_.allowance.push_back(*allowance);
+      if (bend.faces.empty() && sheet_.reference_depth > 0.0) settle_hinge(bend, tree_.allowance.back());
       tree_.development.push_back(development_of(bend, allowance->k_factor));
     }
     for (const Face& face : sheet_.faces) {
@@ -98,21 +99,22 @@ class Grower {
     return (bend.reference_inside ? k : 1.0 - k) * sheet_.thickness - sheet_.reference_depth;
   }
 
+  /// Between skins a sharp bend turns about the reference surface; outside the faces meet beyond it.
+  void settle_hinge(const Bend& bend, BendAllowance& allowance) const {
+    const double outwards = bend.reference_inside ? 1.0 : -1.0;
+    allowance.allowance = bend.angle.radians() * outwards * neutral_depth(bend, allowance.k_factor);
+    const double outside = bend.reference_inside ? sheet_.thickness - sheet_.reference_depth : sheet_.reference_depth;
+    allowance.deduction = 2.0 * outside_setback(0.0, outside, bend.angle) - allowance.allowance;
+  }
+
   double offset_of(BendId id, const Face& face) const {
     const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(id))];
     const double k = tree_.allowance[static_cast<size_t>(index_of(id))].k_factor;
     return -face.sense * neutral_depth(bend, k);
   }
 
-  /// What a sharp bend takes between its two borders. Between skins its radius is zero on the inside,
-  /// elsewhere on the reference surface.
-  double gap_of(BendId id) const {
-    const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(id))];
-    const BendAllowance& allowance = tree_.allowance[static_cast<size_t>(index_of(id))];
-    if (sheet_.reference_depth == 0.0) return allowance.allowance;
-    const double outwards = bend.reference_inside ? 1.0 : -1.0;
-    return bend.angle.radians() * outwards * neutral_depth(bend, allowance.k_factor);
-  }
+  /// What a sharp bend takes between its two borders.
+  double gap_of(BendId id) const { return tree_.allowance[static_cast<size_t>(index_of(id))].allowance; }
 
   Development development_of(const Bend& bend, double k) const {
     if (bend.faces.empty()) return Development(Cylinder{{}, 1.0}, 0.0);

@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace planish::transition_detail {
 namespace {
@@ -33,17 +34,15 @@ struct PlanePiece {
   std::vector<double> knots;
   double circle_radius = 0.0;  ///< 0: no circle
   Vec2 circle_centre = Vec2::Zero();
-  int edge = -1;
-  int corner = -1;  ///< at its start
+  std::vector<GivenEdge> edges;      ///< that it is made of
+  std::vector<GivenCorner> corners;  ///< at its start and within
 };
 
-PlanePiece straight(const Vec2& a, const Vec2& b, int source, int edge, int corner = -1) {
+PlanePiece straight(const Vec2& a, const Vec2& b, int source) {
   PlanePiece piece;
   piece.curve = [a, d = Vec2(b - a)](double t) -> PlanePoint { return {a + t * d, d, Vec2::Zero(), Vec2::Zero()}; };
   piece.straight = true;
   piece.source = source;
-  piece.edge = edge;
-  piece.corner = corner;
   return piece;
 }
 
@@ -101,19 +100,32 @@ class Shaper {
     if (reversed) std::reverse(corners.begin(), corners.end());
     const auto given_corner = [&](int i) { return reversed ? n - 1 - i : i; };
     if (auto convex = check_convex(corners, given_corner); !convex) return tl::unexpected(convex.error());
-    const std::vector<Vec2> moved = mitred(corners);
+    std::vector<int> turns;  // corners at which it does not go straight on
+    for (int i = 0; i < n; ++i)
+      if (turn_at(corners, i) > kNoCorner) turns.push_back(i);
+    std::vector<Vec2> turning;
+    for (const int i : turns)
+      turning.push_back(corners[index(i)]);
+    const std::vector<Vec2> moved = mitred(turning);
     std::vector<PlanePiece> pieces;
-    for (int i = 0; i < n; ++i) {
-      const Vec2 &a = moved[index(i)], &b = moved[index((i + 1) % n)];
-      const int corner = given_corner(i), next = given_corner((i + 1) % n);
-      const int edge = reversed ? next : corner;
-      if ((b - a).dot(corners[index((i + 1) % n)] - corners[index(i)]) <= 0.0)
+    for (std::size_t k = 0; k < turns.size(); ++k) {
+      const std::size_t next = (k + 1) % turns.size();
+      const Vec2 given = turning[next] - turning[k];
+      PlanePiece piece = straight(moved[k], moved[next], static_cast<int>(k));
+      const auto share = [&](int i) { return (corners[index(i % n)] - turning[k]).norm() / given.norm(); };
+      const int last = turns[next] + (turns[next] <= turns[k] ? n : 0);
+      for (int i = turns[k]; i < last; ++i) {
+        const int corner = given_corner(i % n);
+        piece.edges.push_back({reversed ? given_corner((i + 1) % n) : corner, 0, share(i), i + 1 == last ? 1.0 : share(i + 1)});
+        piece.corners.push_back({corner, 0, share(i)});
+      }
+      if ((moved[next] - moved[k]).dot(given) <= 0.0)
         return fail(ErrorCode::radius_too_small,
                     fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the neutral surface lies {:.4g} mm "
                                 "within the polygon that is given",
-                                edge, (corners[index((i + 1) % n)] - corners[index(i)]).norm(), -outwards_),
+                                piece.edges.front().number, given.norm(), -outwards_),
                     pointer_ + "/polygon");
-      pieces.push_back(straight(a, b, i, edge, corner));
+      pieces.push_back(std::move(piece));
     }
     return pieces;
   }
@@ -221,6 +233,14 @@ class Shaper {
     return {};
   }
 
+  /// Sine of the angle by which a polygon turns to the left at a corner.
+  static double turn_at(const std::vector<Vec2>& corners, int i) {
+    const int n = static_cast<int>(corners.size());
+    const Vec2 in = (corners[index(i)] - corners[index((i + n - 1) % n)]).normalized();
+    const Vec2 out = (corners[index((i + 1) % n)] - corners[index(i)]).normalized();
+    return cross2(in, out);
+  }
+
   template <typename Given>
   Result<void> check_convex(const std::vector<Vec2>& corners, const Given& given) const {
     const int n = static_cast<int>(corners.size());
@@ -279,8 +299,10 @@ class Shaper {
     for (int i = 0; i < 4; ++i) {
       const Vec2 &last = centres[index((i + 3) % 4)], &centre = centres[index(i)];
       const Vec2 outward(std::cos(0.5 * kPi * (i - 1)), std::sin(0.5 * kPi * (i - 1)));
-      if ((centre - last).norm() > kNoCorner * (x + y + radius))
-        pieces.push_back(straight(last + r * outward, centre + r * outward, ++source, edges[index(i)]));
+      if ((centre - last).norm() > kNoCorner * (x + y + radius)) {
+        pieces.push_back(straight(last + r * outward, centre + r * outward, ++source));
+        pieces.back().edges = {{edges[index(i)], 0, 0.0, 1.0}};
+      }
       pieces.push_back(quarter(radius, radius, centre, outwards_, 0.5 * kPi * (i - 1), 0));
       // Half circles of an obround are one curve.
       const bool goes_on = i > 0 && (centre - last).norm() <= kNoCorner * (x + y + radius);
@@ -330,11 +352,19 @@ Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, cons
   const int n = static_cast<int>(pieces->size());
   for (int i = 0; i < n; ++i) {
     const auto& piece = (*pieces)[static_cast<std::size_t>(turned ? n - 1 - i : i)];
-    // Turned round, a piece begins where the next one in the profile's own order does.
-    const auto& starts = (*pieces)[static_cast<std::size_t>(turned ? (n - i) % n : i)];
     boundary.elements.push_back(placed(piece, profile.frame, turned));
-    boundary.edge_of.push_back(piece.edge);
-    boundary.corner_of.push_back(starts.corner);
+    for (GivenEdge edge : piece.edges) {
+      if (turned) std::tie(edge.from, edge.to) = std::pair{1.0 - edge.to, 1.0 - edge.from};
+      edge.element = i;
+      boundary.edges.push_back(edge);
+    }
+    for (GivenCorner corner : piece.corners) {
+      // Turned round, a piece ends where it began.
+      const bool at_end = turned && corner.at == 0.0;
+      corner.element = at_end ? (i + 1) % n : i;
+      corner.at = turned && !at_end ? 1.0 - corner.at : corner.at;
+      boundary.corners.push_back(corner);
+    }
   }
   for (int i = 0; i < n; ++i) {
     const Element &before = boundary.element(i - 1), &after = boundary.element(i);

@@ -25,13 +25,25 @@ struct Element {
   std::optional<Circle> circle;
 };
 
+/// An edge or a corner of a profile as it was given: where it is on a boundary, as shares of an element's length.
+/// Corners at which a polygon goes straight on lie within elements.
+struct GivenEdge {
+  int number = 0, element = 0;
+  double from = 0.0, to = 1.0;
+};
+struct GivenCorner {
+  int number = 0, element = 0;
+  double at = 0.0;
+};
+
 /// A closed convex curve in space, run so that its inside is on the left seen from the tip of `axis`.
 struct Boundary {
   Vec3 axis = Vec3::UnitZ();
   bool turned = false;  ///< runs clockwise about the frame's normal
   std::vector<Element> elements;
-  std::vector<bool> corner;             ///< whether there is one at the start of each element
-  std::vector<int> edge_of, corner_of;  ///< numbers in the profile as it was given; −1: none
+  std::vector<bool> corner;  ///< whether there is one at the start of each element
+  std::vector<GivenEdge> edges;
+  std::vector<GivenCorner> corners;
 
   int count() const { return static_cast<int>(elements.size()); }
   const Element& element(int i) const { return elements[static_cast<std::size_t>(((i % count()) + count()) % count())]; }

@@ -14,7 +14,7 @@ namespace {
 constexpr double kInPlane = 1e-10;
 
 /// Places nearer to each other are one: rounding, of places that the other boundary's tangents lead to.
-constexpr double kSamePlace = 1e-9;
+constexpr double kSamePlace = 5e-9;
 
 /// A place on a boundary: element plus share of its parameter. Whole numbers are where elements meet.
 /// Places count on past the end, round after round.
@@ -195,17 +195,26 @@ bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
   return true;
 }
 
+/// Where an element is highest or lowest between its ends; one of them where it is not.
+double turning_point(const Element& element, const Vec3& up) {
+  return root_between(
+      [&](double t) {
+        const SpaceCurvePoint p = element.curve(t);
+        return std::pair{up.dot(p.derivative), up.dot(p.second)};
+      },
+      element.t0, element.t1);
+}
+
 Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double side, double size, bool from) {
   const Vec3 origin = plane_of.elements.front().curve(plane_of.elements.front().t0).point;
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const Element& element : other.elements) {
-    constexpr int kSamples = 16;
-    for (int i = 0; i <= kSamples; ++i) {
-      const double h = side * plane_of.axis.dot(element.curve(std::lerp(element.t0, element.t1, i / double(kSamples))).point - origin);
+  const Vec3 up = side * plane_of.axis;
+  for (const Element& element : other.elements)
+    for (const double t : {element.t0, turning_point(element, up), element.t1}) {
+      const double h = up.dot(element.curve(t).point - origin);
       low = std::min(low, h);
       high = std::max(high, h);
     }
-  }
   constexpr double kTouching = 1e-9;
   if (low > kTouching * size) return {};
   if (high <= kTouching * size)

@@ -19,21 +19,17 @@ class Cutter {
   explicit Cutter(const Ring& ring) : ring_(ring), boundary_(ring.hull->boundaries[0]) {}
 
   Result<Cut> at(const SeamEdge& seam) const {
-    for (int i = 0; i < ring_.count(); ++i) {
-      const Stretch& side = ring_.strip(i).patch().sides[0];
-      if (ring_.strip(i).plane() && side.moves() && edge_of(side) == seam.edge) return Cut{i, 0.5};
-    }
-    return fail(ErrorCode::unknown_seam,
-                fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edge_of)), "/seam/edge");
+    for (const GivenEdge& edge : boundary_.edges)
+      if (edge.number == seam.edge) return at_share(edge.element, 0.5 * (edge.from + edge.to));
+    return fail(ErrorCode::unknown_seam, fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edges)), "/seam/edge");
   }
 
   /// The middle of what turns about the corner, so that both planes beside it stay whole.
   Result<Cut> at(const SeamCorner& seam) const {
-    const auto found = std::find(boundary_.corner_of.begin(), boundary_.corner_of.end(), seam.corner);
-    if (seam.corner < 0 || found == boundary_.corner_of.end())
-      return fail(ErrorCode::unknown_seam,
-                  fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corner_of)), "/seam/corner");
-    return at_start_of(static_cast<int>(found - boundary_.corner_of.begin()));
+    for (const GivenCorner& corner : boundary_.corners)
+      if (corner.number == seam.corner) return corner.at == 0.0 ? at_start_of(corner.element) : at_share(corner.element, corner.at);
+    return fail(ErrorCode::unknown_seam, fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corners)),
+                "/seam/corner");
   }
 
   Result<Cut> at(const SeamParameter& seam) const {
@@ -57,7 +53,8 @@ class Cutter {
     };
     for (int i = 0; i < ring_.count(); ++i) {
       consider({i, 0.0});
-      if (ring_.strip(i).plane() && ring_.strip(i).patch().sides[0].moves()) consider({i, 0.5});
+      if (!ring_.strip(i).plane()) consider(shortest_in(i));
+      else if (ring_.strip(i).patch().sides[0].moves()) consider({i, 0.5});
     }
     return best;
   }
@@ -133,7 +130,25 @@ class Cutter {
   /// Share of the first profile's length.
   static constexpr double kSliver = 1e-9;
 
-  int edge_of(const Stretch& stretch) const { return boundary_.edge_of[static_cast<std::size_t>(stretch.element)]; }
+  /// Between some rulings of a strip, by golden sections about the shortest of them.
+  Cut shortest_in(int number) const {
+    const Strip& strip = ring_.strip(number);
+    constexpr int kSamples = 32;
+    int least = 0;
+    for (int i = 1; i < kSamples; ++i)
+      if (length_of(strip, i / double(kSamples)) < length_of(strip, least / double(kSamples))) least = i;
+    double low = std::max(0.0, (least - 1) / double(kSamples)), high = (least + 1) / double(kSamples);
+    constexpr double kGolden = 0.6180339887498949, kNear = 1e-6;
+    while (high - low > kNear) {
+      const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+      (length_of(strip, a) < length_of(strip, b) ? high : low) = length_of(strip, a) < length_of(strip, b) ? b : a;
+    }
+    return {number, 0.5 * (low + high)};
+  }
+
+  Cut at_share(int element, double share) const {
+    return at_length(length_before(element) + share * length_of(boundary_.element(element)));
+  }
 
   static double length_between(const Element& element, double t0, double t1) {
     return element.straight ? (element.curve(t1).point - element.curve(t0).point).norm() : arc_length(element, t0, t1);
@@ -157,16 +172,17 @@ class Cutter {
         element.t0, element.t1);
   }
 
-  static std::string known(const std::vector<int>& numbers) {
-    const int most = *std::max_element(numbers.begin(), numbers.end());
-    return most < 0 ? ": it has none" : fmt::format(": it has 0 to {}", most);
+  template <typename Given>
+  static std::string known(const std::vector<Given>& all) {
+    if (all.empty()) return ": it has none";
+    return fmt::format(": it has 0 to {}", std::max_element(all.begin(), all.end(), [](const Given& a, const Given& b) { return a.number < b.number; })->number);
   }
 
   /// Length from the boundary's first element to where the profile begins that was given.
   double start_of_profile() const {
-    for (int i = 0; i < boundary_.count(); ++i)
-      if (boundary_.edge_of[static_cast<std::size_t>(i)] == 0)
-        return length_before(i) + (boundary_.turned ? length_of(boundary_.element(i)) : 0.0);
+    for (const GivenEdge& edge : boundary_.edges)
+      if (edge.number == 0)
+        return length_before(edge.element) + (boundary_.turned ? edge.to : edge.from) * length_of(boundary_.element(edge.element));
     return 0.0;
   }
 

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace planish::transition_detail {
 namespace {
 
 /// Directions that differ by less (sine), lengths by less (share), are the same: of right cones.
 constexpr double kRight = 1e-12;
+/// Share of its distance from the origin by which a point may be off, from rounding.
+constexpr double kRounding = 1e-15;
 
 /// Knots of an element's curve after t0 and before t1, of a closed one round after round; ascending.
 std::vector<double> knots_between(const Element& element, double t0, double t1) {
@@ -87,17 +90,19 @@ void Strip::find_right() {
   if (!circles[m]) return;
   const SpaceCurvePoint start = point(moving, patch_.sides[m].t0);
   const Vec3 centre = circles[m]->centre;
-  const double radius = circles[m]->radius, turned = patch_.sides[m].t1 - patch_.sides[m].t0;
+  const double radius = circles[m]->radius;
+  const double near = kRight + kRounding * centre.norm() / radius;
+  const double turned = patch_.sides[m].t1 - patch_.sides[m].t0;
   const Vec3 up = (start.point - centre).cross(start.derivative).normalized();
-  const auto on_axis = [&](const Vec3& p) { return (p - centre).cross(up).norm() <= kRight * (p - centre).norm(); };
+  const auto on_axis = [&](const Vec3& p) { return (p - centre).cross(up).norm() <= near * (p - centre).norm(); };
   double other_radius = 0.0;
   Vec3 other = point(static_cast<int>(o), patch_.sides[o].t0).point;
   if (patch_.sides[o].moves()) {
     if (!circles[o]) return;
     const SpaceCurvePoint there = point(static_cast<int>(o), patch_.sides[o].t0);
     const Vec3 arm = there.point - circles[o]->centre;
-    if (arm.cross(start.point - centre).norm() > kRight * arm.norm() * radius) return;
-    if (std::abs(up.dot(arm)) > kRight * arm.norm() || up.cross(arm.cross(there.derivative)).norm() > kRight * arm.cross(there.derivative).norm()) return;
+    if (arm.cross(start.point - centre).norm() > near * arm.norm() * radius) return;
+    if (std::abs(up.dot(arm)) > near * arm.norm() || up.cross(arm.cross(there.derivative)).norm() > near * arm.cross(there.derivative).norm()) return;
     other = circles[o]->centre;
     other_radius = circles[o]->radius;
   }
@@ -106,7 +111,7 @@ void Strip::find_right() {
   const Vec3 x = (start.point - centre) / radius;
   Right right;
   const double slant = std::hypot(rise, radius - other_radius);
-  if (std::abs(radius - other_radius) <= kRight * radius) {
+  if (std::abs(radius - other_radius) <= near * radius) {
     right.surface = Cylinder{{centre, x, up.cross(x), up}, radius};
     right.u1 = turned;
     right.v[o] = rise;
@@ -237,8 +242,28 @@ double Strip::turn(double from, double to) const {
   return patch_.plane || from == to ? 0.0 : integral_over([&](double at) { return local(at).turn_rate; }, breaks_between(from, to));
 }
 
+double Strip::turned(double from, double to) const {
+  const Vec3 a = normal(from), b = normal(to);
+  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  // How far the normals go round their common axis, in steps of less than half a turn.
+  constexpr int kSteps = 16;
+  std::vector<Vec3> normals;
+  Vec3 axis = Vec3::Zero();
+  for (int i = 0; i <= kSteps; ++i) {
+    normals.push_back(normal(std::lerp(from, to, i / double(kSteps))));
+    if (i > 0) axis += normals[static_cast<std::size_t>(i) - 1].cross(normals.back());
+  }
+  axis.normalize();
+  double round = 0.0;
+  for (std::size_t i = 1; i < normals.size(); ++i) {
+    const Vec3 p = normals[i - 1] - axis.dot(normals[i - 1]) * axis, q = normals[i] - axis.dot(normals[i]) * axis;
+    round += std::atan2(axis.dot(p.cross(q)), p.dot(q));
+  }
+  return round > std::numbers::pi ? 2.0 * std::numbers::pi - between : between;
+}
+
 template <typename Rate>
-std::vector<double> Strip::divided(const Rate& rate, double from, double to, int count) const {
+std::vector<double> Strip::divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const {
   // Behind each of some rulings, breaks among them, lies so much of the integral.
   constexpr int kParts = 32;
   struct Station {
@@ -255,10 +280,10 @@ std::vector<double> Strip::divided(const Rate& rate, double from, double to, int
       stations.push_back({at, last.behind + short_integral(rate, last.at, at)});
     }
   }
-  std::vector<double> rulings{from};
+  std::vector<double> rulings;
   auto above = stations.begin() + 1;
-  for (int i = 1; i < 2 * count; ++i) {
-    const double wanted = 0.5 * i / count * stations.back().behind;
+  for (const double share : shares) {
+    const double wanted = share * stations.back().behind;
     while (above->behind < wanted && above + 1 != stations.end())
       ++above;
     const Station& below = *(above - 1);
@@ -268,16 +293,17 @@ std::vector<double> Strip::divided(const Rate& rate, double from, double to, int
       at = std::clamp(at + (wanted - below.behind - short_integral(rate, below.at, at)) / rate(at), below.at, above->at);
     rulings.push_back(at);
   }
-  rulings.push_back(to);
   return rulings;
 }
 
 std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count) const {
   const double each = turn(from, to) / count;
-  const std::vector<double> rulings = divided([&](double at) { return local(at).turn_rate; }, from, to, count);
+  std::vector<double> middles;
+  for (int i = 0; i < count; ++i)
+    middles.push_back((i + 0.5) / count);
   std::vector<Press> presses;
-  for (std::size_t i = 1; i < rulings.size(); i += 2)
-    presses.push_back({rulings[i], each});
+  for (const double at : divided([&](double at) { return local(at).turn_rate; }, from, to, middles))
+    presses.push_back({at, each});
   return presses;
 }
 
@@ -287,7 +313,10 @@ std::vector<Strip::Press> Strip::evenly_along(int side, double from, double to, 
     const Pairing pair = pairing(at);
     return point(side, pair.t[s]).derivative.norm() * pair.rate[s];
   };
-  const std::vector<double> rulings = divided(speed, from, to, count);
+  std::vector<double> shares;  // limits and middles in turn
+  for (int i = 0; i <= 2 * count; ++i)
+    shares.push_back(0.5 * i / count);
+  const std::vector<double> rulings = divided(speed, from, to, shares);
   std::vector<Press> presses;
   for (std::size_t i = 1; i < rulings.size(); i += 2)
     presses.push_back({rulings[i], turn(rulings[i - 1], rulings[i + 1])});

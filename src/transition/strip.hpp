@@ -40,6 +40,9 @@ class Strip {
   double border_length(int side, double from, double to) const;
   /// By how much the normal turns.
   double turn(double from, double to) const;
+  /// By how much its end is turned against its start, as bends are measured: between the normals, the long way round
+  /// where it turns so far.
+  double turned(double from, double to) const;
   /// A ruling on which the sheet is pressed, and by how much (radians).
   struct Press {
     double at = 0.0, turn = 0.0;
@@ -96,10 +99,9 @@ class Strip {
   };
   Local local(double at) const;
 
-  /// The rulings that divide the integral of `rate` from `from` to `to` into `count` equal parts, and the middles of
-  /// those in turn: 2 · count + 1 rulings.
+  /// The rulings behind which lie `shares`, ascending, of the integral of `rate` from `from` to `to`.
   template <typename Rate>
-  std::vector<double> divided(const Rate& rate, double from, double to, int count) const;
+  std::vector<double> divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const;
 
   /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
   std::vector<double> breaks_between(double from, double to) const;

@@ -99,21 +99,44 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
   return {};
 }
 
-std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to, const Pressing& pressing) {
+/// How many lines a part of a strip is pressed on; nothing where it is rolled.
+double wanted_presses(const Strip& strip, double from, double to, const Pressing& pressing) {
   constexpr double kExactly = 1e-9;  // 90° by 10° are 9 lines, whatever rounding says
-  const auto lines = [](double amount) { return std::max(1, static_cast<int>(std::ceil(amount - kExactly))); };
+  const auto lines = [](double amount) { return std::max(1.0, std::ceil(amount - kExactly)); };
   if (const auto* count = std::get_if<PressCount>(&pressing)) {
-    const double share = strip.turn(from, to) / strip.turn(0.0, 1.0);
-    return strip.evenly_turned(from, to, std::max(1, static_cast<int>(std::lround(count->count * share))));
+    if (from == 0.0 && to == 1.0) return count->count;
+    // What a seam divides shares the lines.
+    const double whole = strip.turn(0.0, 1.0);
+    const auto up_to = [&](double at) { return std::round(count->count * strip.turn(0.0, at) / whole); };
+    return std::max(1.0, up_to(to) - up_to(from));
   }
-  if (const auto* angle = std::get_if<PressAngle>(&pressing))
-    return strip.evenly_turned(from, to, lines(strip.turn(from, to) / angle->largest.radians()));
-  if (const auto* chord = std::get_if<PressChord>(&pressing)) {
-    const std::array lengths{strip.border_length(0, from, to), strip.border_length(1, from, to)};
-    const int wider = lengths[1] > lengths[0] ? 1 : 0;
-    return strip.evenly_along(wider, from, to, lines(lengths[static_cast<std::size_t>(wider)] / chord->largest));
-  }
+  if (const auto* angle = std::get_if<PressAngle>(&pressing)) return lines(strip.turn(from, to) / angle->largest.radians());
+  if (const auto* chord = std::get_if<PressChord>(&pressing))
+    return lines(std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) / chord->largest);
+  return 0.0;
+}
+
+/// Errors: `invalid_input`, more lines than anybody presses.
+Result<void> check_presses(const Ring& ring, const std::vector<std::vector<StripPart>>& pieces, const Pressing& pressing) {
+  constexpr double kMostLines = 2000.0;  // of a bend
+  for (const auto& parts : pieces)
+    for (const StripPart& part : parts) {
+      const Strip& strip = ring.strip(part.strip);
+      if (strip.plane()) continue;
+      if (const double lines = wanted_presses(strip, part.from, part.to, pressing); lines > kMostLines)
+        return fail(ErrorCode::invalid_input,
+                    fmt::format("a bend would be pressed on {:.4g} lines; {:.0f} are the most: give a smaller count, or a larger angle or chord",
+                                lines, kMostLines),
+                    "/press_lines");
+    }
   return {};
+}
+
+std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to, const Pressing& pressing) {
+  const int count = static_cast<int>(wanted_presses(strip, from, to, pressing));
+  if (count == 0) return {};
+  if (!std::holds_alternative<PressChord>(pressing)) return strip.evenly_turned(from, to, count);
+  return strip.evenly_along(strip.border_length(1, from, to) > strip.border_length(0, from, to) ? 1 : 0, from, to, count);
 }
 
 /// Names of points on both profiles, as templates have them.
@@ -123,23 +146,24 @@ class RulingNames {
   RulingNames(const Hull& hull, double near) : hull_(hull), near_(near) {}
 
   /// Of both ends of a ruling, which counts among the true lengths from now on.
-  std::array<std::string, 2> add(const std::array<Vec3, 2>& points) {
+  std::array<std::string, 2> add(const std::array<Vec3, 2>& points, const std::string& press) {
     const auto known = std::find_if(lengths.begin(), lengths.end(), [&](const TrueLength& other) {
       return same(other.points[0], points[0]) && same(other.points[1], points[1]);
     });
     if (known != lengths.end()) return {known->from, known->to};
-    lengths.push_back({name(0, points[0]), name(1, points[1]), points, (points[1] - points[0]).norm()});
+    lengths.push_back({name(0, points[0]), name(1, points[1]), points, (points[1] - points[0]).norm(), piece, press});
     return {lengths.back().from, lengths.back().to};
   }
 
   std::vector<TrueLength> lengths;
+  int piece = 0;  ///< to which rulings belong that are added
 
  private:
   std::string name(int side, const Vec3& p) {
     const Boundary& boundary = hull_.boundaries[static_cast<std::size_t>(side)];
-    for (int i = 0; i < boundary.count(); ++i) {
-      const int corner = boundary.corner_of[static_cast<std::size_t>(i)];
-      if (corner >= 0 && same(boundary.element(i).curve(boundary.element(i).t0).point, p)) return letter(corner, side == 0 ? 'A' : 'a');
+    for (const GivenCorner& corner : boundary.corners) {
+      const Element& element = boundary.element(corner.element);
+      if (same(element.curve(std::lerp(element.t0, element.t1, corner.at)).point, p)) return letter(corner.number, side == 0 ? 'A' : 'a');
     }
     auto& known = points_[static_cast<std::size_t>(side)];
     const auto found = std::find_if(known.begin(), known.end(), [&](const Vec3& other) { return same(other, p); });
@@ -198,24 +222,30 @@ class PieceMaker {
       sheet_.bends.push_back(bend_of(strip, range, part, presses));
     }
     if (names_) {
-      label(strip, part, range.from);
-      for (const Strip::Press& press : presses)
-        label(strip, part, press.at);
-      label(strip, part, range.to);
+      label(strip, part, range.from, "");
+      for (std::size_t i = 0; i < presses.size(); ++i)
+        label(strip, part, presses[i].at, press_number(part, i, presses.size()));
+      label(strip, part, range.to, "");
     }
     last_border_ = {next_face(), 0, part.ruling_borders[1]};
     sheet_.faces.push_back(std::move(face));
   }
 
   /// Names both ends of a ruling, where they are not the last ones that have been named.
-  void label(const Strip& strip, const Strip::Part& part, double at) {
+  void label(const Strip& strip, const Strip::Part& part, double at, const std::string& press) {
     const std::array<Vec3, 2> ends = strip.ruling(at);
-    const std::array<std::string, 2> names = names_->add(ends);
+    const std::array<std::string, 2> names = names_->add(ends, press);
     for (std::size_t side = 0; side < 2; ++side) {
       if (names[side] == last_named_[side]) continue;
       last_named_[side] = names[side];
       sheet_.labels.push_back({next_face(), uv_of(part, at, ends[side]), names[side]});
     }
+  }
+
+  /// Of a line of the bend that was added last; lines are numbered with u growing.
+  std::string press_number(const Strip::Part& part, std::size_t line, std::size_t lines) const {
+    const std::string bend = fmt::format("B{}", sheet_.bends.size());
+    return lines == 1 ? bend : fmt::format("{}.{}", bend, part.u1 < part.u0 ? lines - line : line + 1);
   }
 
   /// Of a point on the ruling `at`.
@@ -230,12 +260,7 @@ class PieceMaker {
     Bend bend;
     bend.kind = strip.bend_kind();
     bend.faces = {next_face()};
-    const double turn = strip.turn(range.from, range.to);
-    const Vec3 a = strip.normal(range.from), b = strip.normal(range.to);
-    const double between = std::atan2(a.cross(b).norm(), a.dot(b));
-    bend.angle = Angle::radians(bend.kind == BendKind::cylinder    ? turn
-                                : turn <= std::numbers::pi ? between
-                                                           : 2.0 * std::numbers::pi - between);
+    bend.angle = Angle::radians(strip.turned(range.from, range.to));
     bend.inside_radius = std::max(0.0, strip.smallest_radii(range.from, range.to).middle - spec_.k_factor * spec_.thickness);
     for (const Strip::Press& press : presses)
       bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
@@ -304,6 +329,7 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
   }
   for (std::size_t i = 0; i < cuts->size(); ++i)
     division.pieces.push_back(parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]));
+  if (auto pressed = check_presses(*ring, division.pieces, spec.pressing); !pressed) return tl::unexpected(pressed.error());
   division.ring = std::move(*ring);
   return division;
 }
@@ -323,10 +349,12 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += transition.patches.back().border[side];
   }
-  constexpr double kSamePoint = 1e-9;  // share of the extent: rounding
+  constexpr double kSamePoint = 1e-7;  // share of the extent: the hull finds places to some 1e-9
   RulingNames names(*ring.hull, kSamePoint * division->size);
-  for (const auto& parts : division->pieces)
+  for (const auto& parts : division->pieces) {
     transition.pieces.push_back(PieceMaker(ring, spec, nullptr, &names).run(parts));
+    ++names.piece;
+  }
   transition.true_lengths = std::move(names.lengths);
   return transition;
 }
@@ -346,6 +374,16 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
       if (auto room = tips.leave_room(strip, part.from, part.to); !room) return tl::unexpected(room.error());
       piece.cut_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
     }
+    double whole = 0.0;
+    for (const StripPart& part : parts)
+      whole += ring.strip(part.strip).area(part.from, part.to);
+    constexpr double kMostCut = 0.1;
+    if (piece.cut_area > kMostCut * whole)
+      return fail(ErrorCode::radius_too_small,
+                  fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in which bends meet would have to be cut until {:.0f} % "
+                              "of it are gone",
+                              spec.thickness, 100.0 * piece.cut_area / whole),
+                  "/thickness");
     piece.sheet = PieceMaker(ring, spec, &tips, nullptr).run(parts);
   }
   return pieces;

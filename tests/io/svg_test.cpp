@@ -2,6 +2,8 @@
 #include "svg_labels.hpp"
 #include "svg_shapes.hpp"
 
+#include <planish/geometry/region.hpp>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -193,6 +195,35 @@ TEST(Labels, KeepOffEachOtherAndOffLinesWhereThereIsRoom) {
                    box[0].x() < other[2].x() && other[0].x() < box[2].x());
     }
   }
+}
+
+TEST(Labels, OfPointsStandOutsideInOneSizeAndMeetNothing) {
+  const std::vector<Vec2> square{{0, 0}, {40, 0}, {40, 40}, {0, 40}};
+  std::vector<Segment> lines;
+  std::vector<PointRequest> requests;
+  for (std::size_t i = 0; i < 4; ++i)
+    lines.push_back({square[i], square[(i + 1) % 4]});
+  for (int i = 0; i <= 10; ++i)
+    requests.push_back({std::to_string(i), Vec2(4.0 * i, 40.0)});
+  const auto placed = place_point_labels(requests, {square}, lines, 4.0);
+  ASSERT_THAT(placed, SizeIs(11));
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    EXPECT_EQ(placed[i].font, placed[0].font);
+    EXPECT_FALSE(inside({square}, placed[i].center)) << placed[i].text;
+    EXPECT_LT((placed[i].center - requests[i].at).norm(), 8.0);
+    const auto box = corners(placed[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto other = corners(placed[j]);
+      EXPECT_FALSE(box[0].y() < other[2].y() && other[0].y() < box[2].y() && box[0].x() < other[2].x() && other[0].x() < box[2].x());
+    }
+  }
+}
+
+TEST(Labels, OfPointsThatHaveNoRoomAreLeftOut) {
+  std::vector<PointRequest> requests(50, {"12345", {0, 0}});
+  const auto placed = place_point_labels(requests, {}, {}, 4.0);
+  EXPECT_GE(placed.size(), 2u);
+  EXPECT_LT(placed.size(), 10u);
 }
 
 }  // namespace

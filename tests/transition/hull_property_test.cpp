@@ -79,6 +79,15 @@ RC_GTEST_PROP(TransitionSurface, HasBothProfilesOnOneSideOfEveryTangentPlane, ()
     });
 }
 
+/// Pairs at which a tangent of the wrong side was taken once: it has two through a point, close to each other.
+TEST(TransitionSurface, OfPairsWithTwoTangentsCloseToEachOther) {
+  for (const unsigned seed : {441u, 1129u, 1245u, 1362u}) {
+    std::mt19937 random(seed);
+    const TransitionSpec spec = random_transition(random);
+    EXPECT_NEAR(made(spec).area / oracle_area(spec.from, spec.to, 100), 1.0, 2e-6) << "seed " << seed;
+  }
+}
+
 RC_GTEST_PROP(TransitionSurface, HasTheAreaOfTheHullOfDensePolygons, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const TransitionSpec spec = random_transition(random);

@@ -239,5 +239,82 @@ TEST(TransitionSeams, BeginWhereTheyAreWanted) {
   expect_at(spline, SeamParameter{0.5}, {-60, 0}, "half of a symmetric spline");
 }
 
+TEST(TransitionSeams, AreTheShortestRulingUnlessGiven) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    std::mt19937 random(seed);
+    TransitionSpec spec = random_transition(random);
+    spec.pressing = PressCount{40};
+    const Transition transition = made(spec);
+    const Border& seam = transition.pieces.at(0).faces.front().loops.front().back();
+    const Vec2 a = start_of(seam.curve), b = end_of(seam.curve);
+    const Face& face = transition.pieces[0].faces.front();
+    const double length = (skin_point(face, a) - skin_point(face, b)).norm();
+    for (const TrueLength& other : transition.true_lengths)
+      EXPECT_LE(length, other.length * (1 + 1e-9)) << "seed " << seed;
+  }
+}
+
+TEST(TransitionSeams, LeaveNoSliversOfPatches) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    std::mt19937 random(seed);
+    TransitionSpec spec = random_transition(random);
+    spec.pieces = Pieces::two;
+    for (const Sheet& piece : made(spec).pieces)
+      for (const Face& face : piece.faces) {
+        double longest = 0.0;
+        for (const Border& border : face.loops.front())
+          if (lies_on(face, border, spec.from) || lies_on(face, border, spec.to)) longest = std::max(longest, border.edge_length);
+        EXPECT_GT(longest, 1e-8) << "seed " << seed;
+      }
+  }
+}
+
+TEST(TransitionSeams, OnCornersWhereAPolygonGoesStraightOn) {
+  // A rectangle with two more corners below, to another polygon and to a circle.
+  const PolygonProfile cornered{{{-60, -40}, {-20, -40}, {30, -40}, {60, -40}, {60, 40}, {-60, 40}}};
+  for (const Profile& other : {Profile(rectangle(50, 70)), Profile(EllipseProfile{25, 25})}) {
+    TransitionSpec spec = between(cornered, other, {5, 3, 70}), plain = between(rectangle(120, 80), other, {5, 3, 70});
+    EXPECT_NEAR(made(spec).area / made(plain).area, 1.0, 1e-12);
+    EXPECT_EQ(made(spec).patches.size(), made(plain).patches.size());
+    const auto expect_at = [&](Seam seam, const Vec2& wanted) {
+      for (const bool turned : {false, true}) {
+        TransitionSpec here = spec;
+        here.seam = seam;
+        if (turned) here.to.frame = frame_at({5, 3, -70});
+        EXPECT_LT((beginning(here) - wanted).norm(), 1e-8);
+      }
+    };
+    expect_at(SeamEdge{0}, {-40, -40});
+    expect_at(SeamEdge{1}, {5, -40});
+    expect_at(SeamEdge{2}, {45, -40});
+    expect_at(SeamEdge{3}, {60, 0});
+    expect_at(SeamCorner{1}, {-20, -40});
+    expect_at(SeamCorner{2}, {30, -40});
+    expect_at(SeamCorner{3}, {60, -40});
+    expect_at(SeamParameter{0.0}, {-60, -40});
+  }
+}
+
+TEST(TransitionPressing, CountsTheLinesOfAPatchThatASeamDivides) {
+  for (int count = 1; count < 9; ++count) {
+    TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
+    spec.pressing = PressCount{count};
+    spec.seam = SeamCorner{2};
+    const Transition transition = made(spec);
+    const auto& bends = transition.pieces.at(0).bends;
+    ASSERT_EQ(bends.size(), 5u);
+    EXPECT_EQ(bends.front().press_lines.size() + bends.back().press_lines.size(), static_cast<std::size_t>(std::max(count, 2)));
+  }
+}
+
+TEST(TransitionBends, AreMeasuredBetweenTheirEndsTheLongWayRound) {
+  // Half and three quarters of flat cones: their normals turn little on the way.
+  TransitionSpec spec = between(EllipseProfile{100, 100}, EllipseProfile{50, 50}, {0, 0, 10});
+  EXPECT_NEAR(made(spec).pieces.at(0).bends[0].angle.degrees(), 360.0, 1e-9);
+  spec.pieces = Pieces::two;
+  const double lean = std::atan2(50, 10);  // of the normals from the cone's plane
+  EXPECT_NEAR(made(spec).pieces.at(0).bends[0].angle.radians(), 2 * (kPi / 2 - lean), 1e-9);
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -154,6 +154,18 @@ TEST(TransitionRefuses, ProfilesOnBothSidesOfTheOthersPlane) {
   expect_refused(spec, ErrorCode::profile_hidden, "/to/frame");
 }
 
+TEST(TransitionRefuses, CurvesThatDipThroughThePlaneBetweenTheirQuarters) {
+  // Turned by 0.5 rad, so that the lowest point of the circle is none where its quarters meet.
+  for (const double below : {0.1, 1e-3, 1e-6}) {
+    const double tilt = 0.3, radius = 100;
+    TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{radius, radius}, {0, 0, 0});
+    spec.to.frame = frame_at({0, 0, radius * std::sin(tilt) - below}, tilt, 0.5);
+    expect_refused(spec, ErrorCode::profile_hidden, "/to/frame");
+    spec.to.frame = frame_at({0, 0, radius * std::sin(tilt) + below}, tilt, 0.5);
+    EXPECT_TRUE(make_transition(spec)) << below;
+  }
+}
+
 TEST(TransitionRefuses, SeamsThatDoNotExist) {
   TransitionSpec spec = square_to_circle();
   for (const int none : {-1, 4}) {

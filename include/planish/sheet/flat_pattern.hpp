@@ -32,7 +32,7 @@ struct FlatBend {
   std::vector<Segment> lines;          ///< bend line or press lines, cut where there is no material
   std::vector<Angle> line_angles;      ///< what the sheet is bent by at each of `lines`
   std::vector<Segment> tangent_lines;  ///< limits of the bend zone, cut likewise
-  double length = 0.0;                 ///< sum of the lengths of `lines`
+  double length = 0.0;                 ///< sum of the lengths of `lines`; of press lines, side by side, their mean
 };
 
 /// A formed feature in the flat pattern: outlines only.

@@ -75,6 +75,8 @@ struct TrueLength {
   std::string from, to;
   std::array<Vec3, 2> points{};
   double length = 0.0;  ///< mm
+  int piece = 0;
+  std::string press;    ///< number of the press line, as flat patterns number bends: "B2.3"; empty where none is
 };
 
 /// A developable surface between two profiles, as sheets that lie flat.
@@ -120,7 +122,7 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
 Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord = 0.05, const TransitionOptions& options = {});
 
 /// The same pieces as solids can be made of them. Errors: those of `make_transition`; `radius_too_small` also where
-/// the thickness leaves nothing of a border between two corners.
+/// the thickness leaves too little between corners.
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options = {});
 
 }  // namespace planish
