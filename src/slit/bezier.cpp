@@ -88,6 +88,21 @@ double length(const BezierCurve& curve) {
   return sum;
 }
 
+std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths) {
+  const int count = sample_count(curve);
+  std::vector<double> until{0.0};
+  for (int i = 0; i < count; ++i)
+    until.push_back(until.back() + gauss_length(curve, static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+  std::vector<Vec2> points;
+  for (const double length : lengths) {
+    const auto after = std::upper_bound(until.begin() + 1, until.end() - 1, length);
+    const double from = *(after - 1), share = *after > from ? (length - from) / (*after - from) : 0.0;
+    const double t = (static_cast<double>(after - until.begin()) - 1.0 + share) / count;
+    points.push_back(bezier_at(curve, std::clamp(t, 0.0, 1.0)).point);
+  }
+  return points;
+}
+
 TightestBend tightest_bend(const BezierCurve& curve, double from, double to) {
   const int count = sample_count(curve);
   const auto at = [&](int i) { return from + (to - from) * i / count; };

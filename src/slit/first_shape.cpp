@@ -46,7 +46,7 @@ Wanted up_to_plane(const StripProblem& problem, const EndCondition& plane) {
   wanted.away = std::min(kStretched, std::abs(distance) / std::max(kParallel, std::abs(slope)) / problem.base.unit());
   wanted.end_angle = kRightAngle;
   if (problem.seat) {
-    wanted.along = problem.base.facet.x.tail<2>().dot(problem.seat->nearest(start.tail<2>()).point - start.tail<2>()) / problem.base.unit();
+    wanted.along = problem.base.facet.x.tail<2>().dot(0.5 * (problem.seat_places[0] + problem.seat_places[1]) - start.tail<2>()) / problem.base.unit();
     wanted.along_weight = problem.weights.seat / std::max(problem.weights.seat, problem.weights.smooth);
   }
   return wanted;

@@ -35,6 +35,8 @@ NearestPoints::NearestPoints(std::vector<Vec3> points) {
 
 NearestPoints::~NearestPoints() = default;
 
+const std::vector<Vec3>& NearestPoints::points() const { return tree_->cloud.points; }
+
 const Vec3& NearestPoints::nearest(const Vec3& p) const {
   std::size_t found = 0;
   double distance = 0.0;

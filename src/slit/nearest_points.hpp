@@ -17,6 +17,7 @@ class NearestPoints {
 
   /// O(log n) for points near the cloud.
   const Vec3& nearest(const Vec3& p) const;
+  const std::vector<Vec3>& points() const;
 
  private:
   struct Tree;

@@ -1,15 +1,16 @@
 #include "reach.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace planish::slit_detail {
 namespace {
 
 constexpr double kReadinessOfAbscissae = 0.05;
-constexpr double kLargestTurn = 0.25;  // radians in one step
 
 double largest(const Eigen::VectorXd& v) { return v.size() ? v.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -23,15 +24,14 @@ Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold, c
 }
 
 /// The largest share of the step that keeps folds and spacings within bounds.
-double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step) {
-  constexpr double kSpacingKept = 0.5;
-  double share = std::min(1.0, kLargestTurn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
+double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step, double largest_turn, double spacing_kept) {
+  double share = std::min(1.0, largest_turn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
   const StripParameters after = p + step;
   for (int quad = 0; quad < base.quads; ++quad)
     for (int side = 0; side < 2; ++side) {
       const double now = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
       const double then = abscissa(base, after, quad + 1, side) - abscissa(base, after, quad, side);
-      if (then < kSpacingKept * now) share = std::min(share, (1.0 - kSpacingKept) * now / (now - then));
+      if (then < spacing_kept * now) share = std::min(share, (1.0 - spacing_kept) * now / (now - then));
     }
   return share;
 }
@@ -43,10 +43,10 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
   StripFold fold = folded(problem.base, reach.p);
   Eigen::VectorXd violation = end_violation(problem, fold);
   double damping = 1e-6;
-  constexpr double kGivenUp = 1e8;
+  constexpr double kGivenUp = 1e8, kLargestTurn = 0.25, kSpacingKept = 0.5;
   for (; reach.iterations < max_iterations && largest(violation) > 1e-2 * kEndsMet && damping < kGivenUp; ++reach.iterations) {
     const Eigen::VectorXd step = least_step(problem, fold, violation, damping);
-    const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step) * step;
+    const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn, kSpacingKept) * step;
     StripFold next_fold = folded(problem.base, next);
     Eigen::VectorXd next_violation = end_violation(problem, next_fold);
     if (next_violation.squaredNorm() < violation.squaredNorm()) {
@@ -63,37 +63,40 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
   return reach;
 }
 
-EndTangent::EndTangent(const StripProblem& problem, const StripParameters& p)
-    : qr_(end_derivative(problem, folded(problem.base, p)).transpose()) {}
+EndChart::EndChart(const StripProblem& problem, const StripParameters& at)
+    : problem_(problem), origin_(at), qr_(end_derivative(problem, folded(problem.base, at)).transpose()) {}
 
-Eigen::VectorXd EndTangent::step(const Eigen::VectorXd& tangent) const {
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(qr_.rows());
-  all.tail(tangent.size()) = tangent;
-  return qr_.householderQ() * all;
-}
-
-Eigen::MatrixXd EndTangent::basis() const {
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(qr_.rows(), dimensions());
-  all.bottomRows(dimensions()).setIdentity();
-  return qr_.householderQ() * all;
-}
-
-std::optional<StripParameters> moved_on_ends(const StripProblem& problem, const StripParameters& moved) {
-  constexpr int kIterations = 12;
-  StripParameters p = moved;
-  double before = 0.0;
+std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const {
+  constexpr int kIterations = 15;
+  const int eliminated = conditions();
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(qr_.rows());
+  turned.tail(xi.size()) = xi;
+  double before = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kIterations; ++i) {
-    if (!is_shape(problem.base, p)) return std::nullopt;
-    const StripFold fold = folded(problem.base, p);
-    const Eigen::VectorXd violation = end_violation(problem, fold);
+    StripParameters p = origin_ + qr_.householderQ() * turned;
+    if (!is_shape(problem_.base, p)) return std::nullopt;
+    if (eliminated == 0) return p;
+    const StripFold fold = folded(problem_.base, p);
+    const Eigen::VectorXd violation = end_violation(problem_, fold);
     const double missed = largest(violation);
-    const bool at_rounding = i > 0 && missed >= 0.25 * before;
-    if (missed <= 1e-2 * kEndsMet || (missed <= kEndsMet && at_rounding)) return p;
-    if (at_rounding && i > 3) return std::nullopt;
+    if (missed <= 1e-2 * kEndsMet || (missed <= kEndsMet && missed >= 0.25 * before)) return p;
+    if (missed > before && missed > 1e-3) return std::nullopt;
     before = missed;
-    p += least_step(problem, fold, violation, 0.0);
+    RowMatrix conditions = end_derivative(problem_, fold);
+    conditions.applyOnTheRight(qr_.householderQ());
+    turned.head(eliminated) -= conditions.leftCols(eliminated).partialPivLu().solve(violation);
   }
   return std::nullopt;
+}
+
+RowMatrix EndChart::derivative(const StripParameters& shape, RowMatrix jacobian) const {
+  const int eliminated = conditions();
+  if (eliminated == 0) return jacobian;
+  RowMatrix conditions = end_derivative(problem_, folded(problem_.base, shape));
+  conditions.applyOnTheRight(qr_.householderQ());
+  jacobian.applyOnTheRight(qr_.householderQ());
+  const Eigen::MatrixXd following = conditions.leftCols(eliminated).partialPivLu().solve(conditions.rightCols(dimensions()));
+  return jacobian.rightCols(dimensions()) - jacobian.leftCols(eliminated) * following;
 }
 
 }  // namespace planish::slit_detail

@@ -23,21 +23,27 @@ struct Reach {
 /// neighbouring ridge; abscissae move less readily than angles. O(iterations × quads).
 Reach meet_ends(const StripProblem& problem, const StripParameters& from, int max_iterations = 200);
 
-/// The directions in which a shape that meets the end conditions may move and still meet them to first order: an
-/// orthonormal basis of the null space of their derivative.
-class EndTangent {
+/// Coordinates for the shapes that meet the end conditions, near one of them. The parameters are turned by an
+/// orthogonal matrix Q so that the first are those that the conditions' derivative sees there and the others, the
+/// coordinates ξ, span its null space: p = p0 + Q (η, ξ). η follows from ξ through the conditions (Newton's method).
+class EndChart {
  public:
-  EndTangent(const StripProblem& problem, const StripParameters& p);
-  int dimensions() const { return static_cast<int>(qr_.rows() - qr_.cols()); }
-  Eigen::VectorXd step(const Eigen::VectorXd& tangent) const;
-  Eigen::MatrixXd basis() const;
+  EndChart(const StripProblem& problem, const StripParameters& at);
+  int dimensions() const { return static_cast<int>(qr_.rows()) - conditions(); }
+
+  /// The shape with these coordinates; none where the conditions cannot be met there, or it is no shape.
+  std::optional<StripParameters> shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const;
+
+  /// Derivatives with respect to the parameters at a shape become those with respect to ξ: J_ξ − J_η C_η⁻¹ C_ξ, C
+  /// the derivative of the conditions (implicit functions).
+  RowMatrix derivative(const StripParameters& shape, RowMatrix jacobian) const;
 
  private:
+  int conditions() const { return static_cast<int>(problem_.ends.size()); }
+
+  const StripProblem& problem_;
+  StripParameters origin_;
   Eigen::HouseholderQR<Eigen::MatrixXd> qr_;
 };
-
-/// The shape moved along its tangent space and back onto the end conditions by Newton's method; none where that
-/// does not converge.
-std::optional<StripParameters> moved_on_ends(const StripProblem& problem, const StripParameters& moved);
 
 }  // namespace planish::slit_detail

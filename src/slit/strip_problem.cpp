@@ -101,7 +101,7 @@ class Rows {
   }
 
   void add_spacing() {
-    const double scale = std::sqrt(problem_.weights.spacing / base_.quads);
+    const double scale = std::sqrt(problem_.weights.spacing * kReferenceQuads / base_.quads);
     for (int side = 0; side < 2; ++side) {
       const double mean = (base_.end - base_.start[static_cast<std::size_t>(side)]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
@@ -127,11 +127,15 @@ class Rows {
     const double scale = position_scale(problem_.weights.seat);
     const Vec2 section = fold_.end(side, base_.quads).tail<2>();
     const BezierSearch::Foot foot = problem_.seat->nearest(section);
+    const double place_scale = position_scale(problem_.weights.spread);
     residuals_.segment<2>(row_) = scale * (section - foot.point);
-    if (jacobian_)
-      jacobian_->middleRows<2>(row_) = scale * (Eigen::Matrix2d::Identity() - foot.derivative) *
-                                       slit_detail::end_derivative(base_, fold_, twists_, side, base_.quads).bottomRows<2>();
-    row_ += 2;
+    residuals_.segment<2>(row_ + 2) = place_scale * (section - problem_.seat_places[static_cast<std::size_t>(side)]);
+    if (jacobian_) {
+      const auto derivative = slit_detail::end_derivative(base_, fold_, twists_, side, base_.quads).bottomRows<2>().eval();
+      jacobian_->middleRows<2>(row_) = scale * (Eigen::Matrix2d::Identity() - foot.derivative) * derivative;
+      jacobian_->middleRows<2>(row_ + 2) = place_scale * derivative;
+    }
+    row_ += 4;
   }
 
   void add_scan() {
@@ -186,7 +190,7 @@ double fold_radius(const StripBase& base, const StripParameters& p, int ridge, d
 
 int StripProblem::residuals() const {
   const int places = static_cast<int>(anchors.size()) + (scan ? 2 * base.quads : 0);
-  return std::max(0, base.quads - 2) + 2 * base.quads + 3 * places + (seat ? 4 : 0) + static_cast<int>(inequalities.size());
+  return std::max(0, base.quads - 2) + 2 * base.quads + 3 * places + (seat ? 8 : 0) + static_cast<int>(inequalities.size());
 }
 
 bool is_shape(const StripBase& base, const StripParameters& p) {

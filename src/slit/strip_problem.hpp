@@ -55,6 +55,7 @@ struct StripProblem {
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;
+  std::array<Vec2, 2> seat_places{};  ///< on the seat curve, of the end's corners
   std::shared_ptr<const NearestPoints> scan;
   double min_radius = 0.0;
   std::vector<Inequality> inequalities;

@@ -24,6 +24,9 @@ BezierPoint bezier_at(const BezierCurve& curve, double t);
 /// Arc length, mm, to 1e-12 of the length of the control polygon where the curve has no cusp.
 double length(const BezierCurve& curve);
 
+/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; beyond its ends the ends.
+std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths);
+
 /// Smallest radius of curvature between two parameters and where it is. Infinite for straight lines, 0 at a
 /// cusp. Found on 64 samples a degree, refined between its neighbours.
 struct TightestBend {

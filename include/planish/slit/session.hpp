@@ -80,7 +80,7 @@ class SlitSession {
   /// Anchors are numbered as in `design().anchors`. Error: `bad_option` (no such anchor).
   Result<void> move_anchor(int anchor, const Vec3& at);
   Result<void> remove_anchor(int anchor);
-  /// Points near a strip; none takes the scan away. Errors: `scan_too_large`, `unknown_strip`.
+  /// In place of all points known of a strip; none takes them away. Errors: `scan_too_large`, `unknown_strip`.
   Result<void> set_scan(int strip, std::vector<Vec3> points);
   /// Moves all scans by the rigid motion that brings them nearest to the strips as they are (ICP). What comes back
   /// is that motion. Error: `empty_scan` (there is none).
@@ -97,7 +97,9 @@ class SlitSession {
   /// Works on what is open. Errors: `cancelled` (the strips worked on so far keep what they have gained).
   Result<SlitSolveReport> solve(const SlitSolveOptions& options = {}, const Progress& progress = {});
 
-  const SlitDesign& design() const;  ///< as edited; `ridges` as subdivided
+  /// As edited; `ridges` as subdivided, `ends` one a strip, without the scans' points, see `scan`.
+  const SlitDesign& design() const;
+  const std::vector<Vec3>& scan(int strip) const;
   int strip_count() const;
   const StripState& state(int strip) const;
   /// The sheet as folded now.

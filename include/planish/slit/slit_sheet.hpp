@@ -63,6 +63,12 @@ struct StripEnd {
   std::optional<Vec3> across;     ///< of the last ridge, from left to right
 };
 
+/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one strip add up.
+struct SlitScan {
+  int strip = 0;
+  std::vector<Vec3> points;
+};
+
 /// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so that both
 /// halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says the same unless the
 /// last ridge is upright, where it says nothing. `free`: the halves may meet in a fold.
@@ -75,6 +81,9 @@ struct SlitWeights {
   double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
   double anchors = 0.03;  ///< distance to anchors [5]
   double seat = 0.03;     ///< distance of the strips' ends to the seat curve [5]
+  /// Distance of the strips' ends to their places on the seat curve: in the order of the strips, from one end of the
+  /// curve to the other, evenly apart. Without it strips leave holes where their neighbours crowd.
+  double spread = 0.003;
   double scan = 0.03;     ///< distance of the ridges' ends to scanned points [6]
 };
 
@@ -88,7 +97,7 @@ struct SlitDesign {
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;
   std::vector<StripEnd> ends;              ///< by strip; fewer: the others are free. Not in symmetric sheets
-  std::vector<std::vector<Vec3>> scans;    ///< points by strip; fewer or empty: none
+  std::vector<SlitScan> scans;
 };
 
 }  // namespace planish

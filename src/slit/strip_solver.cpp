@@ -1,0 +1,161 @@
+#include "first_shape.hpp"
+#include "reach.hpp"
+#include "strip_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace planish::slit_detail {
+namespace {
+
+constexpr double kHolds = 1e-7;          // of an inequality
+constexpr double kFirstPenalty = 100.0;  // a hundredth of the strip's length then counts as much as its smoothness
+constexpr int kRounds = 12;
+constexpr double kRoughly = 1e-3;        // gain of an iteration at which a start is left
+
+bool same_place(const RadiusLimit& a, const RadiusLimit& b) { return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad; }
+bool same_place(const HalfSpace& a, const HalfSpace& b) { return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5; }
+
+/// Adds what is not yet in the list; planes that moved take over their multiplier.
+template <typename Limit>
+bool add(std::vector<Inequality>& list, const Limit& limit) {
+  for (Inequality& known : list)
+    if (auto* other = std::get_if<Limit>(&known.what); other && same_place(*other, limit)) {
+      *other = limit;
+      return false;
+    }
+  list.push_back({limit, 0.0});
+  return true;
+}
+
+class Solver {
+ public:
+  Solver(StripProblem problem, const DescentOptions& options, const PlanesBroken& planes_broken)
+      : problem_(std::move(problem)), options_(options), planes_broken_(planes_broken) {
+    problem_.penalty = kFirstPenalty;
+  }
+
+  StripSolution run(const StripStart& start) {
+    if (is_start(start.own) && reach_from(start.own))
+      descend_once();
+    else
+      begin(start.neighbour);
+    if (solution_.reached) hold_inequalities();
+    solution_.inequalities = std::move(problem_.inequalities);
+    return std::move(solution_);
+  }
+
+ private:
+  bool is_start(const StripParameters& p) const { return p.size() == problem_.parameters() && is_shape(problem_.base, p); }
+
+  bool reach_from(const StripParameters& from) {
+    const Reach reach = meet_ends(problem_, from);
+    solution_.iterations += reach.iterations;
+    if (reach.violation < violation_ && is_shape(problem_.base, reach.p)) {
+      solution_.p = reach.p;
+      violation_ = reach.violation;
+      solution_.reached = reach.met();
+    }
+    return reach.met();
+  }
+
+  /// From several starts; the lowest is kept.
+  void begin(const StripParameters& neighbour) {
+    std::vector<StripParameters> starts{first_shape(problem_)};
+    if (is_start(neighbour)) starts.push_back(neighbour);
+    StripSolution best;
+    for (const StripParameters& start : starts) {
+      violation_ = std::numeric_limits<double>::infinity();
+      if (!reach_from(start)) continue;
+      descend_softly();
+      if (!best.reached || solution_.objective < best.objective) best = solution_;
+    }
+    if (!best.reached) {
+      violation_ = std::numeric_limits<double>::infinity();
+      reach_from(starts.front());
+      if (reach_from(flat_parameters(problem_.base))) descend_softly();
+    } else {
+      best.iterations = solution_.iterations;
+      solution_ = std::move(best);
+    }
+    if (solution_.reached) descend_once();
+  }
+
+  bool stopped() const { return options_.stop && options_.stop(); }
+
+  /// From a first shape, straight to the places wanted, leads into folds that no later step undoes; so they first
+  /// draw weakly, and need not be reached well.
+  void descend_softly() {
+    constexpr int kSteps = 12;
+    const SlitWeights given = problem_.weights;
+    for (const double softness : {0.001, 0.1, 1.0}) {
+      problem_.weights.anchors = softness * given.anchors;
+      problem_.weights.seat = softness * given.seat;
+      problem_.weights.spread = softness * given.spread;
+      problem_.weights.scan = softness * given.scan;
+      descend_by(kSteps, kRoughly);
+    }
+    problem_.weights = given;
+  }
+
+  void descend_once() { descend_by(options_.max_iterations, options_.function_tolerance); }
+
+  void descend_by(int iterations, double tolerance) {
+    DescentOptions rest = options_;
+    rest.max_iterations = std::clamp(options_.max_iterations - descended_, 0, iterations);
+    rest.function_tolerance = tolerance;
+    const Descent descent = descend(problem_, solution_.p, rest);
+    solution_.p = descent.p;
+    solution_.objective = descent.objective;
+    solution_.converged = descent.converged && !stopped();
+    descended_ += descent.iterations;
+    solution_.iterations += descent.iterations;
+  }
+
+  /// Takes in what the shape breaks.
+  bool broken() {
+    bool any = false;
+    if (problem_.min_radius > 0.0 && tightest_fold(problem_.base, solution_.p).radius < problem_.min_radius * (1.0 - kHolds))
+      for (const RadiusLimit& limit : radius_limits(problem_.base, solution_.p, problem_.min_radius))
+        add(problem_.inequalities, limit), any = true;
+    if (planes_broken_)
+      for (const HalfSpace& plane : planes_broken_(folded_strip(problem_.base, solution_.p)))
+        add(problem_.inequalities, plane), any = true;
+    return any;
+  }
+
+  void hold_inequalities() {
+    double before = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < kRounds && solution_.converged; ++round) {
+      const bool any = broken();
+      if (problem_.inequalities.empty()) return;
+      const Eigen::VectorXd values = inequality_values(problem_, solution_.p);
+      const double worst = values.maxCoeff();
+      if (!any && worst <= kHolds) return;
+      if (worst > 0.25 * before) problem_.penalty *= 4.0;
+      before = worst;
+      for (std::size_t i = 0; i < problem_.inequalities.size(); ++i) {
+        double& multiplier = problem_.inequalities[i].multiplier;
+        multiplier = std::max(0.0, multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
+      }
+      descend_once();
+    }
+  }
+
+  StripProblem problem_;
+  const DescentOptions& options_;
+  const PlanesBroken& planes_broken_;
+  StripSolution solution_;
+  int descended_ = 0;
+  double violation_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+StripSolution solve_strip(StripProblem problem, const StripStart& start, const DescentOptions& options, const PlanesBroken& planes_broken) {
+  return Solver(std::move(problem), options, planes_broken).run(start);
+}
+
+}  // namespace planish::slit_detail
