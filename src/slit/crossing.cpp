@@ -94,7 +94,7 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
       plane.offset = plane.normal.dot(foot);
       height = std::abs(neighbour.quads[quad].z.dot(p - foot));
     }
-    if (height < width) planes.push_back(plane);
+    if (height < width && plane.normal.dot(p) < plane.offset) planes.push_back(plane);
   }
   return planes;
 }

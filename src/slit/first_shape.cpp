@@ -102,6 +102,7 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
     const double second = 2.0 * folds[i] - folds[i - 1] - folds[i + 1];
     unsmooth += second * second;
   }
+  if (problem.mirrored) unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) * (folds[kPieces - 1] - folds[kPieces - 2]);
   constexpr double kMissed = 100.0;
   double cost = std::max(problem.weights.smooth, 1e-6) * unsmooth;
   if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);

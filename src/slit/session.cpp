@@ -108,6 +108,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[static_cast<std::size_t>(strip)]);
   for (EndCondition& end : problem.ends)
     if (end.is_length() && end.of != EndCondition::Of::middle) end.value = 0.0;
+  problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
     if (anchor.strip == strip) problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
@@ -210,10 +211,7 @@ PlanesBroken clear_of(const Snapshot& now, int strip) {
 /// Solves one strip of a snapshot.
 StripSolution work_on(Snapshot& now, int strip, const DescentOptions& options) {
   const StripProblem problem = problem_of(now, strip);
-  StripStart start{now.slot(strip).p, {}};
-  if (stands(now, strip - 1)) start.neighbour = now.slot(strip - 1).p;
-  else if (stands(now, strip + 1)) start.neighbour = now.slot(strip + 1).p;
-  StripSolution solution = solve_strip(problem, start, options, clear_of(now, strip));
+  StripSolution solution = solve_strip(problem, now.slot(strip).p, options, clear_of(now, strip));
   Slot slot = now.slot(strip);
   slot.p = solution.p;
   slot.state = measured(now, strip, problem, solution);

@@ -98,10 +98,16 @@ class Rows {
       }
       ++row_;
     }
+    if (problem_.mirrored) {
+      const int last = base_.quads - 1;
+      residuals_[row_] = scale * (p_[last] - p_[last - 1]);
+      if (jacobian_) (*jacobian_)(row_, last) = scale, (*jacobian_)(row_, last - 1) = -scale;
+      ++row_;
+    }
   }
 
   void add_spacing() {
-    const double scale = std::sqrt(problem_.weights.spacing * kReferenceQuads / base_.quads);
+    const double scale = std::sqrt(problem_.weights.spacing / base_.quads);
     for (int side = 0; side < 2; ++side) {
       const double mean = (base_.end - base_.start[static_cast<std::size_t>(side)]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
@@ -190,7 +196,7 @@ double fold_radius(const StripBase& base, const StripParameters& p, int ridge, d
 
 int StripProblem::residuals() const {
   const int places = static_cast<int>(anchors.size()) + (scan ? 2 * base.quads : 0);
-  return std::max(0, base.quads - 2) + 2 * base.quads + 3 * places + (seat ? 8 : 0) + static_cast<int>(inequalities.size());
+  return base.quads - 2 + (mirrored ? 1 : 0) + 2 * base.quads + 3 * places + (seat ? 8 : 0) + static_cast<int>(inequalities.size());
 }
 
 bool is_shape(const StripBase& base, const StripParameters& p) {

@@ -46,12 +46,14 @@ struct StripAnchor {
 /// Lengths are divided by the strip's length.
 ///
 /// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and keeps its
-/// value when a strip is divided more finely; at ten quads the weight is the paper's. The barrier Σ 1/Δ of spacings
+/// value when a strip is divided more finely; at ten quads the weight is the paper's. Where a strip goes on in its
+/// mirror image so do the differences: the last one is that of θ_M−2, θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings
 /// whose sum is given equals Σ (Δ − h)²/(Δ h²) and a constant, h the mean: that is a sum of squares which vanish at
-/// equal spacing, so that Gauss–Newton steps converge.
+/// equal spacing, so that Gauss–Newton steps converge. Its mean over the quads is taken.
 struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;
+  bool mirrored = false;  ///< the strip goes on smoothly in its mirror image
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;

@@ -11,9 +11,10 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kHolds = 1e-7;          // of an inequality
-constexpr double kFirstPenalty = 100.0;  // a hundredth of the strip's length then counts as much as its smoothness
-constexpr int kRounds = 12;
-constexpr double kRoughly = 1e-3;        // gain of an iteration at which a start is left
+constexpr double kFirstPenalty = 1.0;   // a tenth of the strip's length then counts as much as its smoothness
+constexpr double kPenaltyGrowth = 4.0;
+constexpr int kRounds = 10, kStepsOfRound = 20;
+constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains of an iteration at which a start, a round are left
 
 bool same_place(const RadiusLimit& a, const RadiusLimit& b) { return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad; }
 bool same_place(const HalfSpace& a, const HalfSpace& b) { return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5; }
@@ -37,20 +38,19 @@ class Solver {
     problem_.penalty = kFirstPenalty;
   }
 
-  StripSolution run(const StripStart& start) {
-    if (is_start(start.own) && reach_from(start.own))
+  StripSolution run(const StripParameters& from) {
+    if (from.size() != problem_.parameters() || !reach_from(from)) begin();
+    if (solution_.reached) {
       descend_once();
-    else
-      begin(start.neighbour);
-    if (solution_.reached) hold_inequalities();
+      hold_inequalities();
+    }
     solution_.inequalities = std::move(problem_.inequalities);
     return std::move(solution_);
   }
 
  private:
-  bool is_start(const StripParameters& p) const { return p.size() == problem_.parameters() && is_shape(problem_.base, p); }
-
   bool reach_from(const StripParameters& from) {
+    if (!is_shape(problem_.base, from)) return false;
     const Reach reach = meet_ends(problem_, from);
     solution_.iterations += reach.iterations;
     if (reach.violation < violation_ && is_shape(problem_.base, reach.p)) {
@@ -61,26 +61,8 @@ class Solver {
     return reach.met();
   }
 
-  /// From several starts; the lowest is kept.
-  void begin(const StripParameters& neighbour) {
-    std::vector<StripParameters> starts{first_shape(problem_)};
-    if (is_start(neighbour)) starts.push_back(neighbour);
-    StripSolution best;
-    for (const StripParameters& start : starts) {
-      violation_ = std::numeric_limits<double>::infinity();
-      if (!reach_from(start)) continue;
-      descend_softly();
-      if (!best.reached || solution_.objective < best.objective) best = solution_;
-    }
-    if (!best.reached) {
-      violation_ = std::numeric_limits<double>::infinity();
-      reach_from(starts.front());
-      if (reach_from(flat_parameters(problem_.base))) descend_softly();
-    } else {
-      best.iterations = solution_.iterations;
-      solution_ = std::move(best);
-    }
-    if (solution_.reached) descend_once();
+  void begin() {
+    if (reach_from(first_shape(problem_)) || reach_from(flat_parameters(problem_.base))) descend_softly();
   }
 
   bool stopped() const { return options_.stop && options_.stop(); }
@@ -90,7 +72,7 @@ class Solver {
   void descend_softly() {
     constexpr int kSteps = 12;
     const SlitWeights given = problem_.weights;
-    for (const double softness : {0.001, 0.1, 1.0}) {
+    for (const double softness : {0.001, 0.1}) {
       problem_.weights.anchors = softness * given.anchors;
       problem_.weights.seat = softness * given.seat;
       problem_.weights.spread = softness * given.spread;
@@ -120,27 +102,40 @@ class Solver {
     if (problem_.min_radius > 0.0 && tightest_fold(problem_.base, solution_.p).radius < problem_.min_radius * (1.0 - kHolds))
       for (const RadiusLimit& limit : radius_limits(problem_.base, solution_.p, problem_.min_radius))
         add(problem_.inequalities, limit), any = true;
-    if (planes_broken_)
-      for (const HalfSpace& plane : planes_broken_(folded_strip(problem_.base, solution_.p)))
-        add(problem_.inequalities, plane), any = true;
+    const auto planes = planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p)) : std::vector<HalfSpace>{};
+    for (const HalfSpace& plane : planes)
+      add(problem_.inequalities, plane), any = true;
     return any;
   }
 
   void hold_inequalities() {
-    double before = std::numeric_limits<double>::infinity();
     for (int round = 0; round < kRounds && solution_.converged; ++round) {
       const bool any = broken();
       if (problem_.inequalities.empty()) return;
       const Eigen::VectorXd values = inequality_values(problem_, solution_.p);
-      const double worst = values.maxCoeff();
-      if (!any && worst <= kHolds) return;
-      if (worst > 0.25 * before) problem_.penalty *= 4.0;
-      before = worst;
-      for (std::size_t i = 0; i < problem_.inequalities.size(); ++i) {
-        double& multiplier = problem_.inequalities[i].multiplier;
-        multiplier = std::max(0.0, multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
+      if (!any && radius_values_hold(values)) return;
+      if (round > 0) {
+        problem_.penalty *= kPenaltyGrowth;
+        update_multipliers(values);
       }
-      descend_once();
+      descend_by(kStepsOfRound, std::max(options_.function_tolerance, kFine));
+      solution_.converged = !stopped();
+    }
+  }
+
+  bool radius_values_hold(const Eigen::VectorXd& values) const {
+    for (std::size_t i = 0; i < problem_.inequalities.size(); ++i)
+      if (std::holds_alternative<RadiusLimit>(problem_.inequalities[i].what) && values[static_cast<Eigen::Index>(i)] > kHolds) return false;
+    return true;
+  }
+
+  /// Planes are only there to lead the strip out of what it runs through: a penalty does, and a multiplier would throw
+  /// it into another shape.
+  void update_multipliers(const Eigen::VectorXd& values) {
+    for (std::size_t i = 0; i < problem_.inequalities.size(); ++i) {
+      Inequality& inequality = problem_.inequalities[i];
+      if (std::holds_alternative<RadiusLimit>(inequality.what))
+        inequality.multiplier = std::max(0.0, inequality.multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
     }
   }
 
@@ -154,8 +149,8 @@ class Solver {
 
 }  // namespace
 
-StripSolution solve_strip(StripProblem problem, const StripStart& start, const DescentOptions& options, const PlanesBroken& planes_broken) {
-  return Solver(std::move(problem), options, planes_broken).run(start);
+StripSolution solve_strip(StripProblem problem, const StripParameters& from, const DescentOptions& options, const PlanesBroken& planes_broken) {
+  return Solver(std::move(problem), options, planes_broken).run(from);
 }
 
 }  // namespace planish::slit_detail

@@ -20,15 +20,11 @@ struct StripSolution {
   bool converged = false;
 };
 
-/// Where to start: from the shape the strip has (empty: none yet), else from a first shape or from a neighbour's (may
-/// be empty), whichever leads lower.
-struct StripStart {
-  StripParameters own, neighbour;
-};
-
-/// Meets the end conditions, then descends. Inequalities come in where the minimum breaks them, as an augmented Lagrangian whose
-/// multipliers are kept from one call to the next in `problem.inequalities`; they hold to 1e-7 of the strip's length or of
-/// a spacing, or stay broken after 12 rounds.
-StripSolution solve_strip(StripProblem problem, const StripStart& start, const DescentOptions& options, const PlanesBroken& planes_broken);
+/// Meets the end conditions from the shape the strip has, from a first shape where it has none (empty) or where that
+/// one leads nowhere, and descends. Inequalities come in where the minimum breaks them: planes as a
+/// growing penalty until the strip is clear of what it ran through, radii as an augmented Lagrangian until they hold
+/// to 1e-7 of a spacing; its multipliers are kept from one call to the next in `problem.inequalities`. What is still
+/// broken after 10 rounds stays so.
+StripSolution solve_strip(StripProblem problem, const StripParameters& from, const DescentOptions& options, const PlanesBroken& planes_broken);
 
 }  // namespace planish::slit_detail
