@@ -86,7 +86,11 @@ class Solver {
 
   void descend_by(int iterations, double tolerance) {
     DescentOptions rest = options_;
-    rest.max_iterations = std::clamp(options_.max_iterations - descended_, 0, iterations);
+    rest.max_iterations = std::min(options_.max_iterations - descended_, iterations);
+    if (rest.max_iterations <= 0) {
+      solution_.converged = false;
+      return;
+    }
     rest.function_tolerance = tolerance;
     const Descent descent = descend(problem_, solution_.p, rest);
     solution_.p = descent.p;
@@ -109,7 +113,7 @@ class Solver {
   }
 
   void hold_inequalities() {
-    for (int round = 0; round < kRounds && solution_.converged; ++round) {
+    for (int round = 0; round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
       const bool any = broken();
       if (problem_.inequalities.empty()) return;
       const Eigen::VectorXd values = inequality_values(problem_, solution_.p);

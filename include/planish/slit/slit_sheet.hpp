@@ -58,9 +58,9 @@ struct SlitAnchor {
 
 /// Where the free end of a strip (not in symmetric sheets) must be; what is not given is free.
 struct StripEnd {
-  std::optional<Vec3> position;   ///< of the middle of the last ridge
-  std::optional<Vec3> direction;  ///< in which the strip ends: away from the panel, along its sides
-  std::optional<Vec3> across;     ///< of the last ridge, from left to right
+  std::optional<Vec3> position = {};   ///< of the middle of the last ridge
+  std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its sides
+  std::optional<Vec3> across = {};     ///< of the last ridge, from left to right
 };
 
 /// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one strip add up.
