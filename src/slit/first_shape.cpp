@@ -1,11 +1,12 @@
 #include "first_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace planish::slit_detail {
 namespace {
@@ -110,18 +111,51 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   return cost;
 }
 
-Bow best_bow(const StripProblem& problem, const Wanted& wanted) {
-  constexpr double kStep = std::numbers::pi / 12.0;
-  Bow best;
-  double least = std::numeric_limits<double>::infinity();
-  const int first_end = wanted.end_angle ? 0 : -6, last_end = wanted.end_angle ? 0 : 18;
-  for (int e = first_end; e <= last_end; e += 2)
-    for (int start = -6; start <= 18; ++start)
-      for (int bow = -12; bow <= 12; ++bow) {
-        const Bow candidate{start * kStep, wanted.end_angle.value_or(e * kStep), bow * kStep};
-        if (const double cost = cost_of(candidate, wanted, problem); cost < least) least = cost, best = candidate;
+struct Candidate {
+  Bow bow;
+  double cost = 0.0;
+};
+
+/// Every 30°; the end's angle, where it is free, every 60°.
+std::vector<Candidate> coarse_bows(const StripProblem& problem, const Wanted& wanted) {
+  constexpr double kStep = std::numbers::pi / 6.0;
+  std::vector<Candidate> candidates;
+  for (int end = -3; end <= 9; end += wanted.end_angle ? 13 : 2)
+    for (int start = -3; start <= 9; ++start)
+      for (int bow = -6; bow <= 6; ++bow) {
+        const Bow candidate{start * kStep, wanted.end_angle.value_or(end * kStep), bow * kStep};
+        candidates.push_back({candidate, cost_of(candidate, wanted, problem)});
       }
+  return candidates;
+}
+
+/// Steps in each number by turns, halved where none helps.
+Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wanted) {
+  constexpr double kFirst = std::numbers::pi / 12.0, kLast = 0.005;
+  for (double step = kFirst; step > kLast;) {
+    bool lower = false;
+    for (double Bow::*number : {&Bow::start, &Bow::bow, &Bow::end})
+      for (const double by : {step, -step}) {
+        if (number == &Bow::end && wanted.end_angle) continue;
+        Bow moved = best.bow;
+        moved.*number += by;
+        if (const double cost = cost_of(moved, wanted, problem); cost < best.cost) best = {moved, cost}, lower = true;
+      }
+    if (!lower) step *= 0.5;
+  }
   return best;
+}
+
+/// Several curves run as far as they must; which is smoothest shows only when each of them does so exactly.
+Bow best_bow(const StripProblem& problem, const Wanted& wanted) {
+  constexpr std::size_t kRefined = 8;
+  std::vector<Candidate> candidates = coarse_bows(problem, wanted);
+  const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
+  std::partial_sort(candidates.begin(), candidates.begin() + kRefined, candidates.end(), cheaper);
+  candidates.resize(kRefined);
+  for (Candidate& candidate : candidates)
+    candidate = refined(candidate, problem, wanted);
+  return std::min_element(candidates.begin(), candidates.end(), cheaper)->bow;
 }
 
 }  // namespace

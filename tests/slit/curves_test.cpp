@@ -72,7 +72,7 @@ TEST(Panel, StandsOnChordsOfTheStripsWidths) {
   sheet.half_length = 100;
   sheet.strips = {{.width = 20, .gap = 5}, {.width = 10}, {.width = 15, .gap = 7}};
   sheet.margin = 3;
-  const BezierCurve curve{{{40, 0}, {60, 20}, {50, 50}, {40, 55}}};
+  const BezierCurve curve{{{40, 0}, {60, 20}, {50, 49}, {40, 54}}};
   const auto panel = slit_detail::panel_of(sheet, curve);
   ASSERT_TRUE(panel) << panel.error().message;
   ASSERT_EQ(panel->size(), 6u);

@@ -30,7 +30,7 @@ inline SlitDesign asymmetric() {
   design.sheet.symmetric = false;
   design.sheet.strips = {{.width = 40, .gap = 10}, {.width = 30, .left_start = 200, .right_start = 230, .end = 560}, {.width = 25, .gap = 5, .left_start = 230, .right_start = 215}, {.width = 35, .end = 480}};
   design.sheet.margin = 12.0;
-  design.leg_curve = {{{100, 0}, {130, 60}, {120, 120}, {90, 158}}};
+  design.leg_curve = {{{100, 0}, {125, 55}, {118, 110}, {92, 150}}};
   design.ends.resize(3);
   design.ends[0].position = Vec3(-110, 240, 30);
   design.ends[0].direction = Vec3(-1, -0.2, 0.1);

@@ -290,8 +290,12 @@ TEST(SlitScan, IsAlignedByARigidMotion) {
   }
   const auto found = session.align_scans();
   ASSERT_TRUE(found) << found.error().message;
-  EXPECT_NEAR(((*found * motion).matrix() - Eigen::Matrix4d::Identity()).norm(), 0.0, 0.05);
-  EXPECT_NEAR((session.scan(0)[0] - shape.strips[0].ridges[0].folded[0]).norm(), 0.0, 0.5);
+  // Moved by 9 mm and 1.7°; the surface is known at points up to 7.5 mm apart, and 252 pairs level that out.
+  EXPECT_NEAR((*found * motion).translation().norm(), 0.0, 1.0);
+  EXPECT_NEAR(Eigen::AngleAxisd((*found * motion).linear()).angle(), 0.0, 0.002);
+  for (int strip = 0; strip < 6; ++strip)
+    for (std::size_t i = 0; i < session.scan(strip).size(); ++i)
+      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[static_cast<std::size_t>(strip)].ridges[i / 2].folded[i % 2]).norm(), 0.0, 1.0);
 }
 
 }  // namespace

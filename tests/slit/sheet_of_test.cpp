@@ -25,9 +25,10 @@ void expect_to_be_the_cut_sheet(const SlitSession& session, double area, double 
   const Sheet sheet = sheet_of(session.folded());
   const FlatPattern pattern = flattened(sheet);
   ASSERT_EQ(pattern.placement.size(), sheet.faces.size());
+  const Isometry2 back = pattern.placement[0].inverse();
   for (std::size_t i = 0; i < sheet.faces.size(); ++i)
     for (const Border& border : sheet.faces[i].loops.front())
-      EXPECT_NEAR((pattern.placement[i] * start_of(border.curve) - start_of(border.curve)).norm(), 0.0, 1e-9 * size) << i;
+      EXPECT_NEAR((back * (pattern.placement[i] * start_of(border.curve)) - start_of(border.curve)).norm(), 0.0, 1e-9 * size) << i;
   EXPECT_LE(pattern.closure, 1e-9 * size);
   EXPECT_NEAR(pattern.area, area, 1e-9 * area);
 }
