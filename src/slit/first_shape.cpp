@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -12,6 +13,7 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
+constexpr double kLargestFold = 2.8;  // radians
 
 /// What the curve in the plane must do, in strip lengths: how far it runs away from the panel's plane, how far
 /// along it, and at which angle to it it ends.
@@ -95,6 +97,7 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   for (int i = 0; i < kPieces; ++i) {
     const double next = bow.at((i + 0.5) / kPieces);
     folds[static_cast<std::size_t>(i)] = next - angle;
+    if (std::abs(next - angle) > kLargestFold) return std::numeric_limits<double>::infinity();
     angle = next;
     away += std::sin(angle) / kPieces;
     along += std::cos(angle) / kPieces;
@@ -121,7 +124,7 @@ std::vector<Candidate> coarse_bows(const StripProblem& problem, const Wanted& wa
   constexpr double kStep = std::numbers::pi / 6.0;
   std::vector<Candidate> candidates;
   for (int end = -3; end <= 9; end += wanted.end_angle ? 13 : 2)
-    for (int start = -3; start <= 9; ++start)
+    for (int start = -5; start <= 5; ++start)
       for (int bow = -6; bow <= 6; ++bow) {
         const Bow candidate{start * kStep, wanted.end_angle.value_or(end * kStep), bow * kStep};
         candidates.push_back({candidate, cost_of(candidate, wanted, problem)});
@@ -147,7 +150,7 @@ Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wan
 }
 
 /// Several curves run as far as they must; which is smoothest shows only when each of them does so exactly.
-Bow best_bow(const StripProblem& problem, const Wanted& wanted) {
+std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& wanted) {
   constexpr std::size_t kRefined = 8;
   std::vector<Candidate> candidates = coarse_bows(problem, wanted);
   const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
@@ -155,24 +158,30 @@ Bow best_bow(const StripProblem& problem, const Wanted& wanted) {
   candidates.resize(kRefined);
   for (Candidate& candidate : candidates)
     candidate = refined(candidate, problem, wanted);
-  return std::min_element(candidates.begin(), candidates.end(), cheaper)->bow;
+  std::sort(candidates.begin(), candidates.end(), cheaper);
+  return candidates;
+}
+
+StripParameters bent(const StripBase& base, const Bow& bow, double direction) {
+  StripParameters p = flat_parameters(base);
+  double angle = 0.0;
+  for (int i = 0; i < base.quads; ++i) {
+    const double next = i + 1 == base.quads ? bow.end : bow.at((i + 0.5) / base.quads);
+    p[i] = direction * (next - angle);
+    angle = next;
+  }
+  return p;
 }
 
 }  // namespace
 
-StripParameters first_shape(const StripProblem& problem) {
-  StripParameters p = flat_parameters(problem.base);
-  const auto wanted = wanted_of(problem);
-  if (!wanted) return p;
-  const Bow bow = best_bow(problem, *wanted);
-  const int quads = problem.base.quads;
-  double angle = 0.0;
-  for (int i = 0; i < quads; ++i) {
-    const double next = i + 1 == quads ? bow.end : bow.at((i + 0.5) / quads);
-    p[i] = wanted->direction * (next - angle);
-    angle = next;
-  }
-  return p;
+std::vector<StripParameters> first_shapes(const StripProblem& problem) {
+  std::vector<StripParameters> shapes;
+  if (const auto wanted = wanted_of(problem))
+    for (const Candidate& candidate : best_bows(problem, *wanted))
+      shapes.push_back(bent(problem.base, candidate.bow, wanted->direction));
+  shapes.push_back(flat_parameters(problem.base));
+  return shapes;
 }
 
 }  // namespace planish::slit_detail

@@ -49,7 +49,7 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
     const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn, kSpacingKept) * step;
     StripFold next_fold = folded(problem.base, next);
     Eigen::VectorXd next_violation = end_violation(problem, next_fold);
-    if (next_violation.squaredNorm() < violation.squaredNorm()) {
+    if (next_violation.squaredNorm() < violation.squaredNorm() && is_shape(problem.base, next)) {
       reach.p = next;
       fold = std::move(next_fold);
       violation = std::move(next_violation);

@@ -53,7 +53,7 @@ class Solver {
     if (!is_shape(problem_.base, from)) return false;
     const Reach reach = meet_ends(problem_, from);
     solution_.iterations += reach.iterations;
-    if (reach.violation < violation_ && is_shape(problem_.base, reach.p)) {
+    if (reach.violation < violation_) {
       solution_.p = reach.p;
       violation_ = reach.violation;
       solution_.reached = reach.met();
@@ -62,7 +62,8 @@ class Solver {
   }
 
   void begin() {
-    if (reach_from(first_shape(problem_)) || reach_from(flat_parameters(problem_.base))) descend_softly();
+    for (const StripParameters& shape : first_shapes(problem_))
+      if (reach_from(shape)) return descend_softly();
   }
 
   bool stopped() const { return options_.stop && options_.stop(); }
