@@ -108,6 +108,10 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   }
   if (problem.mirrored) unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) * (folds[kPieces - 1] - folds[kPieces - 2]);
   constexpr double kMissed = 100.0;
+  // Curls whose angles grow evenly are smooth too; of equals the one that bends least is meant.
+  constexpr double kBending = 0.01;
+  for (const double fold : folds)
+    unsmooth += kBending * fold * fold;
   double cost = std::max(problem.weights.smooth, 1e-6) * unsmooth;
   if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);
   if (wanted.along) cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);

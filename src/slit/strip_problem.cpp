@@ -10,7 +10,7 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kReferenceQuads = 10.0;  // of the paper, where weights mean what they mean there
-constexpr double kHundredths = 100.0;     // lengths count in hundredths of the strip's length
+constexpr double kThirtieths = 30.0;      // lengths count in thirtieths of the strip's length
 
 Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
   const Frame& last = fold.quad(quads - 1);
@@ -86,7 +86,7 @@ class Rows {
   }
 
  private:
-  double position_scale(double weight) const { return std::sqrt(weight) * kHundredths / base_.unit(); }
+  double position_scale(double weight) const { return std::sqrt(weight) * kThirtieths / base_.unit(); }
 
   void add_smoothness() {
     const double scale = std::sqrt(problem_.weights.smooth) * std::pow(base_.quads / kReferenceQuads, 2.5);

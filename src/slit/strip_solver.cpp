@@ -101,21 +101,48 @@ class Solver {
     solution_.iterations += descent.iterations;
   }
 
-  /// Takes in what the shape breaks.
-  bool broken() {
-    bool any = false;
-    if (problem_.min_radius > 0.0 && tightest_fold(problem_.base, solution_.p).radius < problem_.min_radius * (1.0 - kHolds))
-      for (const RadiusLimit& limit : radius_limits(problem_.base, solution_.p, problem_.min_radius))
-        add(problem_.inequalities, limit), any = true;
-    const auto planes = planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p)) : std::vector<HalfSpace>{};
-    for (const HalfSpace& plane : planes)
-      add(problem_.inequalities, plane), any = true;
-    return any;
+  std::vector<HalfSpace> planes_now_broken() const {
+    return planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p)) : std::vector<HalfSpace>{};
   }
 
+  bool is_too_tight() const {
+    return problem_.min_radius > 0.0 && tightest_fold(problem_.base, solution_.p).radius < problem_.min_radius * (1.0 - kHolds);
+  }
+
+  /// Takes in what the shape breaks.
+  bool take_in(const std::vector<HalfSpace>& planes) {
+    for (const HalfSpace& plane : planes)
+      add(problem_.inequalities, plane);
+    const bool tight = is_too_tight();
+    if (tight)
+      for (const RadiusLimit& limit : radius_limits(problem_.base, solution_.p, problem_.min_radius))
+        add(problem_.inequalities, limit);
+    return tight || !planes.empty();
+  }
+
+  /// First the radii alone. A way out of a neighbour that creases the strip is none: then it is left as it was.
   void hold_inequalities() {
+    hold(Planes::left_out);
+    if (!solution_.converged || planes_now_broken().empty()) return;
+    const StripSolution before = solution_;
+    const std::vector<Inequality> needed = problem_.inequalities;
+    const bool was_too_tight = is_too_tight();
+    hold(Planes::kept);
+    constexpr double kWorth = 20.0;
+    const bool creased = (is_too_tight() && !was_too_tight) || solution_.objective > kWorth * before.objective;
+    if (!stopped() && (creased || !planes_now_broken().empty())) {
+      solution_.p = before.p;
+      solution_.objective = before.objective;
+      problem_.inequalities = needed;
+    }
+    solution_.converged = !stopped();
+  }
+
+  enum class Planes { left_out, kept };
+  void hold(Planes which) {
+    problem_.penalty = kFirstPenalty;
     for (int round = 0; round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
-      const bool any = broken();
+      const bool any = take_in(which == Planes::kept ? planes_now_broken() : std::vector<HalfSpace>{});
       if (problem_.inequalities.empty()) return;
       const Eigen::VectorXd values = inequality_values(problem_, solution_.p);
       if (!any && radius_values_hold(values)) return;

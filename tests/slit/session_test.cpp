@@ -39,7 +39,7 @@ TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
     EXPECT_EQ(state.status, StripStatus::solved) << strip;
     EXPECT_LE(state.gap, 1e-9 * 884) << strip;
     EXPECT_FALSE(state.crosses_next || state.crosses_plane || state.too_tight) << strip;
-    EXPECT_LE(state.seat_distance, 1.0) << strip;
+    EXPECT_LE(state.seat_distance, 0.005 * 464) << strip;
     const FoldedStrip& shape = folded.strips[static_cast<std::size_t>(strip)];
     for (const Vec3& end : shape.ridges.back().folded)
       EXPECT_LE(std::abs(end.x()), 1e-9 * 884);
@@ -49,6 +49,14 @@ TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
     EXPECT_NEAR(shape.quads.back().z.x(), 0.0, 1e-11);
   }
   EXPECT_LE(isometry_error(folded), 1e-12 * 884);
+}
+
+TEST(SlitSession, EndsOnTheSeatCurveWhereItWeighsMuch) {
+  SlitDesign design = chair();
+  design.weights.seat = 3.0;
+  const SlitSession session = solved(design);
+  for (int strip = 0; strip < session.strip_count(); ++strip)
+    EXPECT_LE(session.state(strip).seat_distance, 0.1) << strip;
 }
 
 TEST(SlitSession, AsymmetricEndsAreWhereTheyMustBe) {

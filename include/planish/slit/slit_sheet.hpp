@@ -74,8 +74,8 @@ struct SlitScan {
 /// last ridge is upright, where it says nothing. `free`: the halves may meet in a fold.
 enum class EndAngle { right_angle, level, free };
 
-/// What is wanted, weighed (MATH 6.3). Lengths count in hundredths of the strip's length, angles in radians, so
-/// a form does not depend on the unit or the size; sums over ridges are weighed so that subdivision keeps them.
+/// What is wanted, weighed (MATH 6.3). Lengths count in thirtieths of the strip's length, angles in radians,
+/// so a form does not depend on the unit or the size; sums over ridges are weighed so that subdivision keeps them.
 struct SlitWeights {
   double smooth = 0.04;   ///< second differences of the fold angles [3]
   double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
