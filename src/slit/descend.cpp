@@ -75,10 +75,10 @@ ceres::Problem::Options borrowing() {
 /// Descends in the coordinates about one shape. Returns how far it went in them.
 double descend_in_chart(const StripProblem& problem, const DescentOptions& options, ceres::IterationCallback* callback, Descent& descent) {
   const EndChart chart(problem, descent.p);
-  const ObjectiveCost cost(problem, chart);
+  ObjectiveCost cost(problem, chart);
   Eigen::VectorXd xi = Eigen::VectorXd::Zero(chart.dimensions());
   ceres::Problem ceres_problem(borrowing());
-  ceres_problem.AddResidualBlock(const_cast<ObjectiveCost*>(&cost), nullptr, xi.data());  // Ceres only asks to own it
+  ceres_problem.AddResidualBlock(&cost, nullptr, xi.data());
   ceres::Solver::Summary summary;
   ceres::Solve(solver_options(options, callback), &ceres_problem, &summary);
   if (const auto shape = chart.shape(xi)) descent.p = *shape;

@@ -106,8 +106,6 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   StripProblem problem;
   problem.base = base_of(now, strip);
   problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[static_cast<std::size_t>(strip)]);
-  for (EndCondition& end : problem.ends)
-    if (end.is_length() && end.of != EndCondition::Of::middle) end.value = 0.0;
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)

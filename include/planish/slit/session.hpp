@@ -27,7 +27,8 @@ enum class StripStatus { open, solved, out_of_reach };
 struct StripState {
   StripStatus status = StripStatus::open;
   double gap = 0.0;         ///< largest distance of its end from where it must be, mm
-  double shortfall = 0.0;   ///< that gap where the strip is out of reach, else 0
+  /// That gap where the strip is out of reach, else 0. Out of reach by 0: its end is there, but points backwards.
+  double shortfall = 0.0;
   /// Smallest radius of the mid-surface, mm: of arcs that touch neighbouring quads, inside half of them. Infinite
   /// for a flat strip.
   double min_radius = 0.0;
