@@ -124,8 +124,8 @@ std::vector<int> planes_of(std::size_t count, const std::vector<Seam>& seams, co
   };
   for (std::size_t s = 0; s < seams.size(); ++s)
     if (std::abs(folds[s]) <= kFolds) {
-      const auto [low, high] = std::minmax(root(seams[s].a), root(seams[s].b));
-      plane[static_cast<std::size_t>(high)] = low;
+      const int a = root(seams[s].a), b = root(seams[s].b);
+      plane[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
     }
   for (std::size_t i = 0; i < count; ++i)
     plane[i] = root(static_cast<int>(i));
