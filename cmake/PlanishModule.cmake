@@ -28,6 +28,8 @@ set(PLANISH_WALLED_LIBS
   Dxflib::dxflib=dxflib/dl_dxf.h,dxflib/dl_creationadapter.h,dxflib/dl_creationinterface.h
   nlohmann_json::nlohmann_json=nlohmann/json.hpp,nlohmann/json_fwd.hpp
   CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp
+  Ceres::ceres=ceres/ceres.h,ceres/problem.h,ceres/solver.h,ceres/cost_function.h,ceres/manifold.h,ceres/jet.h,ceres/tiny_solver.h
+  nanoflann::nanoflann=nanoflann.hpp
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 
 # Hides the headers of every walled library that is not among the given ones from `target`.

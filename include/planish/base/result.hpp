@@ -29,6 +29,10 @@ enum class ErrorCode {
   unknown_seam,  ///< an edge or corner for the seam that the profile does not have
   bend_loop,  ///< bends given that close a loop of plates
   not_connected,  ///< bends given that leave a plate alone
+  unknown_strip,  ///< a strip that the slit sheet does not have
+  unknown_ridge,  ///< a ridge that a strip does not have
+  empty_scan,  ///< a scan without points
+  scan_too_large,  ///< a scan of more points than are searched
   no_solid,  ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
   // Understood, but no flat pattern exists (exit status 4).
@@ -48,6 +52,9 @@ enum class ErrorCode {
   profile_not_convex,  ///< a profile of a transition that turns inwards somewhere
   profiles_meet,  ///< profiles of a transition that touch each other's plane, or lie in one
   profile_hidden,  ///< a part of a profile would be hidden inside the transition
+  curve_too_short,  ///< a curve that ends before the slit sheet along it does
+  curve_too_long,  ///< a curve that the slit sheet along it does not cover
+  out_of_reach,  ///< a place that a strip is too short to reach
   pattern_wrong,  ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   // Others.

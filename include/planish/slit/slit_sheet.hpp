@@ -1,0 +1,103 @@
+#pragma once
+
+#include <planish/base/angle.hpp>
+#include <planish/slit/bezier.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace planish {
+
+/// The flat sheet lies in coordinates (along, across), mm: along from the panel's free edge (0) towards the
+/// strips, across from the sheet's left side (0). Folded, y is up and the ground plane is (x, z).
+///
+/// A strip as it is cut. Left is the side of the smaller across.
+struct SlitStrip {
+  double width = 0.0;
+  double gap = 0.0;  ///< from the strip before, or from the sheet's side; the panel is uncut behind it
+  /// Where the slits on its left and on its right begin, along the sheet; default: the panel's height. The
+  /// strip's first ridge joins both.
+  std::optional<double> left_start = {}, right_start = {};
+  std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length. Not in symmetric sheets
+};
+
+/// The sheet, or in symmetric sheets the half of it up to the symmetry plane x = 0 (MATH 6.1).
+struct SlitSheet {
+  double thickness = 0.0;  ///< mm
+  double panel_height = 0.0;
+  double half_length = 0.0;  ///< of the strips, from the panel to the symmetry plane or to the free end
+  std::vector<SlitStrip> strips;
+  double margin = 0.0;     ///< between the last strip and the sheet's right side
+  bool symmetric = true;
+  double min_inside_radius = 0.0;  ///< what the material may be bent to, mm
+  /// Width across, and the largest along.
+  double width() const;
+  double reach() const;
+  /// Of strip i: across of its left side, start of both slits, end.
+  double left_of(int strip) const;
+  std::array<double, 2> start_of(int strip) const;
+  double end_of(int strip) const;
+  /// Smallest radius of the mid-surface that the material allows.
+  double min_radius() const { return min_inside_radius + 0.5 * thickness; }
+};
+
+/// `count` equal strips side by side.
+std::vector<SlitStrip> equal_strips(int count, double width);
+
+/// The two ends of a ridge, and the two long sides of a strip.
+enum class Side { left, right };
+
+/// A place that one end of a ridge should be near. Ridges count from 0 (on the panel) to the strip's end.
+struct SlitAnchor {
+  int strip = 0;
+  int ridge = 0;
+  Side side = Side::left;
+  Vec3 at = Vec3::Zero();
+};
+
+/// Where the free end of a strip (not in symmetric sheets) must be; what is not given is free.
+struct StripEnd {
+  std::optional<Vec3> position = {};   ///< of the middle of the last ridge
+  std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its sides
+  std::optional<Vec3> across = {};     ///< of the last ridge, from left to right
+};
+
+/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one strip add up.
+struct SlitScan {
+  int strip = 0;
+  std::vector<Vec3> points;
+};
+
+/// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so that both
+/// halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says the same unless the
+/// last ridge is upright, where it says nothing. `free`: the halves may meet in a fold.
+enum class EndAngle { right_angle, level, free };
+
+/// What is wanted, weighed (MATH 6.3). Lengths count in thirtieths of the strip's length, angles in radians,
+/// so a form does not depend on the unit or the size; sums over ridges are weighed so that subdivision keeps them.
+struct SlitWeights {
+  double smooth = 0.04;   ///< second differences of the fold angles [3]
+  double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
+  double anchors = 0.03;  ///< distance to anchors [5]
+  double seat = 0.03;     ///< distance of the strips' ends to the seat curve [5]
+  /// Distance of the strips' ends to their places on the seat curve: in the order of the strips, from one end of the
+  /// curve to the other, evenly apart. Without it strips leave holes where their neighbours crowd.
+  double spread = 0.003;
+  double scan = 0.03;     ///< distance of the ridges' ends to scanned points [6]
+};
+
+/// A slit sheet and the form that it is to take: what a file holds (FORMATS, slits).
+struct SlitDesign {
+  SlitSheet sheet;
+  BezierCurve leg_curve;                   ///< (x, z): what the panel stands over, from the sheet's left side
+  std::optional<BezierCurve> seat_curve;   ///< (y, z): section wanted in the symmetry plane
+  int ridges = 10;                         ///< a strip, at the start: as many plane quads
+  EndAngle end_angle = EndAngle::right_angle;
+  SlitWeights weights;
+  std::vector<SlitAnchor> anchors;
+  std::vector<StripEnd> ends;              ///< by strip; fewer: the others are free. Not in symmetric sheets
+  std::vector<SlitScan> scans;
+};
+
+}  // namespace planish

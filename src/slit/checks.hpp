@@ -1,0 +1,23 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/slit/folded_slit_sheet.hpp>
+#include <planish/slit/slit_sheet.hpp>
+
+#include <vector>
+
+namespace planish::slit_detail {
+
+/// What a slit file can have wrong; `where` of errors is the JSON pointer there.
+Result<void> check_sheet(const SlitDesign& design);
+Result<void> check_weights(const SlitWeights& weights);
+/// The panel over the leg curve, if one can stand there: finite, on one side of the symmetry plane, nowhere tighter
+/// than the material allows, as long as the sheet is wide.
+Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design);
+Result<void> check_seat_curve(const SlitDesign& design);
+Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel, int anchor);
+Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip);
+/// Points of one scan; `index` is its place in the file.
+Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points, int index);
+
+}  // namespace planish::slit_detail

@@ -1,0 +1,118 @@
+#include "crossing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace planish::slit_detail {
+namespace {
+
+struct Box3 {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = -low;
+  void add(const Vec3& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
+  bool meets(const Box3& other) const { return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all(); }
+};
+
+/// A quad with its corners in turn.
+struct Quad {
+  const Frame* frame = nullptr;
+  std::array<Vec2, 4> flat;
+  std::array<Vec3, 4> corners;
+  Box3 box;
+};
+
+std::vector<Quad> quads_of(const FoldedStrip& strip) {
+  std::vector<Quad> quads;
+  for (std::size_t i = 0; i < strip.quads.size(); ++i) {
+    const SlitRidge &from = strip.ridges[i], &to = strip.ridges[i + 1];
+    Quad quad{&strip.quads[i], {from.flat[0], to.flat[0], to.flat[1], from.flat[1]}, {from.folded[0], to.folded[0], to.folded[1], from.folded[1]}, {}};
+    for (const Vec3& corner : quad.corners)
+      quad.box.add(corner);
+    quads.push_back(quad);
+  }
+  return quads;
+}
+
+/// Inside the quad (counter-clockwise when flat) by more than the margin.
+bool holds(const Quad& quad, const Vec2& p, double margin) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 side = quad.flat[(i + 1) % 4] - quad.flat[i], to = p - quad.flat[i];
+    if (side.x() * to.y() - side.y() * to.x() <= margin * side.norm()) return false;
+  }
+  return true;
+}
+
+bool pierces(const Vec3& from, const Vec3& to, const Quad& quad, double margin) {
+  const Vec3 a = quad.frame->local(from), b = quad.frame->local(to);
+  if (std::min(a.z(), b.z()) >= -margin || std::max(a.z(), b.z()) <= margin) return false;
+  const Vec3 through = a + a.z() / (a.z() - b.z()) * (b - a);
+  return holds(quad, through.head<2>(), margin);
+}
+
+bool edges_pierce(const Quad& a, const Quad& b, double margin) {
+  for (std::size_t i = 0; i < 4; ++i)
+    if (pierces(a.corners[i], a.corners[(i + 1) % 4], b, margin)) return true;
+  return false;
+}
+
+double extent_of(const FoldedStrip& strip) { return (strip.ridges.back().flat[0] - strip.ridges.front().flat[1]).norm(); }
+
+Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 along = b - a;
+  return a + std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+}
+
+}  // namespace
+
+bool cross(const FoldedStrip& a, const FoldedStrip& b) {
+  const double margin = 1e-9 * (extent_of(a) + extent_of(b));
+  const std::vector<Quad> first = quads_of(a), second = quads_of(b);
+  for (const Quad& p : first)
+    for (const Quad& q : second)
+      if (p.box.meets(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin))) return true;
+  return false;
+}
+
+std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour, Side where_neighbour_is) {
+  const std::size_t own = where_neighbour_is == Side::left ? 0 : 1, theirs = 1 - own;
+  const double sense = own == 0 ? 1.0 : -1.0;
+  const double width = std::abs(strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y());
+  std::vector<HalfSpace> planes;
+  for (std::size_t ridge = 1; ridge < strip.ridges.size(); ++ridge) {
+    const Vec3& p = strip.ridges[ridge].folded[own];
+    double least = std::numeric_limits<double>::infinity();
+    HalfSpace plane{static_cast<int>(ridge), static_cast<int>(own), Vec3::Zero(), 0.0};
+    double height = 0.0;
+    for (std::size_t quad = 0; quad < neighbour.quads.size(); ++quad) {
+      const Vec3 foot = nearest_on(neighbour.ridges[quad].folded[theirs], neighbour.ridges[quad + 1].folded[theirs], p);
+      if ((p - foot).norm() >= least) continue;
+      least = (p - foot).norm();
+      plane.normal = sense * neighbour.quads[quad].y;
+      plane.offset = plane.normal.dot(foot);
+      height = std::abs(neighbour.quads[quad].z.dot(p - foot));
+    }
+    if (height < width && plane.normal.dot(p) < plane.offset) planes.push_back(plane);
+  }
+  return planes;
+}
+
+std::vector<HalfSpace> planes_before_mirror(int quads, double sign) {
+  std::vector<HalfSpace> planes;
+  for (int ridge = 1; ridge < quads; ++ridge)
+    for (int side = 0; side < 2; ++side)
+      planes.push_back({ridge, side, sign * Vec3::UnitX(), 0.0});
+  return planes;
+}
+
+double depth_behind_mirror(const FoldedStrip& strip, double sign) {
+  double depth = 0.0;
+  for (const SlitRidge& ridge : strip.ridges)
+    for (const Vec3& end : ridge.folded)
+      depth = std::max(depth, -sign * end.x());
+  return depth;
+}
+
+}  // namespace planish::slit_detail

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "strip_problem.hpp"
+
+#include <functional>
+
+namespace planish::slit_detail {
+
+struct DescentOptions {
+  int max_iterations = 200;
+  double function_tolerance = 1e-7;
+  std::function<bool()> stop = {};  ///< polled after every iteration
+};
+
+/// The best shape so far.
+struct Descent {
+  StripParameters p;
+  double objective = 0.0;
+  int iterations = 0;
+  bool converged = false;
+};
+
+/// Lowers the objective from a shape that meets the end conditions, among shapes that meet them: Levenberg–
+/// Marquardt steps (Ceres) on the manifold of those shapes.
+Descent descend(const StripProblem& problem, const StripParameters& from, const DescentOptions& options);
+
+}  // namespace planish::slit_detail

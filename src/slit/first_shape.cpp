@@ -1,0 +1,191 @@
+#include "first_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace planish::slit_detail {
+namespace {
+
+constexpr double kRightAngle = 0.5 * std::numbers::pi;
+constexpr double kLargestFold = 2.8;  // radians
+
+/// What the curve in the plane must do, in strip lengths: how far it runs away from the panel's plane, how far
+/// along it, and at which angle to it it ends.
+struct Wanted {
+  std::optional<double> away, along;
+  double along_weight = 1.0;
+  std::optional<double> end_angle;
+  double direction = 1.0;  ///< sign of the folds that lead there
+};
+
+/// Angle of the curve to the panel, from its start (0) to its end (1).
+struct Bow {
+  double start = 0.0, end = 0.0, bow = 0.0;
+  double at(double s) const { return start + (end - start) * s + 4.0 * bow * s * (1.0 - s); }
+};
+
+const EndCondition* condition_of(const StripProblem& problem, EndCondition::Of of) {
+  const auto found = std::find_if(problem.ends.begin(), problem.ends.end(), [&](const EndCondition& c) { return c.of == of; });
+  return found == problem.ends.end() ? nullptr : &*found;
+}
+
+Vec3 middle_of_start(const StripBase& base) {
+  return base.facet.point({0.5 * (base.start[0] + base.start[1]), 0.5 * (base.sides[0] + base.sides[1])});
+}
+
+/// The end is to lie in a plane (symmetric sheets).
+Wanted up_to_plane(const StripProblem& problem, const EndCondition& plane) {
+  const Vec3 start = middle_of_start(problem.base);
+  const double distance = plane.value - plane.gradient.dot(start), slope = -plane.gradient.dot(problem.base.facet.z);
+  constexpr double kStretched = 0.99, kParallel = 0.1;
+  Wanted wanted;
+  wanted.direction = distance * slope < 0.0 ? -1.0 : 1.0;
+  wanted.away = std::min(kStretched, std::abs(distance) / std::max(kParallel, std::abs(slope)) / problem.base.unit());
+  wanted.end_angle = kRightAngle;
+  if (problem.seat) {
+    wanted.along = problem.base.facet.x.tail<2>().dot(0.5 * (problem.seat_places[0] + problem.seat_places[1]) - start.tail<2>()) / problem.base.unit();
+    wanted.along_weight = problem.weights.seat / std::max(problem.weights.seat, problem.weights.smooth);
+  }
+  return wanted;
+}
+
+/// The end is to be at a point, or to run in a direction.
+Wanted up_to_point(const StripProblem& problem) {
+  const StripBase& base = problem.base;
+  Wanted wanted;
+  Vec3 place = Vec3::Zero(), direction = Vec3::Zero();
+  bool placed = false, directed = false;
+  for (const EndCondition& condition : problem.ends) {
+    if (condition.of == EndCondition::Of::middle) place += condition.value * condition.gradient, placed = true;
+    directed |= condition.of == EndCondition::Of::along;
+  }
+  if (directed) {
+    std::vector<Vec3> across;
+    for (const EndCondition& condition : problem.ends)
+      if (condition.of == EndCondition::Of::along) across.push_back(condition.gradient);
+    if (across.size() == 2) direction = across[0].cross(across[1]);
+  }
+  if (placed) {
+    const Vec3 way = place - middle_of_start(base);
+    wanted.along = way.dot(base.facet.x) / base.unit();
+    const double away = -way.dot(base.facet.z) / base.unit();
+    wanted.direction = away < 0.0 ? -1.0 : 1.0;
+    wanted.away = std::hypot(away, way.dot(base.facet.y) / base.unit());
+  }
+  if (directed) wanted.end_angle = std::atan2(-wanted.direction * direction.dot(base.facet.z), direction.dot(base.facet.x));
+  return wanted;
+}
+
+std::optional<Wanted> wanted_of(const StripProblem& problem) {
+  if (problem.ends.empty()) return std::nullopt;
+  if (const EndCondition* plane = condition_of(problem, EndCondition::Of::left_end)) return up_to_plane(problem, *plane);
+  return up_to_point(problem);
+}
+
+/// Squares of second differences and of misses, as the objective weighs them.
+double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem) {
+  constexpr int kPieces = 10;
+  double away = 0.0, along = 0.0, unsmooth = 0.0;
+  std::array<double, kPieces> folds{};
+  double angle = 0.0;
+  for (int i = 0; i < kPieces; ++i) {
+    const double next = bow.at((i + 0.5) / kPieces);
+    folds[static_cast<std::size_t>(i)] = next - angle;
+    if (std::abs(next - angle) > kLargestFold) return std::numeric_limits<double>::infinity();
+    angle = next;
+    away += std::sin(angle) / kPieces;
+    along += std::cos(angle) / kPieces;
+  }
+  for (std::size_t i = 1; i + 1 < folds.size(); ++i) {
+    const double second = 2.0 * folds[i] - folds[i - 1] - folds[i + 1];
+    unsmooth += second * second;
+  }
+  if (problem.mirrored) unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) * (folds[kPieces - 1] - folds[kPieces - 2]);
+  constexpr double kMissed = 100.0;
+  // Curls whose angles grow evenly are smooth too; of equals the one that bends least is meant.
+  constexpr double kBending = 0.01;
+  for (const double fold : folds)
+    unsmooth += kBending * fold * fold;
+  double cost = std::max(problem.weights.smooth, 1e-6) * unsmooth;
+  if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);
+  if (wanted.along) cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);
+  return cost;
+}
+
+struct Candidate {
+  Bow bow;
+  double cost = 0.0;
+};
+
+/// Every 30°; the end's angle, where it is free, every 60°.
+std::vector<Candidate> coarse_bows(const StripProblem& problem, const Wanted& wanted) {
+  constexpr double kStep = std::numbers::pi / 6.0;
+  std::vector<Candidate> candidates;
+  for (int end = -3; end <= 9; end += wanted.end_angle ? 13 : 2)
+    for (int start = -5; start <= 5; ++start)
+      for (int bow = -6; bow <= 6; ++bow) {
+        const Bow candidate{start * kStep, wanted.end_angle.value_or(end * kStep), bow * kStep};
+        candidates.push_back({candidate, cost_of(candidate, wanted, problem)});
+      }
+  return candidates;
+}
+
+/// Steps in each number by turns, halved where none helps.
+Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wanted) {
+  constexpr double kFirst = std::numbers::pi / 12.0, kLast = 0.005;
+  for (double step = kFirst; step > kLast;) {
+    bool lower = false;
+    for (double Bow::*number : {&Bow::start, &Bow::bow, &Bow::end})
+      for (const double by : {step, -step}) {
+        if (number == &Bow::end && wanted.end_angle) continue;
+        Bow moved = best.bow;
+        moved.*number += by;
+        if (const double cost = cost_of(moved, wanted, problem); cost < best.cost) best = {moved, cost}, lower = true;
+      }
+    if (!lower) step *= 0.5;
+  }
+  return best;
+}
+
+/// Several curves run as far as they must; which is smoothest shows only when each of them does so exactly.
+std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& wanted) {
+  constexpr std::size_t kRefined = 8;
+  std::vector<Candidate> candidates = coarse_bows(problem, wanted);
+  const auto cheaper = [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; };
+  std::partial_sort(candidates.begin(), candidates.begin() + kRefined, candidates.end(), cheaper);
+  candidates.resize(kRefined);
+  for (Candidate& candidate : candidates)
+    candidate = refined(candidate, problem, wanted);
+  std::sort(candidates.begin(), candidates.end(), cheaper);
+  return candidates;
+}
+
+StripParameters bent(const StripBase& base, const Bow& bow, double direction) {
+  StripParameters p = flat_parameters(base);
+  double angle = 0.0;
+  for (int i = 0; i < base.quads; ++i) {
+    const double next = i + 1 == base.quads ? bow.end : bow.at((i + 0.5) / base.quads);
+    p[i] = direction * (next - angle);
+    angle = next;
+  }
+  return p;
+}
+
+}  // namespace
+
+std::vector<StripParameters> first_shapes(const StripProblem& problem) {
+  std::vector<StripParameters> shapes;
+  if (const auto wanted = wanted_of(problem))
+    for (const Candidate& candidate : best_bows(problem, *wanted))
+      shapes.push_back(bent(problem.base, candidate.bow, wanted->direction));
+  shapes.push_back(flat_parameters(problem.base));
+  return shapes;
+}
+
+}  // namespace planish::slit_detail

@@ -1,0 +1,102 @@
+#include "reach.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::slit_detail {
+namespace {
+
+constexpr double kReadinessOfAbscissae = 0.05;
+
+double largest(const Eigen::VectorXd& v) { return v.size() ? v.cwiseAbs().maxCoeff() : 0.0; }
+
+Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold, const Eigen::VectorXd& violation, double damping) {
+  const RowMatrix derivative = end_derivative(problem, fold);
+  RowMatrix weighed = derivative;
+  weighed.rightCols(weighed.cols() - problem.base.quads) *= kReadinessOfAbscissae;
+  Eigen::MatrixXd normal = weighed * derivative.transpose();
+  normal.diagonal().array() += damping;
+  return -weighed.transpose() * normal.ldlt().solve(violation);
+}
+
+/// The largest share of the step that keeps folds and spacings within bounds.
+double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step, double largest_turn, double spacing_kept) {
+  double share = std::min(1.0, largest_turn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
+  const StripParameters after = p + step;
+  for (int quad = 0; quad < base.quads; ++quad)
+    for (int side = 0; side < 2; ++side) {
+      const double now = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
+      const double then = abscissa(base, after, quad + 1, side) - abscissa(base, after, quad, side);
+      if (then < spacing_kept * now) share = std::min(share, (1.0 - spacing_kept) * now / (now - then));
+    }
+  return share;
+}
+
+}  // namespace
+
+Reach meet_ends(const StripProblem& problem, const StripParameters& from, int max_iterations) {
+  Reach reach{from, 0.0, 0};
+  StripFold fold = folded(problem.base, reach.p);
+  Eigen::VectorXd violation = end_violation(problem, fold);
+  double damping = 1e-6;
+  constexpr double kGivenUp = 1e8, kLargestTurn = 0.25, kSpacingKept = 0.5;
+  for (; reach.iterations < max_iterations && largest(violation) > 1e-2 * kEndsMet && damping < kGivenUp; ++reach.iterations) {
+    const Eigen::VectorXd step = least_step(problem, fold, violation, damping);
+    const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn, kSpacingKept) * step;
+    StripFold next_fold = folded(problem.base, next);
+    Eigen::VectorXd next_violation = end_violation(problem, next_fold);
+    if (next_violation.squaredNorm() < violation.squaredNorm() && is_shape(problem.base, next)) {
+      reach.p = next;
+      fold = std::move(next_fold);
+      violation = std::move(next_violation);
+      damping *= 0.1;
+    } else {
+      if (largest(violation) <= kEndsMet) break;
+      damping = std::max(10.0 * damping, 1e-9);
+    }
+  }
+  reach.violation = largest(violation);
+  return reach;
+}
+
+EndChart::EndChart(const StripProblem& problem, const StripParameters& at)
+    : problem_(problem), origin_(at), qr_(end_derivative(problem, folded(problem.base, at)).transpose()) {}
+
+std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const {
+  constexpr int kIterations = 15;
+  const int eliminated = conditions();
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(qr_.rows());
+  turned.tail(xi.size()) = xi;
+  double before = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kIterations; ++i) {
+    StripParameters p = origin_ + qr_.householderQ() * turned;
+    if (!is_shape(problem_.base, p)) return std::nullopt;
+    if (eliminated == 0) return p;
+    const StripFold fold = folded(problem_.base, p);
+    const Eigen::VectorXd violation = end_violation(problem_, fold);
+    const double missed = largest(violation);
+    if (missed <= 1e-2 * kEndsMet || (missed <= kEndsMet && missed >= 0.25 * before)) return p;
+    if (missed > before && missed > 1e-3) return std::nullopt;
+    before = missed;
+    RowMatrix conditions = end_derivative(problem_, fold);
+    conditions.applyOnTheRight(qr_.householderQ());
+    turned.head(eliminated) -= conditions.leftCols(eliminated).partialPivLu().solve(violation);
+  }
+  return std::nullopt;
+}
+
+RowMatrix EndChart::derivative(const StripParameters& shape, RowMatrix jacobian) const {
+  const int eliminated = conditions();
+  if (eliminated == 0) return jacobian;
+  RowMatrix conditions = end_derivative(problem_, folded(problem_.base, shape));
+  conditions.applyOnTheRight(qr_.householderQ());
+  jacobian.applyOnTheRight(qr_.householderQ());
+  const Eigen::MatrixXd following = conditions.leftCols(eliminated).partialPivLu().solve(conditions.rightCols(dimensions()));
+  return jacobian.rightCols(dimensions()) - jacobian.leftCols(eliminated) * following;
+}
+
+}  // namespace planish::slit_detail

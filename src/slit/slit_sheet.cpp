@@ -1,0 +1,45 @@
+#include <planish/slit/slit_sheet.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace planish {
+
+double SlitSheet::width() const {
+  double across = margin;
+  for (const SlitStrip& strip : strips)
+    across += strip.gap + strip.width;
+  return across;
+}
+
+double SlitSheet::reach() const {
+  double along = 0.0;
+  for (int i = 0; i < static_cast<int>(strips.size()); ++i)
+    along = std::max(along, end_of(i));
+  return along;
+}
+
+double SlitSheet::left_of(int strip) const {
+  double across = strips[static_cast<std::size_t>(strip)].gap;
+  for (int i = 0; i < strip; ++i)
+    across += strips[static_cast<std::size_t>(i)].gap + strips[static_cast<std::size_t>(i)].width;
+  return across;
+}
+
+std::array<double, 2> SlitSheet::start_of(int strip) const {
+  const SlitStrip& row = strips[static_cast<std::size_t>(strip)];
+  return {row.left_start.value_or(panel_height), row.right_start.value_or(panel_height)};
+}
+
+double SlitSheet::end_of(int strip) const {
+  return strips[static_cast<std::size_t>(strip)].end.value_or(panel_height + half_length);
+}
+
+std::vector<SlitStrip> equal_strips(int count, double width) {
+  std::vector<SlitStrip> strips(static_cast<std::size_t>(std::max(0, count)));
+  for (SlitStrip& strip : strips)
+    strip.width = width;
+  return strips;
+}
+
+}  // namespace planish

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "nearest_points.hpp"
+#include "strip_fold.hpp"
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace planish::slit_detail {
+
+/// A linear condition that the strip's end must meet: gradient · v = value.
+struct EndCondition {
+  enum class Of { left_end, right_end, middle, along, across, normal };
+  Of of = Of::left_end;  ///< points of the last ridge in units of the strip's length, or directions of the last quad
+  Vec3 gradient = Vec3::Zero();
+  double value = 0.0;
+  bool is_length() const { return of == Of::left_end || of == Of::right_end || of == Of::middle; }
+};
+
+/// A ridge's end must stay on one side of a plane: normal · v ≥ offset.
+struct HalfSpace {
+  int ridge = 0;
+  int side = 0;
+  Vec3 normal = Vec3::Zero();
+  double offset = 0.0;
+};
+/// The arc that touches the quads on both sides of a ridge, within half of one of them, must have the least radius.
+struct RadiusLimit {
+  int ridge = 0;
+  int side = 0;
+  int quad = 0;  ///< ridge − 1 or ridge
+};
+struct Inequality {
+  std::variant<HalfSpace, RadiusLimit> what;
+  double multiplier = 0.0;
+};
+
+struct StripAnchor {
+  int ridge = 0;
+  int side = 0;
+  Vec3 at = Vec3::Zero();
+};
+
+/// What one strip is to become: end conditions, inequalities, and the objective of MATH 6.3 as a sum of squares.
+/// Lengths are divided by the strip's length.
+///
+/// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and keeps its
+/// value when a strip is divided more finely; at ten quads the weight is the paper's. Where a strip goes on in its
+/// mirror image so do the differences: the last one is that of θ_M−2, θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings
+/// whose sum is given equals Σ (Δ − h)²/(Δ h²) and a constant, h the mean: that is a sum of squares which vanish at
+/// equal spacing, so that Gauss–Newton steps converge. Its mean over the quads is taken.
+struct StripProblem {
+  StripBase base;
+  std::vector<EndCondition> ends;
+  bool mirrored = false;  ///< the strip goes on smoothly in its mirror image
+  SlitWeights weights;
+  std::vector<StripAnchor> anchors;
+  std::shared_ptr<const BezierSearch> seat;
+  std::array<Vec2, 2> seat_places{};  ///< on the seat curve, of the end's corners
+  std::shared_ptr<const NearestPoints> scan;
+  double min_radius = 0.0;
+  std::vector<Inequality> inequalities;
+  double penalty = 0.0;  ///< of violated inequalities, for the augmented Lagrangian
+
+  int parameters() const { return parameter_count(base.quads); }
+  int residuals() const;
+};
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// False where ridges of a quad cross or a fold reaches half a turn: no shape there. The Jacobian is left out where
+/// it is null. Half the sum of squares is the objective.
+bool evaluate(const StripProblem& problem, const StripParameters& p, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian);
+
+/// Ridges in order on both sides, no fold of half a turn.
+bool is_shape(const StripBase& base, const StripParameters& p);
+
+/// By how much end conditions are missed, in units of the strip's length or of a unit vector, and the derivative.
+Eigen::VectorXd end_violation(const StripProblem& problem, const StripFold& fold);
+RowMatrix end_derivative(const StripProblem& problem, const StripFold& fold);
+
+/// Values g ≤ 0 of the inequalities, in strip lengths or mean spacings.
+Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParameters& p);
+
+/// Largest distance of the end from where it must be, mm.
+double end_gap(const StripProblem& problem, const StripFold& fold);
+
+/// The tightest fold: radius of the arc within half a quad on both sides of its ridge.
+struct Tightest {
+  double radius = 0.0;
+  int ridge = 0;
+};
+Tightest tightest_fold(const StripBase& base, const StripParameters& p);
+/// The limits that are violated or nearly so.
+std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p, double min_radius);
+
+}  // namespace planish::slit_detail

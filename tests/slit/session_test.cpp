@@ -1,0 +1,310 @@
+#include "crossing.hpp"
+#include "sample_sheets.hpp"
+
+#include <cmath>
+
+namespace planish::test {
+namespace {
+
+double largest_difference(const FoldedSlitSheet& a, const FoldedSlitSheet& b) {
+  double worst = 0.0;
+  for (std::size_t s = 0; s < a.strips.size(); ++s)
+    for (std::size_t r = 0; r < a.strips[s].ridges.size(); ++r)
+      for (std::size_t side = 0; side < 2; ++side)
+        worst = std::max(worst, (a.strips[s].ridges[r].folded[side] - b.strips[s].ridges[r].folded[side]).norm());
+  return worst;
+}
+
+/// Sides and diagonals of all quads against the flat sheet, measured on corners alone.
+double isometry_error(const FoldedSlitSheet& folded) {
+  double worst = 0.0;
+  for (const FoldedStrip& strip : folded.strips)
+    for (std::size_t i = 0; i + 1 < strip.ridges.size(); ++i) {
+      const SlitRidge &a = strip.ridges[i], &b = strip.ridges[i + 1];
+      const auto off = [&](const Vec2& p, const Vec2& q, const Vec3& x, const Vec3& y) { worst = std::max(worst, std::abs((p - q).norm() - (x - y).norm())); };
+      for (std::size_t s = 0; s < 2; ++s)
+        for (std::size_t t = 0; t < 2; ++t)
+          off(a.flat[s], b.flat[t], a.folded[s], b.folded[t]);
+      off(a.flat[0], a.flat[1], a.folded[0], a.folded[1]);
+    }
+  return worst;
+}
+
+TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
+  const SlitSession session = solved(chair(), 2);
+  const auto folded = session.folded();
+  EXPECT_EQ(session.design().ridges, 40);
+  for (int strip = 0; strip < session.strip_count(); ++strip) {
+    const StripState& state = session.state(strip);
+    EXPECT_EQ(state.status, StripStatus::solved) << strip;
+    EXPECT_LE(state.gap, 1e-9 * 884) << strip;
+    EXPECT_FALSE(state.crosses_next || state.crosses_plane || state.too_tight) << strip;
+    EXPECT_LE(state.seat_distance, 0.005 * 464) << strip;
+    const FoldedStrip& shape = folded.strips[static_cast<std::size_t>(strip)];
+    for (const Vec3& end : shape.ridges.back().folded)
+      EXPECT_LE(std::abs(end.x()), 1e-9 * 884);
+    // The paper's end term, and the right angle.
+    for (std::size_t side = 0; side < 2; ++side)
+      EXPECT_NEAR(shape.ridges[39].folded[side].y(), shape.ridges[40].folded[side].y(), 1e-9 * 884);
+    EXPECT_NEAR(shape.quads.back().z.x(), 0.0, 1e-11);
+  }
+  EXPECT_LE(isometry_error(folded), 1e-12 * 884);
+}
+
+TEST(SlitSession, EndsOnTheSeatCurveWhereItWeighsMuch) {
+  SlitDesign design = chair();
+  design.weights.seat = 3.0;
+  const SlitSession session = solved(design);
+  for (int strip = 0; strip < session.strip_count(); ++strip)
+    EXPECT_LE(session.state(strip).seat_distance, 0.1) << strip;
+}
+
+TEST(SlitSession, AsymmetricEndsAreWhereTheyMustBe) {
+  const SlitDesign design = asymmetric();
+  const SlitSession session = solved(design, 1);
+  const auto folded = session.folded();
+  EXPECT_LE(isometry_error(folded), 1e-12 * 600);
+  for (int strip = 0; strip < session.strip_count(); ++strip) {
+    EXPECT_EQ(session.state(strip).status, StripStatus::solved) << strip;
+    const FoldedStrip& shape = folded.strips[static_cast<std::size_t>(strip)];
+    const StripEnd& end = session.design().ends[static_cast<std::size_t>(strip)];
+    const Vec3 middle = 0.5 * (shape.ridges.back().folded[0] + shape.ridges.back().folded[1]);
+    if (end.position) {
+      EXPECT_NEAR((middle - *end.position).norm(), 0.0, 1e-9 * 560) << strip;
+    }
+    if (end.direction) {
+      EXPECT_NEAR((shape.quads.back().x - end.direction->normalized()).norm(), 0.0, 1e-11) << strip;
+    }
+  }
+}
+
+TEST(SlitSession, MirroredInputGivesTheMirroredForm) {
+  SlitDesign mirrored = chair();
+  for (Vec2& pole : mirrored.leg_curve.poles)
+    pole.x() = -pole.x();
+  const auto a = solved(chair(), 1).folded(), b = solved(mirrored, 1).folded();
+  for (std::size_t s = 0; s < a.strips.size(); ++s)
+    for (std::size_t r = 0; r < a.strips[s].ridges.size(); ++r)
+      for (std::size_t side = 0; side < 2; ++side) {
+        const Vec3 p = a.strips[s].ridges[r].folded[side], q = b.strips[s].ridges[r].folded[side];
+        EXPECT_NEAR((Vec3(-p.x(), p.y(), p.z()) - q).norm(), 0.0, 1e-4);
+      }
+}
+
+TEST(SlitSession, TenTimesTheSizeGivesTenTimesTheForm) {
+  SlitDesign large = chair();
+  large.sheet.thickness *= 10, large.sheet.panel_height *= 10, large.sheet.half_length *= 10;
+  for (SlitStrip& strip : large.sheet.strips)
+    strip.width *= 10;
+  for (Vec2& pole : large.leg_curve.poles)
+    pole *= 10;
+  for (Vec2& pole : large.seat_curve->poles)
+    pole *= 10;
+  const auto a = solved(chair()).folded(), b = solved(large).folded();
+  for (std::size_t s = 0; s < 3; ++s)
+    for (std::size_t r = 0; r < a.strips[s].ridges.size(); ++r)
+      EXPECT_NEAR((10.0 * a.strips[s].ridges[r].folded[0] - b.strips[s].ridges[r].folded[0]).norm(), 0.0, 1e-2);
+}
+
+TEST(SlitSession, SubdivisionLeavesTheShape) {
+  SlitSession session = solved(chair());
+  const auto coarse = session.folded();
+  session.subdivide();
+  session.subdivide();
+  const auto fine = session.folded();
+  for (std::size_t s = 0; s < coarse.strips.size(); ++s) {
+    ASSERT_EQ(fine.strips[s].ridges.size(), 41u);
+    for (std::size_t r = 0; r < coarse.strips[s].ridges.size(); ++r) {
+      EXPECT_NEAR(fine.strips[s].ridges[4 * r].fold.radians(), coarse.strips[s].ridges[r].fold.radians(), 1e-15);
+      for (std::size_t side = 0; side < 2; ++side)
+        EXPECT_NEAR((fine.strips[s].ridges[4 * r].folded[side] - coarse.strips[s].ridges[r].folded[side]).norm(), 0.0, 1e-11);
+    }
+    for (std::size_t r = 0; r < 40; ++r)
+      EXPECT_TRUE(r % 4 == 0 || fine.strips[s].ridges[r].fold.radians() == 0.0);
+  }
+}
+
+TEST(SlitSession, SolvesOnlyTheStripsThatAnEditTouches) {
+  SlitSession session = solved(chair());
+  const auto before = session.folded();
+  const Vec3 at = before.strips[2].ridges[5].folded[0] + Vec3(0, 8, 0);
+  ASSERT_TRUE(session.add_anchor({2, 5, Side::left, at}));
+  EXPECT_EQ(session.state(2).status, StripStatus::open);
+  const auto report = session.solve();
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->strips_solved, 1);
+  EXPECT_TRUE(report->converged);
+  const auto after = session.folded();
+  for (std::size_t s : {0u, 1u, 3u, 4u, 5u})
+    for (std::size_t r = 0; r < 11; ++r)
+      EXPECT_EQ(before.strips[s].ridges[r].folded[0], after.strips[s].ridges[r].folded[0]);
+  EXPECT_LT(session.state(2).anchor_distance, 8.0);
+  EXPECT_EQ(session.solve()->strips_solved, 0);
+}
+
+TEST(SlitSession, ComesNearerToAnAnchorTheHeavierItWeighs) {
+  double before = 20.0;
+  for (const double weight : {0.001, 0.03, 3.0}) {
+    SlitDesign design = chair();
+    const Vec3 at = solved(design).folded().strips[0].ridges[5].folded[0] + Vec3(0, 20, 0);
+    design.weights.anchors = weight;
+    design.anchors = {{0, 5, Side::left, at}};
+    const double distance = solved(design).state(0).anchor_distance;
+    EXPECT_LT(distance, before);
+    before = distance;
+  }
+  EXPECT_LT(before, 0.5);
+}
+
+TEST(SlitSession, UndoAndRedoBringTheShapesBack) {
+  SlitSession session = solved(chair());
+  EXPECT_FALSE(session.can_undo());
+  const auto first = session.folded();
+  ASSERT_TRUE(session.add_anchor({1, 5, Side::right, first.strips[1].ridges[5].folded[1] + Vec3(0, 15, 0)}));
+  ASSERT_TRUE(session.solve());
+  const auto second = session.folded();
+  EXPECT_GT(largest_difference(first, second), 1.0);
+  session.subdivide();
+  session.undo();
+  EXPECT_EQ(session.design().ridges, 10);
+  EXPECT_EQ(largest_difference(second, session.folded()), 0.0);
+  session.undo();
+  EXPECT_EQ(largest_difference(first, session.folded()), 0.0);
+  EXPECT_TRUE(session.design().anchors.empty());
+  session.redo();
+  EXPECT_EQ(largest_difference(second, session.folded()), 0.0);
+  ASSERT_TRUE(session.remove_anchor(0));
+  EXPECT_FALSE(session.can_redo());
+}
+
+TEST(SlitSession, GoesOnWhereABudgetStoppedIt) {
+  SlitSession session = started(chair());
+  ASSERT_TRUE(session.solve({.max_iterations = 4}));
+  int calls = 1;
+  for (; calls < 100; ++calls)
+    if (session.solve({.max_iterations = 20})->converged) break;
+  EXPECT_GT(calls, 1);
+  EXPECT_LT(calls, 100);
+  for (int strip = 0; strip < 6; ++strip)
+    EXPECT_LE(session.state(strip).gap, 1e-9 * 884);
+}
+
+TEST(SlitSession, StopsWithoutTimeAndWhenCancelled) {
+  SlitSession session = started(chair());
+  const auto report = session.solve({.seconds = 0.0});
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->converged);
+  EXPECT_EQ(report->strips_solved, 0);
+  Progress progress;
+  int polls = 0;
+  progress.cancelled = [&] { return ++polls > 10; };
+  const auto cancelled = session.solve({}, progress);
+  ASSERT_FALSE(cancelled);
+  EXPECT_EQ(cancelled.error().code, ErrorCode::cancelled);
+  EXPECT_TRUE(session.solve()->converged);
+}
+
+TEST(SlitSession, KeepsTheLeastRadiusAsAConstraint) {
+  SlitDesign design = chair();
+  design.sheet.strips = equal_strips(1, 60.0);
+  design.leg_curve = {{{360, 0}, {360, 60}}};
+  design.seat_curve = BezierCurve{{{330, 0}, {330, 60}}};
+  const double free = solved(design).state(0).min_radius;
+  design.sheet.min_inside_radius = 1.25 * free;
+  const SlitSession session = solved(design);
+  EXPECT_FALSE(session.state(0).too_tight);
+  EXPECT_GE(session.state(0).min_radius, (1.25 * free + 2.0) * (1 - 1e-6));
+  EXPECT_LE(session.state(0).gap, 1e-9 * 884);
+  // No strip of 464 mm gets from upright to level and down again with a radius of half a metre.
+  design.sheet.min_inside_radius = 500.0;
+  EXPECT_TRUE(solved(design).state(0).too_tight);
+}
+
+TEST(SlitSession, LevelEndsAreLevelAndMayFold) {
+  SlitDesign design = chair();
+  design.end_angle = EndAngle::level;
+  const SlitSession session = solved(design);
+  const auto folded = session.folded();
+  for (const FoldedStrip& strip : folded.strips)
+    EXPECT_NEAR(strip.quads.back().x.y(), 0.0, 1e-11);
+}
+
+TEST(Crossing, OfStripsThatGoThroughEachOtherIsSeen) {
+  const auto strip = [](const Frame& frame) {
+    FoldedStrip s;
+    s.quads = {frame};
+    for (const double along : {0.0, 100.0})
+      s.ridges.push_back({{Vec2(along, 0), Vec2(along, 20)}, {frame.point({along, 0}), frame.point({along, 20})}, {}});
+    return s;
+  };
+  Frame across = frame_from_axes({50, 10, -30}, Vec3::UnitX(), Vec3::UnitZ());
+  EXPECT_TRUE(slit_detail::cross(strip({}), strip(across)));
+  across.origin.x() = 150;
+  EXPECT_FALSE(slit_detail::cross(strip({}), strip(across)));
+  Frame beside;
+  beside.origin = {0, 20, 0};
+  EXPECT_FALSE(slit_detail::cross(strip({}), strip(beside)));
+}
+
+TEST(SlitScan, OfAKnownChairIsFollowed) {
+  // A chair bent by an anchor, its ridge ends moved at random by up to half a millimetre: what a scanner would see.
+  SlitDesign known = chair();
+  known.anchors = {{1, 5, Side::left, solved(chair()).folded().strips[1].ridges[5].folded[0] + Vec3(0, 25, 0)}};
+  known.weights.anchors = 1.0;
+  const auto shape = solved(known, 1).folded();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-0.5, 0.5);
+  SlitDesign design = chair();
+  design.weights.scan = 1.0;
+  SlitScan scan{1, {}};
+  for (std::size_t r = 0; r + 1 < shape.strips[1].ridges.size(); ++r)
+    for (int i = 0; i < 20; ++i)
+      for (int j = 0; j <= 20; ++j) {
+        const auto on = [&](const SlitRidge& ridge) -> Vec3 { return ridge.folded[0] + j / 20.0 * (ridge.folded[1] - ridge.folded[0]); };
+        const Vec3 noise(unit(random), unit(random), unit(random));
+        scan.points.push_back(on(shape.strips[1].ridges[r]) + i / 20.0 * (on(shape.strips[1].ridges[r + 1]) - on(shape.strips[1].ridges[r])) + noise);
+      }
+  const SlitSession blind = solved(chair(), 1);
+  design.scans = {scan};
+  const SlitSession session = solved(design, 1);
+  const auto distance = [&](const FoldedSlitSheet& folded) {
+    double worst = 0.0;
+    for (std::size_t r = 0; r < 21; ++r)
+      for (std::size_t side = 0; side < 2; ++side) {
+        double least = 1e9;
+        for (const Vec3& p : scan.points)
+          least = std::min(least, (p - folded.strips[1].ridges[r].folded[side]).norm());
+        worst = std::max(worst, least);
+      }
+    return worst;
+  };
+  EXPECT_GT(distance(blind.folded()), 10.0);
+  EXPECT_LT(distance(session.folded()), 3.0);
+  EXPECT_LT(session.state(1).scan_distance, 2.0);
+}
+
+TEST(SlitScan, IsAlignedByARigidMotion) {
+  SlitSession session = solved(chair(), 1);
+  const auto shape = session.folded();
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.rotate(Eigen::AngleAxisd(0.03, Vec3(1, 2, 3).normalized()));
+  motion.pretranslate(Vec3(4, -6, 5));
+  for (int strip = 0; strip < 6; ++strip) {
+    std::vector<Vec3> points;
+    for (const SlitRidge& ridge : shape.strips[static_cast<std::size_t>(strip)].ridges)
+      for (const Vec3& end : ridge.folded)
+        points.push_back(motion * end);
+    ASSERT_TRUE(session.set_scan(strip, points));
+  }
+  const auto found = session.align_scans();
+  ASSERT_TRUE(found) << found.error().message;
+  // Moved by 9 mm and 1.7°; the surface is known at points up to 7.5 mm apart, and 252 pairs level that out.
+  EXPECT_NEAR((*found * motion).translation().norm(), 0.0, 1.0);
+  EXPECT_NEAR(Eigen::AngleAxisd((*found * motion).linear()).angle(), 0.0, 0.002);
+  for (int strip = 0; strip < 6; ++strip)
+    for (std::size_t i = 0; i < session.scan(strip).size(); ++i)
+      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[static_cast<std::size_t>(strip)].ridges[i / 2].folded[i % 2]).norm(), 0.0, 1.0);
+}
+
+}  // namespace
+}  // namespace planish::test

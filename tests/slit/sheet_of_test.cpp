@@ -1,0 +1,85 @@
+#include "sample_sheets.hpp"
+
+#include <planish/sheet/certificate.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <cmath>
+
+// The developed pattern is the sheet that was cut. Every face is given in the coordinates of the flat sheet, so laid
+// flat from one face, every other one must stay exactly where it is.
+
+namespace planish::test {
+namespace {
+
+FlatPattern flattened(const Sheet& sheet) {
+  FlattenOptions options;
+  options.allowance = ConstantK{0.5, "test"};
+  options.root = FaceId{0};
+  options.up = UpSide::reference;
+  auto pattern = flatten(sheet, options);
+  if (!pattern) throw std::runtime_error(pattern.error().message);
+  return *pattern;
+}
+
+void expect_to_be_the_cut_sheet(const SlitSession& session, double area, double size) {
+  const Sheet sheet = sheet_of(session.folded());
+  const FlatPattern pattern = flattened(sheet);
+  ASSERT_EQ(pattern.placement.size(), sheet.faces.size());
+  const Isometry2 back = pattern.placement[0].inverse();
+  for (std::size_t i = 0; i < sheet.faces.size(); ++i)
+    for (const Border& border : sheet.faces[i].loops.front())
+      EXPECT_NEAR((back * (pattern.placement[i] * start_of(border.curve)) - start_of(border.curve)).norm(), 0.0, 1e-9 * size) << i;
+  EXPECT_LE(pattern.closure, 1e-9 * size);
+  EXPECT_NEAR(pattern.area, area, 1e-9 * area);
+}
+
+TEST(SheetOf, ChairLiesFlatAsItWasCut) { expect_to_be_the_cut_sheet(solved(chair(), 1), 2 * 884.0 * 360.0, 1768); }
+
+TEST(SheetOf, ChairOnACurvedLegLiesFlatAsItWasCut) {
+  SlitDesign design = chair();
+  design.leg_curve = {{{330, 0}, {380, 120}, {380, 240}, {330, 353}}};
+  expect_to_be_the_cut_sheet(solved(design), 2 * 884.0 * 360.0, 1768);
+}
+
+TEST(SheetOf, AsymmetricSheetLiesFlatAsItWasCut) {
+  // Panel 157 × 200 and what strips begin later, then the strips.
+  const double panel = 157.0 * 200 + 30 * 15.0 + 25 * 22.5;
+  const double strips = 40 * 300.0 + 30 * (560 - 215.0) + 25 * (500 - 222.5) + 35 * 280.0;
+  expect_to_be_the_cut_sheet(solved(asymmetric()), panel + strips, 560);
+}
+
+TEST(SheetOf, SlitsAreBordersThatNothingJoins) {
+  const Sheet sheet = sheet_of(solved(chair()).folded());
+  EXPECT_EQ(sheet.faces.size(), 2u * (6 + 6 * 10));
+  // In each half five seams of the panel and ten a strip, and six across the symmetry plane.
+  EXPECT_EQ(sheet.joints.size(), 2u * (5 + 60) + 6);
+}
+
+TEST(SheetOf, IsCertified) {
+  const Sheet sheet = sheet_of(solved(chair(), 1).folded());
+  const FlatPattern pattern = flattened(sheet);
+  FlattenOptions options;
+  options.allowance = ConstantK{0.5, "test"};
+  const auto certificate = certify(sheet, pattern, border_distance(sheet), options);
+  ASSERT_TRUE(certificate) << certificate.error().message;
+  EXPECT_LE(certificate->length_error, 1e-9 * 1768);
+  EXPECT_LE(certificate->refold_deviation, 1e-4);
+}
+
+TEST(MeshOf, HasTheAreaOfTheSheetAndSharesRidges) {
+  const auto folded = solved(chair()).folded();
+  const Mesh mesh = mesh_of(folded);
+  double area = 0.0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 &a = mesh.points[static_cast<std::size_t>(t[0])], &b = mesh.points[static_cast<std::size_t>(t[1])], &c = mesh.points[static_cast<std::size_t>(t[2])];
+    area += 0.5 * (b - a).cross(c - a).norm();
+  }
+  EXPECT_NEAR(area, 2 * 884.0 * 360.0, 1e-6);
+  EXPECT_EQ(mesh.triangles.size(), 2u * 132);
+  // Two points a ridge inside the strips, in both halves and on the symmetry plane; of each panel its corners, the tops
+  // of facets being ridges.
+  EXPECT_LE(mesh.points.size(), 2u * (6 * 10 * 2 + 14) + 6 * 2);
+}
+
+}  // namespace
+}  // namespace planish::test
