@@ -18,6 +18,9 @@ int run_connect(const MakeArguments& arguments);
 /// `planish transition`; returns the exit status.
 int run_transition(const MakeArguments& arguments);
 
+/// `planish slit`; returns the exit status.
+int run_slit(const MakeArguments& arguments);
+
 struct InfoArguments {
   std::string input, body;
   std::string json;  ///< file, or "-"; empty: none

@@ -24,6 +24,7 @@ constexpr auto kExamples = R"(Examples:
   planish unfold cabinet.step --all -o flat/ every body, with summary.csv
   planish connect plates.json                joins plates by bends, and lays them flat
   planish transition spec.json               joins two profiles, and lays the net
+  planish slit chair.json                    bends the strips of a slit sheet
   planish info part.step                     what is in the file
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
@@ -51,11 +52,12 @@ int run(int argc, char** argv) {
   app.footer(kExamples);
   app.formatter(help_format());  // before the commands, which inherit it
   UnfoldArguments unfold_arguments;
-  MakeArguments connect_arguments, transition_arguments;
+  MakeArguments connect_arguments, transition_arguments, slit_arguments;
   InfoArguments info_arguments;
   const CLI::App* unfold = add_unfold(app, unfold_arguments);
   const CLI::App* connect = add_connect(app, connect_arguments);
   const CLI::App* transition = add_transition(app, transition_arguments);
+  const CLI::App* slit = add_slit(app, slit_arguments);
   const CLI::App* info = add_info(app, info_arguments);
   try {
     app.parse(argc, argv);
@@ -67,6 +69,7 @@ int run(int argc, char** argv) {
   if (unfold->parsed()) return run_unfold(unfold_arguments);
   if (connect->parsed()) return run_connect(connect_arguments);
   if (transition->parsed()) return run_transition(transition_arguments);
+  if (slit->parsed()) return run_slit(slit_arguments);
   if (info->parsed()) return run_info(info_arguments);
   fmt::print("{}", app.help());
   return 0;

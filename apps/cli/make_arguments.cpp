@@ -34,6 +34,19 @@ Exit status:
 
 The transition file and all else in docs/transition.md.)";
 
+constexpr auto kSlitExamples = R"(Examples:
+  planish slit chair.json                      chair.step and chair.dxf beside it
+  planish slit chair.json -o folded.step --flat pattern.dxf --mould mould.stl --json report.json
+  planish slit chair.json -o folded.stl --flat pattern.svg     to look at
+  planish slit chair.json --check              what comes of it, on the terminal
+
+Exit status:
+  0 done (also with warnings)        3 a file cannot be read, is invalid or cannot be written
+  1 internal error, or cancelled     4 refused: understood, but strips cannot reach, or curves do not fit
+  2 wrong usage
+
+The slit file and all else in docs/slit.md.)";
+
 void add_files(CLI::App& app, MakeArguments& to, const std::string& kind) {
   add_text(app, "input", to.input, "FILE", kind + " file (JSON), or - for standard input")
       ->required();
@@ -70,6 +83,19 @@ CLI::App* add_transition(CLI::App& app, MakeArguments& arguments) {
   add_dxf_options(*command, arguments);
   add_check_options(*command, arguments);
   command->footer(kTransitionExamples);
+  return command;
+}
+
+CLI::App* add_slit(CLI::App& app, MakeArguments& arguments) {
+  CLI::App* command = app.add_subcommand("slit", "bend the strips of a slit sheet into a form");
+  add_files(*command, arguments, "slit");
+  add_repeatable(*command, "--mould", arguments.mould, "mould that the sheet is laid on: .stl, .obj or .step; may be given several times")
+      ->type_name("PATH")
+      ->group("Output");
+  add_report_options(*command, arguments, "that of the slit file");
+  add_dxf_options(*command, arguments);
+  add_pattern_check_options(*command, arguments);
+  command->footer(kSlitExamples);
   return command;
 }
 

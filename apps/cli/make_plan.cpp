@@ -33,7 +33,12 @@ Result<void> plan_defaults(const MakeArguments& arguments, MakePlan& plan) {
 
 Result<void> plan_outputs(const MakeArguments& arguments, MakePlan& plan) {
   if (arguments.check) return {};
-  if (arguments.folded.empty() && arguments.flat.empty()) return plan_defaults(arguments, plan);
+  for (const std::string& name : arguments.mould) {
+    const bool known = format_by_suffix(name) == OutputFormat::step || is_mesh_name(name);
+    if (!known) return not_a_name("--mould", name, ".step, .stl or .obj");
+    plan.mould.emplace_back(name);
+  }
+  if (arguments.folded.empty() && arguments.flat.empty() && arguments.mould.empty()) return plan_defaults(arguments, plan);
   for (const std::string& name : arguments.folded) {
     const bool known = format_by_suffix(name) == OutputFormat::step || is_mesh_name(name);
     if (!known) return not_a_name("-o", name, ".step, .stl or .obj");
@@ -50,6 +55,7 @@ Result<void> plan_outputs(const MakeArguments& arguments, MakePlan& plan) {
 Result<void> check_files(const MakeArguments& arguments, const MakePlan& plan) {
   std::vector<fs::path> files = files_named({arguments.json});
   files.insert(files.end(), plan.folded.begin(), plan.folded.end());
+  files.insert(files.end(), plan.mould.begin(), plan.mould.end());
   for (const Target& target : plan.flat)
     files.push_back(target.path);
   for (const fs::path& file : files) {

@@ -16,8 +16,10 @@ namespace planish::cli {
 struct MakePlan {
   job::MakeRequest request;
   DxfOptions dxf;
+  SvgOptions svg;
   std::vector<std::filesystem::path> folded;  ///< files of the folded part
   std::vector<Target> flat;
+  std::vector<std::filesystem::path> mould;   ///< files of the mould
   std::vector<std::filesystem::path> inputs;  ///< files read: no output may replace them
 };
 

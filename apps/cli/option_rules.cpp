@@ -58,6 +58,7 @@ std::vector<Contradiction> of_outputs(const MakeArguments& a) {
   return {
       {a.check && !a.folded.empty(), "--check writes no part: leave -o out"},
       {a.check && !a.flat.empty(), "--check writes no pattern: leave --flat out"},
+      {a.check && !a.mould.empty(), "--check writes no mould: leave --mould out"},
   };
 }
 

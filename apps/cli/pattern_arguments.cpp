@@ -89,6 +89,10 @@ void add_check_options(CLI::App& app, PatternArguments& to) {
          },
          "print the rules file with all defaults, and end")
       ->group("Checks");
+  add_pattern_check_options(app, to);
+}
+
+void add_pattern_check_options(CLI::App& app, PatternArguments& to) {
   app.add_flag("--write-overlapping", to.write_overlapping,
                "write a pattern although it covers itself")
       ->group("Checks");

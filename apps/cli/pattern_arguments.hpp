@@ -44,8 +44,10 @@ void add_k_option(CLI::App& app, PatternArguments& to, const std::string& otherw
 void add_k_options(CLI::App& app, PatternArguments& to, const std::string& otherwise);
 /// --profile and all else that is said of the DXF.
 void add_dxf_options(CLI::App& app, PatternArguments& to);
-/// --rules, --no-rules, --print-rules, --write-overlapping, --density.
+/// --rules, --no-rules, --print-rules, and what follows.
 void add_check_options(CLI::App& app, PatternArguments& to);
+/// --write-overlapping, --density.
+void add_pattern_check_options(CLI::App& app, PatternArguments& to);
 
 /// All but the units, which are those of the report.
 DxfOptions dxf_of(const PatternArguments& arguments);

@@ -1,8 +1,5 @@
 #include "commands.hpp"
-#include "ending.hpp"
-#include "make_plan.hpp"
-#include "output_files.hpp"
-#include "terminal.hpp"
+#include "make_run.hpp"
 
 #include <planish/job/transition.hpp>
 
@@ -12,10 +9,6 @@ namespace planish::cli {
 namespace {
 
 using job::TransitionReport;
-
-std::string failed_json(const job::MakeRequest& request, const Error& error) {
-  return job::report_json(job::failed_transition(request, error));
-}
 
 // net.dxf; of several pieces net-1.dxf, net-2.dxf, …
 std::filesystem::path name_of_piece(const std::filesystem::path& path, std::size_t piece, std::size_t pieces) {
@@ -27,8 +20,6 @@ std::filesystem::path name_of_piece(const std::filesystem::path& path, std::size
 Result<std::vector<File>> files_of(const TransitionReport& report, const MakePlan& plan) {
   std::vector<File> files;
   const std::size_t count = report.pieces.size();
-  DxfOptions dxf = plan.dxf;
-  dxf.units = report.units;
   for (const auto& path : plan.folded) {
     if (!is_mesh_name(path)) continue;
     const auto mesh = transition_mesh(report.spec);
@@ -41,40 +32,18 @@ Result<std::vector<File>> files_of(const TransitionReport& report, const MakePla
       if (!report.pieces[i].solid) return tl::unexpected(report.pieces[i].solid.error());
       files.push_back({name_of_piece(path, i, count), *report.pieces[i].solid});
     }
-    for (const Target& target : plan.flat) {
-      auto text = job::composed(report.pieces[i], target.format, dxf);
-      if (!text) return tl::unexpected(text.error());
-      files.push_back({name_of_piece(target.path, i, count), std::move(*text)});
-    }
+    auto flat = flat_files(report.pieces[i], plan);
+    if (!flat) return flat;
+    for (File& file : *flat)
+      files.push_back({name_of_piece(file.path, i, count), std::move(file.content)});
   }
   return files;
-}
-
-std::optional<Error> write_files(TransitionReport& report, const MakePlan& plan) {
-  const auto files = files_of(report, plan);
-  if (!files) return files.error();
-  if (auto error = write_all(*files, plan.inputs)) return error;
-  append_names(report.files, *files);
-  return std::nullopt;
 }
 
 }  // namespace
 
 int run_transition(const MakeArguments& arguments) {
-  const auto plan = planned(arguments);
-  if (!plan) {
-    job::MakeRequest request;
-    request.input = arguments.input;
-    request.units = arguments.units;
-    return end_unplanned(arguments, plan.error(), failed_json(request, plan.error()));
-  }
-  ProgressLine line(!arguments.quiet);
-  auto report = job::transition(plan->request, line.progress());
-  if (!report)
-    return end_failed(arguments, report.error(), failed_json(plan->request, report.error()));
-  if (interrupted()) return complain({ErrorCode::cancelled, "cancelled", {}});
-  if (report->has_pattern()) report->refusal = write_files(*report, *plan);
-  return end_reported(arguments, *report);
+  return run_making<TransitionReport>(arguments, {job::transition, job::failed_transition, files_of});
 }
 
 }  // namespace planish::cli

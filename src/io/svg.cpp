@@ -321,9 +321,9 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
       "<path class=\"contours\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
       "stroke-linejoin=\"round\" d=\"{}\"/>\n",
       kOutlineColor, svg_number(line_width(font)), path);
-  if (options.labels) {
-    const std::vector<PlacedLabel> points = point_labels(pattern, font);
-    const std::vector<BendLabel> bends = bend_labels(pattern, font, points);
+  if (options.labels || options.names) {
+    const std::vector<PlacedLabel> points = options.names ? point_labels(pattern, font) : std::vector<PlacedLabel>{};
+    const std::vector<BendLabel> bends = options.labels ? bend_labels(pattern, font, points) : std::vector<BendLabel>{};
     const auto make_room = [&](const PlacedLabel& label) {
       for (const Vec2& corner : corners(label))
         body.add(corner);

@@ -244,6 +244,8 @@ bool JsonPlace::is_text(std::string_view text) const {
   return value_->is_string() && value_->get_ref<const std::string&>() == text;
 }
 
+bool JsonPlace::is_list() const { return given() && value_->is_array(); }
+
 void JsonPlace::not_among(const std::vector<std::string_view>& words) const {
   mistake(fmt::format("must be one of {}, not {}", fmt::join(words, ", "), shown()));
 }

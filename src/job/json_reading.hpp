@@ -98,8 +98,9 @@ class JsonPlace {
   int index() const;
   std::string text() const;  ///< not empty
   bool yes() const;          ///< true or false
-  /// Whether it is this text; anything else is no mistake.
+  /// Whether it is this text, or a list; anything else is no mistake.
   bool is_text(std::string_view text) const;
+  bool is_list() const;
 
   /// The same, none where the place is not given.
   std::optional<double> maybe_number(const Allowed& allowed = kAnyNumber) const;

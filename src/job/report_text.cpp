@@ -127,7 +127,8 @@ std::string input_name(const Report& report) {
   return std::filesystem::path(report.input).filename().string();
 }
 
-std::string text_of(const Report& report, const std::string& title, const std::string& tables) {
+std::string text_of(const Report& report, const std::string& title, const std::string& tables,
+                    BendList bends) {
   const Units units(report.units);
   std::string text = printable(title) + ": ";
   if (report.refusal) {
@@ -138,7 +139,9 @@ std::string text_of(const Report& report, const std::string& title, const std::s
     text += sheet_line(report, units) + "\n";
   }
   if (flat_known(report)) {
-    text += blank_line(report, units) + bend_table(report.flat, units) + tables;
+    text += blank_line(report, units);
+    if (bends == BendList::shown) text += bend_table(report.flat, units);
+    text += tables;
   }
   text += certificate_line(report, units);
   text += findings_text(report, units);

@@ -7,8 +7,12 @@
 
 namespace planish::job {
 
+/// Whether a report lists its bends one by one.
+enum class BendList { shown, left_out };
+
 /// A report as a person reads it, behind `title` and a colon; `tables` follow that of the bends.
-std::string text_of(const Report& report, const std::string& title, const std::string& tables);
+std::string text_of(const Report& report, const std::string& title, const std::string& tables,
+                    BendList bends = BendList::shown);
 
 /// The input's file name; "standard input".
 std::string input_name(const Report& report);

@@ -138,7 +138,7 @@ Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& o
     mirror.linear()(0, 0) = -1.0;
     transform(pattern, mirror);
   }
-  align(pattern);
+  if (!options.keep_root) align(pattern);
   measure(pattern);
   return pattern;
 }

@@ -1,7 +1,6 @@
 #include "reach.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +62,16 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
   return reach;
 }
 
+namespace {
+
+/// A flat strip that ends as it stands turns sideways only to second order: of what its conditions do not
+/// determine there, the least.
+Eigen::MatrixXd solved(const Eigen::MatrixXd& conditions, const Eigen::MatrixXd& right) {
+  return conditions.completeOrthogonalDecomposition().solve(right);
+}
+
+}  // namespace
+
 EndChart::EndChart(const StripProblem& problem, const StripParameters& at)
     : problem_(problem), origin_(at), qr_(end_derivative(problem, folded(problem.base, at)).transpose()) {}
 
@@ -84,7 +93,7 @@ std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::Vec
     before = missed;
     RowMatrix conditions = end_derivative(problem_, fold);
     conditions.applyOnTheRight(qr_.householderQ());
-    turned.head(eliminated) -= conditions.leftCols(eliminated).partialPivLu().solve(violation);
+    turned.head(eliminated) -= solved(conditions.leftCols(eliminated), violation);
   }
   return std::nullopt;
 }
@@ -95,7 +104,7 @@ RowMatrix EndChart::derivative(const StripParameters& shape, RowMatrix jacobian)
   RowMatrix conditions = end_derivative(problem_, folded(problem_.base, shape));
   conditions.applyOnTheRight(qr_.householderQ());
   jacobian.applyOnTheRight(qr_.householderQ());
-  const Eigen::MatrixXd following = conditions.leftCols(eliminated).partialPivLu().solve(conditions.rightCols(dimensions()));
+  const Eigen::MatrixXd following = solved(conditions.leftCols(eliminated), conditions.rightCols(dimensions()));
   return jacobian.rightCols(dimensions()) - jacobian.leftCols(eliminated) * following;
 }
 

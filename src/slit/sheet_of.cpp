@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <string>
 
 namespace planish {
 namespace {
@@ -179,6 +180,17 @@ void add_joints(Sheet& sheet, const Pieces& pieces, const std::vector<double>& f
   }
 }
 
+/// The number of each strip, on the panel below it, where no ridges are.
+void add_labels(Sheet& sheet, const FoldedSlitSheet& folded) {
+  for (std::size_t facet = 0; facet < folded.panel.size(); ++facet) {
+    const auto& [corners, frame, strip] = folded.panel[facet];
+    if (strip < 0) continue;
+    const Vec2 top = 0.5 * (corners[1] + corners[2]), bottom = 0.5 * (corners[0] + corners[3]);
+    constexpr double kBelow = 0.1;  // of the panel
+    sheet.labels.push_back({static_cast<FaceId>(facet), top + kBelow * (bottom - top), std::to_string(strip)});
+  }
+}
+
 void number_edges(Sheet& sheet) {
   int edge = 0;
   for (Face& face : sheet.faces)
@@ -202,6 +214,7 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
   add_faces(sheet, pieces, planes);
   add_joints(sheet, pieces, folds, planes);
   number_edges(sheet);
+  add_labels(sheet, folded);
   return sheet;
 }
 

@@ -45,6 +45,7 @@ Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& optio
 struct SvgOptions {
   double margin = 5.0;  ///< mm
   bool labels = true;   ///< bend ids and angles beside the bend lines
+  bool names = true;    ///< labels of points
   bool legend = true;   ///< scale bar, meaning of the lines, size and thickness below the pattern
 };
 /// Drawing of the flat pattern for people: true size in mm, y up, contours, bend lines (up blue

@@ -73,6 +73,9 @@ enum class UpSide { automatic, reference, other };
 struct FlattenOptions {
   AllowanceRule allowance = ConstantK{};
   std::optional<FaceId> root = std::nullopt;  ///< face that stays where it is; default: largest flange face
+  /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the longest bend line
+  /// along x, its lower left corner at the origin.
+  bool keep_root = false;
   UpSide up = UpSide::automatic;  ///< automatic: the side from which more bends go up
   double curve_tolerance = 1e-4;  ///< mm: image of curves that are neither lines nor arcs
   double merge_tolerance = 1e-5;  ///< mm: recognition of lines, arcs, circles

@@ -43,7 +43,8 @@ struct FoldedSlitSheet {
 /// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face, ridges and the edges
 /// between the panel's facets are sharp bends, where they fold by more than 1e-9, else their faces are one flange.
 /// The reference surface is the middle one, and hinges take no allowance at K = ½: flattened with it, the sheet is
-/// the one that was cut (its coordinates: along, across). Borders carry edge numbers and lengths for `certify`.
+/// the one that was cut (its coordinates: along, across). Borders carry edge numbers and lengths for `certify`,
+/// labels the numbers of the strips.
 /// Strips that do not meet the symmetry plane leave a gap there; they are joined all the same.
 Sheet sheet_of(const FoldedSlitSheet& folded);
 

@@ -1,0 +1,17 @@
+#include "make_run.hpp"
+
+namespace planish::cli {
+
+Result<std::vector<File>> flat_files(const job::Report& report, const MakePlan& plan) {
+  std::vector<File> files;
+  DxfOptions dxf = plan.dxf;
+  dxf.units = report.units;
+  for (const Target& target : plan.flat) {
+    auto text = job::composed(report, target.format, dxf, plan.svg);
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({target.path, std::move(*text)});
+  }
+  return files;
+}
+
+}  // namespace planish::cli

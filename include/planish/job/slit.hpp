@@ -1,0 +1,43 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/job/report.hpp>
+#include <planish/job/slit_json.hpp>
+#include <planish/slit/session.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::job {
+
+/// What came of a request to bend a slit sheet. Without a pattern there may still be a shape: that of strips some
+/// of which stay out of reach.
+struct SlitReport : Report {
+  SlitDesign design;               ///< as solved: ridges as subdivided
+  std::vector<StripState> strips;
+  FoldedSlitSheet folded;
+  double gap = 0.0;                ///< largest of all strips, mm
+  double flat_deviation = 0.0;     ///< largest distance of a corner of the developed sheet from where it was cut, mm
+  Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< of aligned scans
+  Result<std::string> surface;     ///< the folded surface as STEP text, or why the kernel could make none
+};
+
+/// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the one that was cut. An
+/// error means that the file could not be read or is invalid; strips out of reach give a report with `refusal`. `where` of
+/// both is the file's name, followed by the JSON pointer of the cause. Of the request's rules none apply: they
+/// are those of press brakes.
+/// Errors: `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
+Result<SlitReport> slit(const MakeRequest& request, const Progress& progress = {});
+
+/// The part of it that begins with a file already read (`request.input` only names it).
+Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress = {});
+
+/// The report of a request that ended with an error.
+SlitReport failed_slit(const MakeRequest& request, const Error& error);
+
+/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+std::string report_json(const SlitReport& report);
+std::string report_text(const SlitReport& report);
+
+}  // namespace planish::job

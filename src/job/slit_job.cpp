@@ -1,0 +1,157 @@
+#include "folded.hpp"
+#include "lay_flat.hpp"
+#include "units.hpp"
+
+#include <planish/brep/step.hpp>
+#include <planish/job/slit.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace planish::job {
+namespace {
+
+/// Hinges of plane pieces: their images are exact (mm).
+constexpr double kOutline = 1e-9;
+
+SlitReport begun(const MakeRequest& request, LengthUnit unit) {
+  SlitReport report;
+  report.input = request.input.string();
+  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
+  report.units = request.units.value_or(unit);
+  return report;
+}
+
+Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progress& progress) {
+  auto session = SlitSession::start(file.design);
+  if (!session) return session;
+  for (int level = 0; level <= file.subdivisions; ++level) {
+    if (level > 0) session->subdivide();
+    if (auto done = session->solve({}, progress); !done) return tl::unexpected(done.error());
+    if (level > 0 || !file.align_scans) continue;
+    // Scans lie only roughly where the sheet is: they are brought to the first shape, which then follows them.
+    const auto motion = session->align_scans();
+    if (!motion) return tl::unexpected(motion.error());
+    report.scan_motion = *motion;
+    if (auto done = session->solve({}, progress); !done) return tl::unexpected(done.error());
+  }
+  return session;
+}
+
+void take_result(SlitReport& report, const SlitSession& session) {
+  report.design = session.design();
+  report.folded = session.folded();
+  for (int strip = 0; strip < session.strip_count(); ++strip) {
+    report.strips.push_back(session.state(strip));
+    report.gap = std::max(report.gap, session.state(strip).gap);
+  }
+}
+
+/// Strips that stay away from where they must end.
+std::optional<Error> out_of_reach(const SlitReport& report) {
+  std::string which;
+  int first = -1, count = 0;
+  for (std::size_t i = 0; i < report.strips.size(); ++i) {
+    if (report.strips[i].status != StripStatus::out_of_reach) continue;
+    if (first < 0) first = static_cast<int>(i);
+    constexpr int kMostNamed = 8;
+    if (++count <= kMostNamed) which += fmt::format("{}{} by {:.4g} mm", which.empty() ? "" : ", ", i, report.strips[i].shortfall);
+  }
+  if (count == 0) return std::nullopt;
+  return Error{ErrorCode::out_of_reach,
+               fmt::format("{} not reach where {} must end: strip {}; make the strips longer, bring the leg curve nearer, or loosen the ends",
+                           counted(count, "strip") + (count == 1 ? " does" : " do"), count == 1 ? "it" : "they", which),
+               fmt::format("/sheet/strips/{}", first)};
+}
+
+Vec2 flat_middle(const FlatPattern& flat, const SlitReport& report, std::size_t strip, int ridge) {
+  const SlitRidge& at = report.folded.strips[strip].ridges[static_cast<std::size_t>(ridge)];
+  return flat.placement.front() * Vec2(0.5 * (at.flat[0] + at.flat[1]));
+}
+
+/// What a designer should know of strips that are where they must be.
+void add_findings(SlitReport& report) {
+  const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
+    report.findings.push_back({code, Severity::warning, std::move(message), {flat_middle(report.flat, report, strip, ridge)}});
+  };
+  for (std::size_t i = 0; i < report.strips.size(); ++i) {
+    const StripState& strip = report.strips[i];
+    const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
+    if (strip.too_tight)
+      add("min_radius",
+          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows {:.4g} mm", i, strip.min_radius,
+                      strip.tightest_ridge, report.design.sheet.min_radius()),
+          i, strip.tightest_ridge);
+    if (strip.crosses_next) add("strips_cross", fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, i + 1), i, last / 2);
+    if (strip.crosses_plane) add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
+    if (strip.status == StripStatus::open)
+      add("not_converged", fmt::format("strip {} is not at its best yet; it ends where it must, but could be smoother", i), i, last / 2);
+  }
+}
+
+/// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay them all.
+double flat_deviation(const Sheet& sheet, const FlatPattern& flat) {
+  double largest = 0.0;
+  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
+    for (const Border& border : sheet.faces[f].loops.front()) {
+      const Vec2 p = start_of(border.curve);
+      largest = std::max(largest, (flat.placement[f] * p - flat.placement.front() * p).norm());
+    }
+  return largest;
+}
+
+std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+  const std::string name = place_name(report.input);
+  const auto session = solved(file, report, progress);
+  if (!session) return placed(session.error(), name);
+  take_result(report, *session);
+  if (auto missed = out_of_reach(report)) return placed(*missed, name);
+  const Sheet sheet = sheet_of(report.folded);
+  report.sheet = summary_of(sheet);
+  report.surface = folded_surface_step(sheet, report.body);
+  FlattenOptions options;
+  options.allowance = ConstantK{0.5, "hinges of the middle surface"};
+  options.curve_tolerance = options.merge_tolerance = kOutline;
+  options.root = FaceId{0};  // its coordinates are those of the whole flat sheet
+  options.keep_root = true;
+  options.up = UpSide::reference;
+  PatternChecks checks = request;
+  checks.rules.enabled = false;
+  if (auto wrong = lay_flat(report, {sheet, border_distance(sheet), checks}, options, progress)) return wrong;
+  report.flat_deviation = flat_deviation(sheet, report.flat);
+  add_findings(report);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+  SlitReport report = begun(request, file.units);
+  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) return tl::unexpected(*error);
+  return report;
+}
+
+Result<SlitReport> slit(const MakeRequest& request, const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto text = read_text(request.input, "slit file");
+  if (!text) return tl::unexpected(text.error());
+  const auto folder = request.input == "-" ? std::filesystem::path() : request.input.parent_path();
+  const auto file = parse_slits(*text, place_name(request.input.string()), folder);
+  if (!file) return tl::unexpected(file.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  auto report = slit_sheet(*file, request, progress);
+  if (report) report->read_seconds = taken.count();
+  return report;
+}
+
+SlitReport failed_slit(const MakeRequest& request, const Error& error) {
+  SlitReport report = begun(request, LengthUnit::mm);
+  report.refusal = error;
+  return report;
+}
+
+}  // namespace planish::job

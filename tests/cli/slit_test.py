@@ -1,0 +1,181 @@
+#!/usr/bin/python3
+"""Bends slit sheets whose forms must keep lengths and end where they must; refuses those that cannot."""
+
+import itertools
+import json
+import math
+import pathlib
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_cli import CliTest, main  # noqa: E402
+
+EXAMPLES = pathlib.Path(__file__).parent / "../../examples/slit"
+
+
+def chair(**more):
+    """Six strips over a straight leg, with a seat that rises to a back."""
+    return dict({"format": "planish/slits", "version": 1, "units": "mm", "thickness": 4.0,
+                 "sheet": {"strips": 6, "strip_width": 60, "panel_height": 420, "half_length": 464},
+                 "leg_curve": {"bezier": [[360, 0], [360, 120], [360, 240], [360, 360]]},
+                 "seat_curve": {"bezier": [[330, 0], [300, 120], [310, 240], [640, 360]]}}, **more)
+
+
+def banner(**more):
+    """Three strips with free ends, not symmetric."""
+    return dict({"thickness": 1.0, "symmetric": False,
+                 "sheet": {"strips": [{"width": 40}, {"width": 30, "gap": 5, "end": 520}, {"width": 50}],
+                           "panel_height": 200, "half_length": 400, "margin": 10},
+                 "leg_curve": {"bezier": [[0, 0], [0, 135]]},
+                 "ends": [{"strip": 0, "position": [-150, 480, 20], "direction": [-1, 0, 0]},
+                          {"strip": 2, "direction": [0, 1, 0]}]}, **more)
+
+
+class SlitTest(CliTest):
+    def spec(self, content):
+        self.write("spec.json", json.dumps(content))
+        return "spec.json"
+
+    def report(self, content, *options):
+        self.run_cli("slit", self.spec(content), "--json", "report.json", *options)
+        return self.json("report.json")
+
+    def sentence(self, content, status=4):
+        return self.refused("slit", self.spec(content), "--check", status=status)
+
+
+class Forms(SlitTest):
+    def check_strips(self, report, length):
+        for strip in report["slit"]["strips"]:
+            self.assertEqual(strip["status"], "solved")
+            self.assertLess(strip["gap"], 1e-9 * length)
+            for near, far in itertools.pairwise(strip["ridges"]):
+                # All four sides and both diagonals of a quadrilateral, flat and folded.
+                flat, folded = near["flat"] + far["flat"], near["folded"] + far["folded"]
+                for i, j in itertools.combinations(range(4), 2):
+                    self.assertAlmostEqual(math.dist(flat[i], flat[j]), math.dist(folded[i], folded[j]), delta=1e-9 * length)
+        self.assertLess(report["slit"]["gap"], 1e-9 * length)
+        self.assertLess(report["slit"]["flat_deviation"], 1e-9 * length)
+
+    def test_the_chair_meets_its_mirror_image(self):
+        report = self.report(chair(subdivisions=1), "-o", "chair.stl", "--flat", "chair.dxf")
+        self.check_strips(report, 464)
+        for number, strip in enumerate(report["slit"]["strips"]):
+            self.assertEqual(len(strip["ridges"]), 21)
+            for end in strip["ridges"][-1]["folded"]:
+                self.assertAlmostEqual(end[0], 0.0, delta=1e-7)
+            for across, (flat, folded) in enumerate(zip(*(strip["ridges"][0][key] for key in ("flat", "folded")))):
+                self.assertEqual(flat, [420, 60 * (number + across)])
+                self.assertAlmostEqual(math.dist(folded, [360, 420, 60 * (number + across)]), 0.0, delta=1e-9)
+        # The whole sheet, both halves of it.
+        self.assertAlmostEqual(report["flat"]["area"], 2 * 360 * (420 + 464), delta=1e-6)
+        self.assertEqual([round(x, 6) for x in report["flat"]["size"]], [1768, 360])
+        self.assertEqual(report["status"], "ok")
+
+    def test_strips_of_a_sheet_that_is_not_symmetric(self):
+        report = self.report(banner(), "--flat", "banner.svg", "-o", "banner.obj")
+        self.check_strips(report, 400)
+        first, _, last = report["slit"]["strips"]
+        middle = [0.5 * (a + b) for a, b in zip(*first["ridges"][-1]["folded"])]
+        self.assertAlmostEqual(math.dist(middle, [-150, 480, 20]), 0.0, delta=1e-7)
+        before, end = (strip["folded"][0] for strip in last["ridges"][-2:])
+        self.assertAlmostEqual((end[1] - before[1]) / math.dist(end, before), 1.0, places=9)
+        self.assertAlmostEqual(report["flat"]["area"], 200 * 135 + 40 * 400 + 30 * 320 + 50 * 400, delta=1e-6)
+
+    def test_anchors_and_weights_are_heard(self):
+        plain = self.report(chair(), "--check")["slit"]["strips"]
+        anchor = {"strip": 2, "ridge": 5, "side": "left", "at": [180, 330, 150]}
+        far = math.dist(plain[2]["ridges"][5]["folded"][0], anchor["at"])
+        anchored = self.report(chair(anchors=[anchor]), "--check")["slit"]["strips"]
+        near = math.dist(anchored[2]["ridges"][5]["folded"][0], anchor["at"])
+        self.assertAlmostEqual(anchored[2]["anchor_distance"], near, places=6)
+        self.assertLess(near, 0.6 * far)
+        nearer = self.report(chair(anchors=[anchor], weights={"anchors": 3.0}), "--check")["slit"]["strips"]
+        self.assertLess(nearer[2]["anchor_distance"], near)
+        for other in (0, 5):
+            self.assertEqual(plain[other]["ridges"], anchored[other]["ridges"])
+
+    def test_a_scan_draws_its_strip(self):
+        known = self.report(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 380, 0]}], weights={"anchors": 1.0}), "--check")
+        points = [end for ridge in known["slit"]["strips"][0]["ridges"] for end in ridge["folded"]]
+        dense = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(points, points[2:]) for t in (0, 0.25, 0.5, 0.75)]
+        self.write("scan.txt", "# x y z\n" + "\n".join(" ".join(map(repr, p)) for p in dense) + "\n\n")
+        plain = self.report(chair(), "--check")["slit"]["strips"][0]
+
+        def away(strip):
+            """Root mean square distance of the ridges' ends from the scan."""
+            ends = [end for ridge in strip["ridges"][1:] for end in ridge["folded"]]
+            return math.sqrt(sum(min(math.dist(end, p) for p in dense) ** 2 for end in ends) / len(ends))
+
+        for given in ("scan.txt", dense):
+            drawn = self.report(chair(scan=[{"strip": 0, "points": given}], weights={"scan": 1.0}), "--check")["slit"]["strips"][0]
+            self.assertAlmostEqual(drawn["scan_distance"], away(drawn), places=6)
+            self.assertLess(away(drawn), 0.2 * away(plain))
+
+    def test_inches(self):
+        small = chair(units="inch", sheet={"strips": 2, "strip_width": 3, "panel_height": 15, "half_length": 18}, thickness=0.125,
+                      leg_curve={"bezier": [[14, 0], [14, 6]]}, seat_curve={"bezier": [[14, 0], [13, 6]]})
+        report = self.report(small, "--check")
+        self.assertEqual(report["units"], "inch")
+        self.assertAlmostEqual(report["flat"]["area"], 2 * 6 * 33, places=6)
+        self.check_strips(report, 18)
+
+    def test_examples_are_solved(self):
+        for example in sorted(EXAMPLES.glob("*.json")):
+            with self.subTest(example.name):
+                self.run_cli("slit", str(example), "--check", "--json", "report.json")
+                report = self.json("report.json")
+                self.assertEqual(report["status"], "ok")
+                for strip in report["slit"]["strips"]:
+                    self.assertEqual(strip["status"], "solved")
+                length = max(report["flat"]["size"])
+                self.assertLess(report["slit"]["gap"], 1e-9 * length)
+
+
+class Refusals(SlitTest):
+    def test_strips_too_short(self):
+        short = chair()
+        short["sheet"]["half_length"] = 300
+        sentence = self.refused("slit", self.spec(short), "-o", "folded.step", "--json", "report.json", status=4)
+        self.assertIn("[out_of_reach]", sentence)
+        report = self.json("report.json")
+        self.assertEqual(self.names(), ["report.json", "spec.json"])
+        for strip in report["slit"]["strips"]:
+            self.assertEqual(strip["status"], "out_of_reach")
+            self.assertAlmostEqual(strip["shortfall"], 60, delta=1.0)  # 360 away, 300 long
+
+    def test_curves_that_do_not_fit(self):
+        self.assertIn("[curve_too_short]", self.sentence(chair(leg_curve={"bezier": [[360, 0], [360, 300]]})))
+        self.assertIn("[curve_too_long]", self.sentence(chair(leg_curve={"bezier": [[360, 0], [360, 400]]})))
+        self.assertIn("spec.json/seat_curve", self.sentence(chair(seat_curve={"bezier": [[300, 0], [300, 200]]})))
+        tight = chair(leg_curve={"bezier": [[360, 0], [390, 180], [360, 360]]}, min_inside_radius=5000)
+        self.assertIn("[radius_too_small]", self.sentence(tight))
+        self.assertIn("spec.json/leg_curve", self.sentence(chair(leg_curve={"bezier": [[0, 0], [0, 360]]}), 3))
+
+    def test_anchors_and_scans_that_cannot_be(self):
+        self.assertIn("spec.json/anchors/0/strip", self.sentence(chair(anchors=[{"strip": 6, "ridge": 1, "at": [0, 0, 0]}]), 3))
+        self.assertIn("spec.json/anchors/0/ridge", self.sentence(chair(anchors=[{"strip": 0, "ridge": 11, "at": [0, 0, 0]}]), 3))
+        far = self.sentence(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 1200, 0]}]))
+        self.assertIn("[out_of_reach]", far)
+        self.assertRegex(far, r"[0-9.]+ mm out of reach")
+        self.write("none.txt", "# nothing\n")
+        self.assertIn("[empty_scan]", self.sentence(chair(scan=[{"strip": 0, "points": "none.txt"}]), 3))
+        self.write("bad.txt", "1 2 3\n4 5\n")
+        self.assertIn("bad.txt:2", self.sentence(chair(scan=[{"strip": 0, "points": "bad.txt"}]), 3))
+        self.assertIn("[cannot_read]", self.sentence(chair(scan=[{"strip": 0, "points": "missing.txt"}]), 3))
+        self.assertIn("spec.json/scan/0/strip", self.sentence(chair(scan=[{"strip": 9, "points": [[0, 0, 0]]}]), 3))
+
+    def test_numbers_and_keys(self):
+        self.assertIn("spec.json/weights/smooth", self.sentence(chair(weights={"smooth": -1}), 3))
+        self.assertIn("spec.json/ridges", self.sentence(chair(ridges=2), 3))
+        self.assertIn("spec.json/subdivisions", self.sentence(chair(subdivisions=9), 3))
+        self.assertIn("/sheet/strips", self.sentence(chair(sheet={"strips": 0, "strip_width": 60, "panel_height": 1, "half_length": 1}), 3))
+        self.assertIn("/colour", self.sentence(chair(colour="red"), 3))
+        self.assertIn("spec.json/ends", self.sentence(chair(ends=[{"strip": 0}]), 3))
+        self.assertIn("/ends/0/strip", self.sentence(banner(ends=[{"strip": 5}]), 3))
+        self.refused("slit", "missing.json", "--check", status=3)
+        self.refused("slit", self.spec(chair()), "-o", "folded.dxf", status=2)
+
+
+if __name__ == "__main__":
+    main()
