@@ -130,11 +130,16 @@ void SolidBuilder::face(const Handle(Geom_Surface) & surface, int outside,
 }
 
 TopoDS_Shell SolidBuilder::shell() const {
+  TopoDS_Shell shell = open_shell();
+  shell.Closed(true);
+  return shell;
+}
+
+TopoDS_Shell SolidBuilder::open_shell() const {
   TopoDS_Shell shell;
   builder_.MakeShell(shell);
   for (const TopoDS_Face& face : faces_)
     builder_.Add(shell, face);
-  shell.Closed(true);
   return shell;
 }
 

@@ -44,8 +44,9 @@ class SolidBuilder {
   void face(const Handle(Geom_Surface) & surface, int outside,
             const std::vector<std::vector<EdgeUse>>& loops);
 
-  /// All faces as one closed shell.
+  /// All faces as one closed shell, or as one with free edges.
   TopoDS_Shell shell() const;
+  TopoDS_Shell open_shell() const;
 
  private:
   void attach(const EdgeUse& use, const Handle(Geom_Surface) & surface);
