@@ -8,11 +8,14 @@
 #include <BRepCheck_Analyzer.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_Plane.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TopoDS_Compound.hxx>
 #include <TopoDS_Solid.hxx>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace planish {
@@ -26,10 +29,34 @@ Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
 }
 
 double volume_of(const Mesh& mesh) {
+  const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
+  const auto at = [&](int point) -> Vec3 { return mesh.points[static_cast<std::size_t>(point)] - origin; };
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
-    sum += mesh.points[static_cast<std::size_t>(t[0])].dot(mesh.points[static_cast<std::size_t>(t[1])].cross(mesh.points[static_cast<std::size_t>(t[2])])) / 6.0;
+    sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
   return sum;
+}
+
+/// The mesh's connected parts, in the order of their first triangles.
+std::vector<Mesh> parts_of(const Mesh& mesh) {
+  std::vector<int> root(mesh.points.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto root_of = [&](int point) {
+    while (root[static_cast<std::size_t>(point)] != point)
+      point = root[static_cast<std::size_t>(point)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(point)])];
+    return point;
+  };
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 1; i < 3; ++i)
+      root[static_cast<std::size_t>(root_of(t[i]))] = root_of(t[0]);
+  std::map<int, std::size_t> number;
+  std::vector<Mesh> parts;
+  for (const auto& t : mesh.triangles) {
+    const auto [at, added] = number.try_emplace(root_of(t[0]), parts.size());
+    if (added) parts.push_back({mesh.points, {}});
+    parts[at->second].triangles.push_back(t);
+  }
+  return parts;
 }
 
 Result<void> check_triangles(const Mesh& mesh) {
@@ -44,6 +71,7 @@ Result<void> check_triangles(const Mesh& mesh) {
 }
 
 Result<void> check_closed(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return fail(ErrorCode::invalid_input, "The mesh is empty.");
   std::map<Side, int> runs;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
@@ -53,23 +81,28 @@ Result<void> check_closed(const Mesh& mesh) {
     if (times != 1 || back == runs.end() || back->second != 1)
       return fail(ErrorCode::invalid_input, fmt::format("The mesh is not closed between points {} and {}.", side.first, side.second));
   }
-  if (const double volume = volume_of(mesh); !(volume > 0.0))
-    return fail(ErrorCode::invalid_input, fmt::format("The mesh encloses {:.6g} mm³: it is empty or inside out.", volume));
   return {};
 }
 
-/// A plane face a triangle, sides shared.
+Result<void> check_volume(const Mesh& part) {
+  if (const double volume = volume_of(part); !(volume > 0.0))
+    return fail(ErrorCode::invalid_input, fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
+  return {};
+}
+
+/// A plane face a triangle, sides shared; vertices as far as they are used.
 TopoDS_Shell shell_of(const Mesh& mesh) {
   brep::SolidBuilder builder;
-  std::vector<TopoDS_Vertex> vertices;
-  for (const Vec3& point : mesh.points)
-    vertices.push_back(builder.vertex(point));
+  std::map<int, TopoDS_Vertex> vertices;
+  for (const auto& t : mesh.triangles)
+    for (const int corner : t)
+      if (!vertices.contains(corner)) vertices.emplace(corner, builder.vertex(mesh.points[static_cast<std::size_t>(corner)]));
   std::map<Side, brep::BuiltEdge> edges;
   const auto use_of = [&](int from, int to) {
     const Side side = std::minmax(from, to);
     auto found = edges.find(side);
     if (found == edges.end())
-      found = edges.emplace(side, builder.straight_edge(vertices[static_cast<std::size_t>(side.first)], vertices[static_cast<std::size_t>(side.second)])).first;
+      found = edges.emplace(side, builder.straight_edge(vertices.at(side.first), vertices.at(side.second))).first;
     return brep::EdgeUse{&found->second, {}, from < to};
   };
   for (const auto& t : mesh.triangles) {
@@ -81,13 +114,34 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   return builder.shell();
 }
 
-Result<TopoDS_Solid> solid_of(const TopoDS_Shell& shell) {
+/// Triangles in one plane become one face, where the kernel can tell that they are.
+TopoDS_Shape with_whole_faces(const TopoDS_Shape& solid) {
+  ShapeUpgrade_UnifySameDomain unify(solid, true, true, false);
+  unify.Build();
+  const TopoDS_Shape unified = unify.Shape();
+  return !unified.IsNull() && unified.ShapeType() == TopAbs_SOLID && BRepCheck_Analyzer(unified).IsValid() ? unified : solid;
+}
+
+Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
   TopoDS_Solid solid;
   BRep_Builder builder;
   builder.MakeSolid(solid);
   builder.Add(solid, shell);
   if (!BRepCheck_Analyzer(solid).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
-  return solid;
+  return with_whole_faces(solid);
+}
+
+/// One solid, or a compound of them.
+Result<TopoDS_Shape> solids_of(const std::vector<Mesh>& parts) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const Mesh& part : parts) {
+    auto solid = solid_of(shell_of(part));
+    if (!solid || parts.size() == 1) return solid;
+    builder.Add(all, *solid);
+  }
+  return all;
 }
 
 }  // namespace
@@ -95,11 +149,14 @@ Result<TopoDS_Solid> solid_of(const TopoDS_Shell& shell) {
 Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name) {
   if (auto sound = check_triangles(mesh); !sound) return tl::unexpected(sound.error());
   if (auto sound = check_closed(mesh); !sound) return tl::unexpected(sound.error());
+  const std::vector<Mesh> parts = parts_of(mesh);
+  for (const Mesh& part : parts)
+    if (auto sound = check_volume(part); !sound) return tl::unexpected(sound.error());
   return brep::guarded(
       [&]() -> Result<std::string> {
-        const auto solid = solid_of(shell_of(mesh));
-        if (!solid) return tl::unexpected(solid.error());
-        return brep::step_text(*solid, name);
+        const auto solids = solids_of(parts);
+        if (!solids) return tl::unexpected(solids.error());
+        return brep::step_text(*solids, name);
       },
       name);
 }

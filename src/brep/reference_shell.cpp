@@ -5,9 +5,13 @@
 #include "solid_builder.hpp"
 
 #include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
 #include <Precision.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Shell.hxx>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -47,12 +51,38 @@ Sheet without_gaping_joints(Sheet sheet, double tolerance) {
   return sheet;
 }
 
+/// Faces that joints connect, in the sheet's order.
+std::vector<std::vector<int>> connected_faces(const Sheet& sheet) {
+  std::vector<std::vector<int>> neighbours(sheet.faces.size());
+  for (const Joint& joint : sheet.joints) {
+    neighbours[index_of(joint.a.face)].push_back(index_of(joint.b.face));
+    neighbours[index_of(joint.b.face)].push_back(index_of(joint.a.face));
+  }
+  std::vector<std::vector<int>> parts;
+  std::vector<bool> seen(sheet.faces.size(), false);
+  for (int first = 0; first < static_cast<int>(sheet.faces.size()); ++first) {
+    if (seen[first]) continue;
+    std::vector<int> part{first};
+    seen[first] = true;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (const int next : neighbours[part[i]])
+        if (!seen[next]) {
+          seen[next] = true;
+          part.push_back(next);
+        }
+    std::ranges::sort(part);
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 class ShellMaker {
  public:
   ShellMaker(const Sheet& sheet, const ReferenceShellOptions& options, SheetTopology topology)
       : sheet_(sheet), options_(options), topology_(std::move(topology)) {}
 
-  TopoDS_Shell shell() {
+  /// One for all faces that hang together.
+  std::vector<TopoDS_Shell> shells() {
     make_vertices();
     edges_.resize(topology_.borders.size());
     for (std::size_t row = 0; row < topology_.borders.size(); ++row)
@@ -60,7 +90,10 @@ class ShellMaker {
     int first_row = 0;
     for (const Face& face : sheet_.faces)
       first_row = make_face(face, first_row);
-    return builder_.open_shell();
+    std::vector<TopoDS_Shell> shells;
+    for (const std::vector<int>& faces : connected_faces(sheet_))
+      shells.push_back(builder_.open_shell(faces));
+    return shells;
   }
 
  private:
@@ -130,14 +163,21 @@ class ShellMaker {
 
 }  // namespace
 
-Result<TopoDS_Shell> reference_shell(const Sheet& given, const ReferenceShellOptions& options) {
+Result<TopoDS_Shape> reference_shell(const Sheet& given, const ReferenceShellOptions& options) {
   if (auto sound = check_input(given); !sound) return tl::unexpected(sound.error());
   const Sheet sheet = without_gaping_joints(given, options.joint_tolerance);
   auto topology = sheet_topology(sheet);
   if (!topology) return tl::unexpected(topology.error());
-  const TopoDS_Shell shell = ShellMaker(sheet, options, std::move(*topology)).shell();
-  if (!BRepCheck_Analyzer(shell).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
-  return shell;
+  const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options, std::move(*topology)).shells();
+  for (const TopoDS_Shell& shell : shells)
+    if (!BRepCheck_Analyzer(shell).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
+  if (shells.size() == 1) return TopoDS_Shape(shells.front());
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shell& shell : shells)
+    builder.Add(all, shell);
+  return TopoDS_Shape(all);
 }
 
 }  // namespace planish::brep

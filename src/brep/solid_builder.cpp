@@ -130,16 +130,19 @@ void SolidBuilder::face(const Handle(Geom_Surface) & surface, int outside,
 }
 
 TopoDS_Shell SolidBuilder::shell() const {
-  TopoDS_Shell shell = open_shell();
-  shell.Closed(true);
-  return shell;
-}
-
-TopoDS_Shell SolidBuilder::open_shell() const {
   TopoDS_Shell shell;
   builder_.MakeShell(shell);
   for (const TopoDS_Face& face : faces_)
     builder_.Add(shell, face);
+  shell.Closed(true);
+  return shell;
+}
+
+TopoDS_Shell SolidBuilder::open_shell(const std::vector<int>& faces) const {
+  TopoDS_Shell shell;
+  builder_.MakeShell(shell);
+  for (const int face : faces)
+    builder_.Add(shell, faces_[face]);
   return shell;
 }
 

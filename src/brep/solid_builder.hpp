@@ -44,9 +44,10 @@ class SolidBuilder {
   void face(const Handle(Geom_Surface) & surface, int outside,
             const std::vector<std::vector<EdgeUse>>& loops);
 
-  /// All faces as one closed shell, or as one with free edges.
+  /// All faces as one closed shell.
   TopoDS_Shell shell() const;
-  TopoDS_Shell open_shell() const;
+  /// Faces, by the number of their call of `face`, as a shell with free edges.
+  TopoDS_Shell open_shell(const std::vector<int>& faces) const;
 
  private:
   void attach(const EdgeUse& use, const Handle(Geom_Surface) & surface);

@@ -74,6 +74,7 @@ TEST(FoldedSurface, LeavesAGapOpen) {
   frame.origin += 0.5 * frame.z;
   const SolidCheck check = surface(sheet);
   EXPECT_TRUE(check.valid);
+  EXPECT_EQ(check.shells, 2);
   EXPECT_EQ(check.faces, 3);
   EXPECT_EQ(check.free_edges, 10);
 }
