@@ -1,7 +1,9 @@
 #include "commands.hpp"
 #include "make_run.hpp"
 
+#include <planish/brep/step.hpp>
 #include <planish/job/slit.hpp>
+#include <planish/slit/mould.hpp>
 
 namespace planish::cli {
 namespace {
@@ -18,6 +20,15 @@ Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& pla
     }
     if (!report.surface) return tl::unexpected(report.surface.error());
     files->push_back({path, *report.surface});
+  }
+  if (plan.mould.empty()) return files;
+  const auto mould = mould_of(report.folded);
+  if (!mould) return tl::unexpected(mould.error());
+  const Mesh mesh = mesh_of(*mould);
+  for (const auto& path : plan.mould) {
+    auto text = is_mesh_name(path) ? Result<std::string>(mesh_text(mesh, path, report.body + " mould")) : mesh_solid_step(mesh, report.body + " mould");
+    if (!text) return tl::unexpected(text.error());
+    files->push_back({path, std::move(*text)});
   }
   return files;
 }

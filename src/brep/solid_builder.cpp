@@ -138,4 +138,12 @@ TopoDS_Shell SolidBuilder::shell() const {
   return shell;
 }
 
+TopoDS_Shell SolidBuilder::open_shell(const std::vector<int>& faces) const {
+  TopoDS_Shell shell;
+  builder_.MakeShell(shell);
+  for (const int face : faces)
+    builder_.Add(shell, faces_[face]);
+  return shell;
+}
+
 }  // namespace planish::brep

@@ -46,6 +46,8 @@ class SolidBuilder {
 
   /// All faces as one closed shell.
   TopoDS_Shell shell() const;
+  /// Faces, by the number of their call of `face`, as a shell with free edges.
+  TopoDS_Shell open_shell(const std::vector<int>& faces) const;
 
  private:
   void attach(const EdgeUse& use, const Handle(Geom_Surface) & surface);

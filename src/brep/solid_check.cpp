@@ -50,6 +50,19 @@ void count_surfaces(const TopoDS_Shape& shape, SolidCheck& check) {
   }
 }
 
+void count_parts(const TopoDS_Shape& shape, SolidCheck& check) {
+  for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
+    ++check.solids;
+  for (TopExp_Explorer shells(shape, TopAbs_SHELL); shells.More(); shells.Next())
+    ++check.shells;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+    ++check.faces;
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
+  for (int i = 1; i <= faces_of_edge.Extent(); ++i)
+    if (faces_of_edge(i).Extent() == 1) ++check.free_edges;
+}
+
 bool closed(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge;
   TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of_edge);
@@ -86,8 +99,7 @@ std::string product_name(const Handle(StepData_StepModel) & model) {
 
 SolidCheck checked(const TopoDS_Shape& shape) {
   SolidCheck check;
-  for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
-    ++check.solids;
+  count_parts(shape, check);
   check.valid = BRepCheck_Analyzer(shape).IsValid();
   check.closed = closed(shape);
   count_surfaces(shape, check);

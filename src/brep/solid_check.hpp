@@ -10,6 +10,7 @@ namespace planish::brep {
 /// What a STEP text holds, as an independent reader sees it; for tests and tools.
 struct SolidCheck {
   int solids = 0;
+  int shells = 0, faces = 0, free_edges = 0;  ///< of solids and alone; edges of one face only
   bool valid = false;                         ///< the kernel's checker finds nothing
   bool closed = false;                        ///< every edge has two faces
   double volume = 0.0;                        ///< mm³

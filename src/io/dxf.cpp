@@ -48,6 +48,8 @@ class Drawing {
       for (const Loop& loop : feature.outlines)
         add_outline(styles_.features, loop);
     }
+    for (const Segment& slit : pattern.slits)
+      add_line(styles_.openings, slit.a, slit.b);
     for (const Contour& opening : pattern.openings)
       add_outline(styles_.openings, opening.loop);
     add_outline(styles_.outer, pattern.outer.loop);
@@ -167,7 +169,7 @@ bool is_contour(const Loop& loop) {
 
 /// Checked before anything is fitted to a curve.
 bool is_drawable(const FlatPattern& pattern) {
-  return is_contour(pattern.outer.loop) &&
+  return is_contour(pattern.outer.loop) && is_finite(pattern.slits) &&
          std::ranges::all_of(pattern.openings,
                              [](const Contour& c) { return is_contour(c.loop); }) &&
          std::ranges::all_of(pattern.features,

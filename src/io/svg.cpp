@@ -112,6 +112,14 @@ std::string label_text(const FlatBend& bend) {
                      svg_number(bend.angle.degrees(), 2), svg_number(bend.inside_radius, 2));
 }
 
+std::string slits(const FlatPattern& pattern, double font) {
+  std::string text = fmt::format("<g class=\"slits\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kOutlineColor,
+                                 svg_number(line_width(font)));
+  for (const Segment& slit : pattern.slits)
+    text += line_element(slit);
+  return text + "</g>\n";
+}
+
 struct BendLabel {
   PlacedLabel label;
   BendDirection direction = BendDirection::up;
@@ -132,6 +140,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
     std::ranges::for_each(feature.outlines, add_loop);
   for (const FlatBend& bend : pattern.bends)
     segments.insert(segments.end(), bend.lines.begin(), bend.lines.end());
+  segments.insert(segments.end(), pattern.slits.begin(), pattern.slits.end());
   return segments;
 }
 
@@ -321,6 +330,7 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
       "<path class=\"contours\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
       "stroke-linejoin=\"round\" d=\"{}\"/>\n",
       kOutlineColor, svg_number(line_width(font)), path);
+  if (!pattern.slits.empty()) content += slits(pattern, font);
   if (options.labels || options.names) {
     const std::vector<PlacedLabel> points = options.names ? point_labels(pattern, font) : std::vector<PlacedLabel>{};
     const std::vector<BendLabel> bends = options.labels ? bend_labels(pattern, font, points) : std::vector<BendLabel>{};

@@ -59,6 +59,8 @@ double inner_cutting_length(const FlatPattern& flat) {
   double sum = 0.0;
   for (const Contour& opening : flat.openings)
     sum += length(opening.loop);
+  for (const Segment& slit : flat.slits)
+    sum += length_of(slit);
   return sum;
 }
 

@@ -5,6 +5,7 @@
 #include <planish/brep/step.hpp>
 #include <planish/job/slit.hpp>
 #include <planish/job/text_file.hpp>
+#include <planish/sheet/slots.hpp>
 
 #include <fmt/format.h>
 
@@ -104,6 +105,13 @@ double flat_deviation(const Sheet& sheet, const FlatPattern& flat) {
   return largest;
 }
 
+/// Slots that cannot be cut are a mistake in the file, not on the command line.
+Error at_kerf(Error error, const SlitFile& file) {
+  if (error.code == ErrorCode::bad_option) error.code = ErrorCode::invalid_input;
+  error.where = file.stop_hole > file.kerf ? "/stop_hole" : "/kerf";
+  return error;
+}
+
 std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
   const std::string name = place_name(report.input);
   const auto session = solved(file, report, progress);
@@ -124,6 +132,9 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
   if (auto wrong = lay_flat(report, {sheet, border_distance(sheet), checks}, options, progress)) return wrong;
   report.flat_deviation = flat_deviation(sheet, report.flat);
   add_findings(report);
+  auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});
+  if (!cut) return placed(at_kerf(cut.error(), file), name);
+  report.flat = std::move(*cut);
   return std::nullopt;
 }
 

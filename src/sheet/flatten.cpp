@@ -1,5 +1,6 @@
 #include "bend_lines.hpp"
 #include "contour.hpp"
+#include "measure.hpp"
 #include "set_back.hpp"
 #include "unfolding_tree.hpp"
 
@@ -52,6 +53,7 @@ void transform(Contour& contour, const Isometry2& motion) {
 void transform(FlatPattern& pattern, const Isometry2& motion) {
   transform(pattern.outer, motion);
   for (Contour& opening : pattern.openings) transform(opening, motion);
+  for (Segment& slit : pattern.slits) transform(slit, motion);
   for (FlatBend& bend : pattern.bends) {
     for (Segment& line : bend.lines) transform(line, motion);
     for (Segment& line : bend.tangent_lines) transform(line, motion);
@@ -104,15 +106,6 @@ void align(FlatPattern& pattern) {
   Isometry2 shift = Isometry2::Identity();
   shift.translation() = -bounds(pattern.outer.loop).lo;
   transform(pattern, shift);
-}
-
-void measure(FlatPattern& pattern) {
-  pattern.area = signed_area(pattern.outer.loop);
-  pattern.perimeter = length(pattern.outer.loop);
-  for (const Contour& opening : pattern.openings) {
-    pattern.area += signed_area(opening.loop);
-    pattern.perimeter += length(opening.loop);
-  }
 }
 
 Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& options) {

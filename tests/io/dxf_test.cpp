@@ -61,6 +61,16 @@ TEST(Dxf, MarksFirstThenOpeningsAndTheOuterContourLast) {
                           "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
 }
 
+TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {
+  FlatPattern pattern = bracket();
+  pattern.slits = {{{70, 60}, {140, 60}}, {{70, 80}, {200, 80}}};
+  EXPECT_THAT(kinds_and_layers(dxf(pattern)),
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE INTERIOR_PROFILES", "LINE INTERIOR_PROFILES",
+                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
+  pattern.slits.front().a.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(dxf_text(pattern));
+}
+
 TEST(Dxf, KeepsCirclesAndClosesPolylinesWithBulges) {
   const Reader read(dxf(bracket()));
   ASSERT_THAT(read.circles, SizeIs(1));

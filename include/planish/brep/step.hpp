@@ -67,6 +67,19 @@ Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::strin
 /// Folded solid of a sheet of real thickness as STEP text: planes, cylinders and cones stay analytic.
 Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name);
 
+/// The sheet's reference surface as STEP text (AP214, mm): an open shell, its faces' outsides those of the sheet.
+/// Planes, cylinders and cones stay analytic; faces share the edge of a joint, smooth or sharp, so nothing is sewn.
+/// Borders that a joint names but that lie more than 1e-3 mm apart (strips that do not reach each other) are left
+/// free, so that the gap is seen; parts that nothing else connects are shells of their own. Errors: `invalid_input` (joints that do not fit, no faces), `unsupported_shape`
+/// (a bend whose surface has no radius), `internal` (the kernel finds the result invalid).
+Result<std::string> folded_surface_step(const Sheet& sheet, const std::string& name);
+
+/// The solids bounded by a closed mesh as STEP text (AP214, mm): one for each connected part. Triangles in one plane
+/// become one face. Errors: `invalid_input` (a triangle without area, corner numbers that do not exist, sides not
+/// shared by two triangles that run them opposite ways, a part of no or negative volume), `internal` (the kernel
+/// refuses).
+Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name);
+
 /// The same solid as a closed mesh: every triangle side is shared with one neighbour, which runs it
 /// the other way. Corner points lie on the solid, triangles within `chord` mm of it, and along curved
 /// borders neighbouring chords turn by at most 10°, so that small radii look round. Points and

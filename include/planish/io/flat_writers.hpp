@@ -30,8 +30,8 @@ struct DxfOptions {
 /// DXF text of a flat pattern by the rules of SHOPFLOOR: one closed polyline (or circle) per
 /// contour, bend lines with layer, colour and DASHED linetype at once, units in the header.
 ///
-/// Entities come in the order of work: bend lines, tangent lines, formed features, openings, outer
-/// contour. With `keep`, a contour that holds a spline is a chain of LINE, ARC and SPLINE whose ends
+/// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE each, on
+/// the layer of openings), openings, outer contour. With `keep`, a contour that holds a spline is a chain of LINE, ARC and SPLINE whose ends
 /// meet within 1e-9 of the unit; all others, and all with `arcs`, are closed polylines, whose arcs
 /// turn by half a turn at most. Reals are written so that they read back as the same double; the
 /// enclosed area is that of the pattern, but for splines made arcs (within arc_tolerance ×
@@ -48,7 +48,7 @@ struct SvgOptions {
   bool names = true;    ///< labels of points
   bool legend = true;   ///< scale bar, meaning of the lines, size and thickness below the pattern
 };
-/// Drawing of the flat pattern for people: true size in mm, y up, contours, bend lines (up blue
+/// Drawing of the flat pattern for people: true size in mm, y up, contours, slits, bend lines (up blue
 /// dashed, down red dashed) with labels, formed features thin. Line widths and letters follow the
 /// size of the part. The page grows beyond pattern and margin where a label needs it.
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {});

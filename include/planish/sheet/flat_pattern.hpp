@@ -52,6 +52,7 @@ struct FlatPattern {
   double thickness = 0.0;
   Contour outer;
   std::vector<Contour> openings;
+  std::vector<Segment> slits;  ///< cuts without width, each once; see `cut_slits` in slots.hpp
   std::vector<FlatBend> bends;
   std::vector<FlatFeature> features;
   std::vector<FlatLabel> labels;
@@ -60,7 +61,7 @@ struct FlatPattern {
   std::vector<Loop> face_outlines;        ///< by face: image of loops[0] (for overlap checks)
   std::vector<std::vector<Loop>> face_openings;  ///< by face: images of loops[1…]
   double area = 0.0;       ///< of one side, openings taken out, mm²
-  double perimeter = 0.0;  ///< all cutting length, mm
+  double perimeter = 0.0;  ///< all cutting length, slits once, mm
   double closure = 0.0;    ///< largest mismatch met where joints close a cycle, mm
 };
 

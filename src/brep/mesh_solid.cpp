@@ -1,0 +1,164 @@
+#include "guarded.hpp"
+#include "kernel_points.hpp"
+#include "solid_builder.hpp"
+#include "step_out.hpp"
+
+#include <planish/brep/step.hpp>
+
+#include <BRepCheck_Analyzer.hxx>
+#include <BRep_Builder.hxx>
+#include <Geom_Plane.hxx>
+#include <ShapeUpgrade_UnifySameDomain.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Solid.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace planish {
+namespace {
+
+using Side = std::pair<int, int>;
+
+Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
+  const auto at = [&](int corner) -> const Vec3& { return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(corner)])]; };
+  return (at(1) - at(0)).cross(at(2) - at(0));
+}
+
+double volume_of(const Mesh& mesh) {
+  const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
+  const auto at = [&](int point) -> Vec3 { return mesh.points[static_cast<std::size_t>(point)] - origin; };
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+    sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
+  return sum;
+}
+
+/// The mesh's connected parts, in the order of their first triangles.
+std::vector<Mesh> parts_of(const Mesh& mesh) {
+  std::vector<int> root(mesh.points.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto root_of = [&](int point) {
+    while (root[static_cast<std::size_t>(point)] != point)
+      point = root[static_cast<std::size_t>(point)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(point)])];
+    return point;
+  };
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 1; i < 3; ++i)
+      root[static_cast<std::size_t>(root_of(t[i]))] = root_of(t[0]);
+  std::map<int, std::size_t> number;
+  std::vector<Mesh> parts;
+  for (const auto& t : mesh.triangles) {
+    const auto [at, added] = number.try_emplace(root_of(t[0]), parts.size());
+    if (added) parts.push_back({mesh.points, {}});
+    parts[at->second].triangles.push_back(t);
+  }
+  return parts;
+}
+
+Result<void> check_triangles(const Mesh& mesh) {
+  const int count = static_cast<int>(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& t = mesh.triangles[i];
+    if (std::ranges::any_of(t, [&](int corner) { return corner < 0 || corner >= count; }))
+      return fail(ErrorCode::invalid_input, "A triangle has a corner that does not exist.", fmt::format("triangle {}", i));
+    if (!(twice_area(mesh, t).norm() > 0.0)) return fail(ErrorCode::invalid_input, "A triangle has no area.", fmt::format("triangle {}", i));
+  }
+  return {};
+}
+
+Result<void> check_closed(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return fail(ErrorCode::invalid_input, "The mesh is empty.");
+  std::map<Side, int> runs;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      ++runs[{t[i], t[(i + 1) % 3]}];
+  for (const auto& [side, times] : runs) {
+    const auto back = runs.find({side.second, side.first});
+    if (times != 1 || back == runs.end() || back->second != 1)
+      return fail(ErrorCode::invalid_input, fmt::format("The mesh is not closed between points {} and {}.", side.first, side.second));
+  }
+  return {};
+}
+
+Result<void> check_volume(const Mesh& part) {
+  if (const double volume = volume_of(part); !(volume > 0.0))
+    return fail(ErrorCode::invalid_input, fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
+  return {};
+}
+
+/// A plane face a triangle, sides shared; vertices as far as they are used.
+TopoDS_Shell shell_of(const Mesh& mesh) {
+  brep::SolidBuilder builder;
+  std::map<int, TopoDS_Vertex> vertices;
+  for (const auto& t : mesh.triangles)
+    for (const int corner : t)
+      if (!vertices.contains(corner)) vertices.emplace(corner, builder.vertex(mesh.points[static_cast<std::size_t>(corner)]));
+  std::map<Side, brep::BuiltEdge> edges;
+  const auto use_of = [&](int from, int to) {
+    const Side side = std::minmax(from, to);
+    auto found = edges.find(side);
+    if (found == edges.end())
+      found = edges.emplace(side, builder.straight_edge(vertices.at(side.first), vertices.at(side.second))).first;
+    return brep::EdgeUse{&found->second, {}, from < to};
+  };
+  for (const auto& t : mesh.triangles) {
+    const Vec3 normal = twice_area(mesh, t).normalized();
+    const Handle(Geom_Surface) plane =
+        new Geom_Plane(brep::kernel_point(mesh.points[static_cast<std::size_t>(t[0])]), brep::kernel_direction(normal));
+    builder.face(plane, 1, {{use_of(t[0], t[1]), use_of(t[1], t[2]), use_of(t[2], t[0])}});
+  }
+  return builder.shell();
+}
+
+/// Triangles in one plane become one face, where the kernel can tell that they are.
+TopoDS_Shape with_whole_faces(const TopoDS_Shape& solid) {
+  ShapeUpgrade_UnifySameDomain unify(solid, true, true, false);
+  unify.Build();
+  const TopoDS_Shape unified = unify.Shape();
+  return !unified.IsNull() && unified.ShapeType() == TopAbs_SOLID && BRepCheck_Analyzer(unified).IsValid() ? unified : solid;
+}
+
+Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
+  TopoDS_Solid solid;
+  BRep_Builder builder;
+  builder.MakeSolid(solid);
+  builder.Add(solid, shell);
+  if (!BRepCheck_Analyzer(solid).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
+  return with_whole_faces(solid);
+}
+
+/// One solid, or a compound of them.
+Result<TopoDS_Shape> solids_of(const std::vector<Mesh>& parts) {
+  TopoDS_Compound all;
+  BRep_Builder builder;
+  builder.MakeCompound(all);
+  for (const Mesh& part : parts) {
+    auto solid = solid_of(shell_of(part));
+    if (!solid || parts.size() == 1) return solid;
+    builder.Add(all, *solid);
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name) {
+  if (auto sound = check_triangles(mesh); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_closed(mesh); !sound) return tl::unexpected(sound.error());
+  const std::vector<Mesh> parts = parts_of(mesh);
+  for (const Mesh& part : parts)
+    if (auto sound = check_volume(part); !sound) return tl::unexpected(sound.error());
+  return brep::guarded(
+      [&]() -> Result<std::string> {
+        const auto solids = solids_of(parts);
+        if (!solids) return tl::unexpected(solids.error());
+        return brep::step_text(*solids, name);
+      },
+      name);
+}
+
+}  // namespace planish

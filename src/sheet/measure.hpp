@@ -1,0 +1,10 @@
+#pragma once
+
+#include <planish/sheet/flat_pattern.hpp>
+
+namespace planish {
+
+/// Area and cutting length from the contours and slits.
+void measure(FlatPattern& pattern);
+
+}  // namespace planish

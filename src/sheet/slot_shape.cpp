@@ -1,0 +1,192 @@
+#include "slot_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace planish {
+namespace {
+
+using std::numbers::pi;
+
+Vec2 left_of(const Vec2& direction) { return {-direction.y(), direction.x()}; }
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double angle_of(const Vec2& direction) { return std::atan2(direction.y(), direction.x()); }
+
+/// Curves that follow one another from a point.
+class Chain {
+ public:
+  explicit Chain(const Vec2& from) : at_(from) {}
+  void line_to(const Vec2& to) {
+    if ((to - at_).norm() > 0.0) curves_.push_back(Segment{at_, to});
+    at_ = to;
+  }
+  /// Clockwise about a centre, to a point on its circle.
+  void arc_to(const Vec2& center, const Vec2& to) {
+    const Vec2 from = at_ - center, radius = to - center;
+    double sweep = std::atan2(cross(from, radius), from.dot(radius));
+    if (sweep >= 0.0) sweep -= 2.0 * pi;
+    curves_.push_back(Arc{center, radius.norm(), angle_of(from), sweep});
+    at_ = to;
+  }
+  const Loop& curves() const { return curves_; }
+
+ private:
+  Vec2 at_;
+  Loop curves_;
+};
+
+/// Where the banks meet the hole or the round end about the end of the axis, left then right of the axis.
+std::array<Vec2, 2> banks_at_end(const Slot& slot, const Vec2& end, const Vec2& along) {
+  const double radius = slot.end_radius(), back = std::sqrt(std::max(0.0, radius * radius - slot.half_width * slot.half_width));
+  const Vec2 foot = end - back * along, aside = slot.half_width * left_of(along);
+  return {foot + aside, foot - aside};
+}
+
+/// Where the bank of an open slot leaves the contour's line that comes from (or goes to) `away`, a unit vector seen from
+/// the slot's mouth: on the bank itself, or on the round end about the mouth.
+struct MouthCorner {
+  double along_line = 0.0;  ///< distance from the mouth
+  Vec2 on_bank;             ///< where the bank begins
+  bool round = false;       ///< an arc about the mouth leads there
+};
+
+MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_side, const Vec2& away) {
+  const Vec2 mouth = slot.axis.a, beside = slot.half_width * bank_side;
+  const double forward = along.dot(away), aside = bank_side.dot(away);
+  constexpr double kLevel = 1e-9;  // radians: a mouth this near to perpendicular is
+  if (forward > kLevel && aside > 0.0) {
+    const double distance = slot.half_width / aside;
+    return {distance, mouth + distance * away, false};
+  }
+  return {slot.half_width, mouth + beside, forward < -kLevel || aside < 0.0};
+}
+
+tl::unexpected<Error> no_room(const Slot& slot) {
+  return fail(ErrorCode::bad_option,
+              fmt::format("the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})", 2.0 * slot.half_width, slot.axis.a.x(),
+                          slot.axis.a.y()),
+              "/kerf");
+}
+
+/// Parts of the line's parameter range 0 … 1 inside a disc and inside the band along the axis.
+using Range = std::pair<double, double>;
+
+std::optional<Range> inside_disc(const Segment& line, const Vec2& center, double radius) {
+  const Vec2 d = line.b - line.a, from = line.a - center;
+  const double a = d.squaredNorm(), half_b = d.dot(from), discriminant = half_b * half_b - a * (from.squaredNorm() - radius * radius);
+  if (!(discriminant > 0.0)) return std::nullopt;
+  const double root = std::sqrt(discriminant);
+  return Range{(-half_b - root) / a, (-half_b + root) / a};
+}
+
+std::optional<Range> inside_band(const Segment& line, const Slot& slot) {
+  const Vec2 axis = slot.axis.b - slot.axis.a, along = axis.normalized(), across = left_of(along);
+  Range range{0.0, 1.0};
+  const auto clip = [&](const Vec2& direction, double low, double high) {
+    const double at = direction.dot(line.a - slot.axis.a), speed = direction.dot(line.b - line.a);
+    if (speed == 0.0) {
+      if (at <= low || at >= high) range.second = -1.0;
+      return;
+    }
+    const auto [enter, leave] = std::minmax({(low - at) / speed, (high - at) / speed});
+    range = {std::max(range.first, enter), std::min(range.second, leave)};
+  };
+  clip(along, 0.0, axis.norm());
+  clip(across, -slot.half_width, slot.half_width);
+  return range.first < range.second ? std::optional(range) : std::nullopt;
+}
+
+}  // namespace
+
+double distance(const Vec2& p, const Segment& segment) {
+  const Vec2 d = segment.b - segment.a;
+  const double t = d.squaredNorm() > 0.0 ? std::clamp(d.dot(p - segment.a) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+  return (segment.a + t * d - p).norm();
+}
+
+double distance(const Segment& a, const Segment& b) {
+  const auto side = [](const Segment& line, const Vec2& p) { return cross(line.b - line.a, p - line.a); };
+  if (side(a, b.a) * side(a, b.b) < 0.0 && side(b, a.a) * side(b, a.b) < 0.0) return 0.0;
+  return std::min({distance(a.a, b), distance(a.b, b), distance(b.a, a), distance(b.b, a)});
+}
+
+std::vector<Vec2> chain_of(const Curve2& curve) {
+  if (const auto* line = std::get_if<Segment>(&curve)) return {line->a, line->b};
+  std::vector<Vec2> points = sampled(curve, 1e-3 * length(curve));
+  points.push_back(end_of(curve));
+  return points;
+}
+
+Loop closed_slot(const Slot& slot) {
+  const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
+  const auto [far_left, far_right] = banks_at_end(slot, slot.axis.b, along);
+  const auto [near_right, near_left] = banks_at_end(slot, slot.axis.a, -along);  // seen the other way
+  Chain chain(near_left);
+  chain.line_to(far_left);
+  chain.arc_to(slot.axis.b, far_right);
+  chain.line_to(near_right);
+  chain.arc_to(slot.axis.a, near_left);
+  return chain.curves();
+}
+
+Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance) {
+  const std::size_t count = contour.loop.size(), next = static_cast<std::size_t>(slot.opens_at->at), before = (next + count - 1) % count;
+  const auto *coming = std::get_if<Segment>(&contour.loop[before]), *going = std::get_if<Segment>(&contour.loop[next]);
+  if (coming == nullptr || going == nullptr || before == next)
+    return fail(ErrorCode::unsupported_shape,
+                fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there", slot.axis.a.x(), slot.axis.a.y()));
+  const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
+  const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
+  const MouthCorner in = mouth_corner(slot, along, left_of(along), from), out = mouth_corner(slot, along, -left_of(along), to);
+  const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
+  const bool long_enough = along.dot(left - in.on_bank) > 0.0 && along.dot(right - out.on_bank) > 0.0;
+  if ((coming->a - mouth).norm() <= in.along_line + tolerance || (going->b - mouth).norm() <= out.along_line + tolerance || !long_enough) return no_room(slot);
+
+  const Vec2 leaves = mouth + in.along_line * from, returns = mouth + out.along_line * to;
+  Chain chain(leaves);
+  if (in.round) chain.arc_to(mouth, in.on_bank);
+  chain.line_to(left);
+  chain.arc_to(slot.axis.b, right);
+  chain.line_to(out.round ? out.on_bank : returns);
+  if (out.round) chain.arc_to(mouth, returns);
+
+  Contour opened = contour;
+  opened.loop[before] = Segment{coming->a, leaves};
+  opened.loop[next] = Segment{returns, going->b};
+  opened.loop.insert(opened.loop.begin() + static_cast<std::ptrdiff_t>(next), chain.curves().begin(), chain.curves().end());
+  opened.origins.insert(opened.origins.begin() + static_cast<std::ptrdiff_t>(next), chain.curves().size(), {});
+  return opened;
+}
+
+std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots) {
+  std::vector<Range> cuts;
+  const auto cut = [&](const std::optional<Range>& range) {
+    if (range && range->second > 0.0 && range->first < 1.0) cuts.push_back(*range);
+  };
+  for (const Slot& slot : slots) {
+    if (slot.half_width > 0.0) {
+      cut(inside_band(line, slot));
+      cut(inside_disc(line, slot.axis.a, slot.half_width));
+    }
+    if (slot.end_radius() > 0.0)
+      for (const Vec2& hole : slot.holes()) cut(inside_disc(line, hole, slot.end_radius()));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const auto at = [&](double t) -> Vec2 { return t <= 0.0 ? line.a : t >= 1.0 ? line.b : Vec2(line.a + t * (line.b - line.a)); };
+  std::vector<Segment> pieces;
+  double done = 0.0;
+  constexpr double kNothing = 1e-9;  // share of the line: rounding, no piece
+  for (const auto& [enter, leave] : cuts) {
+    if (enter > done + kNothing) pieces.push_back({at(done), at(enter)});
+    done = std::max(done, leave);
+  }
+  if (done < 1.0 - kNothing) pieces.push_back({at(done), line.b});
+  return pieces;
+}
+
+}  // namespace planish

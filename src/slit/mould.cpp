@@ -1,0 +1,347 @@
+#include <planish/geometry/region.hpp>
+#include <planish/slit/mould.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace planish {
+namespace {
+
+/// A strip from one end to the other: ridges as they are in space, left then right, and a normal a quad, towards the
+/// mould.
+struct WholeStrip {
+  std::vector<std::array<Vec3, 2>> ridges;
+  std::vector<Vec3> towards_mould;
+};
+
+Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
+
+WholeStrip whole_strip(const FoldedStrip& strip, double sign) {
+  WholeStrip whole;
+  for (const SlitRidge& ridge : strip.ridges) whole.ridges.push_back(ridge.folded);
+  for (const Frame& quad : strip.quads) whole.towards_mould.push_back(sign * quad.z);
+  return whole;
+}
+
+/// The image in x = 0, run from the symmetry plane to the other panel.
+WholeStrip image_of(const WholeStrip& strip) {
+  WholeStrip image;
+  for (auto ridge = strip.ridges.rbegin(); ridge != strip.ridges.rend(); ++ridge) image.ridges.push_back({mirrored((*ridge)[0]), mirrored((*ridge)[1])});
+  for (auto normal = strip.towards_mould.rbegin(); normal != strip.towards_mould.rend(); ++normal) image.towards_mould.push_back(mirrored(*normal));
+  return image;
+}
+
+/// Both halves as one, where they meet.
+std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded, double sign) {
+  const WholeStrip half = whole_strip(strip, sign);
+  if (!folded.symmetric) return {half};
+  WholeStrip image = image_of(half);
+  constexpr double kMeets = 1e-6;  // of the length
+  const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(), (half.ridges.back()[1] - image.ridges.front()[1]).norm());
+  if (gap > kMeets * folded.reach) return {half, image};
+  WholeStrip whole = half;
+  whole.ridges.insert(whole.ridges.end(), image.ridges.begin() + 1, image.ridges.end());
+  whole.towards_mould.insert(whole.towards_mould.end(), image.towards_mould.begin(), image.towards_mould.end());
+  return {whole};
+}
+
+struct Setting {
+  Vec3 up = Vec3::UnitY();
+  double sign = -1.0;  ///< of the sheet's normal towards the mould
+  double inset = 0.0;        ///< mm, …
+  double inset_share = 0.0;  ///< …at least this share of the strip's width
+  double offset = 0.0;  ///< half the thickness
+  double least_lean = 0.0;
+};
+
+std::string place(int strip, int quad) { return fmt::format("strip {}, quad {}", strip, quad); }
+
+Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
+  Setting setting;
+  setting.sign = options.side == MouldSide::back ? -1.0 : 1.0;
+  if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
+    return fail(ErrorCode::bad_option, "the direction in which the sheet is lifted off has no length", "/mould/up");
+  setting.up = options.up ? Vec3(options.up->normalized()) : Vec3(-setting.sign * Vec3::UnitY());
+  setting.inset = options.inset.value_or(folded.thickness);
+  if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
+    return fail(ErrorCode::bad_option, fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset), "/mould/inset");
+  if (!(options.base > 0.0) || !std::isfinite(options.base))
+    return fail(ErrorCode::bad_option, fmt::format("the mould's base lies {} mm below its lowest point; it must be above 0", options.base), "/mould/base");
+  const double draft = options.draft.radians();
+  if (!(draft > 0.0) || !(draft < 1.5))
+    return fail(ErrorCode::bad_option, fmt::format("the mould's draft is {}°; it must be above 0 and below 86", options.draft.degrees()), "/mould/draft");
+  setting.offset = 0.5 * folded.thickness;
+  setting.least_lean = std::sin(draft);
+  return setting;
+}
+
+bool leans_up(const Vec3& towards_mould, const Setting& setting) { return -towards_mould.dot(setting.up) >= setting.least_lean; }
+
+/// From a ridge to where the facets beside it meet, half the thickness from both quads.
+Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
+
+/// The ridge `at` of a rib, on its working surface.
+Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at, const Setting& setting, int number) {
+  const auto& [left, right] = strip.ridges[static_cast<std::size_t>(at)];
+  const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[static_cast<std::size_t>(quad)]; };
+  const Vec3 step = at == first ? normal(first) : at > last ? normal(last) : mitre(normal(at - 1), normal(at));
+  const double share = std::max(setting.inset / (right - left).norm(), setting.inset_share);
+  if (!(share < 0.5))
+    return fail(ErrorCode::bad_option,
+                fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose ridge is {:.6g} mm long", setting.inset, number, (right - left).norm()),
+                "/mould/inset");
+  return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step, right + share * (left - right) + setting.offset * step};
+}
+
+/// The facets under the quads `first` to `last` of a strip.
+Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const Setting& setting, int number) {
+  MouldRib rib{number, first, {}, {}, {}};
+  std::array<Vec3, 2> near{};
+  for (int at = first; at <= last + 1; ++at) {
+    const auto far = working_ridge(strip, first, last, at, setting, number);
+    if (!far) return tl::unexpected(far.error());
+    if (at > first) {
+      const auto& from = strip.ridges[static_cast<std::size_t>(at) - 1];
+      const auto& to = strip.ridges[static_cast<std::size_t>(at)];
+      for (std::size_t side = 0; side < 2; ++side)
+        if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
+          return fail(ErrorCode::radius_too_small,
+                      fmt::format("{} is folded so tightly that its side towards the mould has no length between the ridges", place(number, at - 1)),
+                      place(number, at - 1));
+      rib.facets.push_back({near[0], (*far)[0], (*far)[1], near[1]});
+    }
+    near = *far;
+  }
+  return rib;
+}
+
+/// Ribs under one strip and what they leave bare.
+Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting, Mould& mould) {
+  const int count = static_cast<int>(strip.towards_mould.size());
+  for (int quad = 0; quad < count;) {
+    if (!leans_up(strip.towards_mould[static_cast<std::size_t>(quad)], setting)) {
+      mould.bare.push_back({number, first_number + quad++});
+      continue;
+    }
+    int last = quad;
+    while (last + 1 < count && leans_up(strip.towards_mould[static_cast<std::size_t>(last) + 1], setting)) ++last;
+    auto rib = rib_under(strip, quad, last, setting, number);
+    if (!rib) return tl::unexpected(rib.error());
+    rib->first_quad = first_number + quad;
+    mould.ribs.push_back(std::move(*rib));
+    quad = last + 1;
+  }
+  return {};
+}
+
+/// Closed below the facets: top, base, sides and ends. Points: left and right of every ridge, then those below them.
+Mesh closed_mesh(const MouldRib& rib, const Frame& base) {
+  Mesh mesh;
+  const int count = static_cast<int>(rib.facets.size());
+  mesh.points = {rib.facets.front()[0], rib.facets.front()[3]};
+  for (const auto& facet : rib.facets) mesh.points.insert(mesh.points.end(), {facet[1], facet[2]});
+  const int below = static_cast<int>(mesh.points.size());
+  for (int i = 0; i < below; ++i) mesh.points.push_back(base.point(base.local2(mesh.points[static_cast<std::size_t>(i)])));
+
+  const Vec3 top = (rib.facets.front()[1] - rib.facets.front()[0]).cross(rib.facets.front()[3] - rib.facets.front()[0]);
+  const bool as_listed = top.dot(base.z) > 0.0;
+  const auto add = [&](int a, int b, int c, int d) {
+    if (!as_listed) std::swap(b, d);
+    mesh.triangles.push_back({a, b, c});
+    mesh.triangles.push_back({a, c, d});
+  };
+  for (int i = 0; i < count; ++i) {
+    const int left = 2 * i, right = left + 1;
+    add(left, left + 2, right + 2, right);
+    add(below + left, below + right, below + right + 2, below + left + 2);
+    add(left, below + left, below + left + 2, left + 2);
+    add(right, right + 2, below + right + 2, below + right);
+  }
+  add(0, 1, below + 1, below);
+  add(2 * count, below + 2 * count, below + 2 * count + 1, 2 * count + 1);
+  return mesh;
+}
+
+std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
+  std::vector<Vec2> ring{base.local2(rib.facets.front()[0])};
+  for (const auto& facet : rib.facets) ring.push_back(base.local2(facet[1]));
+  for (auto facet = rib.facets.rbegin(); facet != rib.facets.rend(); ++facet) ring.push_back(base.local2((*facet)[2]));
+  ring.push_back(base.local2(rib.facets.front()[3]));
+  if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+/// z along `up`; x along the strips of the chair, where there is one.
+Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const MouldRib& rib : ribs)
+    for (const auto& facet : rib.facets)
+      for (const Vec3& corner : facet) lowest = std::min(lowest, corner.dot(up));
+  const Vec3 hint = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
+  return frame_from_axes((lowest - below) * up, up, hint);
+}
+
+double volume_of(const Mesh& mesh) {
+  double sum = 0.0;
+  const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
+  const auto at = [&](int point) -> Vec3 { return mesh.points[static_cast<std::size_t>(point)] - origin; };
+  for (const auto& t : mesh.triangles) sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
+  return sum;
+}
+
+/// Upright walls do not meet where the footprints are apart.
+Result<void> check_apart(const std::vector<MouldRib>& ribs) {
+  std::vector<Polygon> footprints;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const MouldRib& rib : ribs) {
+    if (!self_crossings(rib.footprint).empty())
+      return fail(ErrorCode::unsupported_shape, fmt::format("strip {} lies above itself, so its rib would stand in itself; choose another direction for the mould", rib.strip),
+                  fmt::format("strip {}", rib.strip));
+    footprints.push_back({rib.footprint, {}});
+    smallest = std::min(smallest, ring_area(rib.footprint));
+  }
+  constexpr double kTouching = 1e-9;  // of the smallest footprint
+  for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
+    const int first = ribs[static_cast<std::size_t>(overlap.first)].strip, second = ribs[static_cast<std::size_t>(overlap.second)].strip;
+    return fail(ErrorCode::unsupported_shape,
+                fmt::format("the mould's ribs under strips {} and {} would stand in one another on {:.4g} mm²; choose a larger inset, another direction or "
+                            "the other side",
+                            first, second, overlap.area),
+                fmt::format("strip {}", first));
+  }
+  return {};
+}
+
+/// A plane piece as it is seen from above, and its plane.
+struct Seen {
+  int strip = 0;
+  bool rib = false;
+  Vec3 on;      ///< in the base's frame
+  Vec3 normal;  ///< likewise
+};
+
+double height_at(const Seen& piece, const Vec2& p) {
+  return piece.on.z() - (piece.normal.head<2>().dot(p - piece.on.head<2>())) / piece.normal.z();
+}
+
+/// A rib below another strip than its own may stand there, one that comes up through it may not.
+Result<void> check_clear(const std::vector<MouldRib>& ribs, const std::vector<std::vector<WholeStrip>>& strips, const Frame& base) {
+  std::vector<Seen> pieces;
+  std::vector<Polygon> outlines;
+  double smallest = std::numeric_limits<double>::infinity();
+  const auto see = [&](int strip, const std::array<Vec3, 4>& corners, bool rib) {
+    Polygon outline;
+    for (const Vec3& corner : corners) outline.outer.push_back(base.local2(corner));
+    const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
+    constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
+    const Seen piece{strip, rib, base.local(corners[0]), {normal.dot(base.x), normal.dot(base.y), normal.dot(base.z)}};
+    if (std::abs(piece.normal.z()) < kUpright) return;
+    smallest = std::min(smallest, std::abs(ring_area(outline.outer)));
+    pieces.push_back(piece);
+    outlines.push_back(std::move(outline));
+  };
+  for (const MouldRib& rib : ribs)
+    for (const auto& facet : rib.facets) see(rib.strip, facet, true);
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    for (const WholeStrip& strip : strips[i])
+      for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad)
+        see(static_cast<int>(i), {strip.ridges[quad][0], strip.ridges[quad + 1][0], strip.ridges[quad + 1][1], strip.ridges[quad][1]}, false);
+  constexpr double kTouching = 1e-9;  // of the smallest piece
+  for (const Overlap& overlap : overlaps(outlines, 0.0, kTouching * smallest)) {
+    const Seen *rib = &pieces[static_cast<std::size_t>(overlap.first)], *strip = &pieces[static_cast<std::size_t>(overlap.second)];
+    if (strip->rib) std::swap(rib, strip);
+    if (!rib->rib || strip->rib || rib->strip == strip->strip) continue;
+    for (const auto& ring : overlap.outline)
+      for (const Vec2& p : ring)
+        if (height_at(*rib, p) > height_at(*strip, p))
+          return fail(ErrorCode::unsupported_shape,
+                      fmt::format("the mould's rib under strip {} would stand in strip {}; choose a larger inset, another direction or the other side", rib->strip, strip->strip),
+                      fmt::format("strip {}", rib->strip));
+  }
+  return {};
+}
+
+/// The mould for one direction.
+Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
+  Mould mould;
+  std::vector<std::vector<WholeStrip>> strips;
+  for (std::size_t i = 0; i < folded.strips.size(); ++i) {
+    int quads = 0;
+    strips.push_back(whole_strips(folded.strips[i], folded, setting.sign));
+    for (const WholeStrip& strip : strips.back()) {
+      if (auto added = add_ribs(strip, static_cast<int>(i), quads, setting, mould); !added) return tl::unexpected(added.error());
+      quads += static_cast<int>(strip.towards_mould.size());
+    }
+  }
+  if (mould.ribs.empty())
+    return fail(ErrorCode::unsupported_shape, "nothing of the strips leans towards the direction in which the sheet is lifted off; choose another direction or the other side");
+  mould.base = base_frame(mould.ribs, setting.up, base);
+  for (MouldRib& rib : mould.ribs) {
+    rib.footprint = footprint_of(rib, mould.base);
+    rib.mesh = closed_mesh(rib, mould.base);
+    mould.volume += volume_of(rib.mesh);
+  }
+  if (auto apart = check_apart(mould.ribs); !apart) return tl::unexpected(apart.error());
+  if (auto clear = check_clear(mould.ribs, strips, mould.base); !clear) return tl::unexpected(clear.error());
+  return mould;
+}
+
+/// Directions to try, leaned away from the first one little by little.
+std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
+  constexpr int kSteps = 12;
+  const Angle step = Angle::degrees(5);
+  std::vector<Vec3> towards{-Vec3::UnitZ(), Vec3::UnitZ()};
+  if (!symmetric) towards.insert(towards.end(), {Vec3(-Vec3::UnitX()), Vec3(Vec3::UnitX())});
+  std::vector<Vec3> directions{up};
+  for (int i = 1; i <= kSteps; ++i)
+    for (const Vec3& side : towards)
+      directions.emplace_back(std::cos(i * step.radians()) * up + std::sin(i * step.radians()) * side);
+  return directions;
+}
+
+/// What is tried until the ribs stand apart: what is given is kept; ribs down to half the strips' width come before a
+/// leaning mould, that before ribs of a quarter.
+std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded, const MouldOptions& options) {
+  const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up} : leaned(first.up, folded.symmetric);
+  const std::vector<std::vector<double>> shares = options.inset ? std::vector<std::vector<double>>{{0.0}} : std::vector<std::vector<double>>{{0.0, 0.125, 0.25}, {0.375}};
+  std::vector<Setting> settings;
+  for (const auto& group : shares)
+    for (const Vec3& up : directions)
+      for (const double share : group) {
+        settings.push_back(first);
+        settings.back().up = up;
+        settings.back().inset_share = share;
+      }
+  return settings;
+}
+
+}  // namespace
+
+Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
+  const auto given = setting_of(folded, options);
+  if (!given) return tl::unexpected(given.error());
+  std::optional<Error> first_error;
+  for (const Setting& setting : tries(*given, folded, options)) {
+    auto mould = upright_mould(folded, setting, options.base);
+    if (mould) return mould;
+    if (!first_error) first_error = mould.error();
+    if (mould.error().code != ErrorCode::unsupported_shape) break;
+  }
+  return tl::unexpected(*first_error);
+}
+
+Mesh mesh_of(const Mould& mould) {
+  Mesh mesh;
+  for (const MouldRib& rib : mould.ribs) {
+    const int first = static_cast<int>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), rib.mesh.points.begin(), rib.mesh.points.end());
+    for (const auto& t : rib.mesh.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return mesh;
+}
+
+}  // namespace planish
