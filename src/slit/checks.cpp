@@ -196,4 +196,20 @@ Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<V
   return {};
 }
 
+Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel) {
+  if (auto sound = check_seat_curve(design); !sound) return sound;
+  if (auto sound = check_weights(design.weights); !sound) return sound;
+  for (int i = 0; i < static_cast<int>(design.anchors.size()); ++i)
+    if (auto sound = check_anchor(design, panel, i); !sound) return sound;
+  for (int i = 0; i < static_cast<int>(design.ends.size()); ++i)
+    if (auto sound = check_end(design, panel, i); !sound) return sound;
+  for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
+    const SlitScan& scan = design.scans[static_cast<std::size_t>(i)];
+    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound) return sound;
+    if (scan.points.empty())
+      return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", scan.strip), fmt::format("/scan/{}/points", i));
+  }
+  return {};
+}
+
 }  // namespace planish::slit_detail

@@ -19,5 +19,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
 Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip);
 /// Points of one scan; `index` is its place in the file.
 Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points, int index);
+/// All of a design but its sheet and its leg curve, whose panel is given.
+Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel);
 
 }  // namespace planish::slit_detail

@@ -1,0 +1,130 @@
+#include "snapshot.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace planish::slit_detail {
+namespace {
+
+/// The strips side by side on the curve, evenly apart from its start to its end; one alone in its middle.
+std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet) {
+  double rest = length(curve);
+  for (const SlitStrip& strip : sheet.strips)
+    rest -= strip.width;
+  const std::size_t count = sheet.strips.size();
+  const double apart = count > 1 ? rest / static_cast<double>(count - 1) : 0.0;
+  std::vector<double> lengths;
+  double at = count > 1 ? 0.0 : 0.5 * rest;
+  for (const SlitStrip& strip : sheet.strips) {
+    lengths.push_back(at);
+    lengths.push_back(at + strip.width);
+    at += strip.width + apart;
+  }
+  return points_at_lengths(curve, lengths);
+}
+
+std::vector<EndCondition> at_symmetry_plane(EndAngle angle) {
+  using Of = EndCondition::Of;
+  std::vector<EndCondition> ends{{Of::left_end, Vec3::UnitX(), 0.0}, {Of::right_end, Vec3::UnitX(), 0.0}};
+  if (angle == EndAngle::right_angle) ends.push_back({Of::normal, Vec3::UnitX(), 0.0});
+  if (angle == EndAngle::level) ends.push_back({Of::along, Vec3::UnitY(), 0.0});
+  return ends;
+}
+
+/// Two directions with `direction` that are a right-handed system.
+std::array<Vec3, 2> perpendiculars(const Vec3& direction) {
+  const Frame frame = frame_from_normal(Vec3::Zero(), direction.normalized());
+  return {frame.x, frame.y};
+}
+
+std::vector<EndCondition> at_free_end(const StripEnd& end) {
+  using Of = EndCondition::Of;
+  std::vector<EndCondition> ends;
+  if (end.position)
+    for (int axis = 0; axis < 3; ++axis)
+      ends.push_back({Of::middle, Vec3::Unit(axis), (*end.position)[axis]});
+  if (end.direction)
+    for (const Vec3& across : perpendiculars(*end.direction))
+      ends.push_back({Of::along, across, 0.0});
+  if (end.across && end.direction) ends.push_back({Of::across, end.direction->cross(*end.across).normalized(), 0.0});
+  if (end.across && !end.direction)
+    for (const Vec3& across : perpendiculars(*end.across))
+      ends.push_back({Of::across, across, 0.0});
+  return ends;
+}
+
+const StripParameters& parameters_of(const Snapshot& now, int strip, StripParameters& room) {
+  const Slot& slot = now.slot(strip);
+  if (slot.p.size()) return slot.p;
+  room = flat_parameters(base_of(now, strip));
+  return room;
+}
+
+}  // namespace
+
+StripBase base_of(const Snapshot& now, int strip) {
+  const SlitSheet& sheet = now.design->sheet;
+  const auto facet = std::find_if(now.panel->begin(), now.panel->end(), [&](const PanelFacet& f) { return f.strip == strip; });
+  return {facet->frame, {facet->corners[0].y(), facet->corners[3].y()}, sheet.start_of(strip), sheet.end_of(strip), now.design->ridges};
+}
+
+void take_seat_curve(Snapshot& now, const SlitDesign& design) {
+  now.seat = design.seat_curve ? std::make_shared<const BezierSearch>(*design.seat_curve) : nullptr;
+  now.seat_places = design.seat_curve ? std::make_shared<const std::vector<Vec2>>(places_along(*design.seat_curve, design.sheet)) : nullptr;
+}
+
+double half_sign(const Snapshot& now) { return now.panel->front().frame.point(now.panel->front().corners[0]).x() < 0.0 ? -1.0 : 1.0; }
+
+StripProblem problem_of(const Snapshot& now, int strip) {
+  const SlitDesign& design = *now.design;
+  StripProblem problem;
+  problem.base = base_of(now, strip);
+  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[static_cast<std::size_t>(strip)]);
+  problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
+  problem.weights = design.weights;
+  for (const SlitAnchor& anchor : design.anchors)
+    if (anchor.strip == strip) problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
+  if (design.sheet.symmetric && now.seat) {
+    problem.seat = now.seat;
+    problem.seat_places = {(*now.seat_places)[2 * static_cast<std::size_t>(strip)], (*now.seat_places)[2 * static_cast<std::size_t>(strip) + 1]};
+  }
+  problem.scan = now.slot(strip).scan;
+  problem.min_radius = design.sheet.min_radius();
+  problem.inequalities = now.slot(strip).inequalities;
+  return problem;
+}
+
+FoldedStrip folded_of(const Snapshot& now, int strip) {
+  StripParameters room;
+  return folded_strip(base_of(now, strip), parameters_of(now, strip, room));
+}
+
+void reopen(Snapshot& now, int strip) {
+  Slot slot = now.slot(strip);
+  slot.state.status = StripStatus::open;
+  now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+}
+
+void reopen_all(Snapshot& now) {
+  for (int strip = 0; strip < now.count(); ++strip)
+    reopen(now, strip);
+}
+
+StripParameters subdivided(const StripBase& base, const StripParameters& p) {
+  const int quads = 2 * base.quads;
+  StripParameters fine = StripParameters::Zero(parameter_count(quads));
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    fine[2 * ridge] = p[ridge];
+  for (int ridge = 1; ridge < quads; ++ridge)
+    for (int side = 0; side < 2; ++side)
+      fine[abscissa_index(quads, ridge, side)] =
+          0.5 * (abscissa(base, p, ridge / 2, side) + abscissa(base, p, (ridge + 1) / 2, side)) / base.unit();
+  return fine;
+}
+
+std::shared_ptr<const NearestPoints> scan_of(std::vector<Vec3> points) {
+  return points.empty() ? nullptr : std::make_shared<const NearestPoints>(std::move(points));
+}
+
+}  // namespace planish::slit_detail
