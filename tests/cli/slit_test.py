@@ -98,7 +98,7 @@ class Forms(SlitTest):
     def test_a_scan_draws_its_strip(self):
         known = self.report(chair(anchors=[{"strip": 0, "ridge": 5, "at": [200, 380, 0]}], weights={"anchors": 1.0}), "--check")
         points = [end for ridge in known["slit"]["strips"][0]["ridges"] for end in ridge["folded"]]
-        dense = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(points, points[2:]) for t in (0, 0.25, 0.5, 0.75)]
+        dense = [[a + t * (b - a) for a, b in zip(p, q)] for p, q in zip(points, points[2:]) for t in (i / 20 for i in range(20))]
         self.write("scan.txt", "# x y z\n" + "\n".join(" ".join(map(repr, p)) for p in dense) + "\n\n")
         plain = self.report(chair(), "--check")["slit"]["strips"][0]
 
@@ -111,6 +111,70 @@ class Forms(SlitTest):
             drawn = self.report(chair(scan=[{"strip": 0, "points": given}], weights={"scan": 1.0}), "--check")["slit"]["strips"][0]
             self.assertAlmostEqual(drawn["scan_distance"], away(drawn), places=6)
             self.assertLess(away(drawn), 0.2 * away(plain))
+
+    def test_slits_are_lines_or_slots_with_stop_holes(self):
+        def cut(**more):
+            report = self.report(chair(**more), "--flat", "pattern.dxf")
+            lines = (self.dir / "pattern.dxf").read_text().split("\n")
+            pairs = list(zip(lines[::2], lines[1::2]))
+            kind, count = None, {}
+            for code, value in ((code.strip(), value.strip()) for code, value in pairs):
+                if code == "0":
+                    kind = value
+                if code == "8" and value == "INTERIOR_PROFILES":
+                    count[kind] = count.get(kind, 0) + 1
+            return report["flat"], count
+
+        # Five slits through both halves, 928 long.
+        flat, entities = cut()
+        self.assertEqual(entities, {"LINE": 5})
+        self.assertAlmostEqual(flat["cutting"]["inner"], 5 * 928, places=6)
+        self.assertAlmostEqual(flat["area"], 360 * 1768, places=6)
+        flat, entities = cut(kerf=3)
+        self.assertEqual(entities, {"LWPOLYLINE": 5})
+        self.assertAlmostEqual(flat["area"], 360 * 1768 - 5 * (3 * 928 + math.pi * 1.5 ** 2), places=6)
+        self.assertAlmostEqual(flat["cutting"]["inner"], 5 * (2 * 928 + math.pi * 3), places=6)
+        flat, entities = cut(kerf=3, stop_hole=8)
+        half = math.asin(1.5 / 4)  # of the slot's mouth, seen from the middle of a hole
+        segment = 16 * (math.pi - half) + 1.5 * 4 * math.cos(half)
+        self.assertAlmostEqual(flat["area"], 360 * 1768 - 5 * (3 * (928 - 8 * math.cos(half)) + 2 * segment), places=6)
+        flat, entities = cut(stop_hole=8)
+        self.assertEqual(entities["LINE"], 5)
+        self.assertAlmostEqual(flat["area"], 360 * 1768 - 10 * math.pi * 16, places=6)
+        self.assertIn("spec.json/kerf", self.sentence(chair(kerf=70), 3))
+        self.assertIn("spec.json/stop_hole", self.sentence(chair(kerf=3, stop_hole=70), 3))
+
+    def test_the_mould_lies_half_the_thickness_below(self):
+        report = self.report(chair(), "--mould", "mould.obj", "--mould", "mould.step", "-o", "folded.step")
+        self.assertEqual(self.names(), ["folded.step", "mould.obj", "mould.step", "report.json", "spec.json"])
+        lines = (self.dir / "mould.obj").read_text().splitlines()
+        points = [tuple(float(x) for x in line.split()[1:]) for line in lines if line.startswith("v ")]
+        facets = [[int(x) - 1 for x in line.split()[1:]] for line in lines if line.startswith("f ")]
+        sides = [(f[i], f[(i + 1) % 3]) for f in facets for i in range(3)]
+        self.assertEqual(len(set(sides)), len(sides))
+        self.assertEqual(set(sides), {(b, a) for a, b in sides})  # closed
+        # Facets that are parallel to a quadrilateral of the modelled half and lie under it.
+        def plane(a, b, c):
+            u, v = [[q - p for p, q in zip(a, other)] for other in (b, c)]
+            n = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+            size = math.hypot(*n)
+            return [x / size for x in n] if size > 1e-9 else None
+        found = 0
+        for strip in report["slit"]["strips"]:
+            for near, far in itertools.pairwise(strip["ridges"]):
+                a, b, c = near["folded"][0], far["folded"][0], near["folded"][1]
+                normal = plane(a, b, c)
+                for facet in facets:
+                    p = [points[i] for i in facet]
+                    other = plane(*p)
+                    if other is None or abs(sum(x * y for x, y in zip(normal, other))) < 1 - 1e-9:
+                        continue
+                    apart = [abs(sum(n * (x - y) for n, x, y in zip(normal, corner, a))) for corner in p]
+                    if max(abs(d - 2.0) for d in apart) < 1e-4:
+                        found += 1
+                        break
+        self.assertGreater(found, 40)  # of 60 quadrilaterals; steep ones are left bare
+        self.run_cli("info", "mould.step")
 
     def test_inches(self):
         small = chair(units="inch", sheet={"strips": 2, "strip_width": 3, "panel_height": 15, "half_length": 18}, thickness=0.125,
