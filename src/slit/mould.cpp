@@ -60,12 +60,23 @@ struct Setting {
 
 std::string place(int strip, int quad) { return fmt::format("strip {}, quad {}", strip, quad); }
 
+MouldSide ground_side(const FoldedSlitSheet& folded) {
+  double up = 0.0;  // the front's area as the ground sees it
+  for (const FoldedStrip& strip : folded.strips)
+    for (std::size_t i = 0; i < strip.quads.size(); ++i) {
+      const auto &near = strip.ridges[i].folded, &far = strip.ridges[i + 1].folded;
+      up += (far[1] - near[0]).cross(near[1] - far[0]).y();
+    }
+  return up < 0.0 ? MouldSide::front : MouldSide::back;
+}
+
 Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   Setting setting;
-  setting.sign = options.side == MouldSide::back ? -1.0 : 1.0;
+  const MouldSide ground = ground_side(folded);
+  setting.sign = (options.side == MouldSide::ground ? ground : options.side) == MouldSide::back ? -1.0 : 1.0;
   if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
     return fail(ErrorCode::bad_option, "the direction in which the sheet is lifted off has no length", "/mould/up");
-  setting.up = options.up ? Vec3(options.up->normalized()) : Vec3(-setting.sign * Vec3::UnitY());
+  setting.up = options.up ? Vec3(options.up->normalized()) : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
     return fail(ErrorCode::bad_option, fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset), "/mould/inset");
@@ -268,6 +279,7 @@ Result<void> check_clear(const std::vector<MouldRib>& ribs, const std::vector<st
 /// The mould for one direction.
 Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
   Mould mould;
+  mould.side = setting.sign < 0.0 ? MouldSide::back : MouldSide::front;
   std::vector<std::vector<WholeStrip>> strips;
   for (std::size_t i = 0; i < folded.strips.size(); ++i) {
     int quads = 0;

@@ -125,6 +125,23 @@ TEST(Mould, OnTheFrontStandsAboveTheSheet) {
   expect_on_the_skin(level(), block, 1.0);
 }
 
+TEST(Mould, LiesOnTheSideOfTheGround) {
+  EXPECT_EQ(mould(level()).side, MouldSide::back);
+  FoldedSlitSheet turned = level();
+  for (FoldedStrip& strip : turned.strips) {
+    for (SlitRidge& ridge : strip.ridges)
+      std::swap(ridge.folded[0], ridge.folded[1]);
+    for (Frame& quad : strip.quads)
+      quad.z = -quad.z;
+  }
+  const Mould below = mould(turned);
+  EXPECT_EQ(below.side, MouldSide::front);
+  EXPECT_NEAR(below.base.z.y(), 1.0, 1e-12);
+  expect_closed(mesh_of(below));
+  EXPECT_GT(below.volume, 0.0);
+  EXPECT_NEAR(below.volume, mould(level()).volume, 1e-6);
+}
+
 TEST(Mould, OfAChairLiesHalfTheThicknessBelowEveryQuad) {
   const auto folded = solved(chair(), 1).folded();
   const Mould ribs = mould(folded);

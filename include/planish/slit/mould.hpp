@@ -10,14 +10,15 @@
 
 namespace planish {
 
-/// The side of the sheet that lies on the mould; the front is the one that `SlitRidge` says.
-enum class MouldSide { back, front };
+/// The side of the sheet that lies on the mould; the front is the one that `SlitRidge` says. `ground`: the one that
+/// more of the strips' area turns to the ground.
+enum class MouldSide { ground, back, front };
 
 struct MouldOptions {
-  /// Chairs lie with their back on it: the side of the ground, where it holds them while they are pressed down.
-  MouldSide side = MouldSide::back;
-  /// In which the sheet is lifted off, from the base to the sheet. Default: up (y) under the back, down under the
-  /// front; leaned in steps of 5° where ribs of half their strips' width would not stand apart: in symmetric sheets in
+  /// On the ground's side the mould holds the strips while they are pressed down.
+  MouldSide side = MouldSide::ground;
+  /// In which the sheet is lifted off, from the base to the sheet. Default: up (y) on the ground's side, down on the
+  /// other; leaned in steps of 5° where ribs of half their strips' width would not stand apart: in symmetric sheets in
   /// the symmetry plane.
   std::optional<Vec3> up = {};
   double base = 20.0;  ///< from the lowest point of the working surfaces down to the base plane, mm
@@ -47,6 +48,7 @@ struct MouldRib {
 /// Ribs on a common base plane. Set them on a board as `footprint` draws them.
 struct Mould {
   Frame base;  ///< of the base plane, z towards the sheet
+  MouldSide side = MouldSide::back;  ///< back or front
   std::vector<MouldRib> ribs;
   std::vector<StripQuad> bare;  ///< what no rib carries
   double volume = 0.0;          ///< mm³
