@@ -53,6 +53,15 @@ def angle_between(a, b):
 Facet = collections.namedtuple("Facet", "corners normal area")
 
 
+def upright(p):
+    """From y up to z up."""
+    return (p[0], -p[2], p[1])
+
+
+def turned_upright(facet):
+    return Facet(tuple(upright(p) for p in facet.corners), upright(facet.normal), facet.area)
+
+
 def read_stl(path):
     """The facets of a binary STL file, those without area left out."""
     with open(path, "rb") as file:
@@ -278,8 +287,11 @@ def main():
                         help="where the viewer stands: degrees from +x towards +y, degrees above "
                              "(default -55,28; write --view=AZ,EL when AZ is negative)")
     parser.add_argument("--size", type=int, default=900, help="longer side, pixels (default 900)")
+    parser.add_argument("--up", choices=("y", "z"), default="z", help="which axis is up in the files (default z)")
     arguments = parser.parse_args()
     facets = [facet for path in arguments.stl for facet in read_stl(path)]
+    if arguments.up == "y":
+        facets = [turned_upright(facet) for facet in facets]
     if not facets:
         sys.exit("nothing to draw")
     with open(arguments.png, "wb") as file:
