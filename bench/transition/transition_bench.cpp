@@ -23,7 +23,7 @@ TransitionSpec square_to_round(int lines, double height) {
 }
 
 /// What is seen on a screen: points within a tenth of a micrometre, outlines within one.
-constexpr TransitionOptions kDrawn{.tolerance = 1e-7, .tilt = 5e-6};
+constexpr TransitionOptions kDrawn{.tolerance = 1e-7};
 FlattenOptions drawn() {
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "bench"};

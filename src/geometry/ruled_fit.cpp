@@ -14,14 +14,13 @@ namespace {
 
 class KnotPlacer {
  public:
-  KnotPlacer(const std::function<Ruling(double)>& ruling, double u0, double u1, double tolerance,
-             std::optional<double> largest_tilt)
+  KnotPlacer(const std::function<Ruling(double)>& ruling, double u0, double u1, double tolerance)
       : ruling_(ruling), tolerance_(tolerance) {
     constexpr int samples = 16;
     double size = 0.0;
     for (int i = 0; i <= samples; ++i)
       size = std::max(size, std::abs(ruling(std::lerp(u0, u1, i / double(samples))).reach));
-    largest_tilt_ = largest_tilt.value_or(std::pow(tolerance / size, 0.75));
+    largest_tilt_ = std::pow(tolerance / size, 0.75);
   }
 
   Ruled::Knot knot(double u) const {
@@ -66,10 +65,9 @@ class KnotPlacer {
 
 }  // namespace
 
-Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks, double tolerance,
-                    std::optional<double> largest_tilt) {
-  PLANISH_ASSERT(breaks.size() >= 2 && tolerance > 0.0 && largest_tilt.value_or(1.0) > 0.0);
-  const KnotPlacer placer(ruling, breaks.front(), breaks.back(), tolerance, largest_tilt);
+Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks, double tolerance) {
+  PLANISH_ASSERT(breaks.size() >= 2 && tolerance > 0.0);
+  const KnotPlacer placer(ruling, breaks.front(), breaks.back(), tolerance);
   constexpr int halvings = 12;
   Ruled ruled{{placer.knot(breaks.front())}};
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {

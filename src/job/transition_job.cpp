@@ -17,8 +17,8 @@ constexpr double kOutline = 1e-7;
 /// What is within this of a line, an arc or a point is one: more than the rounding of a cone's image about its apex (mm).
 constexpr double kMerged = 5e-7;
 
-/// Solids are splines within a micrometre anyway: what costs less to write.
-constexpr TransitionOptions kFolded{.tolerance = 1e-8, .tilt = 1e-6};
+/// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
+constexpr double kFolded = 1e-8;
 
 TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
   TransitionReport report;
@@ -73,7 +73,7 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
   auto made = make_transition(spec, {}, progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
-  const auto folded = folded_pieces(spec, kFolded);
+  const auto folded = folded_pieces(spec, {.tolerance = kFolded});
   const auto folded_piece = [&](std::size_t i) -> Result<FoldedPiece> {
     if (!folded) return tl::unexpected(placed(folded.error(), place_name(report.input)));
     return (*folded)[i];

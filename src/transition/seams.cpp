@@ -263,7 +263,7 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
   return cuts;
 }
 
-Ring begun_at(const Ring& ring, double at, const Accuracy& accuracy) {
+Ring begun_at(const Ring& ring, double at, double tolerance) {
   const Strip& strip = ring.strip(0);
   HullPatch patch = strip.patch();
   const std::vector<std::array<double, 2>> stops = std::move(patch.stops);
@@ -279,7 +279,7 @@ Ring begun_at(const Ring& ring, double at, const Accuracy& accuracy) {
     patch.sides[side].t0 = patch.stops.front()[side];
     patch.sides[side].t1 = patch.stops.back()[side];
   }
-  return {ring.hull, {Strip(ring.hull, patch, accuracy)}};
+  return {ring.hull, {Strip(ring.hull, patch, tolerance)}};
 }
 
 std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end) {

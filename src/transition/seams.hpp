@@ -27,7 +27,7 @@ struct Cut {
 Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces);
 
 /// A ring whose only strip is closed, begun anew at a ruling of it.
-Ring begun_at(const Ring& ring, double at, const Accuracy& accuracy);
+Ring begun_at(const Ring& ring, double at, double tolerance);
 
 /// A stretch of strips between two cuts.
 struct StripPart {

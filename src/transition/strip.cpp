@@ -49,11 +49,11 @@ double arc_length(const Element& element, double t0, double t1) {
   return integral_over([&](double t) { return element.curve(t).derivative.norm(); }, breaks);
 }
 
-Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, const Accuracy& accuracy)
+Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance)
     : hull_(std::move(hull)),
       patch_(patch),
       curves_{&hull_->element(0, patch.sides[0]), &hull_->element(1, patch.sides[1])},
-      accuracy_(accuracy) {
+      tolerance_(tolerance) {
   if (patch_.plane) return;
   find_right();
   if (right_) {
@@ -466,13 +466,13 @@ Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
         const Local l = local(at);
         return {l.knot, sign * l.length};
       },
-      breaks, accuracy_.distance, accuracy_.tilt);
+      breaks, tolerance_);
   const CubicSpline far = fit_cubics(
       [&](double at) -> CurveSample {
         const Local l = local(at);
         return {{at, sign * (l.length - cut)}, {1.0, sign * l.length_rate}};
       },
-      from, to, accuracy_.distance).spline;
+      from, to, tolerance_).spline;
   const Curve2 near = Segment{{from, 0.0}, {to, 0.0}};
   const auto length = [&](double at) { return local(at).length - cut; };
   const Curve2 bottom = base_ == 0 ? near : Curve2(far);

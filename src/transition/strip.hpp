@@ -16,15 +16,11 @@ namespace planish::transition_detail {
 /// Length of an element's curve.
 double arc_length(const Element& element, double t0, double t1);
 
-/// How far general developables may be off: points (mm) and normals (radians).
-struct Accuracy {
-  double distance = 0.0, tilt = 0.0;
-};
-
 /// One patch of the hull with its rulings numbered from 0 to 1, as the profiles run.
 class Strip {
  public:
-  Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, const Accuracy& accuracy);
+  /// `tolerance`: mm that points of general developables may be off.
+  Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance);
 
   bool plane() const { return patch_.plane; }
   PatchKind kind() const;
@@ -127,7 +123,7 @@ class Strip {
   std::shared_ptr<const Hull> hull_;
   HullPatch patch_;
   std::array<const Element*, 2> curves_;
-  Accuracy accuracy_;
+  double tolerance_;
   std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending
   int base_ = 0;  ///< the side that the surface is written about: it moves
   /// Of right cones and cylinders.

@@ -80,7 +80,7 @@ Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& option
   if (!hull) return tl::unexpected(hull.error());
   Ring ring{std::make_shared<const Hull>(std::move(*hull)), {}};
   for (const HullPatch& patch : ring.hull->patches)
-    ring.strips.emplace_back(ring.hull, patch, Accuracy{options.tolerance * size, options.tilt});
+    ring.strips.emplace_back(ring.hull, patch, options.tolerance * size);
   return ring;
 }
 
@@ -323,7 +323,7 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
   if (!cuts) return tl::unexpected(cuts.error());
   if (ring->count() == 1) {
     const double moved = cuts->front().at;
-    ring = begun_at(*ring, moved, {options.tolerance * division.size, options.tilt});
+    ring = begun_at(*ring, moved, options.tolerance * division.size);
     for (Cut& cut : *cuts)
       cut.at -= moved;
   }

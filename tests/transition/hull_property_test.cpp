@@ -48,14 +48,23 @@ double largest_lean(const PlacedProfile& profile, const Vec3& normal, const Vec3
 RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const TransitionSpec spec = random_transition(random);
-  constexpr double kConstant = 1e-10;
-  // At the ends of faces, which are knots of general developables, and between.
-  for (const Sheet& piece : made(spec).pieces)
-    at_rulings(piece, {0.0, 0.13, 0.5, 0.77, 1.0}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) {
-      RC_ASSERT(std::abs(normal.dot((q - p).normalized())) < kConstant);
-      RC_ASSERT(largest_lean(spec.from, normal, p) < kConstant);
-      RC_ASSERT(largest_lean(spec.to, normal, q) < kConstant);
+  Eigen::AlignedBox3d box;
+  for (const auto* profile : {&spec.from, &spec.to})
+    for (const Vec3& p : sampled_in_space(*profile, 10))
+      box.extend(p);
+  // At the ends of faces, which are knots, normals are exact; between knots within (tolerance / reach)^¾.
+  const double tolerance = TransitionOptions{}.tolerance * box.diagonal().norm();
+  const auto touches = [&](const Vec3& normal, const Vec3& p, const Vec3& q, double limit) {
+    RC_ASSERT(std::abs(normal.dot((q - p).normalized())) < limit);
+    RC_ASSERT(largest_lean(spec.from, normal, p) < limit);
+    RC_ASSERT(largest_lean(spec.to, normal, q) < limit);
+  };
+  for (const Sheet& piece : made(spec).pieces) {
+    at_rulings(piece, {0.0, 1.0}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) { touches(normal, p, q, 1e-10); });
+    at_rulings(piece, {0.13, 0.5, 0.77}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) {
+      touches(normal, p, q, std::pow(tolerance / (q - p).norm(), 0.75));
     });
+  }
 }
 
 RC_GTEST_PROP(TransitionSurface, HasBothProfilesOnOneSideOfEveryTangentPlane, ()) {

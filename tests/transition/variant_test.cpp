@@ -18,7 +18,7 @@ struct Traits {
 };
 
 Traits traits_of(const TransitionSpec& spec) {
-  const auto transition_made = make_transition(spec, {.tolerance = 1e-6, .tilt = 1e-4});  // measures do not depend on it
+  const auto transition_made = make_transition(spec, {.tolerance = 1e-6});  // measures do not depend on it
   RC_ASSERT(transition_made.has_value());
   const Transition& transition = *transition_made;
   Traits traits{transition.area, transition.perimeters, {}, {}};

@@ -3,7 +3,6 @@
 #include <planish/geometry/developable.hpp>
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace planish {
@@ -18,11 +17,10 @@ struct Ruling {
 /// The developable through given rulings, from the first to the last of `breaks` (growing; knots are
 /// placed at each of them, so name those where the rulings are less smooth). Accuracy: points at v = 0
 /// and at the reach are within `tolerance` (mm) of where the meant surface has those of the same (u, v);
-/// normals are within `largest_tilt` radians, or (tolerance / s)^¾ without, s the largest reach. Knots are placed by halving, 4096
+/// normals are within (tolerance / s)^¾ radians, s the largest reach. Knots are placed by halving, 4096
 /// intervals at most between two breaks; below some 1e-13 s the tolerance is rounding's. Requires:
-/// tolerance > 0, largest_tilt > 0; b′ nowhere along g. Cost: intervals × some 10 rulings; intervals grow with
+/// tolerance > 0; b′ nowhere along g. Cost: intervals × some 10 rulings; intervals grow with
 /// (s / tolerance)^¼.
-Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks, double tolerance,
-                    std::optional<double> largest_tilt = {});
+Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks, double tolerance);
 
 }  // namespace planish

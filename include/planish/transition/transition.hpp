@@ -99,9 +99,8 @@ struct FoldedPiece {
 };
 
 struct TransitionOptions {
-  /// Of general developables and oblique cones: share of the profiles' extent that their points may be off, and
-  /// radians that their normals may be between the rulings that are exact.
-  double tolerance = 1e-11, tilt = 1e-10;
+  /// Share of the profiles' extent that points of general developables may be off.
+  double tolerance = 1e-11;
 };
 
 /// The surface that bounds the opening between two convex profiles in two planes: the lateral boundary of
