@@ -67,6 +67,32 @@ RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
   }
 }
 
+/// Whether a point of a profile is a corner, where it has no tangent.
+bool at_corner(const PlacedProfile& profile, const Vec3& p) {
+  const auto* polygon = std::get_if<PolygonProfile>(&profile.profile);
+  if (!polygon) return false;
+  return std::any_of(polygon->corners.begin(), polygon->corners.end(),
+                     [&](const Vec2& corner) { return (profile.frame.point(corner) - p).norm() < 1e-9 * kExtent; });
+}
+
+/// Rulings as they are found, not as surfaces interpolate them: press lines lie anywhere.
+RC_GTEST_PROP(TransitionSurface, HasOneTangentPlaneAlongEveryRuling, ()) {
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  TransitionSpec spec = random_transition(random);
+  spec.pressing = PressCount{9};
+  for (const TrueLength& ruling : made(spec).true_lengths) {
+    if (ruling.press.empty() || at_corner(spec.from, ruling.points[0]) || at_corner(spec.to, ruling.points[1])) continue;
+    const Vec3 along = (ruling.points[1] - ruling.points[0]).normalized();
+    std::array<Vec3, 2> normals;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const PlacedProfile& profile = side == 0 ? spec.from : spec.to;
+      const Vec2 tangent = tangent_at(profile.profile, profile.frame.local2(ruling.points[side]));
+      normals[side] = (tangent.x() * profile.frame.x + tangent.y() * profile.frame.y).cross(along).normalized();
+    }
+    RC_ASSERT(normals[0].cross(normals[1]).norm() < 1e-10);
+  }
+}
+
 RC_GTEST_PROP(TransitionSurface, HasBothProfilesOnOneSideOfEveryTangentPlane, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   const TransitionSpec spec = random_transition(random);
