@@ -49,11 +49,15 @@ std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitS
   return {whole};
 }
 
+/// Share of a strip's width that is left free on each side of the narrowest ribs that are tried.
+constexpr double kNarrowest = 0.375;
+
 struct Setting {
   Vec3 up = Vec3::UnitY();
   double sign = -1.0;  ///< of the sheet's normal towards the mould
   double inset = 0.0;        ///< mm, …
-  double inset_share = 0.0;  ///< …at least this share of the strip's width
+  double inset_share = 0.0;  ///< …at least this share of the strip's width…
+  double most_share = 0.5;   ///< …and at most this, where nobody gave it
   double offset = 0.0;  ///< half the thickness
   double least_lean = 0.0;
 };
@@ -78,6 +82,7 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
     return fail(ErrorCode::bad_option, "the direction in which the sheet is lifted off has no length", "/mould/up");
   setting.up = options.up ? Vec3(options.up->normalized()) : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
+  if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
     return fail(ErrorCode::bad_option, fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset), "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
@@ -100,7 +105,7 @@ Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, in
   const auto& [left, right] = strip.ridges[static_cast<std::size_t>(at)];
   const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[static_cast<std::size_t>(quad)]; };
   const Vec3 step = at == first ? normal(first) : at > last ? normal(last) : mitre(normal(at - 1), normal(at));
-  const double share = std::max(setting.inset / (right - left).norm(), setting.inset_share);
+  const double share = std::min(std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
     return fail(ErrorCode::bad_option,
                 fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose ridge is {:.6g} mm long", setting.inset, number, (right - left).norm()),
@@ -319,7 +324,7 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
 /// leaning mould, that before ribs of a quarter.
 std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded, const MouldOptions& options) {
   const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up} : leaned(first.up, folded.symmetric);
-  const std::vector<std::vector<double>> shares = options.inset ? std::vector<std::vector<double>>{{0.0}} : std::vector<std::vector<double>>{{0.0, 0.125, 0.25}, {0.375}};
+  const std::vector<std::vector<double>> shares = options.inset ? std::vector<std::vector<double>>{{0.0}} : std::vector<std::vector<double>>{{0.0, 0.125, 0.25}, {kNarrowest}};
   std::vector<Setting> settings;
   for (const auto& group : shares)
     for (const Vec3& up : directions)

@@ -118,6 +118,13 @@ TEST(Mould, OfALevelStripIsABlock) {
   expect_closed(block.ribs[0].mesh);
 }
 
+TEST(Mould, KeepsAQuarterOfAStripUnderASheetThatIsThicker) {
+  FoldedSlitSheet thick = level();
+  thick.thickness = 60.0;  // more than the strip's width
+  EXPECT_NEAR(mould(thick, {.base = 30.0}).volume, 200 * 12.5 * 30.0, 1e-6);
+  EXPECT_EQ(code_of(thick, {.inset = 60.0}), ErrorCode::bad_option);
+}
+
 TEST(Mould, OnTheFrontStandsAboveTheSheet) {
   const Mould block = mould(level(), {.side = MouldSide::front, .base = 30.0, .inset = 0.0});
   EXPECT_NEAR(block.volume, 200 * 50 * 30.0, 1e-6);
