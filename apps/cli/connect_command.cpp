@@ -18,14 +18,13 @@ Result<std::string> folded_text(const ConnectReport& report, const std::filesyst
 }
 
 Result<std::vector<File>> files_of(const ConnectReport& report, const MakePlan& plan) {
-  auto files = flat_files(report, plan);
-  if (!files) return files;
+  std::vector<File> files;
   for (const auto& path : plan.folded) {
     auto text = folded_text(report, path);
     if (!text) return tl::unexpected(text.error());
-    files->push_back({path, std::move(*text)});
+    files.push_back({path, std::move(*text)});
   }
-  return files;
+  return with_flat_files(std::move(files), report, plan);
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 
 namespace planish::cli {
 
-Result<std::vector<File>> flat_files(const job::Report& report, const MakePlan& plan) {
-  std::vector<File> files;
+Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report, const MakePlan& plan) {
   DxfOptions dxf = plan.dxf;
   dxf.units = report.units;
   for (const Target& target : plan.flat) {

@@ -23,8 +23,8 @@ struct Making {
   SvgOptions svg = {};
 };
 
-/// The flat pattern of a report in every format that is asked for.
-Result<std::vector<File>> flat_files(const job::Report& report, const MakePlan& plan);
+/// `files`, and behind them the flat pattern of a report in every format that is asked for.
+Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report, const MakePlan& plan);
 
 template <typename Report>
 std::optional<Error> write_files(Report& report, const MakePlan& plan, const Making<Report>& making) {

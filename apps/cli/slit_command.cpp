@@ -11,26 +11,25 @@ namespace {
 using job::SlitReport;
 
 Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& plan) {
-  auto files = flat_files(report, plan);
-  if (!files) return files;
+  std::vector<File> files;
   for (const auto& path : plan.folded) {
     if (is_mesh_name(path)) {
-      files->push_back({path, mesh_text(mesh_of(report.folded), path, report.body)});
+      files.push_back({path, mesh_text(mesh_of(report.folded), path, report.body)});
       continue;
     }
     if (!report.surface) return tl::unexpected(report.surface.error());
-    files->push_back({path, *report.surface});
+    files.push_back({path, *report.surface});
   }
-  if (plan.mould.empty()) return files;
+  if (plan.mould.empty()) return with_flat_files(std::move(files), report, plan);
   const auto mould = mould_of(report.folded);
   if (!mould) return tl::unexpected(mould.error());
   const Mesh mesh = mesh_of(*mould);
   for (const auto& path : plan.mould) {
     auto text = is_mesh_name(path) ? Result<std::string>(mesh_text(mesh, path, report.body + " mould")) : mesh_solid_step(mesh, report.body + " mould");
     if (!text) return tl::unexpected(text.error());
-    files->push_back({path, std::move(*text)});
+    files.push_back({path, std::move(*text)});
   }
-  return files;
+  return with_flat_files(std::move(files), report, plan);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Result<std::vector<File>> files_of(const TransitionReport& report, const MakePla
       if (!report.pieces[i].solid) return tl::unexpected(report.pieces[i].solid.error());
       files.push_back({name_of_piece(path, i, count), *report.pieces[i].solid});
     }
-    auto flat = flat_files(report.pieces[i], plan);
+    auto flat = with_flat_files({}, report.pieces[i], plan);
     if (!flat) return flat;
     for (File& file : *flat)
       files.push_back({name_of_piece(file.path, i, count), std::move(file.content)});
