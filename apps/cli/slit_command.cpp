@@ -17,8 +17,9 @@ Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& pla
       files.push_back({path, mesh_text(mesh_of(report.folded), path, report.body)});
       continue;
     }
-    if (!report.surface) return tl::unexpected(report.surface.error());
-    files.push_back({path, *report.surface});
+    auto surface = folded_surface_step(sheet_of(report.folded), report.body);
+    if (!surface) return tl::unexpected(surface.error());
+    files.push_back({path, std::move(*surface)});
   }
   if (plan.mould.empty()) return with_flat_files(std::move(files), report, plan);
   const auto mould = mould_of(report.folded);

@@ -2,7 +2,6 @@
 #include "lay_flat.hpp"
 #include "units.hpp"
 
-#include <planish/brep/step.hpp>
 #include <planish/job/slit.hpp>
 #include <planish/job/text_file.hpp>
 #include <planish/sheet/slots.hpp>
@@ -120,7 +119,6 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
   if (auto missed = out_of_reach(report)) return placed(*missed, name);
   const Sheet sheet = sheet_of(report.folded);
   report.sheet = summary_of(sheet);
-  report.surface = folded_surface_step(sheet, report.body);
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
   options.curve_tolerance = options.merge_tolerance = kOutline;

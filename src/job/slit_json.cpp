@@ -122,14 +122,13 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
 struct ScanPlace {
   SlitScan scan;
   std::string file;
-  std::string pointer;
 };
 
 std::vector<ScanPlace> scans_at(const JsonPlace& place) {
   std::vector<ScanPlace> scans;
   for (const JsonPlace& item : place.items()) {
     item.keys({"strip", "points"});
-    ScanPlace scan{{item["strip"].index(), {}}, {}, item["points"].pointer()};
+    ScanPlace scan{{item["strip"].index(), {}}, {}};
     if (item["points"].is_list())
       for (const JsonPlace& point : item["points"].items())
         scan.scan.points.push_back(space_point_at(point));

@@ -20,7 +20,6 @@ struct SlitReport : Report {
   double gap = 0.0;                ///< largest of all strips, mm
   double flat_deviation = 0.0;     ///< largest distance of a corner of the developed sheet from where it was cut, mm
   Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< of aligned scans
-  Result<std::string> surface;     ///< the folded surface as STEP text, or why the kernel could make none
 };
 
 /// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the one that was cut. An
