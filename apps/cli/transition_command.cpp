@@ -21,10 +21,7 @@ Result<std::vector<File>> files_of(const TransitionReport& report, const MakePla
   std::vector<File> files;
   const std::size_t count = report.pieces.size();
   for (const auto& path : plan.folded) {
-    if (!is_mesh_name(path)) continue;
-    const auto mesh = transition_mesh(report.spec);
-    if (!mesh) return tl::unexpected(mesh.error());
-    files.push_back({path, mesh_text(*mesh, path, report.body)});
+    if (is_mesh_name(path)) files.push_back({path, mesh_text(report.transition.mesh, path, report.body)});
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (const auto& path : plan.folded) {

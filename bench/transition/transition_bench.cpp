@@ -55,12 +55,11 @@ void Editing(benchmark::State& state) {
   for (auto _ : state) {
     const TransitionSpec spec = square_to_round(static_cast<int>(state.range(0)), 250.0 + 0.1 * (step++ % 100));
     const auto transition = make_transition(spec, kDrawn);
-    const auto mesh = transition_mesh(spec, 0.05, kDrawn);
-    if (!transition || !mesh) return state.SkipWithError("no transition");
+    if (!transition) return state.SkipWithError("no transition");
     const auto net = flatten(transition->pieces.front(), drawn());
     if (!net) return state.SkipWithError(net.error().message.c_str());
     benchmark::DoNotOptimize(net);
-    benchmark::DoNotOptimize(mesh);
+    benchmark::DoNotOptimize(transition->mesh);
   }
 }
 BENCHMARK(Editing)->Arg(25)->Unit(benchmark::kMicrosecond);

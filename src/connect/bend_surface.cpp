@@ -104,7 +104,7 @@ Curve2 BendSurface::at_level(double level, double tolerance) const {
     const Vec3 arm = c.point - apex;
     return {{u, (level - 1.0) * arm.norm()}, {1.0, (level - 1.0) * c.derivative.dot(arm.normalized())}};
   };
-  return fit_cubics(curve, 0.0, sweep, tolerance).spline;
+  return fit_cubics_on_surface(curve, 0.0, sweep, arc(0.0).derivative.norm(), tolerance);
 }
 
 Angle BendSurface::turned() const {

@@ -62,7 +62,7 @@ class Flat {
       const Vec2 uv = development_.fold(a + t * (b - a));
       return {uv, development_.jacobian(uv).inverse() * (b - a)};
     };
-    return fit_cubics(curve, 0.0, 1.0, tolerance).spline;
+    return fit_cubics_on_surface(curve, 0.0, 1.0, development_.jacobian(start).col(0).norm(), tolerance);
   }
 
  private:

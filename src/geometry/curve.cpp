@@ -79,6 +79,8 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
       height[k] = normal.dot(b[k] - origin);
       highest = std::max(highest, std::abs(height[k]));
     }
+    const auto [low, high] = std::minmax_element(height.begin(), height.end());
+    if (*low > 0.0 || *high < 0.0) continue;
     if (highest <= std::max(height_noise(b[0], b[1], origin), height_noise(b[2], b[3], origin)))
       continue;
     for (const double root : roots(height)) {

@@ -2,6 +2,8 @@
 
 #include <planish/geometry/fit.hpp>
 
+#include <algorithm>
+
 namespace planish {
 namespace {
 
@@ -73,13 +75,18 @@ struct Fitter {
         (made.poles[1] - made.poles[0]).norm() + (made.poles[3] - made.poles[2]).norm();
     const bool orderly = handles <= (made.poles[3] - made.poles[0]).norm();
     const CubicSpline alone{{made.poles.begin(), made.poles.end()}};
-    for (std::size_t i = 0; i < checks.size(); ++i) {
-      // The distance at equal parameters bounds the distance between the curves from above; the
-      // true one is looked for only where the bound is not enough.
-      double d = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
-      if (d > tolerance && orderly) d = nearest(alone, wanted[i]).distance;
-      made.deviation = std::max(made.deviation, d);
+    // The distance at equal parameters bounds the distance between the curves from above; the true one
+    // is looked for only where the bound is not enough, and not beyond the first that is not either.
+    std::array<double, checks.size()> apart;
+    for (std::size_t i = 0; i < checks.size(); ++i)
+      apart[i] = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
+    for (std::size_t i = 0; orderly && i < checks.size(); ++i) {
+      if (apart[i] <= tolerance) continue;
+      const double nearer = nearest(alone, wanted[i]).distance;
+      if (nearer > tolerance) break;
+      apart[i] = nearer;
     }
+    made.deviation = *std::max_element(apart.begin(), apart.end());
     return made;
   }
 
@@ -127,6 +134,19 @@ FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolera
     report.deviation = std::max(report.deviation, p.deviation);
   }
   return report;
+}
+
+CubicSpline fit_cubics_on_surface(const CurveFunction& f, double t0, double t1, double u_scale, double tolerance) {
+  const auto scaled = [&](double t) {
+    CurveSample sample = f(t);
+    sample.point.x() *= u_scale;
+    sample.derivative.x() *= u_scale;
+    return sample;
+  };
+  CubicSpline spline = fit_cubics(scaled, t0, t1, tolerance).spline;
+  for (Vec2& pole : spline.poles)
+    pole.x() /= u_scale;
+  return spline;
 }
 
 }  // namespace planish

@@ -44,7 +44,7 @@ class KnotPlacer {
 
  private:
   /// Where the error of a Hermite piece and that of its slope are largest, and a place between.
-  static constexpr std::array<double, 5> checked{0.2, 0.35, 0.5, 0.65, 0.8};
+  static constexpr std::array<double, 5> checked{0.5, 0.35, 0.65, 0.2, 0.8};
 
   bool near_enough(const Ruled::Knot& k0, const Ruled::Knot& k1) const {
     const Ruled piece{{k0, k1}};

@@ -1,5 +1,7 @@
 #include "seams.hpp"
 
+#include "roots.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -263,47 +263,33 @@ double Strip::turned(double from, double to) const {
 }
 
 template <typename Rate>
-std::vector<double> Strip::divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const {
-  // Behind each of some rulings, breaks among them, lies so much of the integral.
-  constexpr int kParts = 32;
-  struct Station {
-    double at = 0.0, behind = 0.0;
-  };
-  std::vector<Station> stations{{from, 0.0}};
+Strip::Divided Strip::divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const {
+  std::vector<PartIntegral> parts;
   const std::vector<double> breaks = breaks_between(from, to);
-  for (std::size_t piece = 1; piece < breaks.size(); ++piece) {
-    const double low = breaks[piece - 1], high = breaks[piece];
-    const int parts = static_cast<int>(std::ceil(kParts * (high - low) / (to - from)));
-    for (int i = 1; i <= parts; ++i) {
-      const Station last = stations.back();
-      const double at = std::lerp(low, high, i / double(parts));
-      stations.push_back({at, last.behind + short_integral(rate, last.at, at)});
-    }
-  }
-  std::vector<double> rulings;
-  auto above = stations.begin() + 1;
+  for (std::size_t piece = 1; piece < breaks.size(); ++piece)
+    add_parts(parts, rate, breaks[piece - 1], breaks[piece]);
+  std::vector<double> behind{0.0};
+  for (const PartIntegral& part : parts)
+    behind.push_back(behind.back() + part.whole());
+  Divided divided{behind.back(), {}};
+  std::size_t part = 0;
   for (const double share : shares) {
-    const double wanted = share * stations.back().behind;
-    while (above->behind < wanted && above + 1 != stations.end())
-      ++above;
-    const Station& below = *(above - 1);
-    double at = std::lerp(below.at, above->at, (wanted - below.behind) / (above->behind - below.behind));
-    constexpr int kSteps = 2;  // of Newton's, from the chord of a short part
-    for (int step = 0; step < kSteps; ++step)
-      at = std::clamp(at + (wanted - below.behind - short_integral(rate, below.at, at)) / rate(at), below.at, above->at);
-    rulings.push_back(at);
+    const double wanted = share * divided.whole;
+    while (behind[part + 1] < wanted && part + 1 < parts.size())
+      ++part;
+    divided.rulings.push_back(parts[part].place_of(wanted - behind[part]));
   }
-  return rulings;
+  return divided;
 }
 
 std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count) const {
-  const double each = turn(from, to) / count;
   std::vector<double> middles;
   for (int i = 0; i < count; ++i)
     middles.push_back((i + 0.5) / count);
+  const auto [whole, rulings] = divided([&](double at) { return local(at).turn_rate; }, from, to, middles);
   std::vector<Press> presses;
-  for (const double at : divided([&](double at) { return local(at).turn_rate; }, from, to, middles))
-    presses.push_back({at, each});
+  for (const double at : rulings)
+    presses.push_back({at, whole / count});
   return presses;
 }
 
@@ -316,7 +302,7 @@ std::vector<Strip::Press> Strip::evenly_along(int side, double from, double to, 
   std::vector<double> shares;  // limits and middles in turn
   for (int i = 0; i <= 2 * count; ++i)
     shares.push_back(0.5 * i / count);
-  const std::vector<double> rulings = divided(speed, from, to, shares);
+  const std::vector<double> rulings = divided(speed, from, to, shares).rulings;
   std::vector<Press> presses;
   for (std::size_t i = 1; i < rulings.size(); i += 2)
     presses.push_back({rulings[i], turn(rulings[i - 1], rulings[i + 1])});
@@ -467,12 +453,13 @@ Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
         return {l.knot, sign * l.length};
       },
       breaks, tolerance_);
-  const CubicSpline far = fit_cubics(
+  const double speed = std::max(border_length(0, from, to), border_length(1, from, to)) / (to - from);
+  const CubicSpline far = fit_cubics_on_surface(
       [&](double at) -> CurveSample {
         const Local l = local(at);
         return {{at, sign * (l.length - cut)}, {1.0, sign * l.length_rate}};
       },
-      from, to, tolerance_).spline;
+      from, to, speed, tolerance_);
   const Curve2 near = Segment{{from, 0.0}, {to, 0.0}};
   const auto length = [&](double at) { return local(at).length - cut; };
   const Curve2 bottom = base_ == 0 ? near : Curve2(far);

@@ -99,9 +99,13 @@ class Strip {
   };
   Local local(double at) const;
 
-  /// The rulings behind which lie `shares`, ascending, of the integral of `rate` from `from` to `to`.
+  /// The integral of `rate` from `from` to `to`, and the rulings behind which lie `shares`, ascending, of it.
+  struct Divided {
+    double whole = 0.0;
+    std::vector<double> rulings;
+  };
   template <typename Rate>
-  std::vector<double> divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const;
+  Divided divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const;
 
   /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
   std::vector<double> breaks_between(double from, double to) const;

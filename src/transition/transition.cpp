@@ -337,6 +337,8 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
 }  // namespace
 
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
+  if (!(options.mesh_chord > 0.0))
+    return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", options.mesh_chord));
   const auto division = divided(spec, options);
   if (!division) return tl::unexpected(division.error());
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
@@ -356,6 +358,7 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
     ++names.piece;
   }
   transition.true_lengths = std::move(names.lengths);
+  transition.mesh = surface_mesh(ring, options.mesh_chord);
   return transition;
 }
 
@@ -387,13 +390,6 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
     piece.sheet = PieceMaker(ring, spec, &tips, nullptr).run(parts);
   }
   return pieces;
-}
-
-Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord, const TransitionOptions& options) {
-  if (!(chord > 0.0)) return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
-  const auto division = divided(spec, options);
-  if (!division) return tl::unexpected(division.error());
-  return surface_mesh(division->ring, chord);
 }
 
 }  // namespace planish

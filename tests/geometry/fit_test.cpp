@@ -210,6 +210,17 @@ TEST(FitCubics, OfAPointIsThatPoint) {
     EXPECT_EQ(pole, Vec2(2, 3));
 }
 
+TEST(FitCubicsOnSurface, HoldsWhatIsMeasuredAlongRulings) {
+  // On a cylinder of 200 mm radius a step of u is 200 mm long, and an oblique cut rises by as much.
+  constexpr double kRadius = 200.0, kTolerance = 1e-7;
+  const auto cut = [](double u) { return CurveSample{{u, kRadius * std::sin(u)}, {1.0, kRadius * std::cos(u)}}; };
+  const CubicSpline spline = fit_cubics_on_surface(cut, 0.0, 2.0, kRadius, kTolerance);
+  for (int i = 0; i <= 1000; ++i) {
+    const Vec2 p = point_at(spline, i / 1000.0);
+    EXPECT_NEAR(p.y(), kRadius * std::sin(p.x()), 2.0 * kTolerance);
+  }
+}
+
 TEST(Recognized, FindsALineRunThroughUnevenly) {
   const CubicSpline s{{{0, 0}, {1, 2}, {1.5, 3}, {10, 20}}};
   const Curve2 found = recognized(s, 1e-9);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 
 // Sizes given for either face, pieces and their seams, press lines.
 
@@ -115,6 +116,45 @@ TEST(TransitionPressing, ByChordPutsLinesAtEqualDistancesAlongTheWiderProfile) {
   for (const PressLine& line : lines)
     turned += line.angle.radians();
   EXPECT_NEAR(turned, transition.patches[0].turn.radians(), 1e-9);
+}
+
+TEST(TransitionMesh, IsARingWhoseFacetsLeaveTheSurfaceByTheirChord) {
+  const TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
+  double missing = 0.0;
+  for (const double chord : {0.2, 0.05}) {
+    const auto transition = make_transition(spec, {.mesh_chord = chord});
+    ASSERT_TRUE(transition);
+    const Mesh& mesh = transition->mesh;
+    double area = 0.0;
+    std::map<std::pair<int, int>, int> edges;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const auto at = [&](int i) { return mesh.points[static_cast<std::size_t>(i)]; };
+      area += 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).norm();
+      for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}})
+        ++edges[{from, to}];
+    }
+    // Chords of the circle miss the area in proportion to what they leave the arc by.
+    if (missing > 0.0) {
+      EXPECT_LT(transition->area - area, 0.4 * missing);
+    }
+    missing = transition->area - area;
+    EXPECT_GT(missing, 0.0);
+    EXPECT_LT(missing, chord * transition->perimeters[1]);
+    // Each edge once each way, but for those of both openings.
+    double openings = 0.0;
+    for (const auto& [edge, count] : edges) {
+      EXPECT_EQ(count, 1);
+      if (!edges.contains({edge.second, edge.first}))
+        openings += (mesh.points[static_cast<std::size_t>(edge.second)] - mesh.points[static_cast<std::size_t>(edge.first)]).norm();
+    }
+    EXPECT_NEAR(openings, transition->perimeters[0] + transition->perimeters[1], 0.1 * chord * transition->perimeters[1]);
+  }
+}
+
+TEST(TransitionMesh, NeedsAChordAboveZero) {
+  const auto refused = make_transition(between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80}), {.mesh_chord = 0.0});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
 }
 
 TEST(TransitionPressing, ByCountPutsThatManyLinesOnEachPatch) {

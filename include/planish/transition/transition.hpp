@@ -88,6 +88,8 @@ struct Transition {
   std::vector<TrueLength> true_lengths;
   double area = 0.0;                     ///< of the neutral surface, mm²
   std::array<double, 2> perimeters{};    ///< of the neutral surface's borders on both profiles, mm
+  /// The neutral surface, its outside facing out: a closed ring without a seam; corners on one ruling are shared.
+  Mesh mesh;
 };
 
 /// A piece as a solid can be made of it: corners in which cones or several folds meet are cut off where their
@@ -101,6 +103,8 @@ struct FoldedPiece {
 struct TransitionOptions {
   /// Share of the profiles' extent that points of general developables may be off.
   double tolerance = 1e-11;
+  /// By how much facets of the mesh leave the surface, about and at most; mm.
+  double mesh_chord = 0.05;
 };
 
 /// The surface that bounds the opening between two convex profiles in two planes: the lateral boundary of
@@ -113,13 +117,9 @@ struct TransitionOptions {
 /// Errors (exit status 4): `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in
 /// one plane), `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
 /// the hull), `radius_too_small` (thickness too large for a profile or a bend).
+/// Error (exit status 2): `bad_option` (a chord that is not positive).
 Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options = {},
                                    const Progress& progress = {});
-
-/// Triangles of the neutral surface, its outside facing out: facets leave it by about `chord` (mm) at most. A
-/// closed ring without a seam; corners that lie on one ruling are shared. Errors: those of `make_transition`,
-/// `bad_option` (chord not positive).
-Result<Mesh> transition_mesh(const TransitionSpec& spec, double chord = 0.05, const TransitionOptions& options = {});
 
 /// The same pieces as solids can be made of them. Errors: those of `make_transition`; `radius_too_small` also where
 /// the thickness leaves too little between corners.
