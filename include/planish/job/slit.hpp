@@ -32,6 +32,10 @@ Result<SlitReport> slit(const MakeRequest& request, const Progress& progress = {
 /// The part of it that begins with a file already read (`request.input` only names it).
 Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress = {});
 
+/// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes and units are read).
+Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request,
+                               const Progress& progress = {});
+
 /// The report of a request that ended with an error.
 SlitReport failed_slit(const MakeRequest& request, const Error& error);
 
