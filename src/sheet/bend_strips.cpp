@@ -1,0 +1,189 @@
+#include "bend_strips.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+const Face& first_face(const Sheet& sheet, BendId bend) {
+  const FaceId face = sheet.bends[static_cast<size_t>(index_of(bend))].faces.front();
+  return sheet.faces[static_cast<size_t>(index_of(face))];
+}
+
+Box2 range_of(const Sheet& sheet, BendId bend) {
+  Box2 box;
+  for (const FaceId face : sheet.bends[static_cast<size_t>(index_of(bend))].faces)
+    for (const Border& border : sheet.faces[static_cast<size_t>(index_of(face))].loops.front())
+      box.add(bounds(border.curve));
+  return box;
+}
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+}  // namespace
+
+BendStrips::BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend, const FacetOptions& options)
+    : sheet_(sheet),
+      face_(first_face(sheet, bend)),
+      development_(std::get<Developable>(face_.surface),
+                   pattern.neutral_offset[static_cast<size_t>(index_of(sheet.bends[static_cast<size_t>(index_of(bend))].faces.front()))]),
+      placement_(pattern.placement[static_cast<size_t>(index_of(sheet.bends[static_cast<size_t>(index_of(bend))].faces.front()))]),
+      chord_(options.chord) {
+  const Box2 range = range_of(sheet, bend);
+  lo_ = range.lo.x();
+  hi_ = range.hi.x();
+  v_lo_ = range.lo.y();
+  v_hi_ = range.hi.y();
+  place_rulings(options);
+  for (int strip = 0; strip < count(); ++strip)
+    normals_.push_back(outward_normal(face_, {u_of_strip(strip), 0.0}));
+  sides_.resize(static_cast<size_t>(count()));
+  polygons_.resize(static_cast<size_t>(count()));
+  edges_.resize(static_cast<size_t>(count()));
+}
+
+void BendStrips::place_rulings(const FacetOptions& options) {
+  constexpr int kSamples = 64;
+  const auto& surface = std::get<Developable>(face_.surface);
+  std::vector<double> turned{0.0};
+  Vec3 before = normal_on(surface, lo_);
+  for (int i = 1; i <= kSamples; ++i) {
+    const double u = std::lerp(lo_, hi_, i / double(kSamples));
+    const Vec3 here = normal_on(surface, u);
+    turned.push_back(turned.back() + angle_between(before, here));
+    before = here;
+    for (const double v : {v_lo_, v_hi_})
+      speed_ = std::max(speed_, development_.jacobian({u, v}).col(0).norm());
+  }
+  const double whole = turned.back(), radius = speed_ * (hi_ - lo_) / whole;
+  const double by_chord = 2.0 * std::acos(std::max(0.0, 1.0 - options.chord / radius));
+  const int strips = std::max(1, static_cast<int>(std::ceil(whole / std::min(by_chord, options.most.radians()) - 1e-9)));
+  rulings_.push_back(lo_);
+  size_t above = 1;
+  for (int i = 1; i < strips; ++i) {
+    const double wanted = whole * i / strips;
+    while (turned[above] < wanted)
+      ++above;
+    const double share = (wanted - turned[above - 1]) / (turned[above] - turned[above - 1]);
+    rulings_.push_back(std::lerp(lo_, hi_, (static_cast<double>(above - 1) + share) / kSamples));
+  }
+  rulings_.push_back(hi_);
+}
+
+Segment BendStrips::ruling(int i) const {
+  const double u = rulings_[static_cast<size_t>(i)];
+  return {image({u, v_lo_}), image({u, v_hi_})};
+}
+
+double BendStrips::turn(int from, int to) const {
+  const Vec3 axis = ruling_on(std::get<Developable>(face_.surface), rulings_[static_cast<size_t>(std::max(from, to))]);
+  const Vec3 a = normal(from), b = normal(to);
+  return std::atan2(axis.dot(a.cross(b)), a.dot(b));
+}
+
+int BendStrips::strip_at(double u) const {
+  const auto above = std::upper_bound(rulings_.begin() + 1, rulings_.end() - 1, u);
+  return static_cast<int>(above - rulings_.begin()) - 1;
+}
+
+int BendStrips::beside(FaceId id, double u) const {
+  double middle = 0.0;
+  const BorderLoop& loop = sheet_.faces[static_cast<size_t>(index_of(id))].loops.front();
+  for (const Border& border : loop)
+    middle += start_of(border.curve).x() / static_cast<double>(loop.size());
+  const double aside = 1e-6 * (hi_ - lo_);
+  return strip_at(u + (middle > u ? aside : -aside));
+}
+
+Eigen::Isometry3d BendStrips::in_space(int strip, double depth) const {
+  const auto& surface = std::get<Developable>(face_.surface);
+  const Vec2 uv(u_of_strip(strip), 0.5 * (v_lo_ + v_hi_));
+  const Vec2 at = image(uv);
+  const Eigen::Matrix2d jacobian = placement_.linear() * development_.jacobian(uv);
+  const Vec2 along = jacobian.col(1).normalized();
+  const double side = jacobian.determinant() > 0.0 ? 1.0 : -1.0;
+  const Vec3 ruling = ruling_on(surface, uv.x()), up = side * normal_on(surface, uv.x());
+  // The pattern's frame with y along the ruling and z up, and the same frame in space.
+  Eigen::Matrix3d flat, space;
+  flat << Vec3(along.y(), -along.x(), 0.0), Vec3(along.x(), along.y(), 0.0), Vec3::UnitZ();
+  space << ruling.cross(up), ruling, up;
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+  placed.linear() = space * flat.transpose();
+  const Vec3 middle = skin_point(face_, uv) - depth * outward_normal(face_, uv);
+  placed.translation() = middle - placed.linear() * Vec3(at.x(), at.y(), 0.0);
+  return placed;
+}
+
+std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
+  std::vector<double> stops;
+  for (const double u : rulings_)
+    for (const double t : crossings(curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
+      if (t > 0.0 && t < 1.0) stops.push_back(t);
+  if (!std::holds_alternative<Segment>(curve)) {
+    // Evenly, as many as the longest image of the curve's steps asks for.
+    constexpr int kPieces = 16;
+    const auto* spline = std::get_if<CubicSpline>(&curve);
+    const int pieces = kPieces * (spline ? static_cast<int>(spline->poles.size() / 3) : kPieces);
+    for (int i = 1; i < pieces; ++i)
+      stops.push_back(i / double(pieces));
+  }
+  std::sort(stops.begin(), stops.end());
+  std::vector<Vec2> points{start_of(curve)};
+  for (size_t i = 0; i < stops.size(); ++i) {
+    if (i > 0 && stops[i] - stops[i - 1] < 1e-12) continue;
+    Vec2 p = point_at(curve, stops[i]);
+    // A crossing lies on its ruling, not beside it.
+    const auto near = std::lower_bound(rulings_.begin(), rulings_.end(), p.x() - 1e-9 * (hi_ - lo_));
+    if (near != rulings_.end() && std::abs(*near - p.x()) <= 1e-9 * (hi_ - lo_)) p.x() = *near;
+    points.push_back(p);
+  }
+  points.push_back(end_of(curve));
+  return points;
+}
+
+void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
+  const Face& face = sheet_.faces[static_cast<size_t>(index_of(id))];
+  const BorderLoop& borders = face.loops[static_cast<size_t>(loop)];
+  for (size_t i = 0; i < borders.size(); ++i) {
+    const std::vector<Vec2> points = sampled_in_strips(borders[i].curve);
+    for (size_t k = 1; k < points.size(); ++k) {
+      const Vec2 &a = points[k - 1], &b = points[k];
+      const int strip = strip_at(0.5 * (a.x() + b.x()));
+      if (!joined[i]) edges_[static_cast<size_t>(strip)].push_back({image(a), image(b)});
+      if (a.x() != b.x()) sides_[static_cast<size_t>(strip)].push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
+    }
+  }
+}
+
+void BendStrips::close() {
+  for (int strip = 0; strip < count(); ++strip) {
+    const std::vector<Side>& sides = sides_[static_cast<size_t>(strip)];
+    // Between neighbouring corners what lies between two sides, one above the other, is a trapezoid.
+    std::vector<double> corners;
+    for (const Side& side : sides) {
+      corners.push_back(side.a.x());
+      corners.push_back(side.b.x());
+    }
+    std::sort(corners.begin(), corners.end());
+    for (size_t i = 1; i < corners.size(); ++i) {
+      const double from = corners[i - 1], to = corners[i];
+      if (to - from <= 1e-12 * (hi_ - lo_)) continue;
+      std::vector<std::array<double, 2>> heights;  // of the sides across, at both ends
+      for (const Side& side : sides) {
+        if (side.a.x() > from || side.b.x() < to) continue;
+        const auto at = [&](double u) { return std::lerp(side.a.y(), side.b.y(), (u - side.a.x()) / (side.b.x() - side.a.x())); };
+        heights.push_back({at(from), at(to)});
+      }
+      std::sort(heights.begin(), heights.end(), [](const auto& a, const auto& b) { return a[0] + a[1] < b[0] + b[1]; });
+      for (size_t k = 0; k + 1 < heights.size(); k += 2) {
+        const auto &low = heights[k], &high = heights[k + 1];
+        std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}), image({from, high[0]})};
+        if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
+        polygons_[static_cast<size_t>(strip)].push_back({std::move(ring), {}});
+      }
+    }
+  }
+}
+
+}  // namespace planish

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <planish/sheet/facets.hpp>
+
+#include <array>
+#include <vector>
+
+namespace planish {
+
+/// A bend cut along rulings into strips that are nearly flat.
+class BendStrips {
+ public:
+  /// Rulings by equal turns of the normal.
+  BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend, const FacetOptions& options);
+
+  /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of the sheet.
+  void add_loop(FaceId face, int loop, const std::vector<bool>& joined);
+  /// All loops are there: makes the polygons.
+  void close();
+
+  int count() const { return static_cast<int>(rulings_.size()) - 1; }
+  /// Ruling i of count() + 1 in the pattern, towards growing v.
+  Segment ruling(int i) const;
+  /// Outward normal in the middle of a strip, in space.
+  Vec3 normal(int strip) const { return normals_[static_cast<size_t>(strip)]; }
+  /// Turn from a strip to the one beside it, about the ruling between them.
+  double turn(int from, int to) const;
+  /// The strip at u, of a ruling between two of them the one on which the face lies.
+  int beside(FaceId face, double u) const;
+  /// From the pattern into space, for a strip; `depth` below the reference surface.
+  Eigen::Isometry3d in_space(int strip, double depth) const;
+
+  const std::vector<Polygon>& polygons(int strip) const { return polygons_[static_cast<size_t>(strip)]; }
+  const std::vector<Segment>& edges(int strip) const { return edges_[static_cast<size_t>(strip)]; }
+
+ private:
+  struct Side {
+    Vec2 a, b;  ///< (u, v), a.x() <= b.x()
+  };
+  Vec2 image(const Vec2& uv) const { return placement_ * development_.develop(uv); }
+  double u_of_strip(int strip) const { return 0.5 * (rulings_[static_cast<size_t>(strip)] + rulings_[static_cast<size_t>(strip) + 1]); }
+  int strip_at(double u) const;
+  std::vector<Vec2> sampled_in_strips(const Curve2& curve) const;
+  void place_rulings(const FacetOptions& options);
+
+  const Sheet& sheet_;
+  const Face& face_;           ///< one of its faces: all are of one surface
+  Development development_;
+  Isometry2 placement_;
+  double chord_;
+  double lo_, hi_, v_lo_, v_hi_;
+  double speed_ = 1.0;         ///< how long a step of u is at most, mm
+  std::vector<double> rulings_;
+  std::vector<Vec3> normals_;
+  std::vector<std::vector<Side>> sides_;
+  std::vector<std::vector<Polygon>> polygons_;
+  std::vector<std::vector<Segment>> edges_;
+};
+
+}  // namespace planish

@@ -1,0 +1,123 @@
+#include "support/sheets.hpp"
+
+#include <planish/sheet/facets.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+// The folded facets against the sheet they stand for, whose place in space is known.
+
+namespace planish::test {
+namespace {
+
+FlatPattern laid(const Sheet& sheet, UpSide up = UpSide::automatic) {
+  FlattenOptions options;
+  options.allowance = ConstantK{0.5, "test"};
+  options.up = up;
+  const auto pattern = flatten(sheet, options);
+  EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
+  return *pattern;
+}
+
+Vec3 placed(const Eigen::Isometry3d& motion, const Vec2& p) { return motion * Vec3(p.x(), p.y(), 0.0); }
+
+/// Largest distance of what folded facets of flanges hold from the middle of their flange's material in space.
+double off_flanges(const Sheet& sheet, const FlatPattern& pattern, const Facets& facets) {
+  const auto motions = folded(facets);
+  double off = 0.0;
+  for (std::size_t f = 0; f < sheet.faces.size(); ++f) {
+    const auto* frame = std::get_if<Frame>(&sheet.faces[f].surface);
+    if (!frame) continue;
+    const Vec2 flat = start_of(pattern.face_outlines[f].front());
+    const Vec3 wanted = frame->point(pattern.placement[f].inverse() * flat) - (0.5 * sheet.thickness - sheet.reference_depth) * frame->z;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < facets.facets.size(); ++i)
+      if (facets.facets[i].part == sheet.faces[f].part_of)
+        nearest = std::min(nearest, (placed(motions[i], flat) - wanted).norm());
+    off = std::max(off, nearest);
+  }
+  return off;
+}
+
+double area_of(const Facets& facets) {
+  double area = 0.0;
+  for (const Facet& facet : facets.facets)
+    for (const Polygon& polygon : facet.polygons) {
+      EXPECT_GE(ring_area(polygon.outer), 0.0);
+      area += ring_area(polygon.outer);
+      for (const auto& hole : polygon.holes)
+        area += ring_area(hole);
+    }
+  return area;
+}
+
+const std::vector<std::pair<const char*, Sheet>>& samples() {
+  static const std::vector<std::pair<const char*, Sheet>> sheets{
+      {"l_bracket", l_bracket()},   {"l_bracket_down", l_bracket_down()}, {"u_channel", u_channel()},   {"z_profile", z_profile()},
+      {"hem", hem()},               {"turn_of_250", turn_of_250()},       {"box", box()},               {"cone_joined", cone_joined()},
+      {"staircase", staircase(6)},  {"slot_across_bend", slot_across_bend()}, {"plate_with_holes", plate_with_holes()}};
+  return sheets;
+}
+
+TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
+  for (const auto& [name, sheet] : samples())
+    for (const UpSide up : {UpSide::reference, UpSide::other}) {
+      const FlatPattern pattern = laid(sheet, up);
+      EXPECT_LT(off_flanges(sheet, pattern, facets_of(sheet, pattern)), 0.02) << name;
+    }
+}
+
+TEST(Facets, ComeNearerWithSmallerTurns) {
+  const Sheet sheet = cone_joined();
+  const FlatPattern pattern = laid(sheet);
+  const double coarse = off_flanges(sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(12)}));
+  const double fine = off_flanges(sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(3)}));
+  EXPECT_LT(fine, coarse / 10.0);  // of second order
+}
+
+TEST(Facets, CoverThePattern) {
+  for (const auto& [name, sheet] : samples()) {
+    const FlatPattern pattern = laid(sheet);
+    EXPECT_NEAR(area_of(facets_of(sheet, pattern, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4) << name;
+  }
+  const Sheet tube = rolled();
+  const FlatPattern pattern = laid(tube);
+  EXPECT_NEAR(area_of(facets_of(tube, pattern)) / pattern.area, 1.0, 1e-9);
+}
+
+TEST(Facets, EdgesAreTheContours) {
+  for (const auto& [name, sheet] : samples()) {
+    const FlatPattern pattern = laid(sheet);
+    double sum = 0.0;
+    for (const FacetEdge& edge : facets_of(sheet, pattern, {.chord = 1e-3}).edges)
+      sum += (edge.line.b - edge.line.a).norm();
+    EXPECT_NEAR(sum / pattern.perimeter, 1.0, 1e-3) << name;
+  }
+}
+
+TEST(Facets, LieInThePlaneOfTheRootUntilTheyAreFolded) {
+  const Sheet sheet = box();
+  const FlatPattern pattern = laid(sheet);
+  const Facets facets = facets_of(sheet, pattern);
+  for (const Eigen::Isometry3d& motion : folded(facets, 0.0))
+    EXPECT_LT((motion.matrix() - facets.root.matrix()).norm(), 1e-9);
+}
+
+TEST(Facets, OfATubeCloseToItsCircle) {
+  const Sheet sheet = rolled();
+  const FlatPattern pattern = laid(sheet);
+  const Facets facets = facets_of(sheet, pattern);
+  const auto motions = folded(facets);
+  const auto& cylinder = std::get<Cylinder>(std::get<Developable>(sheet.faces.front().surface));
+  const double depth = 0.5 * sheet.thickness - sheet.reference_depth;
+  const double radius = cylinder.radius - sheet.faces.front().sense * depth;
+  for (std::size_t i = 0; i < facets.facets.size(); ++i)
+    for (const Polygon& polygon : facets.facets[i].polygons)
+      for (const Vec2& p : polygon.outer)
+        EXPECT_NEAR(cylinder.frame.local2(placed(motions[i], p)).norm(), radius, 0.1);
+}
+
+}  // namespace
+}  // namespace planish::test
