@@ -40,7 +40,7 @@ struct StripState {
   double objective = 0.0;
   double seat_distance = 0.0;    ///< largest distance of the end's corners from the seat curve, mm; 0 without one
   double anchor_distance = 0.0;  ///< largest distance from its anchors, mm
-  double scan_distance = 0.0;    ///< root mean square distance of the ridges' ends from the scan, mm
+  double scan_distance = 0.0;    ///< root mean square distance of the ridges' ends from the surface that was scanned, mm
   int iterations = 0;            ///< of the last call that solved it
 };
 
