@@ -9,6 +9,9 @@
 #include <planish/base/result.hpp>
 #include <planish/job/report.hpp>
 
+#include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace planish::cli {
@@ -21,19 +24,15 @@ struct Making {
   /// All files, or the first reason why one cannot be composed.
   Result<std::vector<File>> (*files)(const Report&, const MakePlan&);
   SvgOptions svg = {};
+  /// Files that the described file names and the command reads; empty where there are none.
+  std::vector<std::filesystem::path> (*further_inputs)(const std::filesystem::path& input) = nullptr;
 };
 
 /// `files`, and behind them the flat pattern of a report in every format that is asked for.
 Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report, const MakePlan& plan);
 
-template <typename Report>
-std::optional<Error> write_files(Report& report, const MakePlan& plan, const Making<Report>& making) {
-  const auto files = making.files(report, plan);
-  if (!files) return files.error();
-  if (auto error = write_all(*files, plan.inputs)) return error;
-  append_names(report.files, *files);
-  return std::nullopt;
-}
+/// `bad_option` when one of the outputs is one of `inputs`.
+Result<void> spare_inputs(const MakePlan& plan, const std::string& json, const std::vector<std::filesystem::path>& inputs);
 
 /// Plans, makes, writes and reports. Returns the exit status.
 template <typename Report>
@@ -46,11 +45,18 @@ int run_making(const MakeArguments& arguments, const Making<Report>& making) {
     return end_unplanned(arguments, plan.error(), report_json(making.failed(request, plan.error())));
   }
   plan->svg = making.svg;
+  if (making.further_inputs)
+    if (auto spared = spare_inputs(*plan, arguments.json, making.further_inputs(arguments.input)); !spared) return complain(spared.error());
   ProgressLine line(!arguments.quiet);
   auto report = making.make(plan->request, line.progress());
   if (!report) return end_failed(arguments, report.error(), report_json(making.failed(plan->request, report.error())));
-  if (interrupted()) return complain({ErrorCode::cancelled, "cancelled", {}});
-  if (report->has_pattern()) report->refusal = write_files(*report, *plan, making);
+  const Error cancelled{ErrorCode::cancelled, "cancelled", {}};
+  if (interrupted()) return complain(cancelled);
+  if (!report->has_pattern()) return end_reported(arguments, *report);
+  const auto files = making.files(*report, *plan);
+  if (interrupted()) return complain(cancelled);
+  report->refusal = files ? write_all(*files, plan->inputs) : std::optional(files.error());
+  if (!report->refusal) append_names(report->files, *files);
   return end_reported(arguments, *report);
 }
 

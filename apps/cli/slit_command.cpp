@@ -37,7 +37,7 @@ Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& pla
 
 int run_slit(const MakeArguments& arguments) {
   // Ridges are drawn but too many to be labelled; strips are.
-  return run_making<SlitReport>(arguments, {job::slit, job::failed_slit, files_of, {.labels = false}});
+  return run_making<SlitReport>(arguments, {job::slit, job::failed_slit, files_of, {.labels = false}, job::slit_point_files});
 }
 
 }  // namespace planish::cli

@@ -46,7 +46,7 @@ void WarmStrip(benchmark::State& state) {
   if (!session->add_anchor({1, middle, Side::left, at}) || !session->solve()) return state.SkipWithError("no anchor");
   int step = 0, iterations = 0;
   for (auto _ : state) {
-    const double lift = 5.0 * (step++ % 2);
+    const double lift = 5.0 * (++step % 2);
     if (!session->move_anchor(0, at + Vec3(0, lift, 0))) return state.SkipWithError("not moved");
     const auto report = session->solve();
     if (!report || !report->converged || report->strips_solved != 1) return state.SkipWithError("not solved");

@@ -2,14 +2,31 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace planish::job {
 namespace {
 
 constexpr std::string_view kBetween = " \t\r,;";
+
+/// "320,04 446,08 1,5": a comma in each of the first three fields, between digits.
+bool has_decimal_commas(std::string_view line) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  constexpr std::string_view kFieldEnds = " \t\r;";
+  for (int field = 0; field < 3; ++field) {
+    line.remove_prefix(std::min(line.find_first_not_of(kFieldEnds), line.size()));
+    const std::string_view number = line.substr(0, line.find_first_of(kFieldEnds));
+    const std::size_t comma = number.find(',');
+    if (comma == std::string_view::npos || comma == 0 || comma + 1 >= number.size() || number.find(',', comma + 1) != std::string_view::npos) return false;
+    if (!is_digit(number[comma - 1]) || !is_digit(number[comma + 1])) return false;
+    line.remove_prefix(number.size());
+  }
+  return true;
+}
 
 /// The next number of a line, which is shortened by it.
 bool take_number(std::string_view& line, double& number) {
@@ -26,12 +43,20 @@ bool take_number(std::string_view& line, double& number) {
 Result<std::vector<Vec3>> parse_points(const std::string& text, const std::string& name, double scale) {
   std::vector<Vec3> points;
   std::string_view rest = text;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   for (int number = 1; !rest.empty(); ++number) {
     const std::size_t length = std::min(rest.find('\n'), rest.size());
     std::string_view line = rest.substr(0, length);
     rest.remove_prefix(std::min(length + 1, rest.size()));
     line = line.substr(0, line.find('#'));
     if (line.find_first_not_of(kBetween) == std::string_view::npos) continue;
+    std::string with_points;
+    if (has_decimal_commas(line)) {
+      with_points = line;
+      std::replace(with_points.begin(), with_points.end(), ',', '.');
+      line = with_points;
+    }
     Vec3 p;
     if (!take_number(line, p.x()) || !take_number(line, p.y()) || !take_number(line, p.z()))
       return fail(ErrorCode::invalid_input, "a line of a scan must begin with three numbers, x y z", fmt::format("{}:{}", name, number));

@@ -18,6 +18,9 @@ namespace {
 /// Hinges of plane pieces: their images are exact (mm).
 constexpr double kOutline = 1e-9;
 
+/// Where a file's names of other files are sought.
+std::filesystem::path folder_of(const std::filesystem::path& input) { return input == "-" ? std::filesystem::path() : input.parent_path(); }
+
 SlitReport begun(const MakeRequest& request, LengthUnit unit) {
   SlitReport report;
   report.input = request.input.string();
@@ -56,7 +59,15 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
   std::string which;
   int first = -1, count = 0;
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
-    if (report.strips[i].status != StripStatus::out_of_reach) continue;
+    const StripState& strip = report.strips[i];
+    if (strip.status != StripStatus::out_of_reach) continue;
+    constexpr double kThere = 1e-6;  // mm
+    if (strip.shortfall < kThere)
+      return Error{ErrorCode::out_of_reach,
+                   fmt::format("the end of strip {} is where it must be, but no folding was found in which it also points there: half a turn is missing; turn "
+                               "its direction or its ridge round, or leave one of them out",
+                               i),
+                   fmt::format("/ends/{}", i)};
     if (first < 0) first = static_cast<int>(i);
     constexpr int kMostNamed = 8;
     if (++count <= kMostNamed) which += fmt::format("{}{} by {:.4g} mm", which.empty() ? "" : ", ", i, report.strips[i].shortfall);
@@ -73,6 +84,11 @@ Vec2 flat_middle(const FlatPattern& flat, const SlitReport& report, std::size_t 
   return flat.placement.front() * Vec2(0.5 * (at.flat[0] + at.flat[1]));
 }
 
+double length_of(const SlitSheet& sheet, std::size_t strip) {
+  const auto start = sheet.start_of(static_cast<int>(strip));
+  return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
+}
+
 /// What a designer should know of strips that are where they must be.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
@@ -86,7 +102,14 @@ void add_findings(SlitReport& report) {
           fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows {:.4g} mm", i, strip.min_radius,
                       strip.tightest_ridge, report.design.sheet.min_radius()),
           i, strip.tightest_ridge);
-    if (strip.crosses_next) add("strips_cross", fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, i + 1), i, last / 2);
+    for (const int other : strip.crosses)
+      add("strips_cross", fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, other), i, last / 2);
+    constexpr double kFarOff = 0.1;  // of the strip's length
+    if (const double reach = length_of(report.design.sheet, i); strip.scan_distance > kFarOff * reach)
+      add("scan_far",
+          fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their units, their place and which strip they are of", i,
+                      strip.scan_distance),
+          i, last);
     if (strip.crosses_plane) add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
     if (strip.status == StripStatus::open)
       add("not_converged", fmt::format("strip {} is not at its best yet; it ends where it must, but could be smoother", i), i, last / 2);
@@ -161,13 +184,18 @@ Result<SlitReport> slit(const MakeRequest& request, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const auto text = read_text(request.input, "slit file");
   if (!text) return tl::unexpected(text.error());
-  const auto folder = request.input == "-" ? std::filesystem::path() : request.input.parent_path();
-  const auto file = parse_slits(*text, place_name(request.input.string()), folder);
+  const auto file = parse_slits(*text, place_name(request.input.string()), folder_of(request.input));
   if (!file) return tl::unexpected(file.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   auto report = slit_sheet(*file, request, progress);
   if (report) report->read_seconds = taken.count();
   return report;
+}
+
+std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input) {
+  if (input == "-") return {};
+  const auto text = read_text(input, "slit file");
+  return text ? point_files_of(*text, folder_of(input)) : std::vector<std::filesystem::path>{};
 }
 
 SlitReport failed_slit(const MakeRequest& request, const Error& error) {

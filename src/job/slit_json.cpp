@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace planish::job {
 namespace {
 
@@ -102,11 +104,16 @@ SlitWeights weights_at(const JsonPlace& place) {
 
 std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   std::vector<StripEnd> ends;
+  std::set<int> given;
   for (const JsonPlace& item : place.items()) {
     item.keys({"strip"}, {"position", "direction", "across"});
     const int strip = item["strip"].index();
     if (strip >= static_cast<int>(strips)) {
       item["strip"].mistake(fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
+      return ends;
+    }
+    if (!given.insert(strip).second) {
+      item["strip"].mistake(fmt::format("is {}, whose end is given already", strip));
       return ends;
     }
     ends.resize(std::max(ends.size(), static_cast<std::size_t>(strip) + 1));
@@ -172,9 +179,7 @@ SlitFile file_at(const JsonPlace& place, std::vector<ScanPlace>& scans) {
   return file;
 }
 
-Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& folder, LengthUnit unit) {
-  if (place.file.empty()) return std::move(place.scan);
-  const std::filesystem::path path = folder / place.file;
+Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, LengthUnit unit) {
   const auto text = read_text(path, "scan");
   if (!text) return tl::unexpected(text.error());
   auto points = parse_points(*text, path.string(), millimetres_in(unit));
@@ -192,11 +197,25 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name, c
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
   for (ScanPlace& place : scans) {
-    auto scan = read_scan(place, folder, file.units);
+    if (place.file.empty()) {
+      file.design.scans.push_back(std::move(place.scan));
+      continue;
+    }
+    auto scan = read_scan(place, folder / place.file, file.units);
     if (!scan) return tl::unexpected(scan.error());
     file.design.scans.push_back(std::move(*scan));
   }
   return file;
+}
+
+std::vector<std::filesystem::path> point_files_of(const std::string& json, const std::filesystem::path& folder) {
+  JsonReading reading(json, "slit file", {});
+  std::vector<ScanPlace> scans;
+  file_at(JsonPlace(reading), scans);
+  std::vector<std::filesystem::path> files;
+  for (const ScanPlace& place : scans)
+    if (!place.file.empty()) files.push_back(folder / place.file);
+  return files;
 }
 
 }  // namespace planish::job

@@ -40,7 +40,7 @@ Json strip_json(const StripState& state, const FoldedStrip& strip, const Units& 
   json["seat_distance"] = number_json(units.length(state.seat_distance));
   json["anchor_distance"] = number_json(units.length(state.anchor_distance));
   json["scan_distance"] = number_json(units.length(state.scan_distance));
-  json["crosses_next"] = state.crosses_next;
+  json["crosses"] = state.crosses;
   json["crosses_plane"] = state.crosses_plane;
   json["ridges"] = Json::array();
   for (const SlitRidge& ridge : strip.ridges)

@@ -12,30 +12,40 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr int kFewestRidges = 3, kMostRidges = 1000, kMostStrips = 10000;
-constexpr std::size_t kMostPoints = 2'000'000;
+constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
+constexpr double kLargest = 1e7;  // mm, of lengths and coordinates: 10 km
+constexpr double kHeaviest = 1e4;  // of weights: what weighs more leaves nothing of the rest
 
 tl::unexpected<Error> invalid(std::string message, std::string where) {
   return fail(ErrorCode::invalid_input, std::move(message), std::move(where));
 }
 
 Result<void> check_length(double value, const char* what, std::string where) {
-  if (std::isfinite(value) && value > 0.0) return {};
-  return invalid(fmt::format("{} is {} mm; it must be above 0", what, value), std::move(where));
+  if (value > 0.0 && value <= kLargest) return {};
+  return invalid(fmt::format("{} is {} mm; it must be above 0 and at most {:g} mm", what, value, kLargest), std::move(where));
 }
 
-Result<void> check_not_negative(double value, const char* what, std::string where) {
-  if (std::isfinite(value) && value >= 0.0) return {};
-  return invalid(fmt::format("{} is {}; it must not be negative", what, value), std::move(where));
+Result<void> check_from_zero(double value, double most, const char* what, std::string where) {
+  if (value >= 0.0 && value <= most) return {};
+  return invalid(fmt::format("{} is {}; it must be from 0 to {:g}", what, value, most), std::move(where));
+}
+
+/// Of points and poles.
+bool in_range(const auto& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <= kLargest; }
+
+Result<void> check_place(const auto& p, const char* what, std::string where) {
+  if (in_range(p)) return {};
+  return invalid(fmt::format("a coordinate of {} is beyond {:g} mm, or no number", what, kLargest), std::move(where));
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
   const SlitStrip& strip = sheet.strips[static_cast<std::size_t>(index)];
   const std::string where = fmt::format("/sheet/strips/{}", index);
   if (auto sound = check_length(strip.width, "the width of a strip", where + "/width"); !sound) return sound;
-  if (auto sound = check_not_negative(strip.gap, "the gap beside a strip", where + "/gap"); !sound) return sound;
+  if (auto sound = check_from_zero(strip.gap, kLargest, "the gap beside a strip", where + "/gap"); !sound) return sound;
   if (sheet.symmetric && strip.end) return invalid("strips of a symmetric sheet end at its symmetry plane; leave out where they end", where + "/end");
   const double end = sheet.end_of(index);
-  if (!std::isfinite(end)) return invalid("where a strip ends is not a finite number", where + "/end");
+  if (auto sound = check_length(end, "where a strip ends", where + "/end"); !sound) return sound;
   for (const auto& [start, key] : {std::pair{strip.left_start, "/left_start"}, std::pair{strip.right_start, "/right_start"}}) {
     if (!start) continue;
     if (auto sound = check_length(*start, "where a slit begins", where + key); !sound) return sound;
@@ -48,8 +58,10 @@ Result<void> check_strip(const SlitSheet& sheet, int index) {
 
 Result<void> check_curve(const BezierCurve& curve, const char* what, const std::string& where) {
   if (curve.poles.size() < 2) return invalid(fmt::format("{} has {} poles; it needs at least 2", what, curve.poles.size()), where);
+  if (curve.poles.size() > kMostPoles)
+    return invalid(fmt::format("{} has {} poles; {} are the most: describe it by fewer", what, curve.poles.size(), kMostPoles), where);
   for (std::size_t i = 0; i < curve.poles.size(); ++i)
-    if (!curve.poles[i].allFinite()) return invalid(fmt::format("a pole of {} is not finite", what), fmt::format("{}/bezier/{}", where, i));
+    if (auto sound = check_place(curve.poles[i], fmt::format("a pole of {}", what).c_str(), fmt::format("{}/bezier/{}", where, i)); !sound) return sound;
   if (!(length(curve) > 0.0)) return invalid(fmt::format("{} has all its poles in one place", what), where);
   return {};
 }
@@ -85,43 +97,18 @@ Result<void> check_strip_number(const SlitDesign& design, int strip, const std::
   return fail(ErrorCode::unknown_strip, fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, count - 1), where);
 }
 
-}  // namespace
-
-Result<void> check_sheet(const SlitDesign& design) {
-  const SlitSheet& sheet = design.sheet;
-  if (auto sound = check_length(sheet.thickness, "the thickness", "/thickness"); !sound) return sound;
-  if (auto sound = check_length(sheet.panel_height, "the height of the panel", "/sheet/panel_height"); !sound) return sound;
-  if (auto sound = check_length(sheet.half_length, "the half-length", "/sheet/half_length"); !sound) return sound;
-  if (auto sound = check_not_negative(sheet.margin, "the margin", "/sheet/margin"); !sound) return sound;
-  if (auto sound = check_not_negative(sheet.min_inside_radius, "the smallest inside radius", "/min_inside_radius"); !sound) return sound;
-  const int count = static_cast<int>(sheet.strips.size());
-  if (count < 1 || count > kMostStrips)
-    return invalid(fmt::format("the sheet has {} strips; it must have 1 to {}", count, kMostStrips), "/sheet/strips");
-  for (int i = 0; i < count; ++i)
-    if (auto sound = check_strip(sheet, i); !sound) return sound;
-  if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
-    return invalid(fmt::format("{} ridges a strip; {} to {} are possible", design.ridges, kFewestRidges, kMostRidges), "/ridges");
-  return {};
-}
-
 Result<void> check_weights(const SlitWeights& weights) {
   for (const auto& [value, key] : {std::pair{weights.smooth, "smooth"}, std::pair{weights.spacing, "spacing"}, std::pair{weights.anchors, "anchors"},
                                    std::pair{weights.seat, "seat"}, std::pair{weights.spread, "spread"}, std::pair{weights.scan, "scan"}})
-    if (auto sound = check_not_negative(value, "a weight", fmt::format("/weights/{}", key)); !sound) return sound;
+    if (auto sound = check_from_zero(value, kHeaviest, "a weight", fmt::format("/weights/{}", key)); !sound) return sound;
   return {};
-}
-
-Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
-  if (auto sound = check_curve(design.leg_curve, "the leg curve", "/leg_curve"); !sound) return tl::unexpected(sound.error());
-  if (auto sound = check_radius(design); !sound) return tl::unexpected(sound.error());
-  auto panel = panel_of(design.sheet, design.leg_curve);
-  if (!panel || !design.sheet.symmetric) return panel;
-  if (auto sound = check_side_of_plane(*panel); !sound) return tl::unexpected(sound.error());
-  return panel;
 }
 
 Result<void> check_seat_curve(const SlitDesign& design) {
   if (!design.seat_curve) return {};
+  if (!design.sheet.symmetric)
+    return invalid("a seat curve lies in the symmetry plane, and the sheet is not symmetric: leave it out and place the ends of the strips (\"ends\")",
+                   "/seat_curve");
   if (auto sound = check_curve(*design.seat_curve, "the seat curve", "/seat_curve"); !sound) return sound;
   double width = 0.0;
   for (const SlitStrip& strip : design.sheet.strips)
@@ -139,7 +126,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
   if (wish.ridge < 0 || wish.ridge > design.ridges)
     return fail(ErrorCode::unknown_ridge, fmt::format("strip {} has no ridge {}; it has ridges 0 to {}", wish.strip, wish.ridge, design.ridges), where + "/ridge");
-  if (!wish.at.allFinite()) return invalid("a coordinate of an anchor is not finite", where + "/at");
+  if (auto sound = check_place(wish.at, "an anchor", where + "/at"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, wish.strip);
   const std::size_t side = wish.side == Side::left ? 0 : 1;
   const double start = design.sheet.start_of(wish.strip)[side];
@@ -173,7 +160,7 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
                      where + "/across");
   }
   if (!end.position) return {};
-  if (!end.position->allFinite()) return invalid("a coordinate of an end is not finite", where + "/position");
+  if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, strip);
   const auto start = design.sheet.start_of(strip);
   const double along = 0.5 * (start[0] + start[1]), available = design.sheet.end_of(strip) - along;
@@ -185,14 +172,44 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
               where + "/position");
 }
 
+}  // namespace
+
+Result<void> check_sheet(const SlitDesign& design) {
+  const SlitSheet& sheet = design.sheet;
+  if (auto sound = check_length(sheet.thickness, "the thickness", "/thickness"); !sound) return sound;
+  if (auto sound = check_length(sheet.panel_height, "the height of the panel", "/sheet/panel_height"); !sound) return sound;
+  if (auto sound = check_length(sheet.half_length, "the half-length", "/sheet/half_length"); !sound) return sound;
+  if (auto sound = check_from_zero(sheet.margin, kLargest, "the margin", "/sheet/margin"); !sound) return sound;
+  if (auto sound = check_from_zero(sheet.min_inside_radius, kLargest, "the smallest inside radius", "/min_inside_radius"); !sound) return sound;
+  const int count = static_cast<int>(sheet.strips.size());
+  if (count < 1 || count > kMostStrips)
+    return invalid(fmt::format("the sheet has {} strips; it must have 1 to {}", count, kMostStrips), "/sheet/strips");
+  for (int i = 0; i < count; ++i)
+    if (auto sound = check_strip(sheet, i); !sound) return sound;
+  if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
+    return invalid(fmt::format("{} ridges a strip; {} to {} are possible", design.ridges, kFewestRidges, kMostRidges), "/ridges");
+  return {};
+}
+
+Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
+  if (auto sound = check_curve(design.leg_curve, "the leg curve", "/leg_curve"); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_radius(design); !sound) return tl::unexpected(sound.error());
+  auto panel = panel_of(design.sheet, design.leg_curve);
+  if (!panel || !design.sheet.symmetric) return panel;
+  if (auto sound = check_side_of_plane(*panel); !sound) return tl::unexpected(sound.error());
+  return panel;
+}
+
 Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points, int index) {
   const std::string where = fmt::format("/scan/{}", index);
   if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
   if (points.size() > kMostPoints)
     return fail(ErrorCode::scan_too_large, fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip, points.size(), kMostPoints),
                 where + "/points");
-  const auto bad = std::find_if(points.begin(), points.end(), [](const Vec3& p) { return !p.allFinite(); });
-  if (bad != points.end()) return invalid(fmt::format("point {} of the scan of strip {} is not finite", bad - points.begin(), strip), where + "/points");
+  const auto bad = std::find_if(points.begin(), points.end(), [](const Vec3& p) { return !in_range(p); });
+  if (bad != points.end())
+    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, or that is no number", bad - points.begin() + 1, strip, kLargest),
+                   where + "/points");
   return {};
 }
 
@@ -203,13 +220,20 @@ Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& 
     if (auto sound = check_anchor(design, panel, i); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.ends.size()); ++i)
     if (auto sound = check_end(design, panel, i); !sound) return sound;
+  return {};
+}
+
+Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design) {
+  std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[static_cast<std::size_t>(i)];
-    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound) return sound;
+    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound) return tl::unexpected(sound.error());
     if (scan.points.empty())
       return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", scan.strip), fmt::format("/scan/{}/points", i));
+    auto& all = points[static_cast<std::size_t>(scan.strip)];
+    all.insert(all.end(), scan.points.begin(), scan.points.end());
   }
-  return {};
+  return points;
 }
 
 }  // namespace planish::slit_detail

@@ -4,6 +4,9 @@
 
 #include <nanoflann.hpp>
 
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
 #include <cstddef>
 
 namespace planish::slit_detail {
@@ -20,12 +23,29 @@ struct Cloud {
   }
 };
 
+/// At most so many points, evenly taken.
+std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
+  const std::size_t stride = (points.size() + most - 1) / most;
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < points.size(); i += stride)
+    some.push_back(points[i]);
+  return some;
+}
+
+/// Points that a disc is laid through: a part of the strip that stays as small however many points there are.
+constexpr std::size_t kMostSurfacePoints = 16000, kPatches = 400, kFewest = 12;
+
+struct Indexed {
+  Cloud cloud;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::size_t> index;
+  explicit Indexed(std::vector<Vec3> points) : cloud{std::move(points)}, index(3, cloud) {}
+};
+
 }  // namespace
 
 struct NearestPoints::Tree {
-  Cloud cloud;
-  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::size_t> index;
-  explicit Tree(std::vector<Vec3> points) : cloud{std::move(points)}, index(3, cloud) {}
+  Indexed all, surface;
+  explicit Tree(std::vector<Vec3> points) : all(std::move(points)), surface(thinned(all.cloud.points, kMostSurfacePoints)) {}
 };
 
 NearestPoints::NearestPoints(std::vector<Vec3> points) {
@@ -35,13 +55,40 @@ NearestPoints::NearestPoints(std::vector<Vec3> points) {
 
 NearestPoints::~NearestPoints() = default;
 
-const std::vector<Vec3>& NearestPoints::points() const { return tree_->cloud.points; }
+const std::vector<Vec3>& NearestPoints::points() const { return tree_->all.cloud.points; }
 
 const Vec3& NearestPoints::nearest(const Vec3& p) const {
   std::size_t found = 0;
   double distance = 0.0;
-  tree_->index.knnSearch(p.data(), 1, &found, &distance);
-  return tree_->cloud.points[found];
+  tree_->all.index.knnSearch(p.data(), 1, &found, &distance);
+  return tree_->all.cloud.points[found];
+}
+
+NearestPoints::Foot NearestPoints::on_surface(const Vec3& p) const {
+  const auto& points = tree_->surface.cloud.points;
+  const std::size_t count = std::min(points.size(), std::max(kFewest, points.size() / kPatches));
+  std::vector<std::size_t> found(count);
+  std::vector<double> distances(count);
+  tree_->surface.index.knnSearch(p.data(), count, found.data(), distances.data());
+  Vec3 middle = Vec3::Zero();
+  for (const std::size_t i : found)
+    middle += points[i] / static_cast<double>(count);
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  double radius = 0.0;
+  for (const std::size_t i : found) {
+    const Vec3 arm = points[i] - middle;
+    spread += arm * arm.transpose();
+    radius = std::max(radius, 2.0 * arm.norm());
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
+  axes.computeDirect(spread);
+  const Vec3 normal = axes.eigenvectors().col(0);
+  const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  const Vec3 aside = onto * (p - middle);
+  const double distance = aside.norm();
+  if (distance <= radius) return {middle + aside, onto};
+  const Vec3 way = aside / distance;
+  return {middle + radius * way, radius / distance * (onto - way * way.transpose())};
 }
 
 }  // namespace planish::slit_detail

@@ -2,6 +2,8 @@
 
 #include <planish/geometry/frame.hpp>
 
+#include <Eigen/Core>
+
 #include <memory>
 #include <vector>
 
@@ -17,6 +19,15 @@ class NearestPoints {
 
   /// O(log n) for points near the cloud.
   const Vec3& nearest(const Vec3& p) const;
+
+  /// The nearest point of the surface that was scanned: of a disc through the points about p, twice as large as they
+  /// spread, in the plane that fits them best. So a point slides along the surface, and noise and the spacing of
+  /// points are evened out. With its derivative with respect to p, the disc held fixed.
+  struct Foot {
+    Vec3 point = Vec3::Zero();
+    Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();
+  };
+  Foot on_surface(const Vec3& p) const;
   const std::vector<Vec3>& points() const;
 
  private:

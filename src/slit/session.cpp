@@ -27,16 +27,12 @@ Result<SlitSession> SlitSession::start(SlitDesign design) {
   if (!panel) return tl::unexpected(panel.error());
   if (auto sound = check_all(design, *panel); !sound) return tl::unexpected(sound.error());
   auto content = std::make_unique<Content>();
-  const std::size_t count = design.sheet.strips.size();
-  std::vector<std::vector<Vec3>> points(count);
-  for (SlitScan& scan : design.scans) {
-    auto& all = points[static_cast<std::size_t>(scan.strip)];
-    all.insert(all.end(), scan.points.begin(), scan.points.end());
-  }
+  auto points = points_by_strip(design);
+  if (!points) return tl::unexpected(points.error());
   design.scans.clear();
-  design.ends.resize(count);
-  for (auto& cloud : points)
-    content->now.slots.push_back(std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}}));
+  design.ends.resize(design.sheet.strips.size());
+  for (auto& cloud : *points)
+    content->now.slots.push_back(std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}, {}}));
   take_seat_curve(content->now, design);
   content->now.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
   content->now.design = std::make_shared<const SlitDesign>(std::move(design));
@@ -70,15 +66,20 @@ Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options, cons
                                }};
   Snapshot& now = content_->now;
   SlitSolveReport report;
+  std::vector<int> moved;
   for (int strip = 0; strip < now.count(); ++strip) {
     if (now.slot(strip).state.status != StripStatus::open) continue;
     if (descent.stop()) break;
     progress.at("strips", static_cast<double>(strip) / now.count());
-    report.iterations += work_on(now, strip, descent).iterations;
-    ++report.strips_solved;
-    note_crossing(now, strip - 1);
-    note_crossing(now, strip);
+    report.iterations += work_on(now, strip, Clear::of_mirror, descent).iterations;
+    moved.push_back(strip);
   }
+  note_crossings(now, moved);
+  if (const int iterations = part_neighbours(now, moved, descent); iterations > 0) {
+    report.iterations += iterations;
+    note_crossings(now, moved);
+  }
+  report.strips_solved = static_cast<int>(moved.size());
   if (cancelled) return fail(ErrorCode::cancelled, "solving the slit sheet was cancelled");
   for (const auto& slot : now.slots) {
     report.converged = report.converged && slot->state.status != StripStatus::open;

@@ -4,8 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace planish {
 
@@ -25,77 +28,114 @@ void add_surface_points(const FoldedStrip& strip, std::vector<Vec3>& points) {
       }
 }
 
+void take_scan(Snapshot& next, int strip, std::vector<Vec3> points) {
+  Slot slot = next.slot(strip);
+  slot.scan = scan_of(std::move(points));
+  slot.state.status = StripStatus::open;
+  next.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+}
+
+/// Anchors of a design with fewer ridges, where halvings of its quads lead to as many.
+void number_as_subdivided(SlitDesign& design, int ridges) {
+  if (design.ridges < 1) return;
+  for (int finer = design.ridges; finer <= ridges; finer *= 2) {
+    if (finer != ridges) continue;
+    for (SlitAnchor& anchor : design.anchors)
+      anchor.ridge *= ridges / design.ridges;
+    design.ridges = ridges;
+    return;
+  }
+}
+
+/// What the strips' anchors are, those of one strip in their order.
+bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
+  const auto of_strip = [&](const SlitDesign& design) {
+    std::vector<SlitAnchor> anchors;
+    std::copy_if(design.anchors.begin(), design.anchors.end(), std::back_inserter(anchors), [&](const SlitAnchor& anchor) { return anchor.strip == strip; });
+    return anchors;
+  };
+  return of_strip(a) == of_strip(b);
+}
+
+/// A snapshot with another design of the same sheet; the strips that it touches are open.
+Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
+  Snapshot next = now;
+  design.ends.resize(design.sheet.strips.size());
+  bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle;
+  if (design.leg_curve != now.design->leg_curve) {
+    auto panel = checked_panel(design);
+    if (!panel) return tl::unexpected(panel.error());
+    next.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
+    all = true;
+  }
+  if (auto sound = check_all(design, *next.panel); !sound) return tl::unexpected(sound.error());
+  if (design.seat_curve != now.design->seat_curve) {
+    take_seat_curve(next, design);
+    all = true;
+  }
+  for (int strip = 0; strip < next.count(); ++strip) {
+    const auto i = static_cast<std::size_t>(strip);
+    if (all || design.ends[i] != now.design->ends[i] || !same_anchors(design, *now.design, strip)) reopen(next, strip);
+  }
+  next.design = std::make_shared<const SlitDesign>(std::move(design));
+  return next;
+}
+
 }  // namespace
 
-Result<void> SlitSession::set_leg_curve(BezierCurve curve) {
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.leg_curve = std::move(curve);
-  auto panel = checked_panel(design);
-  if (!panel) return tl::unexpected(panel.error());
-  if (auto sound = check_all(design, *panel); !sound) return sound;
-  next.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen_all(next);
-  content_->commit(std::move(next));
+Result<void> SlitSession::edit(const std::function<void(SlitDesign&)>& change) {
+  SlitDesign design = *content_->now.design;
+  change(design);
+  auto next = with_design(content_->now, std::move(design));
+  if (!next) return tl::unexpected(next.error());
+  content_->commit(std::move(*next));
   return {};
+}
+
+Result<void> SlitSession::set_design(SlitDesign design) {
+  const Snapshot& now = content_->now;
+  number_as_subdivided(design, now.design->ridges);
+  if (design.sheet != now.design->sheet || design.ridges != now.design->ridges) {
+    auto begun = start(std::move(design));
+    if (!begun) return tl::unexpected(begun.error());
+    content_->commit(std::move(begun->content_->now));
+    return {};
+  }
+  const auto scans = points_by_strip(design);
+  if (!scans) return tl::unexpected(scans.error());
+  design.scans.clear();
+  auto next = with_design(now, std::move(design));
+  if (!next) return tl::unexpected(next.error());
+  for (int strip = 0; strip < now.count(); ++strip)
+    if (const auto& points = (*scans)[static_cast<std::size_t>(strip)]; points != scan(strip)) take_scan(*next, strip, points);
+  content_->commit(std::move(*next));
+  return {};
+}
+
+Result<void> SlitSession::set_leg_curve(BezierCurve curve) {
+  return edit([&](SlitDesign& design) { design.leg_curve = std::move(curve); });
 }
 
 Result<void> SlitSession::set_seat_curve(std::optional<BezierCurve> curve) {
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.seat_curve = std::move(curve);
-  if (auto sound = check_seat_curve(design); !sound) return sound;
-  take_seat_curve(next, design);
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen_all(next);
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.seat_curve = std::move(curve); });
 }
 
 Result<void> SlitSession::set_weights(const SlitWeights& weights) {
-  if (auto sound = check_weights(weights); !sound) return sound;
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.weights = weights;
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen_all(next);
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.weights = weights; });
 }
 
 Result<void> SlitSession::set_end_angle(EndAngle angle) {
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.end_angle = angle;
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen_all(next);
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.end_angle = angle; });
 }
 
 Result<void> SlitSession::set_end(int strip, const StripEnd& end) {
   if (strip < 0 || strip >= strip_count())
     return fail(ErrorCode::unknown_strip, fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, strip_count() - 1), fmt::format("/ends/{}", strip));
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.ends[static_cast<std::size_t>(strip)] = end;
-  if (auto sound = check_end(design, *next.panel, strip); !sound) return sound;
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen(next, strip);
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.ends[static_cast<std::size_t>(strip)] = end; });
 }
 
 Result<void> SlitSession::add_anchor(const SlitAnchor& anchor) {
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  design.anchors.push_back(anchor);
-  if (auto sound = check_anchor(design, *next.panel, static_cast<int>(design.anchors.size()) - 1); !sound) return sound;
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  reopen(next, anchor.strip);
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.anchors.push_back(anchor); });
 }
 
 namespace {
@@ -109,35 +149,18 @@ Result<void> check_anchor_number(const SlitDesign& design, int anchor) {
 
 Result<void> SlitSession::move_anchor(int anchor, const Vec3& at) {
   if (auto sound = check_anchor_number(design(), anchor); !sound) return sound;
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  SlitAnchor& moved = design.anchors[static_cast<std::size_t>(anchor)];
-  moved.at = at;
-  if (auto sound = check_anchor(design, *next.panel, anchor); !sound) return sound;
-  reopen(next, moved.strip);
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.anchors[static_cast<std::size_t>(anchor)].at = at; });
 }
 
 Result<void> SlitSession::remove_anchor(int anchor) {
   if (auto sound = check_anchor_number(design(), anchor); !sound) return sound;
-  Snapshot next = content_->now;
-  SlitDesign design = *next.design;
-  reopen(next, design.anchors[static_cast<std::size_t>(anchor)].strip);
-  design.anchors.erase(design.anchors.begin() + anchor);
-  next.design = std::make_shared<const SlitDesign>(std::move(design));
-  content_->commit(std::move(next));
-  return {};
+  return edit([&](SlitDesign& design) { design.anchors.erase(design.anchors.begin() + anchor); });
 }
 
 Result<void> SlitSession::set_scan(int strip, std::vector<Vec3> points) {
   if (auto sound = check_scan(design(), strip, points, strip); !sound) return sound;
   Snapshot next = content_->now;
-  Slot slot = next.slot(strip);
-  slot.scan = scan_of(std::move(points));
-  slot.state.status = StripStatus::open;
-  next.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+  take_scan(next, strip, std::move(points));
   content_->commit(std::move(next));
   return {};
 }
@@ -153,15 +176,12 @@ Result<Eigen::Isometry3d> SlitSession::align_scans() {
   }
   if (points.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
   const Eigen::Isometry3d motion = aligning_motion(points, NearestPoints(std::move(surface)));
-  for (auto& known : next.slots) {
-    if (!known->scan) continue;
-    Slot slot = *known;
-    std::vector<Vec3> moved = known->scan->points();
+  for (int strip = 0; strip < next.count(); ++strip) {
+    if (!next.slot(strip).scan) continue;
+    std::vector<Vec3> moved = next.slot(strip).scan->points();
     for (Vec3& p : moved)
       p = motion * p;
-    slot.scan = scan_of(std::move(moved));
-    slot.state.status = StripStatus::open;
-    known = std::make_shared<const Slot>(std::move(slot));
+    take_scan(next, strip, std::move(moved));
   }
   content_->commit(std::move(next));
   return motion;

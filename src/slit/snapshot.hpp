@@ -16,6 +16,7 @@ struct Slot {
   std::vector<Inequality> inequalities;
   std::shared_ptr<const NearestPoints> scan;
   StripState state;
+  Eigen::AlignedBox3d box;  ///< of the folded strip
 };
 
 /// Everything that undo brings back. Copies share what is large.

@@ -148,7 +148,16 @@ class Rows {
     const double scale = position_scale(problem_.weights.scan * kReferenceQuads / base_.quads);
     for (int side = 0; side < 2; ++side)
       for (int ridge = 1; ridge <= base_.quads; ++ridge)
-        add_place(side, ridge, problem_.scan->nearest(fold_.end(side, ridge)), scale);
+        add_scanned(side, ridge, scale);
+  }
+
+  void add_scanned(int side, int ridge, double scale) {
+    const NearestPoints::Foot foot = problem_.scan->on_surface(fold_.end(side, ridge));
+    residuals_.segment<3>(row_) = scale * (fold_.end(side, ridge) - foot.point);
+    if (jacobian_)
+      jacobian_->middleRows<3>(row_) =
+          scale * (Eigen::Matrix3d::Identity() - foot.derivative) * slit_detail::end_derivative(base_, fold_, twists_, side, ridge);
+    row_ += 3;
   }
 
   void add_inequality(const Inequality& inequality) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace planish::slit_detail {
@@ -14,6 +15,8 @@ constexpr double kHolds = 1e-7;          // of an inequality
 constexpr double kFirstPenalty = 1.0;   // a tenth of the strip's length then counts as much as its smoothness
 constexpr double kPenaltyGrowth = 4.0;
 constexpr int kRounds = 10, kStepsOfRound = 20;
+constexpr double kMargin = 2e-4;        // radii are led to so much more than they need, and then have it
+constexpr double kWorth = 20.0;         // times the objective that keeping an inequality may cost
 constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains of an iteration at which a start, a round are left
 
 bool same_place(const RadiusLimit& a, const RadiusLimit& b) { return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad; }
@@ -31,15 +34,38 @@ bool add(std::vector<Inequality>& list, const Limit& limit) {
   return true;
 }
 
+/// Whether every other ridge is one that dividing the quads has put in, without a fold.
+bool just_divided(const StripBase& base, const StripParameters& p) {
+  if (base.quads % 2 != 0) return false;
+  bool any = false;
+  for (int ridge = 0; ridge < base.quads; ridge += 2) {
+    any |= p[ridge] != 0.0;
+    if (p[ridge + 1] != 0.0) return false;
+  }
+  return any;
+}
+
+/// New ridges take a quarter of each neighbour's fold: nearly the same shape, and smooth where it was.
+StripParameters shared_out(const StripBase& base, const StripParameters& p) {
+  StripParameters shared = p;
+  shared[0] = 0.75 * p[0];
+  for (int ridge = 2; ridge < base.quads; ridge += 2)
+    shared[ridge] = 0.5 * p[ridge];
+  for (int ridge = 1; ridge < base.quads; ridge += 2)
+    shared[ridge] = 0.25 * (p[ridge - 1] + (ridge + 1 < base.quads ? p[ridge + 1] : 0.0));
+  return shared;
+}
+
 class Solver {
  public:
   Solver(StripProblem problem, const DescentOptions& options, const PlanesBroken& planes_broken)
-      : problem_(std::move(problem)), options_(options), planes_broken_(planes_broken) {
+      : problem_(std::move(problem)), options_(options), planes_broken_(planes_broken), least_radius_(problem_.min_radius) {
     problem_.penalty = kFirstPenalty;
+    problem_.min_radius *= 1.0 + kMargin;
   }
 
   StripSolution run(const StripParameters& from) {
-    if (from.size() != problem_.parameters() || !reach_from(from)) begin();
+    if (!reach_from_before(from)) begin();
     if (solution_.reached) {
       descend_once();
       hold_inequalities();
@@ -49,6 +75,11 @@ class Solver {
   }
 
  private:
+  bool reach_from_before(const StripParameters& from) {
+    if (from.size() != problem_.parameters()) return false;
+    return (just_divided(problem_.base, from) && reach_from(shared_out(problem_.base, from))) || reach_from(from);
+  }
+
   bool reach_from(const StripParameters& from) {
     if (!is_shape(problem_.base, from)) return false;
     const Reach reach = meet_ends(problem_, from);
@@ -105,9 +136,15 @@ class Solver {
     return planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p)) : std::vector<HalfSpace>{};
   }
 
-  bool is_too_tight() const {
-    return problem_.min_radius > 0.0 && tightest_fold(problem_.base, solution_.p).radius < problem_.min_radius * (1.0 - kHolds);
+  /// Without what inequalities add to it.
+  double objective() const {
+    StripProblem plain = problem_;
+    plain.inequalities.clear();
+    Eigen::VectorXd residuals(plain.residuals());
+    return evaluate(plain, solution_.p, residuals, nullptr) ? 0.5 * residuals.squaredNorm() : std::numeric_limits<double>::infinity();
   }
+  double radius() const { return tightest_fold(problem_.base, solution_.p).radius; }
+  bool is_too_tight() const { return least_radius_ > 0.0 && radius() < least_radius_; }
 
   /// Takes in what the shape breaks.
   bool take_in(const std::vector<HalfSpace>& planes) {
@@ -122,24 +159,43 @@ class Solver {
 
   /// First the radii alone. A way out of a neighbour that creases the strip is none: then it is left as it was.
   void hold_inequalities() {
-    hold(Planes::left_out);
+    hold_radii();
     if (!solution_.converged || planes_now_broken().empty()) return;
     const StripSolution before = solution_;
+    const double most = kWorth * objective();
     const std::vector<Inequality> needed = problem_.inequalities;
     const bool was_too_tight = is_too_tight();
     hold(Planes::kept);
-    constexpr double kWorth = 20.0;
-    const bool creased = (is_too_tight() && !was_too_tight) || solution_.objective > kWorth * before.objective;
-    if (!stopped() && (creased || !planes_now_broken().empty())) {
-      solution_.p = before.p;
-      solution_.objective = before.objective;
-      problem_.inequalities = needed;
-    }
-    solution_.converged = !stopped();
+    const bool creased = (is_too_tight() && !was_too_tight) || objective() > most;
+    if (!stopped() && (creased || !planes_now_broken().empty())) take_back(before, needed);
+    settle();
   }
 
+  /// Where no shape was found that keeps the radii, the one that is bent least tightly at no great cost stands.
+  void hold_radii() {
+    const std::vector<Inequality> none_needed = problem_.inequalities;
+    StripSolution widest = solution_;
+    double widest_radius = radius();
+    const double most = kWorth * objective();
+    hold(Planes::left_out, [&] {
+      if (radius() <= widest_radius || objective() > most) return;
+      widest = solution_;
+      widest_radius = radius();
+    });
+    if (!stopped() && is_too_tight()) take_back(widest, none_needed);
+  }
+
+  void take_back(const StripSolution& before, const std::vector<Inequality>& inequalities) {
+    solution_.p = before.p;
+    solution_.objective = before.objective;
+    problem_.inequalities = inequalities;
+  }
+
+  /// Rounds end before they converge, on purpose; what counts is that there was time for all of them.
+  void settle() { solution_.converged = !stopped() && descended_ < options_.max_iterations; }
+
   enum class Planes { left_out, kept };
-  void hold(Planes which) {
+  void hold(Planes which, const std::function<void()>& after_round = [] {}) {
     problem_.penalty = kFirstPenalty;
     for (int round = 0; round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
       const bool any = take_in(which == Planes::kept ? planes_now_broken() : std::vector<HalfSpace>{});
@@ -151,7 +207,8 @@ class Solver {
         update_multipliers(values);
       }
       descend_by(kStepsOfRound, std::max(options_.function_tolerance, kFine));
-      solution_.converged = !stopped();
+      settle();
+      after_round();
     }
   }
 
@@ -174,6 +231,7 @@ class Solver {
   StripProblem problem_;
   const DescentOptions& options_;
   const PlanesBroken& planes_broken_;
+  double least_radius_;
   StripSolution solution_;
   int descended_ = 0;
   double violation_ = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace planish::slit_detail {
@@ -14,6 +15,15 @@ namespace {
 bool ends_backwards(const StripEnd& end, const FoldedStrip& strip) {
   const Frame& last = strip.quads.back();
   return (end.direction && end.direction->dot(last.x) < 0.0) || (end.across && end.across->dot(last.y) < 0.0);
+}
+
+Eigen::AlignedBox3d box_of(const StripBase& base, const StripParameters& p) {
+  const StripFold fold = folded(base, p);
+  Eigen::AlignedBox3d box;
+  for (const auto& side : fold.ends)
+    for (const Vec3& end : side)
+      box.extend(end);
+  return box;
 }
 
 /// What is reported of a strip, measured on its shape.
@@ -41,22 +51,21 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
     double sum = 0.0;
     for (int ridge = 1; ridge <= problem.base.quads; ++ridge)
       for (int side = 0; side < 2; ++side)
-        sum += (problem.scan->nearest(fold.end(side, ridge)) - fold.end(side, ridge)).squaredNorm();
+        sum += (problem.scan->on_surface(fold.end(side, ridge)).point - fold.end(side, ridge)).squaredNorm();
     state.scan_distance = std::sqrt(sum / (2.0 * problem.base.quads));
   }
   state.iterations = solution.iterations;
   return state;
 }
 
-bool stands(const Snapshot& now, int strip) {
-  return strip >= 0 && strip < now.count() && now.slot(strip).p.size() && now.slot(strip).state.status != StripStatus::open;
-}
+bool is_folded(const Snapshot& now, int strip) { return strip >= 0 && strip < now.count() && now.slot(strip).p.size(); }
 
-/// What the strip must keep clear of: its mirror image, and neighbours that stand.
-PlanesBroken clear_of(const Snapshot& now, int strip) {
+PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   std::vector<std::pair<Side, FoldedStrip>> neighbours;
-  if (stands(now, strip - 1)) neighbours.emplace_back(Side::left, folded_of(now, strip - 1));
-  if (stands(now, strip + 1)) neighbours.emplace_back(Side::right, folded_of(now, strip + 1));
+  if (clear == Clear::of_neighbours) {
+    if (is_folded(now, strip - 1)) neighbours.emplace_back(Side::left, folded_of(now, strip - 1));
+    if (is_folded(now, strip + 1)) neighbours.emplace_back(Side::right, folded_of(now, strip + 1));
+  }
   const bool symmetric = now.design->sheet.symmetric;
   const double sign = half_sign(now);
   return [neighbours = std::move(neighbours), symmetric, sign](const FoldedStrip& shape) {
@@ -75,25 +84,68 @@ PlanesBroken clear_of(const Snapshot& now, int strip) {
 
 }  // namespace
 
-StripSolution work_on(Snapshot& now, int strip, const DescentOptions& options) {
+StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOptions& options) {
   const StripProblem problem = problem_of(now, strip);
-  StripSolution solution = solve_strip(problem, now.slot(strip).p, options, clear_of(now, strip));
+  StripSolution solution = solve_strip(problem, now.slot(strip).p, options, planes_broken(now, strip, clear));
   Slot slot = now.slot(strip);
   slot.p = solution.p;
   slot.state = measured(now, strip, problem, solution);
   slot.inequalities = solution.inequalities;
+  slot.box = box_of(problem.base, solution.p);
   std::erase_if(slot.inequalities, [](const Inequality& known) { return std::holds_alternative<HalfSpace>(known.what); });
   now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
   return solution;
 }
 
-void note_crossing(Snapshot& now, int strip) {
-  if (strip < 0 || strip + 1 >= now.count()) return;
-  const bool crosses = cross(folded_of(now, strip), folded_of(now, strip + 1));
-  if (crosses == now.slot(strip).state.crosses_next) return;
-  Slot slot = now.slot(strip);
-  slot.state.crosses_next = crosses;
-  now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+void note_crossings(Snapshot& now, const std::vector<int>& moved) {
+  std::vector<bool> has_moved(static_cast<std::size_t>(now.count()));
+  for (const int strip : moved)
+    has_moved[static_cast<std::size_t>(strip)] = true;
+  std::vector<std::vector<int>> crosses;
+  for (int strip = 0; strip < now.count(); ++strip) {
+    crosses.push_back(now.slot(strip).state.crosses);
+    std::erase_if(crosses.back(), [&](int other) { return has_moved[static_cast<std::size_t>(strip)] || has_moved[static_cast<std::size_t>(other)]; });
+  }
+  for (const int strip : moved)
+    for (int other = 0; other < now.count(); ++other) {
+      if (other == strip || (has_moved[static_cast<std::size_t>(other)] && other < strip)) continue;
+      if (!is_folded(now, other) || !now.slot(strip).box.intersects(now.slot(other).box)) continue;
+      const auto [lower, higher] = std::minmax(strip, other);
+      if (cross(folded_of(now, lower), folded_of(now, higher))) crosses[static_cast<std::size_t>(lower)].push_back(higher);
+    }
+  for (int strip = 0; strip < now.count(); ++strip) {
+    auto& found = crosses[static_cast<std::size_t>(strip)];
+    std::sort(found.begin(), found.end());
+    if (found == now.slot(strip).state.crosses) continue;
+    Slot slot = now.slot(strip);
+    slot.state.crosses = std::move(found);
+    now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+  }
+}
+
+int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentOptions& options) {
+  const auto both = [](const Snapshot& snapshot, int strip) { return snapshot.slot(strip).state.objective + snapshot.slot(strip + 1).state.objective; };
+  std::vector<int> pairs;
+  for (int strip = 0; strip + 1 < now.count(); ++strip) {
+    const auto& crosses = now.slot(strip).state.crosses;
+    if (std::find(crosses.begin(), crosses.end(), strip + 1) != crosses.end()) pairs.push_back(strip);
+  }
+  // By what they are, not by their numbers, so that a mirrored sheet is parted in the mirrored way.
+  std::stable_sort(pairs.begin(), pairs.end(), [&](int a, int b) { return both(now, a) < both(now, b); });
+  int iterations = 0;
+  for (const int pair : pairs) {
+    std::optional<Snapshot> best;
+    for (const int strip : {pair, pair + 1}) {
+      if (options.stop && options.stop()) return iterations;
+      if (std::find(moved.begin(), moved.end(), strip) == moved.end()) continue;
+      Snapshot tried = now;
+      iterations += work_on(tried, strip, Clear::of_neighbours, options).iterations;
+      if (cross(folded_of(tried, pair), folded_of(tried, pair + 1))) continue;
+      if (!best || both(tried, pair) < both(*best, pair)) best = std::move(tried);
+    }
+    if (best) now = std::move(*best);
+  }
+  return iterations;
 }
 
 }  // namespace planish::slit_detail

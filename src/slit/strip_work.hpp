@@ -3,12 +3,21 @@
 #include "snapshot.hpp"
 #include "strip_solver.hpp"
 
+#include <vector>
+
 namespace planish::slit_detail {
 
-/// Solves one strip of a snapshot, clear of its mirror image and of neighbours that stand, and measures it.
-StripSolution work_on(Snapshot& now, int strip, const DescentOptions& options);
+/// What a strip is kept clear of: its mirror image, and with `neighbours` the strips beside it too.
+enum class Clear { of_mirror, of_neighbours };
 
-/// Whether a strip runs through the next one, noted in its state; nothing where there is no next one.
-void note_crossing(Snapshot& now, int strip);
+/// Solves one strip of a snapshot and measures it.
+StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOptions& options);
+
+/// Notes which strips those that moved run through.
+void note_crossings(Snapshot& now, const std::vector<int>& moved);
+
+/// Neighbours that run through each other, one of them at least moved: one gives way, whichever lets both together be
+/// nearer to what is wanted. Best effort: a strip that would be creased for it stays. Returns the iterations taken.
+int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentOptions& options);
 
 }  // namespace planish::slit_detail

@@ -229,6 +229,39 @@ class Refusals(SlitTest):
         self.assertIn("[cannot_read]", self.sentence(chair(scan=[{"strip": 0, "points": "missing.txt"}]), 3))
         self.assertIn("spec.json/scan/0/strip", self.sentence(chair(scan=[{"strip": 9, "points": [[0, 0, 0]]}]), 3))
 
+    def test_no_output_replaces_a_scan(self):
+        points = "".join(f"{x} 500 30\n" for x in range(0, 300, 10))
+        self.write("cloud.obj", points)
+        spec = self.spec(chair(scan=[{"strip": 0, "points": "cloud.obj"}]))
+        for output in (["-o", "cloud.obj"], ["--json", "cloud.obj"], ["-o", "./cloud.obj", "--json", "r.json"]):
+            self.assertIn("cloud.obj", self.refused("slit", spec, *output, status=2))
+            self.assertEqual((self.dir / "cloud.obj").read_text(), points)
+
+    def test_scans_as_other_programs_write_them(self):
+        def distances(name):
+            return [s["scan_distance"] for s in self.report(chair(scan=[{"strip": 0, "points": name}]), "--check")["slit"]["strips"]]
+        self.write("points.txt", "300.5 450.25 30\n200.5 480.25 30\n")
+        self.write("commas.txt", "\ufeff300,5 450,25 30,0\n200,5\t480,25;30,0\n")
+        self.assertEqual(distances("points.txt"), distances("commas.txt"))
+
+    def test_scans_of_something_else_are_said(self):
+        metres = [[x / 1e4, 0.45, 0.03] for x in range(3000)]
+        codes = [c["code"] for c in self.report(chair(scan=[{"strip": 0, "points": metres}]), "--check")["checks"]]
+        self.assertIn("scan_far", codes)
+
+    def test_numbers_beyond_any_sheet(self):
+        for value in (1e160, 1e308, -1e20):
+            poles = [[360, 0], [360, value], [360, 360]]
+            self.assertIn("/leg_curve/bezier/1", self.sentence(chair(leg_curve={"bezier": poles}), 3))
+            self.assertIn("/seat_curve/bezier/1", self.sentence(chair(seat_curve={"bezier": poles}), 3))
+            self.assertIn("/anchors/0/at", self.sentence(chair(anchors=[{"strip": 0, "ridge": 1, "at": [0, 0, value]}]), 3))
+        self.assertIn("64", self.sentence(chair(leg_curve={"bezier": [[360, i / 5] for i in range(1801)]}), 3))
+        self.assertIn("/weights/seat", self.sentence(chair(weights={"seat": 1e9}), 3))
+
+    def test_what_would_be_left_out_silently(self):
+        self.assertIn("/ends/1/strip", self.sentence(banner(ends=[{"strip": 1, "direction": [0, 1, 0]}, {"strip": 1}]), 3))
+        self.assertIn("/seat_curve", self.sentence(banner(seat_curve={"bezier": [[0, 0], [0, 135]]}), 3))
+
     def test_numbers_and_keys(self):
         self.assertIn("spec.json/weights/smooth", self.sentence(chair(weights={"smooth": -1}), 3))
         self.assertIn("spec.json/ridges", self.sentence(chair(ridges=2), 3))

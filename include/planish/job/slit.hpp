@@ -5,6 +5,7 @@
 #include <planish/job/slit_json.hpp>
 #include <planish/slit/session.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, 
 /// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes and units are read).
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request,
                                const Progress& progress = {});
+
+/// Files of scanned points that a slit file names, as far as it can be read; none of standard input ("-").
+std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input);
 
 /// The report of a request that ended with an error.
 SlitReport failed_slit(const MakeRequest& request, const Error& error);

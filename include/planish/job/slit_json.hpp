@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace planish::job {
 
@@ -25,8 +26,11 @@ struct SlitFile {
 /// files of points. What designs must be is left to `SlitSession`.
 Result<SlitFile> parse_slits(const std::string& json, const std::string& name, const std::filesystem::path& folder);
 
+/// The files of scanned points that a slit file names, as far as it can be read.
+std::vector<std::filesystem::path> point_files_of(const std::string& json, const std::filesystem::path& folder);
+
 /// Points as text, "x y z" a line, blanks, tabs, commas or semicolons between; `#` begins a comment, empty lines are
-/// passed over. More numbers in a line (colours, normals) are passed over too. `scale`: mm in one of their units.
+/// passed over. Where blanks, tabs or semicolons stand between numbers a comma in them is a decimal comma. More numbers in a line (colours, normals) are passed over too. `scale`: mm in one of their units.
 /// Errors: `invalid_input` with name:line.
 Result<std::vector<Vec3>> parse_points(const std::string& text, const std::string& name, double scale);
 

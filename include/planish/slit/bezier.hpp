@@ -9,6 +9,7 @@ namespace planish {
 /// A plane Bézier curve of any degree, by its poles (mm); parameter t from 0 to 1.
 struct BezierCurve {
   std::vector<Vec2> poles;
+  friend bool operator==(const BezierCurve&, const BezierCurve&) = default;
 };
 
 /// A point of a curve with its first two derivatives with respect to t.

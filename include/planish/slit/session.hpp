@@ -5,6 +5,7 @@
 #include <planish/slit/folded_slit_sheet.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -34,12 +35,12 @@ struct StripState {
   double min_radius = 0.0;
   int tightest_ridge = 0;
   bool too_tight = false;   ///< min_radius is below what the material allows, and could not be kept above
-  bool crosses_next = false;   ///< runs through the next strip
+  std::vector<int> crosses;    ///< strips of higher numbers that it runs through
   bool crosses_plane = false;  ///< runs through the symmetry plane, and so through its mirror image
   double objective = 0.0;
   double seat_distance = 0.0;    ///< largest distance of the end's corners from the seat curve, mm; 0 without one
   double anchor_distance = 0.0;  ///< largest distance from its anchors, mm
-  double scan_distance = 0.0;    ///< root mean square distance of the ridges' ends from the scan, mm
+  double scan_distance = 0.0;    ///< root mean square distance of the ridges' ends from the surface that was scanned, mm
   int iterations = 0;            ///< of the last call that solved it
 };
 
@@ -70,7 +71,11 @@ class SlitSession {
   SlitSession& operator=(SlitSession&&) noexcept;
   ~SlitSession();
 
-  /// Edits. Errors: those of `start` that concern them; the session is then as before.
+  /// Edits. Errors: those of `start`; the session is then as before.
+  /// Everything at once: only what differs is edited, in one step of `undo`. Ridges and anchors may be numbered as
+  /// before the subdivisions. Another sheet or number of ridges begins from first shapes. The design's scans
+  /// replace all that is known.
+  Result<void> set_design(SlitDesign design);
   Result<void> set_leg_curve(BezierCurve curve);
   Result<void> set_seat_curve(std::optional<BezierCurve> curve);
   Result<void> set_weights(const SlitWeights& weights);
@@ -108,6 +113,7 @@ class SlitSession {
 
  private:
   struct Content;
+  Result<void> edit(const std::function<void(SlitDesign&)>& change);
   explicit SlitSession(std::unique_ptr<Content> content);
   std::unique_ptr<Content> content_;
 };

@@ -20,6 +20,7 @@ struct SlitStrip {
   /// strip's first ridge joins both.
   std::optional<double> left_start = {}, right_start = {};
   std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length. Not in symmetric sheets
+  friend bool operator==(const SlitStrip&, const SlitStrip&) = default;
 };
 
 /// The sheet, or in symmetric sheets the half of it up to the symmetry plane x = 0 (MATH 6.1).
@@ -40,6 +41,7 @@ struct SlitSheet {
   double end_of(int strip) const;
   /// Smallest radius of the mid-surface that the material allows.
   double min_radius() const { return min_inside_radius + 0.5 * thickness; }
+  friend bool operator==(const SlitSheet&, const SlitSheet&) = default;
 };
 
 /// `count` equal strips side by side.
@@ -54,6 +56,7 @@ struct SlitAnchor {
   int ridge = 0;
   Side side = Side::left;
   Vec3 at = Vec3::Zero();
+  friend bool operator==(const SlitAnchor&, const SlitAnchor&) = default;
 };
 
 /// Where the free end of a strip (not in symmetric sheets) must be; what is not given is free.
@@ -61,6 +64,7 @@ struct StripEnd {
   std::optional<Vec3> position = {};   ///< of the middle of the last ridge
   std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its sides
   std::optional<Vec3> across = {};     ///< of the last ridge, from left to right
+  friend bool operator==(const StripEnd&, const StripEnd&) = default;
 };
 
 /// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one strip add up.
@@ -85,6 +89,7 @@ struct SlitWeights {
   /// curve to the other, evenly apart. Without it strips leave holes where their neighbours crowd.
   double spread = 0.003;
   double scan = 0.03;     ///< distance of the ridges' ends to scanned points [6]
+  friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
 /// A slit sheet and the form that it is to take: what a file holds (FORMATS, slits).
