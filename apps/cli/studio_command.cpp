@@ -14,7 +14,7 @@ constexpr auto kExamples = R"(Examples:
   planish studio chair.json              the same, with a file open
   planish studio --no-browser --port 8731
 
-It serves this machine alone and ends with Ctrl-C. More in docs/studio.md.)";
+It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
 
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "attachments.hpp"
 #include "document.hpp"
+#include "draft_session.hpp"
 #include "made_files.hpp"
 #include "remembered.hpp"
 
@@ -8,7 +9,6 @@
 #include <planish/job/slit.hpp>
 #include <planish/slit/mould.hpp>
 
-#include <algorithm>
 
 namespace planish::studio {
 namespace {
@@ -108,15 +108,11 @@ class SlitDocument : public Document {
 
   /// As far as a moment allows: strips that are not at their best then are `open`, and the next draft goes on.
   Result<SlitReport> draft(const job::SlitFile& file, const Asked& asked, const Progress& progress) {
-    constexpr double kMoment = 0.1;  // s
     const job::MakeRequest request = make_request(asked, name_, job::Effort::draft);
-    auto started = SlitSession::start(file.design);
-    if (!started) return refused(request, started.error());
-    session_ = std::move(*started);
-    SlitSolveOptions options;
-    options.seconds = kMoment;
-    if (const auto solved = session_->solve(options, progress); !solved) return tl::unexpected(solved.error());
-    return job::slit_solved(*session_, file, request, progress);
+    if (auto followed = session_.follow(file, progress); !followed) return refused(request, followed.error());
+    auto report = job::slit_solved(session_.now(), file, request, progress);
+    if (report) report->scan_motion = session_.scan_motion();
+    return report;
   }
 
   static Result<SlitReport> refused(const job::MakeRequest& request, const Error& error) {
@@ -126,7 +122,7 @@ class SlitDocument : public Document {
 
   std::string name_;
   std::filesystem::path attachments_;
-  std::optional<SlitSession> session_;
+  DraftSession session_;
   Remembered<SlitReport> last_;
 };
 
