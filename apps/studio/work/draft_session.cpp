@@ -14,7 +14,7 @@ SlitDesign moved_scans(SlitDesign design, const Eigen::Isometry3d& motion) {
 
 Result<void> DraftSession::solve(const Progress& progress) {
   SlitSolveOptions options;
-  options.seconds = 0.1;
+  options.seconds = 0.05;
   const auto solved = session_->solve(options, progress);
   if (!solved) return tl::unexpected(solved.error());
   return {};
@@ -36,21 +36,14 @@ Result<void> DraftSession::begin(const job::SlitFile& file, const Progress& prog
 }
 
 Result<void> DraftSession::take(const job::SlitFile& file, const Progress& progress) {
-  const bool too_fine = session_ && session_->design().ridges > file.design.ridges << file.subdivisions;
-  if (!session_ || too_fine || aligned_ != file.align_scans) return begin(file, progress);
+  if (!session_ || aligned_ != file.align_scans) return begin(file, progress);
   return session_->set_design(aligned_ ? moved_scans(file.design, motion_) : file.design);
 }
 
 Result<void> DraftSession::follow(const job::SlitFile& file, const Progress& progress) {
   if (auto taken = take(file, progress); !taken) return taken;
   session_->forget_edits();
-  if (auto solved = solve(progress); !solved) return solved;
-  while (session_->design().ridges < file.design.ridges << file.subdivisions) {
-    session_->subdivide();
-    if (auto solved = solve(progress); !solved) return solved;
-  }
-  session_->forget_edits();
-  return {};
+  return solve(progress);
 }
 
 }  // namespace planish::studio
