@@ -33,7 +33,7 @@ std::string shown_name(const std::filesystem::path& file) {
   std::string name = file == "-" ? "stdin" : file.filename().string();
   const auto unfit = [](unsigned char c) { return std::iscntrl(c) || c == '\\'; };
   std::replace_if(name.begin(), name.end(), unfit, '_');
-  if (!name.empty() && name.front() == '.') name.insert(0, "_");
+  if (!name.empty() && name.front() == '.') name.front() = '_';
   constexpr std::size_t kLongest = 100;
   return name.substr(name.size() > kLongest ? name.size() - kLongest : 0);
 }
