@@ -85,7 +85,10 @@ void JsonReading::parse(const std::string& text) {
     const std::string place = position(text, error.byte);
     return no_json(fmt::format("mistake at line:column {}", place), ":" + place);
   } catch (const Json::exception& error) {
-    return no_json(error.what(), "");
+    // Behind the name that the parser gives its error.
+    const std::string said = error.what();
+    const auto name_end = said.find("] ");
+    return no_json(name_end == std::string::npos ? said : said.substr(name_end + 2), "");
   }
   if (repeated.first()) {
     error_ = Error{ErrorCode::invalid_input,

@@ -29,18 +29,34 @@ SlitReport begun(const MakeRequest& request, LengthUnit unit) {
   return report;
 }
 
+Result<void> solve(SlitSession& session, const Progress& progress) {
+  const auto done = session.solve({}, progress);
+  return done ? Result<void>() : tl::unexpected(done.error());
+}
+
+/// Scans lie only roughly where the sheet is: the strips follow them there as far as they can, the scans are brought to the
+/// strips, and so on until both agree.
+Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
+  constexpr int kRounds = 30;
+  const double still = 1e-4 * session.design().sheet.reach();
+  for (int round = 0; round < kRounds; ++round) {
+    if (auto done = solve(session, progress); !done) return done;
+    const auto step = session.align_scans();
+    if (!step) return tl::unexpected(step.error());
+    motion = *step * motion;
+    const double turned = Eigen::AngleAxisd(step->linear()).angle() * session.design().sheet.reach();
+    if (step->translation().norm() + turned < still) break;
+  }
+  return solve(session, progress);
+}
+
 Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progress& progress) {
   auto session = SlitSession::start(file.design);
   if (!session) return session;
   for (int level = 0; level <= file.subdivisions; ++level) {
     if (level > 0) session->subdivide();
-    if (auto done = session->solve({}, progress); !done) return tl::unexpected(done.error());
-    if (level > 0 || !file.align_scans) continue;
-    // Scans lie only roughly where the sheet is: they are brought to the first shape, which then follows them.
-    const auto motion = session->align_scans();
-    if (!motion) return tl::unexpected(motion.error());
-    report.scan_motion = *motion;
-    if (auto done = session->solve({}, progress); !done) return tl::unexpected(done.error());
+    const auto done = level == 0 && file.align_scans ? align(*session, report.scan_motion, progress) : solve(*session, progress);
+    if (!done) return tl::unexpected(done.error());
   }
   return session;
 }

@@ -1,40 +1,106 @@
 #include "align.hpp"
 
-#include <Eigen/Geometry>
+#include "nearest_points.hpp"
+
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <utility>
 
 namespace planish::slit_detail {
 namespace {
 
-constexpr std::size_t kMostUsed = 20000;
+constexpr std::size_t kMostUsed = 4000;  // points of a strip
 
-Eigen::Matrix3Xd sample_of(const std::vector<Vec3>& points) {
-  const std::size_t stride = (points.size() + kMostUsed - 1) / kMostUsed;
-  Eigen::Matrix3Xd sample(3, static_cast<Eigen::Index>((points.size() + stride - 1) / stride));
-  for (Eigen::Index i = 0; i < sample.cols(); ++i)
-    sample.col(i) = points[static_cast<std::size_t>(i) * stride];
-  return sample;
-}
+/// Points of a strip's surface, close together, and the normal of the quad that each lies on.
+class Surface {
+ public:
+  explicit Surface(const FoldedStrip& strip) {
+    constexpr int kAlong = 8, kAcross = 16;
+    std::vector<Vec3> points;
+    for (std::size_t quad = 0; quad < strip.quads.size(); ++quad)
+      for (int i = 0; i < kAlong; ++i)
+        for (int j = 0; j <= kAcross; ++j) {
+          const double s = (i + 0.5) / kAlong, r = static_cast<double>(j) / kAcross;
+          const auto on = [&](const SlitRidge& ridge) -> Vec3 { return (1.0 - r) * ridge.folded[0] + r * ridge.folded[1]; };
+          points.push_back((1.0 - s) * on(strip.ridges[quad]) + s * on(strip.ridges[quad + 1]));
+          normals_.push_back(strip.quads[quad].z);
+        }
+    tree_ = std::make_unique<NearestPoints>(std::move(points));
+  }
+
+  struct Foot {
+    const Vec3& point;
+    const Vec3& normal;
+  };
+  Foot nearest(const Vec3& p) const {
+    const Vec3& point = tree_->nearest(p);
+    return {point, normals_[static_cast<std::size_t>(&point - tree_->points().data())]};
+  }
+
+ private:
+  std::vector<Vec3> normals_;
+  std::unique_ptr<NearestPoints> tree_;
+};
+
+/// Normal equations for a small turn (times a length, in which arms are counted) and a shift.
+struct Step {
+  Eigen::Matrix<double, 6, 6> square = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+
+  void add(const Vec3& arm, const Vec3& direction, double missed, double weight) {
+    Eigen::Matrix<double, 6, 1> row;
+    row << arm.cross(direction), direction;
+    square += weight * row * row.transpose();
+    right += weight * missed * row;
+  }
+};
 
 }  // namespace
 
-Eigen::Isometry3d aligning_motion(const std::vector<Vec3>& points, const NearestPoints& cloud) {
-  const Eigen::Matrix3Xd sample = sample_of(points);
+Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans) {
+  std::vector<Surface> surfaces;
+  Vec3 pivot = Vec3::Zero();
+  std::size_t count = 0;
+  for (const ScannedStrip& scan : scans) {
+    surfaces.emplace_back(scan.strip);
+    for (const Vec3& p : scan.points)
+      pivot += p;
+    count += scan.points.size();
+  }
+  pivot /= static_cast<double>(count);
+  double size = 0.0;
+  for (const ScannedStrip& scan : scans)
+    for (const Vec3& p : scan.points)
+      size = std::max(size, (p - pivot).norm());
+  if (size == 0.0) size = 1.0;
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  Eigen::Matrix3Xd moved = sample, targets = sample;
-  const double extent = (sample.colwise() - sample.rowwise().mean()).colwise().norm().maxCoeff();
-  constexpr int kRounds = 100;
-  constexpr double kStill = 1e-10;
+  constexpr int kRounds = 200;
+  constexpr double kStill = 1e-8, kAlong = 0.01;
   for (int round = 0; round < kRounds; ++round) {
-    for (Eigen::Index i = 0; i < moved.cols(); ++i)
-      targets.col(i) = cloud.nearest(moved.col(i));
-    motion.matrix() = Eigen::umeyama(sample, targets, false);
-    const Eigen::Matrix3Xd next = (motion.linear() * sample).colwise() + motion.translation();
-    const double shift = (next - moved).cwiseAbs().maxCoeff();
-    moved = next;
-    if (shift <= kStill * extent) break;
+    Step step;
+    const Vec3 centre = motion * pivot;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const auto& points = scans[i].points;
+      const std::size_t stride = (points.size() + kMostUsed - 1) / kMostUsed;
+      for (std::size_t k = 0; k < points.size(); k += stride) {
+        const Vec3 p = motion * points[k];
+        const auto [foot, normal] = surfaces[i].nearest(p);
+        const Vec3 arm = (p - centre) / size;
+        step.add(arm, normal, normal.dot(foot - p), 1.0);
+        for (int axis = 0; axis < 3; ++axis)
+          step.add(arm, Vec3::Unit(axis), (foot - p)[axis], kAlong);
+      }
+    }
+    const Eigen::Matrix<double, 6, 1> by = step.square.ldlt().solve(step.right);
+    if (!by.allFinite()) break;
+    const Vec3 turn = by.head<3>() / size;
+    const double angle = turn.norm();
+    const Eigen::AngleAxisd rotation(angle, angle > 0.0 ? Vec3(turn / angle) : Vec3(Vec3::UnitX()));
+    motion = Eigen::Translation3d(centre + by.tail<3>()) * rotation * Eigen::Translation3d(-centre) * motion;
+    if (by.cwiseAbs().maxCoeff() <= kStill * size) break;
   }
   return motion;
 }

@@ -1,14 +1,21 @@
 #pragma once
 
-#include "nearest_points.hpp"
+#include <planish/slit/folded_slit_sheet.hpp>
+
+#include <Eigen/Geometry>
 
 #include <vector>
 
 namespace planish::slit_detail {
 
-/// The rigid motion that brings points nearest to a cloud: iterated closest points, each round the best motion for
-/// the pairs found (Umeyama). Of more than 20 000 points an even sample is used. Finds the motion from a rough
-/// position; from far off it may find a wrong one.
-Eigen::Isometry3d aligning_motion(const std::vector<Vec3>& points, const NearestPoints& cloud);
+/// The points measured on one strip, and the strip as it is.
+struct ScannedStrip {
+  const std::vector<Vec3>& points;
+  FoldedStrip strip;
+};
+
+/// The rigid motion that brings all points nearest to their strips (ICP): distances across the strips count in full,
+/// those along them little, so that points slide to their place. Of each strip some 4000 points are used.
+Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans);
 
 }  // namespace planish::slit_detail

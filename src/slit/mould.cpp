@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace planish {
 namespace {
@@ -232,10 +234,14 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   return {};
 }
 
+/// What is seen from above: facets of ribs, quads of strips in the middle of their thickness, and what their material
+/// covers at both skins, the height always that of the skin towards the mould.
+enum class Layer { rib, middle, skin };
+
 /// A plane piece as it is seen from above, and its plane.
 struct Seen {
-  int strip = 0;
-  bool rib = false;
+  Layer layer = Layer::rib;
+  int strip = 0, quad = 0;
   Vec3 on;      ///< in the base's frame
   Vec3 normal;  ///< likewise
 };
@@ -244,41 +250,92 @@ double height_at(const Seen& piece, const Vec2& p) {
   return piece.on.z() - (piece.normal.head<2>().dot(p - piece.on.head<2>())) / piece.normal.z();
 }
 
-/// A rib below another strip than its own may stand there, one that comes up through it may not.
-Result<void> check_clear(const std::vector<MouldRib>& ribs, const std::vector<std::vector<WholeStrip>>& strips, const Frame& base) {
-  std::vector<Seen> pieces;
-  std::vector<Polygon> outlines;
-  double smallest = std::numeric_limits<double>::infinity();
-  const auto see = [&](int strip, const std::array<Vec3, 4>& corners, bool rib) {
-    Polygon outline;
-    for (const Vec3& corner : corners) outline.outer.push_back(base.local2(corner));
-    const Vec3 normal = (corners[2] - corners[0]).cross(corners[3] - corners[1]).normalized();
-    constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
-    const Seen piece{strip, rib, base.local(corners[0]), {normal.dot(base.x), normal.dot(base.y), normal.dot(base.z)}};
-    if (std::abs(piece.normal.z()) < kUpright) return;
-    smallest = std::min(smallest, std::abs(ring_area(outline.outer)));
-    pieces.push_back(piece);
-    outlines.push_back(std::move(outline));
-  };
-  for (const MouldRib& rib : ribs)
-    for (const auto& facet : rib.facets) see(rib.strip, facet, true);
-  for (std::size_t i = 0; i < strips.size(); ++i)
-    for (const WholeStrip& strip : strips[i])
-      for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad)
-        see(static_cast<int>(i), {strip.ridges[quad][0], strip.ridges[quad + 1][0], strip.ridges[quad + 1][1], strip.ridges[quad][1]}, false);
-  constexpr double kTouching = 1e-9;  // of the smallest piece
-  for (const Overlap& overlap : overlaps(outlines, 0.0, kTouching * smallest)) {
-    const Seen *rib = &pieces[static_cast<std::size_t>(overlap.first)], *strip = &pieces[static_cast<std::size_t>(overlap.second)];
-    if (strip->rib) std::swap(rib, strip);
-    if (!rib->rib || strip->rib || rib->strip == strip->strip) continue;
-    for (const auto& ring : overlap.outline)
-      for (const Vec2& p : ring)
-        if (height_at(*rib, p) > height_at(*strip, p))
-          return fail(ErrorCode::unsupported_shape,
-                      fmt::format("the mould's rib under strip {} would stand in strip {}; choose a larger inset, another direction or the other side", rib->strip, strip->strip),
-                      fmt::format("strip {}", rib->strip));
+class View {
+ public:
+  View(const Frame& base, double offset) : base_(base), offset_(offset) {}
+
+  void add(const MouldRib& rib) {
+    for (std::size_t i = 0; i < rib.facets.size(); ++i) {
+      carried_.insert({rib.strip, rib.first_quad + static_cast<int>(i)});
+      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i), {}, {}}, rib.facets[i], rib.facets[i]);
+    }
   }
-  return {};
+
+  void add(const WholeStrip& strip, int number, int first_quad) {
+    const auto skin = [&](std::size_t ridge, double sense) -> std::array<Vec3, 2> {
+      const auto& normals = strip.towards_mould;
+      const Vec3 step = sense * offset_ * (ridge == 0 ? normals.front() : ridge == normals.size() ? normals.back() : mitre(normals[ridge - 1], normals[ridge]));
+      return {strip.ridges[ridge][0] + step, strip.ridges[ridge][1] + step};
+    };
+    for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad) {
+      const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) { return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]}; };
+      const int own = first_quad + static_cast<int>(quad);
+      const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]), below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
+      see({Layer::middle, number, own, {}, {}}, middle, middle);
+      see({Layer::skin, number, own, {}, {}}, below, below);
+      see({Layer::skin, number, own, {}, {}}, below, piece(skin(quad, -1.0), skin(quad + 1, -1.0)));
+    }
+  }
+
+  /// A rib may stand below the sheet, also below what it does not carry; one that comes up through it may not.
+  Result<void> check_clear() const {
+    constexpr double kTouching = 1e-9;  // of the smallest piece
+    for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
+      const Seen *rib = &pieces_[static_cast<std::size_t>(overlap.first)], *strip = &pieces_[static_cast<std::size_t>(overlap.second)];
+      if (strip->layer == Layer::rib) std::swap(rib, strip);
+      if (rib->layer != Layer::rib || !matters(*rib, *strip)) continue;
+      constexpr double kHigher = 1e-6;  // mm
+      for (const auto& ring : overlap.outline)
+        for (const Vec2& p : ring)
+          if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
+            return fail(ErrorCode::unsupported_shape,
+                        fmt::format("the mould's rib under strip {} would stand in {}; choose a larger inset, another direction or the other side", rib->strip,
+                                    rib->strip == strip->strip ? "another part of that strip" : fmt::format("strip {}", strip->strip)),
+                        fmt::format("strip {}", rib->strip));
+    }
+    return {};
+  }
+
+ private:
+  /// The quad that a facet carries, and those carried beside it, are mitred to it. One beside it that is left bare
+  /// begins at its ridge, and may lead back below it.
+  bool matters(const Seen& rib, const Seen& strip) const {
+    if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1) return strip.layer == Layer::skin;
+    return strip.layer == Layer::middle && !carried_.contains({strip.strip, strip.quad});
+  }
+
+  void see(Seen piece, const std::array<Vec3, 4>& plane, const std::array<Vec3, 4>& outline) {
+    const Vec3 normal = (plane[2] - plane[0]).cross(plane[3] - plane[1]).normalized();
+    piece.on = base_.local(plane[0]);
+    piece.normal = {normal.dot(base_.x), normal.dot(base_.y), normal.dot(base_.z)};
+    constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
+    if (std::abs(piece.normal.z()) < kUpright) return;
+    Polygon polygon;
+    for (const Vec3& corner : outline) polygon.outer.push_back(base_.local2(corner));
+    smallest_ = std::min(smallest_, std::abs(ring_area(polygon.outer)));
+    pieces_.push_back(piece);
+    outlines_.push_back(std::move(polygon));
+  }
+
+  const Frame& base_;
+  double offset_;
+  double smallest_ = std::numeric_limits<double>::infinity();
+  std::set<std::pair<int, int>> carried_;
+  std::vector<Seen> pieces_;
+  std::vector<Polygon> outlines_;
+};
+
+Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips, double offset) {
+  View view(mould.base, offset);
+  for (const MouldRib& rib : mould.ribs) view.add(rib);
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    int quads = 0;
+    for (const WholeStrip& strip : strips[i]) {
+      view.add(strip, static_cast<int>(i), quads);
+      quads += static_cast<int>(strip.towards_mould.size());
+    }
+  }
+  return view.check_clear();
 }
 
 /// The mould for one direction.
@@ -303,7 +360,7 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
     mould.volume += volume_of(rib.mesh);
   }
   if (auto apart = check_apart(mould.ribs); !apart) return tl::unexpected(apart.error());
-  if (auto clear = check_clear(mould.ribs, strips, mould.base); !clear) return tl::unexpected(clear.error());
+  if (auto clear = check_clear(mould, strips, setting.offset); !clear) return tl::unexpected(clear.error());
   return mould;
 }
 

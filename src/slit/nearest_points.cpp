@@ -82,8 +82,11 @@ NearestPoints::Foot NearestPoints::on_surface(const Vec3& p) const {
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
   axes.computeDirect(spread);
-  const Vec3 normal = axes.eigenvectors().col(0);
-  const Eigen::Matrix3d onto = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+  // Directions in which the points hardly spread are across what was scanned: a surface, or traced edges.
+  constexpr double kHardly = 0.05;
+  Eigen::Matrix3d onto = Eigen::Matrix3d::Zero();
+  for (int axis = 1; axis < 3; ++axis)
+    if (axes.eigenvalues()[axis] > kHardly * axes.eigenvalues()[2]) onto += axes.eigenvectors().col(axis) * axes.eigenvectors().col(axis).transpose();
   const Vec3 aside = onto * (p - middle);
   const double distance = aside.norm();
   if (distance <= radius) return {middle + aside, onto};

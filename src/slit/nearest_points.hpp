@@ -21,7 +21,7 @@ class NearestPoints {
   const Vec3& nearest(const Vec3& p) const;
 
   /// The nearest point of the surface that was scanned: of a disc through the points about p, twice as large as they
-  /// spread, in the plane that fits them best. So a point slides along the surface, and noise and the spacing of
+  /// spread, in the plane that fits them best; of traced edges, of a line. So a point slides along the surface, and noise and the spacing of
   /// points are evened out. With its derivative with respect to p, the disc held fixed.
   struct Foot {
     Vec3 point = Vec3::Zero();

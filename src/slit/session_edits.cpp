@@ -16,18 +16,6 @@ using namespace slit_detail;
 
 namespace {
 
-/// Points of a strip's surface, close enough together to align scans with.
-void add_surface_points(const FoldedStrip& strip, std::vector<Vec3>& points) {
-  constexpr int kAlong = 8, kAcross = 8;
-  for (std::size_t quad = 0; quad < strip.quads.size(); ++quad)
-    for (int i = 0; i < kAlong; ++i)
-      for (int j = 0; j <= kAcross; ++j) {
-        const double s = static_cast<double>(i) / kAlong, r = static_cast<double>(j) / kAcross;
-        const auto on = [&](const SlitRidge& ridge) -> Vec3 { return (1.0 - r) * ridge.folded[0] + r * ridge.folded[1]; };
-        points.push_back((1.0 - s) * on(strip.ridges[quad]) + s * on(strip.ridges[quad + 1]));
-      }
-}
-
 void take_scan(Snapshot& next, int strip, std::vector<Vec3> points) {
   Slot slot = next.slot(strip);
   slot.scan = scan_of(std::move(points));
@@ -167,15 +155,11 @@ Result<void> SlitSession::set_scan(int strip, std::vector<Vec3> points) {
 
 Result<Eigen::Isometry3d> SlitSession::align_scans() {
   Snapshot next = content_->now;
-  std::vector<Vec3> surface, points;
-  for (int strip = 0; strip < next.count(); ++strip) {
-    const auto& scan = next.slot(strip).scan;
-    if (!scan) continue;
-    add_surface_points(folded_of(next, strip), surface);
-    points.insert(points.end(), scan->points().begin(), scan->points().end());
-  }
-  if (points.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
-  const Eigen::Isometry3d motion = aligning_motion(points, NearestPoints(std::move(surface)));
+  std::vector<ScannedStrip> scans;
+  for (int strip = 0; strip < next.count(); ++strip)
+    if (const auto& scan = next.slot(strip).scan) scans.push_back({scan->points(), folded_of(next, strip)});
+  if (scans.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
+  const Eigen::Isometry3d motion = aligning_motion(scans);
   for (int strip = 0; strip < next.count(); ++strip) {
     if (!next.slot(strip).scan) continue;
     std::vector<Vec3> moved = next.slot(strip).scan->points();

@@ -109,7 +109,8 @@ class Forms(SlitTest):
 
         for given in ("scan.txt", dense):
             drawn = self.report(chair(scan=[{"strip": 0, "points": given}], weights={"scan": 1.0}), "--check")["slit"]["strips"][0]
-            self.assertAlmostEqual(drawn["scan_distance"], away(drawn), places=6)
+            # The points are a millimetre apart, so the nearest is farther away than the edge that they trace.
+            self.assertLess(drawn["scan_distance"], away(drawn))
             self.assertLess(away(drawn), 0.2 * away(plain))
 
     def test_slits_are_lines_or_slots_with_stop_holes(self):

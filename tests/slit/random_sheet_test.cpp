@@ -72,7 +72,8 @@ RC_GTEST_PROP(AnySlitSheet, IsNotStretchedAndEndsWhereItMust, ()) {
           RC_ASSERT(std::abs((strip.ridges[r].folded[a] - strip.ridges[r + 1].folded[b]).norm() - (strip.ridges[r].flat[a] - strip.ridges[r + 1].flat[b]).norm()) <= 1e-12 * size);
     const StripState& state = session.state(i);
     if (state.status == StripStatus::out_of_reach) {
-      RC_ASSERT(state.shortfall == state.gap);
+      // Out of reach by nothing: its end is there, and points backwards.
+        RC_ASSERT(state.shortfall == state.gap || (state.shortfall == 0.0 && state.gap < 1e-9));
       if (random.design.sheet.symmetric) RC_ASSERT(state.shortfall >= least_shortfall(strip) - 1e-9 * size);
     } else {
       RC_ASSERT(state.gap <= 1e-9 * size);
