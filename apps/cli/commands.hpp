@@ -33,4 +33,19 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 /// `planish info`; returns the exit status.
 int run_info(const InfoArguments& arguments);
 
+struct StudioArguments {
+  std::string input;  ///< empty: none
+  int port = 0;       ///< 0: any that is free
+  bool no_browser = false;
+};
+
+/// Defines the subcommand `studio`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_studio(CLI::App& app, StudioArguments& arguments);
+/// `planish studio`; returns the exit status.
+int run_studio(const StudioArguments& arguments);
+
+/// Defines the subcommand `studio-worker`, which the studio starts for itself, without help.
+CLI::App* add_studio_worker(CLI::App& app, std::string& server);
+int run_studio_worker(const std::string& server);
+
 }  // namespace planish::cli

@@ -26,6 +26,7 @@ constexpr auto kExamples = R"(Examples:
   planish transition spec.json               joins two profiles, and lays the net
   planish slit chair.json                    bends the strips of a slit sheet
   planish info part.step                     what is in the file
+  planish studio part.step                   all of it in a browser, to see and to change
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
 
@@ -54,11 +55,15 @@ int run(int argc, char** argv) {
   UnfoldArguments unfold_arguments;
   MakeArguments connect_arguments, transition_arguments, slit_arguments;
   InfoArguments info_arguments;
+  StudioArguments studio_arguments;
+  std::string studio_server;
   const CLI::App* unfold = add_unfold(app, unfold_arguments);
   const CLI::App* connect = add_connect(app, connect_arguments);
   const CLI::App* transition = add_transition(app, transition_arguments);
   const CLI::App* slit = add_slit(app, slit_arguments);
   const CLI::App* info = add_info(app, info_arguments);
+  const CLI::App* studio = add_studio(app, studio_arguments);
+  const CLI::App* studio_worker = add_studio_worker(app, studio_server);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -71,6 +76,8 @@ int run(int argc, char** argv) {
   if (transition->parsed()) return run_transition(transition_arguments);
   if (slit->parsed()) return run_slit(slit_arguments);
   if (info->parsed()) return run_info(info_arguments);
+  if (studio->parsed()) return run_studio(studio_arguments);
+  if (studio_worker->parsed()) return run_studio_worker(studio_server);
   fmt::print("{}", app.help());
   return 0;
 }

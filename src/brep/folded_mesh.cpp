@@ -1,3 +1,4 @@
+#include "body.hpp"
 #include "guarded.hpp"
 #include "kernel_points.hpp"
 #include "thicken.hpp"
@@ -5,6 +6,7 @@
 #include <planish/base/angle.hpp>
 #include <planish/brep/step.hpp>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
@@ -149,21 +151,38 @@ std::size_t open_sides(const Mesh& mesh) {
   return open;
 }
 
+Result<void> check_chord(double chord) {
+  if (chord > 0.0) return {};
+  return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+}
+
+Mesh triangulated(const TopoDS_Shape& solid, double chord) {
+  IMeshTools_Parameters limits;
+  limits.Deflection = chord;
+  limits.Angle = largest_turn.radians();
+  limits.MinSize = Precision::Confusion();  // by itself the kernel stops at a tenth of the chord
+  const BRepMesh_IncrementalMesh triangles(solid, limits);
+  return Welder(solid).mesh();
+}
+
 }  // namespace
 
+Result<Mesh> body_mesh(const Body& body, double chord) {
+  if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
+  return brep::guarded([&]() -> Result<Mesh> {
+    // The kernel writes triangles into the shape that it is given.
+    Mesh mesh = triangulated(BRepBuilderAPI_Copy(body.shape().solid).Shape(), chord);
+    if (mesh.triangles.empty()) return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
+    return mesh;
+  });
+}
+
 Result<Mesh> folded_mesh(const Sheet& sheet, double chord) {
-  if (!(chord > 0.0))
-    return fail(ErrorCode::bad_option,
-                fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
   return brep::guarded([&]() -> Result<Mesh> {
     const auto solid = brep::thicken(sheet);
     if (!solid) return tl::unexpected(solid.error());
-    IMeshTools_Parameters limits;
-    limits.Deflection = chord;
-    limits.Angle = largest_turn.radians();
-    limits.MinSize = Precision::Confusion();  // by itself the kernel stops at a tenth of the chord
-    const BRepMesh_IncrementalMesh triangulated(*solid, limits);
-    Mesh mesh = Welder(*solid).mesh();
+    Mesh mesh = triangulated(*solid, chord);
     if (const std::size_t open = open_sides(mesh); open > 0 || mesh.triangles.empty())
       return fail(
           ErrorCode::internal,

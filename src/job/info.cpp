@@ -64,23 +64,27 @@ Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
   progress.at("reading", 0.0);
   const auto file = read_input(request.input, progress);
   if (!file) return tl::unexpected(file.error());
-  int first = 0, last = static_cast<int>(file->bodies.size());
+  return info_of(*file, request, progress);
+}
+
+Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request, const Progress& progress) {
+  int first = 0, last = static_cast<int>(file.bodies.size());
   if (!request.body.empty()) {
-    const auto chosen = choose_body(*file, request.body);
+    const auto chosen = choose_body(file, request.body);
     if (!chosen) return tl::unexpected(chosen.error());
     first = *chosen;
     last = first + 1;
   }
   InfoReport report;
   report.input = request.input.string();
-  report.schema = file->schema;
-  report.cad_system = file->cad_system;
-  report.file_unit = file->unit;
-  report.surface_bodies = file->surface_bodies;
+  report.schema = file.schema;
+  report.cad_system = file.cad_system;
+  report.file_unit = file.unit;
+  report.surface_bodies = file.surface_bodies;
   report.units = request.units;
   for (int i = first; i < last; ++i) {
     if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
-    const Body& body = file->bodies[i];
+    const Body& body = file.bodies[i];
     progress.at(fmt::format("body {} ({})", i + 1, body.name()),
                 double(i - first) / (last - first));
     report.bodies.push_back(body_info(body, i + 1));

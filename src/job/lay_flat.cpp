@@ -4,6 +4,7 @@
 
 #include <planish/inspect/findings.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -50,6 +51,22 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
     all.push_back(std::move(finding));
 }
 
+void take_pattern(Report& report, FlatPattern flat, const SheetToLay& given, const FlattenOptions& options) {
+  report.flat = std::move(flat);
+  report.size = blank_size(report.flat);
+  report.mass = mass_of(report, given.checks.density);
+  summarize_k(report.sheet, report.flat, options.allowance);
+}
+
+std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOptions options) {
+  constexpr double kSeen = 1e-3;  // mm; a pixel is far wider
+  options.curve_tolerance = std::max(options.curve_tolerance, kSeen);
+  auto flat = flatten(given.sheet, options);
+  if (!flat) return flat.error();
+  take_pattern(report, std::move(*flat), given, options);
+  return std::nullopt;
+}
+
 // What is wrong comes back, what is known is in the report.
 std::optional<Error> certified(Report& report, const SheetToLay& given,
                                const FlattenOptions& options, const Progress& progress) {
@@ -67,10 +84,7 @@ std::optional<Error> certified(Report& report, const SheetToLay& given,
   // A pattern that is wrong is not handed out at all.
   if (auto wrong = disbelief(*certificate, volume, bounds)) return wrong;
 
-  report.flat = std::move(*flat);
-  report.size = blank_size(report.flat);
-  report.mass = mass_of(report, given.checks.density);
-  summarize_k(report.sheet, report.flat, options.allowance);
+  take_pattern(report, std::move(*flat), given, options);
   append(report.findings, doubts(*certificate, report.flat, volume, bounds));
   return std::nullopt;
 }
@@ -102,6 +116,8 @@ SheetSummary summary_of(const Sheet& sheet) {
 std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
                               const FlattenOptions& options, const Progress& progress) {
   if (progress.should_stop()) return stopped();
+  report.laid = given.sheet;
+  if (given.checks.effort == Effort::draft) return drafted(report, given, options);
   if (auto error = certified(report, given, options, progress)) return error;
   if (progress.should_stop()) return stopped();
   progress.at("checking", 0.9);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace planish::job {
@@ -74,11 +75,28 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
               fmt::format("face {}", *number));
 }
 
+Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet, const UnfoldRequest& request) {
+  const int count = static_cast<int>(sheet.bends.size());
+  std::vector<std::pair<BendId, double>> rows;
+  for (const auto& [id, k] : request.bend_k) {
+    int number = 0;
+    while (number < count && id != fmt::format("B{}", number + 1)) ++number;
+    if (number == count)
+      return fail(ErrorCode::bad_option, count == 0 ? fmt::format("there is no bend \"{}\": the sheet has none", id)
+                                                    : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count), id);
+    rows.emplace_back(BendId{number}, k);
+  }
+  return rows;
+}
+
 }  // namespace
 
 Result<FlattenOptions> flatten_options(const Sheet& sheet, const UnfoldRequest& request) {
   FlattenOptions options;
   options.allowance = request.allowance;
+  const auto bend_k = single_bends(sheet, request);
+  if (!bend_k) return tl::unexpected(bend_k.error());
+  options.bend_k = *bend_k;
   const auto root = root_face(sheet, request.root);
   if (!root) return tl::unexpected(root.error());
   options.root = *root;

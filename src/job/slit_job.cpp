@@ -150,11 +150,10 @@ Error at_kerf(Error error, const SlitFile& file) {
   return error;
 }
 
-std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session, const SlitFile& file, const MakeRequest& request,
+                                const Progress& progress) {
   const std::string name = place_name(report.input);
-  const auto session = solved(file, report, progress);
-  if (!session) return placed(session.error(), name);
-  take_result(report, *session);
+  take_result(report, session);
   if (auto missed = out_of_reach(report)) return placed(*missed, name);
   const Sheet sheet = sheet_of(report.folded);
   report.sheet = summary_of(sheet);
@@ -166,7 +165,8 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
   options.up = UpSide::reference;
   PatternChecks checks = request;
   checks.rules.enabled = false;
-  if (auto wrong = lay_flat(report, {sheet, border_distance(sheet), checks}, options, progress)) return wrong;
+  const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet) : EdgeDistance();
+  if (auto wrong = lay_flat(report, {sheet, distance, checks}, options, progress)) return wrong;
   report.flat_deviation = flat_deviation(sheet, report.flat);
   add_findings(report);
   auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});
@@ -175,7 +175,20 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
   return std::nullopt;
 }
 
+std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+  const auto session = solved(file, report, progress);
+  if (!session) return placed(session.error(), place_name(report.input));
+  return lay_solved(report, *session, file, request, progress);
+}
+
 }  // namespace
+
+Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+  SlitReport report = begun(request, file.units);
+  if (const auto error = reported(report, [&] { return lay_solved(report, session, file, request, progress); }))
+    return tl::unexpected(*error);
+  return report;
+}
 
 Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress) {
   SlitReport report = begun(request, file.units);

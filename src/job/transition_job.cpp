@@ -20,6 +20,9 @@ constexpr double kMerged = 5e-7;
 /// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
 constexpr double kFolded = 1e-8;
 
+/// A share of the extent that nobody sees.
+constexpr double kDrawn = 1e-7;
+
 TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
   TransitionReport report;
   report.input = request.input.string();
@@ -49,6 +52,12 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const Resul
   return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request), progress);
 }
 
+std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet, const TransitionSpec& spec, const MakeRequest& request,
+                                const Progress& progress) {
+  piece.sheet = summary_of(sheet);
+  return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
+}
+
 /// What is said of one piece is said of the whole; of several, their findings are.
 void gather(TransitionReport& report) {
   if (report.pieces.size() == 1) {
@@ -70,10 +79,11 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
   spec = file.spec;
   if (request.allowance) spec.k_factor = std::get<ConstantK>(*request.allowance).k;
   progress.at("finding the surface", 0.0);
-  auto made = make_transition(spec, {}, progress);
+  const bool draft = request.effort == Effort::draft;
+  auto made = make_transition(spec, {.tolerance = draft ? kDrawn : TransitionOptions{}.tolerance}, progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
-  const auto folded = folded_pieces(spec, {.tolerance = kFolded});
+  const auto folded = draft ? Result<std::vector<FoldedPiece>>() : folded_pieces(spec, {.tolerance = kFolded});
   const auto folded_piece = [&](std::size_t i) -> Result<FoldedPiece> {
     if (!folded) return tl::unexpected(placed(folded.error(), place_name(report.input)));
     return (*folded)[i];
@@ -84,7 +94,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
     piece.input = report.input;
     piece.units = report.units;
     piece.body = sheets.size() == 1 ? report.body : fmt::format("{}-{}", report.body, i + 1);
-    auto wrong = lay_piece(piece, sheets[i], folded_piece(i), spec, request, progress);
+    auto wrong = draft ? draw_piece(piece, sheets[i], spec, request, progress)
+                       : lay_piece(piece, sheets[i], folded_piece(i), spec, request, progress);
     report.pieces.push_back(std::move(piece));
     if (wrong) {
       gather(report);

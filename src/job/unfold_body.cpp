@@ -7,13 +7,19 @@
 namespace planish::job {
 namespace {
 
-std::optional<Error> fill(UnfoldReport& report, const Body& body, const UnfoldRequest& request,
+UnfoldReport begun(const Body& body, const UnfoldRequest& request) {
+  UnfoldReport report;
+  report.body = body.name();
+  report.quantity = body.quantity();
+  report.units = request.units;
+  return report;
+}
+
+std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found, const UnfoldRequest& request,
                           const Progress& progress) {
-  progress.at("finding the sheet", 0.2);
-  auto found = recognize(body);
   if (!found) return found.error();
   report.sheet = summary_of(found->sheet);
-  report.notes = std::move(found->notes);
+  report.notes = found->notes;
   const auto options = flatten_options(found->sheet, request);
   if (!options) return options.error();
   return lay_flat(report, {found->sheet, found->distance, request}, *options, progress);
@@ -21,15 +27,22 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const UnfoldRe
 
 }  // namespace
 
+Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found, const UnfoldRequest& request,
+                                       const Progress& progress) {
+  UnfoldReport report = begun(body, request);
+  if (const auto error = reported(report, [&] { return fill(report, found, request, progress); }))
+    return tl::unexpected(*error);
+  return report;
+}
+
 Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request,
                                  const Progress& progress) {
-  UnfoldReport report;
-  report.body = body.name();
-  report.quantity = body.quantity();
-  report.units = request.units;
-  if (const auto error = reported(report, [&] { return fill(report, body, request, progress); })) {
-    return tl::unexpected(*error);
-  }
+  UnfoldReport report = begun(body, request);
+  const auto work = [&] {
+    progress.at("finding the sheet", 0.2);
+    return fill(report, recognize(body), request, progress);
+  };
+  if (const auto error = reported(report, work)) return tl::unexpected(*error);
   return report;
 }
 

@@ -24,6 +24,7 @@ Result<double> area_at_half(const Sheet& made, FlattenOptions options) {
   if (!moved) return tl::unexpected(moved.error());
   const Sheet& sheet = *moved;
   options.allowance = ConstantK{0.5, "certificate"};
+  options.bend_k.clear();
   const auto tree = grow_unfolding_tree(sheet, options);
   if (!tree) return tl::unexpected(tree.error());
   const auto contours = chain_contours(sheet, *tree, options);

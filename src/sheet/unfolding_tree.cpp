@@ -80,8 +80,9 @@ class Grower {
 
  private:
   Result<void> settle_allowances() {
-    for (const Bend& bend : sheet_.bends) {
-      auto allowance = bend_allowance(options_.allowance, sheet_.thickness, bend.inside_radius, bend.angle);
+    for (size_t i = 0; i < sheet_.bends.size(); ++i) {
+      const Bend& bend = sheet_.bends[i];
+      auto allowance = allowance_of(BendId{static_cast<int>(i)}, bend);
       if (!allowance) return tl::unexpected(allowance.error());
       tree_.allowance.push_back(*allowance);
       if (bend.faces.empty() && sheet_.reference_depth > 0.0) settle_hinge(bend, tree_.allowance.back());
@@ -92,6 +93,13 @@ class Grower {
       tree_.neutral_offset.push_back(bend ? offset_of(*bend, face) : 0.0);
     }
     return {};
+  }
+
+  Result<BendAllowance> allowance_of(BendId id, const Bend& bend) const {
+    const auto by = [&](const AllowanceRule& rule) { return bend_allowance(rule, sheet_.thickness, bend.inside_radius, bend.angle); };
+    for (const auto& [single, k] : options_.bend_k)
+      if (single == id) return by(ConstantK{k, "this bend"});
+    return by(options_.allowance);
   }
 
   /// How far the neutral surface of a bend lies below the reference surface.

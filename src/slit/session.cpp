@@ -56,6 +56,11 @@ void SlitSession::redo() {
   content_->after.pop_back();
 }
 
+void SlitSession::forget_edits() {
+  content_->before.clear();
+  content_->after.clear();
+}
+
 Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options, const Progress& progress) {
   const auto began = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };

@@ -100,6 +100,18 @@ TEST(FoldedMesh, OfRandomSheetsIsClosedAtAnySize) {
   }
 }
 
+TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
+  const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(90), 3.0, up}, Straight{30}}, 40.0, 2.0);
+  const auto file = read_step_text(folded_solid_step(sheet, "strip").value(), "strip");
+  ASSERT_TRUE(file.has_value());
+  const Body& body = file->bodies.front();
+  const auto mesh = body_mesh(body, 0.01);
+  ASSERT_TRUE(mesh.has_value());
+  expect_closed(*mesh);
+  EXPECT_NEAR(volume_in(*mesh), body.volume(), 0.01 * area_of(*mesh));
+  EXPECT_EQ(body_mesh(body, 0.0).error().code, ErrorCode::bad_option);
+}
+
 TEST(FoldedMesh, OfPlanesIsExact) {
   const Sheet plain = strip({Straight{30}, Crease{Angle::degrees(90), up}, Straight{20}}, 15, 1.5);
   const Mesh mesh = expect_sound(plain, 10.0);

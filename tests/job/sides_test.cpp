@@ -45,6 +45,23 @@ TEST(Sides, FindTheFaceThatANumberOfTheSolidNames) {
   EXPECT_EQ(flatten_options(sheet(), request("12", "other"))->up, UpSide::other);
 }
 
+TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
+  Sheet made = sheet();
+  made.bends.resize(12);
+  UnfoldRequest asked = request("largest", "auto");
+  asked.bend_k = {{"B1", 0.3}, {"B12", 0.5}};
+  const auto options = flatten_options(made, asked);
+  ASSERT_TRUE(options.has_value());
+  EXPECT_EQ(options->bend_k, (std::vector<std::pair<BendId, double>>{{BendId{0}, 0.3}, {BendId{11}, 0.5}}));
+  for (const char* wrong : {"B0", "B13", "B", "F1", "b1", "B01", ""}) {
+    asked.bend_k = {{wrong, 0.3}};
+    const auto refused = flatten_options(made, asked);
+    ASSERT_FALSE(refused.has_value()) << wrong;
+    EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+    EXPECT_THAT(refused.error().message, HasSubstr("B1 to B12"));
+  }
+}
+
 TEST(Sides, ListTheFacesThatCanBeTheRoot) {
   // A bend has no frame to stay in.
   for (const char* wrong : {"3", "99", "0", "-1"}) {

@@ -40,6 +40,21 @@ TEST(FlattenStrip, HasTheClosedFormLengthForAnyTurnUpOrDown) {
       expect_strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
 }
 
+TEST(FlattenStrip, TakesTheKOfSingleBendsBeforeTheRule) {
+  const double radius = 3.0, thickness = 2.0;
+  const std::vector<StripPart> parts{Straight{50}, Turn{Angle::degrees(90), radius, BendDirection::up}, Straight{30},
+                                     Turn{Angle::degrees(60), radius, BendDirection::down}, Straight{20}};
+  const Sheet sheet = strip(parts, 40.0, thickness);
+  const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .bend_k = {{BendId{1}, 0.3}}});
+  ASSERT_TRUE(pattern.has_value());
+  const double expected = 100.0 + pi / 2 * (radius + kK * thickness) + pi / 3 * (radius + 0.3 * thickness);
+  EXPECT_NEAR(pattern->area, 40.0 * expected, 1e-9 * expected);
+  EXPECT_EQ(pattern->bends[1].allowance.k_factor, 0.3);
+  const auto refused = flatten(sheet, {.bend_k = {{BendId{0}, 1.5}}});
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
+}
+
 TEST(FlattenStrip, HasTheClosedFormLengthForTwoBendsOf270Degrees) {
   const Turn turn{Angle::degrees(270), 6.0, BendDirection::up};
   expect_strip({Straight{60}, turn, Straight{8}, turn, Straight{4}}, 25.0, 1.0);

@@ -31,6 +31,17 @@ double isometry_error(const FoldedSlitSheet& folded) {
   return worst;
 }
 
+TEST(SlitSession, ForgetsEditsButNotTheShape) {
+  SlitSession session = solved(chair(), 0);
+  ASSERT_TRUE(session.set_end_angle(EndAngle::free));
+  session.undo();
+  ASSERT_TRUE(session.can_redo());
+  const FoldedSlitSheet before = session.folded();
+  session.forget_edits();
+  EXPECT_FALSE(session.can_undo() || session.can_redo());
+  EXPECT_EQ(largest_difference(before, session.folded()), 0.0);
+}
+
 TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
   const SlitSession session = solved(chair(), 2);
   const auto folded = session.folded();

@@ -89,4 +89,8 @@ Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name);
 /// `folded_solid_step` has them, `internal` (the kernel's mesh has a gap).
 Result<Mesh> folded_mesh(const Sheet& sheet, double chord = 0.05);
 
+/// A body as it was read, as a mesh: as `folded_mesh`, but where the kernel leaves gaps (in bodies that are not quite
+/// closed) it has them too. Errors: `bad_option` (chord not positive), `internal` (no triangles).
+Result<Mesh> body_mesh(const Body& body, double chord = 0.05);
+
 }  // namespace planish

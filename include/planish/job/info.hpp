@@ -10,6 +10,10 @@
 #include <string>
 #include <vector>
 
+namespace planish {
+struct StepFile;
+}
+
 namespace planish::job {
 
 /// What `planish info` is asked.
@@ -55,6 +59,9 @@ struct InfoReport {
 
 /// Errors: those of `read_step`, and `no_such_body`.
 Result<InfoReport> info(const InfoRequest& request, const Progress& progress = {});
+
+/// The part of it that begins with a file already read (`request.input` only names it).
+Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request, const Progress& progress = {});
 
 /// JSON text; `status` and `reason` as in a report of FORMATS.
 std::string info_json(const InfoReport& report);

@@ -25,8 +25,13 @@ struct CertificateBounds {
   double refold_refusal = 0.5;       ///< mm
 };
 
+/// How far a request is worked out. `draft`: the sheet and its flat pattern, to be seen while something is dragged: no
+/// folded solid (so no volume), no certificate, no findings, curves to 1e-3 mm.
+enum class Effort { draft, full };
+
 /// How a flat pattern is looked at, whatever sheet it comes from.
 struct PatternChecks {
+  Effort effort = Effort::full;
   Rules rules;
   bool write_overlapping = false;  ///< write the pattern although it covers itself
   CertificateBounds bounds;
@@ -59,6 +64,7 @@ struct Report {
       body;  ///< name of the part: of the body in its file, or of the file that describes it
   std::optional<Error> refusal;
   SheetSummary sheet;
+  Sheet laid;  ///< the sheet itself, whose faces and bends `flat` names; no faces where it was not known
   FlatPattern flat;
   Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;

@@ -33,6 +33,10 @@ Result<SlitReport> slit(const MakeRequest& request, const Progress& progress = {
 /// The part of it that begins with a file already read (`request.input` only names it).
 Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress = {});
 
+/// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes and units are read).
+Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request,
+                               const Progress& progress = {});
+
 /// Files of scanned points that a slit file names, as far as it can be read; none of standard input ("-").
 std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input);
 

@@ -6,10 +6,12 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace planish {
 class Body;
+struct Recognized;
 }
 
 namespace planish::job {
@@ -19,6 +21,7 @@ struct UnfoldRequest : PatternChecks {
   std::filesystem::path input;  ///< "-" reads standard input
   std::string body;             ///< number (1-based) or name; empty: the only body
   AllowanceRule allowance = ConstantK{};
+  std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends, by their ids ("B1"), before `allowance`
   std::string root = "largest";  ///< "largest" or a face number
   std::string up =
       "auto";  ///< "auto", "reference", "other", or the number of a face that shall face up
@@ -46,6 +49,10 @@ Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
 /// not looked at; `input`, `number`, `bodies_in_file` and `read_seconds` of the report not set).
 Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request,
                                  const Progress& progress = {});
+
+/// The part of it that begins with what `recognize` found in the body, or why it found no sheet.
+Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
+                                       const UnfoldRequest& request, const Progress& progress = {});
 
 /// The report of a request that ended with an error, so that scripts find its reason in one place.
 UnfoldReport failed(const UnfoldRequest& request, const Error& error);

@@ -73,6 +73,7 @@ enum class UpSide { automatic, reference, other };
 
 struct FlattenOptions {
   AllowanceRule allowance = ConstantK{};
+  std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends, before `allowance`
   std::optional<FaceId> root = std::nullopt;  ///< face that stays where it is; default: largest flange face
   /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the longest bend line
   /// along x, its lower left corner at the origin.

@@ -99,6 +99,8 @@ class SlitSession {
   /// Back and forth between edits, with the shapes they had. Nothing where there is none.
   void undo();
   void redo();
+  /// No way back from here: frees what `undo` and `redo` keep, which grows with every edit.
+  void forget_edits();
 
   /// Works on what is open. Errors: `cancelled` (the strips worked on so far keep what they have gained).
   Result<SlitSolveReport> solve(const SlitSolveOptions& options = {}, const Progress& progress = {});

@@ -1,0 +1,48 @@
+#include "access.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <sys/random.h>
+
+namespace planish::studio {
+
+Result<std::string> random_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
+    return fail(ErrorCode::internal, "the system gives no random numbers");
+  std::string token;
+  for (const unsigned char byte : bytes)
+    token += fmt::format("{:02x}", byte);
+  return token;
+}
+
+bool same_secret(const std::string& a, const std::string& b) {
+  unsigned different = a.size() == b.size() ? 0U : 1U;
+  for (std::size_t i = 0; i < b.size(); ++i)
+    different |= static_cast<unsigned char>(b[i]) ^ static_cast<unsigned char>(a.empty() ? '\0' : a[i % a.size()]);
+  return different == 0;
+}
+
+Access::Access(int port, std::string token)
+    : hosts_{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)}, token_(std::move(token)) {}
+
+std::optional<std::string> Access::host_refusal(const Caller& caller) const {
+  const auto known = [&](const std::string& host) { return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end(); };
+  // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
+  if (caller.hosts.size() != 1 || !known(caller.hosts.front())) return "this server answers 127.0.0.1 and localhost only";
+  constexpr std::string_view kScheme = "http://";
+  for (const std::string& origin : caller.origins)
+    if (!origin.starts_with(kScheme) || !known(origin.substr(kScheme.size()))) return "requests of other pages are not answered";
+  return std::nullopt;
+}
+
+std::optional<std::string> Access::refusal(const Caller& caller) const {
+  if (auto why = host_refusal(caller)) return why;
+  if (caller.tokens.size() == 1 && same_secret(caller.tokens.front(), token_)) return std::nullopt;
+  return "the token is missing or wrong: open the address that planish studio printed";
+}
+
+}  // namespace planish::studio

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::studio {
+
+/// 128 random bits as 32 hexadecimal digits. Error: `internal` where the system has none.
+Result<std::string> random_token();
+
+/// Whether both are the same, in a time that tells nothing of where they differ.
+bool same_secret(const std::string& a, const std::string& b);
+
+/// What a request says of where it comes from; headers that are given twice stand twice.
+struct Caller {
+  std::vector<std::string> hosts, origins, tokens;
+};
+
+/// Who may ask: those who know the address that was printed.
+class Access {
+ public:
+  Access(int port, std::string token);
+
+  /// A sentence for a caller that is turned away. `host_refusal` for what everyone may see, the page itself.
+  std::optional<std::string> host_refusal(const Caller& caller) const;
+  std::optional<std::string> refusal(const Caller& caller) const;
+
+  const std::string& token() const { return token_; }
+
+ private:
+  std::vector<std::string> hosts_;  ///< "127.0.0.1:8731", "localhost:8731"
+  std::string token_;
+};
+
+}  // namespace planish::studio

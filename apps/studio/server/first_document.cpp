@@ -1,0 +1,67 @@
+#include "first_document.hpp"
+
+#include "../work/attachments.hpp"
+#include "api.hpp"
+
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+
+namespace planish::studio {
+namespace {
+
+using Json = nlohmann::json;
+
+ErrorCode code_named(const std::string& name) {
+  for (int i = 0; i < static_cast<int>(ErrorCode::internal); ++i)
+    if (code_name(static_cast<ErrorCode>(i)) == name) return static_cast<ErrorCode>(i);
+  return ErrorCode::internal;
+}
+
+Error error_of(const Answer& answer) {
+  const Json json = Json::parse(answer.body, nullptr, false);
+  if (!json.is_object()) return {ErrorCode::internal, "the worker gave no answer", {}};
+  return {code_named(json.value("code", "")), json.value("message", ""), json.value("where", "")};
+}
+
+/// A name that the page can show, whatever the file is called.
+std::string shown_name(const std::filesystem::path& file) {
+  std::string name = file == "-" ? "stdin" : file.filename().string();
+  const auto unfit = [](unsigned char c) { return std::iscntrl(c) || c == '\\'; };
+  std::replace_if(name.begin(), name.end(), unfit, '_');
+  if (!name.empty() && name.front() == '.') name.front() = '_';
+  constexpr std::size_t kLongest = 100;
+  return name.substr(name.size() > kLongest ? name.size() - kLongest : 0);
+}
+
+std::vector<std::string> scans_of(const std::string& text) {
+  std::vector<std::string> names;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("scan") || !json["scan"].is_array()) return names;
+  for (const Json& scan : json["scan"])
+    if (scan.is_object() && scan.contains("points") && scan["points"].is_string()) names.push_back(scan["points"].get<std::string>());
+  return names;
+}
+
+}  // namespace
+
+Result<void> open_first(DocumentStore& store, const std::filesystem::path& file) {
+  const auto bytes = job::read_text(file, "file");
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (bytes->size() > kLargestBody) return fail(ErrorCode::cannot_read, fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20), file.string());
+  const Answer opened = store.open(shown_name(file), *bytes);
+  if (opened.status != 200) return tl::unexpected(error_of(opened));
+  const std::string id = Json::parse(opened.body)["id"];
+  for (const std::string& name : scans_of(*bytes)) {
+    // What lies elsewhere is missed when it is asked for.
+    const auto points = is_plain_name(name) ? job::read_text(file.parent_path() / name, "scan") : fail(ErrorCode::cannot_read, "");
+    if (points) store.attach(id, name, *points);
+  }
+  return {};
+}
+
+}  // namespace planish::studio

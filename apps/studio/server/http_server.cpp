@@ -1,0 +1,149 @@
+#include "http_server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <thread>
+
+namespace planish::studio {
+namespace {
+
+constexpr auto kHost = "127.0.0.1";
+constexpr auto kAnyPath = R"(/.*)";
+constexpr std::size_t kLongestTarget = 2048;
+
+// Browsers keep some six connections for each page, and each takes a thread while it is open.
+constexpr std::size_t kThreads = 64;
+constexpr std::size_t kRequestsOfAConnection = 1'000'000;
+constexpr time_t kIdleSeconds = 60;
+
+// Styles may be set by scripts on elements; scripts come from this server alone.
+constexpr auto kContentPolicy =
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; "
+    "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+httplib::Headers security_headers() {
+  return {{"Content-Security-Policy", kContentPolicy},
+          {"X-Content-Type-Options", "nosniff"},
+          {"X-Frame-Options", "DENY"},
+          {"Referrer-Policy", "no-referrer"},
+          {"Cross-Origin-Opener-Policy", "same-origin"},
+          {"Cross-Origin-Resource-Policy", "same-origin"},
+          {"Cache-Control", "no-store"}};
+}
+
+std::vector<std::string> values_of(const httplib::Request& request, const char* header) {
+  std::vector<std::string> values;
+  for (std::size_t i = 0; i < request.get_header_value_count(header); ++i)
+    values.push_back(request.get_header_value(header, i));
+  return values;
+}
+
+ApiRequest api_request(const httplib::Request& request) {
+  return {request.method == "HEAD" ? "GET" : request.method, request.path, request.get_param_value("name"),
+          {values_of(request, "Host"), values_of(request, "Origin"), values_of(request, "X-Planish-Token")}};
+}
+
+void send(httplib::Response& response, const Answer& answer) {
+  response.status = answer.status;
+  if (!answer.type.empty()) response.set_content(answer.body, answer.type);
+}
+
+Answer too_large() { return failure(413, "too_large", fmt::format("the body is larger than {} MiB", kLargestBody >> 20)); }
+
+/// The body, or how it is answered that there is none.
+tl::expected<std::string, Answer> body_of(const httplib::Request& request, const httplib::Response& response, const httplib::ContentReader& reader) {
+  if (request.is_multipart_form_data()) return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
+  std::string body;
+  bool fits = true;
+  // What is compressed may be far larger than its length says.
+  const bool read = reader([&](const char* bytes, std::size_t count) {
+    fits = body.size() + count <= kLargestBody;
+    if (fits) body.append(bytes, count);
+    return fits;
+  });
+  if (read) return body;
+  if (!fits || response.status == 413) return tl::unexpected(too_large());
+  return tl::unexpected(failure(400, "bad_request", "the body could not be read"));
+}
+
+/// The rest of a request that is turned away: left unread it would be taken for the next request.
+void skip_body(const httplib::Request& request, const httplib::ContentReader& reader) {
+  if (!request.is_multipart_form_data()) reader([](const char*, std::size_t) { return true; });
+}
+
+void with_body(Api& api, const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& reader) {
+  const ApiRequest asked = api_request(request);
+  if (const auto no = api.turned_away(asked)) {
+    skip_body(request, reader);
+    return send(response, *no);
+  }
+  auto body = body_of(request, response, reader);
+  send(response, body ? api.answer(asked, std::move(*body)) : body.error());
+}
+
+void without_body(Api& api, const httplib::Request& request, httplib::Response& response) {
+  const ApiRequest asked = api_request(request);
+  const auto no = api.turned_away(asked);
+  send(response, no ? *no : api.answer(asked, {}));
+}
+
+/// What the library says by itself has no body.
+void explain(const httplib::Request& request, httplib::Response& response) {
+  if (!response.body.empty()) return;
+  send(response, response.status == 413 ? too_large()
+                                        : failure(response.status, response.status == 404 ? "not_found" : "bad_request", "this is not understood", request.path));
+}
+
+}  // namespace
+
+struct HttpServer::Content {
+  httplib::Server server;
+  std::thread listening;
+};
+
+HttpServer::HttpServer() : content_(std::make_unique<Content>()) {
+  httplib::Server& server = content_->server;
+  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  server.set_tcp_nodelay(true);
+  server.set_keep_alive_max_count(kRequestsOfAConnection);
+  server.set_keep_alive_timeout(kIdleSeconds);
+  server.set_payload_max_length(kLargestBody);
+  server.set_default_headers(security_headers());
+  // The library would let a second server take the same port and half of the requests.
+  server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+}
+
+HttpServer::~HttpServer() {
+  content_->server.stop();
+  if (content_->listening.joinable()) content_->listening.join();
+}
+
+Result<int> HttpServer::bind(int port) {
+  httplib::Server& server = content_->server;
+  const int taken = port == 0 ? server.bind_to_any_port(kHost) : server.bind_to_port(kHost, port) ? port : -1;
+  if (taken > 0) return taken;
+  return fail(ErrorCode::bad_option, fmt::format("the port {} of {} cannot be had: another program has it, or it is reserved", port, kHost), "--port");
+}
+
+void HttpServer::serve(Api& api) {
+  httplib::Server& server = content_->server;
+  // Before paths are matched, which takes memory by their length.
+  server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+    if (request.target.size() <= kLongestTarget) return httplib::Server::HandlerResponse::Unhandled;
+    send(response, failure(400, "bad_request", "the address is too long"));
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  const auto read = [&api](const httplib::Request& q, httplib::Response& r, const httplib::ContentReader& c) { with_body(api, q, r, c); };
+  server.Get(kAnyPath, [&api](const httplib::Request& q, httplib::Response& r) { without_body(api, q, r); });
+  server.Post(kAnyPath, read);
+  server.Put(kAnyPath, read);
+  server.Delete(kAnyPath, read);
+  server.set_error_handler(explain);
+  content_->listening = std::thread([&server] { server.listen_after_bind(); });
+}
+
+}  // namespace planish::studio

@@ -1,0 +1,157 @@
+#include "served_document.hpp"
+
+#include "../worker/worker_limits.hpp"
+
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace planish::studio {
+namespace fs = std::filesystem;
+
+Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, std::string name, const std::string& bytes) {
+  std::shared_ptr<ServedDocument> document(new ServedDocument(std::move(folder), std::move(name)));
+  std::error_code error;
+  fs::create_directories(document->attachments(), error);
+  if (error) return fail(ErrorCode::cannot_write, fmt::format("cannot make the folder {}: {}", document->folder_.string(), error.message()));
+  if (auto written = write_file(document->file(), bytes); !written) return tl::unexpected(written.error());
+  return document;
+}
+
+ServedDocument::~ServedDocument() {
+  worker_.reset();
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+Answer ServedDocument::open(Turns& turns) { return work({"", "", ""}, turns); }
+
+Answer ServedDocument::work(const Task& task, Turns& turns) {
+  begin();
+  Answer answer;
+  {
+    const std::lock_guard turn(turn_);
+    {
+      const std::lock_guard lock(state_);
+      computing_ = true;
+      cancelled_ = false;
+      stage_ = {};
+    }
+    answer = computed(task, turns);
+  }
+  end();
+  return answer;
+}
+
+void ServedDocument::begin() {
+  const std::lock_guard lock(state_);
+  ++waiting_;
+}
+
+void ServedDocument::end() {
+  const std::lock_guard lock(state_);
+  computing_ = --waiting_ > 0;
+  last_used_ = std::chrono::steady_clock::now();
+}
+
+Answer ServedDocument::computed(const Task& task, Turns& turns) {
+  const auto turn = turns.take([this] { return is_cancelled(); });
+  if (!turn) return worker_lost(WorkerEnd::died);
+  const Worker last = worker();
+  if (!last || !last->is_alive()) {
+    Answer answer = opened();
+    if (answer.status != 200 || task.verb.empty()) return answer;
+  }
+  return asked(task);
+}
+
+Answer ServedDocument::opened() {
+  const auto bytes = job::read_text(file(), "document");
+  if (!bytes) return failure(bytes.error());
+  auto started = WorkerProcess::start(attachments());
+  if (!started) return failure(started.error());
+  replace_worker(std::move(*started));
+  Answer answer = asked({"open", name_, *bytes});
+  if (answer.status != 200) replace_worker(nullptr);
+  return answer;
+}
+
+Answer ServedDocument::asked(const Task& task) {
+  if (is_cancelled()) return worker_lost(WorkerEnd::died);
+  const Worker asked_worker = worker();
+  auto answer = asked_worker->ask(task, [this](Stage stage) {
+    const std::lock_guard lock(state_);
+    stage_ = std::move(stage);
+  });
+  if (!answer) return worker_lost(answer.error());
+  // Whoever ran out of memory once has it in pieces.
+  if (answer->status == 409) replace_worker(nullptr);
+  return std::move(*answer);
+}
+
+Answer ServedDocument::worker_lost(WorkerEnd end) {
+  replace_worker(nullptr);
+  if (is_cancelled()) return failure(409, "cancelled", "cancelled");
+  if (end == WorkerEnd::late)
+    return failure(409, "worker_timeout", fmt::format("the request took longer than {} s and was given up", kMostTime.count()));
+  return failure(409, "worker_ended", "the worker that computed the request ended unexpectedly; the document is as it was");
+}
+
+void ServedDocument::cancel() {
+  const std::lock_guard lock(state_);
+  if (!computing_) return;
+  cancelled_ = true;
+  if (worker_) worker_->kill();
+}
+
+Answer ServedDocument::progress() const {
+  const std::lock_guard lock(state_);
+  nlohmann::ordered_json json;
+  if (computing_) json = {{"stage", stage_.name}, {"share", stage_.share}};
+  return {200, kJsonType, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+}
+
+Answer ServedDocument::attach(const std::string& name, const std::string& bytes) {
+  constexpr std::ptrdiff_t kMost = 100;
+  const std::lock_guard turn(turn_);
+  std::error_code ignored;
+  const bool known = fs::exists(attachments() / name, ignored);
+  if (!known && std::distance(fs::directory_iterator(attachments(), ignored), fs::directory_iterator()) >= kMost)
+    return failure(422, "invalid_input", fmt::format("a document has {} attachments at the most", kMost), name);
+  if (auto written = write_file(attachments() / name, bytes); !written) return failure(written.error());
+  // What the worker remembers was made without it.
+  replace_worker(nullptr);
+  return {204, "", ""};
+}
+
+ServedDocument::Worker ServedDocument::worker() const {
+  const std::lock_guard lock(state_);
+  return worker_;
+}
+
+void ServedDocument::replace_worker(Worker worker) {
+  // The one before is waited for without the lock.
+  const std::lock_guard lock(state_);
+  worker_.swap(worker);
+}
+
+bool ServedDocument::is_cancelled() const {
+  const std::lock_guard lock(state_);
+  return cancelled_;
+}
+
+bool ServedDocument::is_idle_since(Moment moment) const {
+  const std::lock_guard lock(state_);
+  return waiting_ == 0 && last_used_ <= moment;
+}
+
+Moment ServedDocument::last_used() const {
+  const std::lock_guard lock(state_);
+  return last_used_;
+}
+
+}  // namespace planish::studio

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "../worker/worker_process.hpp"
+#include "turns.hpp"
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace planish::studio {
+
+/// A document as the server keeps it: its file and attachments in a folder, and the worker that computes it, which may end
+/// at any time and is then replaced. One task at a time, the others wait. Thread-safe.
+class ServedDocument {
+ public:
+  /// Writes the file into `folder`, which is made. Error: `cannot_write`.
+  static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder, std::string name, const std::string& bytes);
+  ServedDocument(const ServedDocument&) = delete;
+  ServedDocument& operator=(const ServedDocument&) = delete;
+  ~ServedDocument();
+
+  /// Has the worker open the file.
+  Answer open(Turns& turns);
+  /// Has the worker, who has opened the file, do a task. 409 with `cancelled`, `worker_ended`, `worker_timeout`.
+  Answer work(const Task& task, Turns& turns);
+  /// What is being computed is given up: its worker ends.
+  void cancel();
+  /// What is being computed, `{"stage", "share"}`, or `null`.
+  Answer progress() const;
+  /// Adds a file (plain name), in place of one of that name. 422 for too many.
+  Answer attach(const std::string& name, const std::string& bytes);
+
+  bool is_idle_since(Moment moment) const;
+  Moment last_used() const;
+
+ private:
+  ServedDocument(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+
+  using Worker = std::shared_ptr<WorkerProcess>;
+
+  void begin();
+  void end();
+  Answer computed(const Task& task, Turns& turns);
+  Answer asked(const Task& task);
+  Answer opened();
+  Worker worker() const;
+  void replace_worker(Worker worker);
+  bool is_cancelled() const;
+  Answer worker_lost(WorkerEnd end);
+  std::filesystem::path file() const { return folder_ / "document"; }
+  std::filesystem::path attachments() const { return folder_ / "attachments"; }
+
+  const std::filesystem::path folder_;
+  const std::string name_;
+  std::mutex turn_;  ///< held by who works, throughout
+
+  mutable std::mutex state_;  ///< of all below, held for a moment only
+  Worker worker_;
+  Stage stage_;
+  int waiting_ = 0;
+  bool computing_ = false, cancelled_ = false;
+  Moment last_used_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace planish::studio

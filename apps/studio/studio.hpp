@@ -1,0 +1,25 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace planish::studio {
+
+struct StudioOptions {
+  std::optional<std::filesystem::path> file;  ///< opened as the first document
+  int port = 0;                               ///< 0: any that is free
+  bool open_browser = true;
+};
+
+/// Serves the page on 127.0.0.1 until SIGINT or SIGTERM, then ends the process; prints its address, and opens a browser.
+/// Must be called before there are other threads. Errors: `cannot_read` (the file) and what else is wrong with it,
+/// `bad_option` (the port is taken).
+Result<void> run_studio(const StudioOptions& options);
+
+/// Works for the server whose process number is `server`, on descriptor 3, until that is closed.
+int run_worker(const std::string& server);
+
+}  // namespace planish::studio

@@ -1,0 +1,24 @@
+#include "answer.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace planish::studio {
+namespace {
+
+int status_of(ErrorCode code) {
+  if (code == ErrorCode::cancelled) return 409;
+  return code == ErrorCode::internal ? 500 : 422;
+}
+
+}  // namespace
+
+Answer failure(int status, const std::string& code, const std::string& message, const std::string& where) {
+  nlohmann::ordered_json json{{"code", code}, {"message", message}, {"where", where}};
+  return {status, kJsonType, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+}
+
+Answer failure(const Error& error) {
+  return failure(status_of(error.code), std::string(code_name(error.code)), error.message, error.where);
+}
+
+}  // namespace planish::studio

@@ -1,0 +1,95 @@
+#include "shape.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace planish::studio {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "arrays are sent as they lie in memory");
+
+template <typename T>
+ShapeArray array_of(const std::string& name, const char* type, const std::vector<T>& values) {
+  static_assert(sizeof(T) == 4);
+  std::string bytes(values.size() * sizeof(T), '\0');
+  if (!values.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+  return {name, type, std::move(bytes)};
+}
+
+Json root_json(const std::optional<Eigen::Isometry3d>& root) {
+  if (!root) return nullptr;
+  Json json = Json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      json.push_back(root->matrix()(row, column));
+  return json;
+}
+
+Json arrays_json(const Shape& shape) {
+  Json json = Json::object();
+  std::size_t at = 0;
+  for (const ShapeArray& array : shape.arrays) {
+    json[array.name] = {{"type", array.type}, {"at", at}, {"count", array.bytes.size() / 4}};
+    at += array.bytes.size();
+  }
+  return json;
+}
+
+std::string header(const Shape& shape, double seconds) {
+  // The report is text already; reading it again only to write it would cost more than all the rest.
+  std::string text = "{\"report\": " + (shape.report.empty() ? "null" : shape.report);
+  const auto add = [&](const char* key, const Json& value) { text += std::string(",\"") + key + "\": " + json_text(value); };
+  add("arrays", arrays_json(shape));
+  add("parts", shape.parts);
+  add("root", root_json(shape.root));
+  add("handles", shape.handles);
+  add("seconds", seconds);
+  text += "}";
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  return text;
+}
+
+}  // namespace
+
+void Shape::add(const std::string& name, const std::vector<float>& values) { arrays.push_back(array_of(name, "f32", values)); }
+void Shape::add(const std::string& name, const std::vector<std::uint32_t>& values) { arrays.push_back(array_of(name, "u32", values)); }
+void Shape::add(const std::string& name, const std::vector<std::int32_t>& values) { arrays.push_back(array_of(name, "i32", values)); }
+
+void add_space(Shape& shape, const Mesh& mesh) {
+  std::vector<float> points;
+  for (const Vec3& p : mesh.points)
+    for (int i = 0; i < 3; ++i)
+      points.push_back(static_cast<float>(p[i]));
+  std::vector<std::uint32_t> triangles;
+  for (const auto& triangle : mesh.triangles)
+    for (const int corner : triangle)
+      triangles.push_back(static_cast<std::uint32_t>(corner));
+  shape.add("space_points", points);
+  shape.add("space_triangles", triangles);
+}
+
+std::string encoded(const Shape& shape, double seconds) {
+  const std::string head = header(shape, seconds);
+  const auto length = static_cast<std::uint32_t>(head.size());
+  std::string bytes = "PLN1";
+  bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
+  bytes += head;
+  for (const ShapeArray& array : shape.arrays)
+    bytes += array.bytes;
+  return bytes;
+}
+
+Json point_json(const Vec3& p) {
+  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return Json::array({number(p.x()), number(p.y()), number(p.z())});
+}
+
+Json points_json(const std::vector<Vec3>& points) {
+  Json json = Json::array();
+  for (const Vec3& p : points)
+    json.push_back(point_json(p));
+  return json;
+}
+
+}  // namespace planish::studio

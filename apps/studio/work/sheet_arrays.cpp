@@ -1,0 +1,135 @@
+#include "overlap_triangles.hpp"
+#include "shape.hpp"
+
+#include <planish/sheet/facets.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace planish::studio {
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+std::uint32_t count_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
+
+void append(std::vector<float>& to, const Vec2& p) {
+  to.push_back(static_cast<float>(p.x()));
+  to.push_back(static_cast<float>(p.y()));
+}
+
+void append(std::vector<float>& to, const Segment& line) {
+  append(to, line.a);
+  append(to, line.b);
+}
+
+std::uint32_t row_of(const Sheet&, FlangeId flange) { return static_cast<std::uint32_t>(index_of(flange)); }
+
+std::uint32_t row_of(const Sheet& sheet, BendId bend) {
+  return count_of(sheet.flanges.size() + static_cast<std::size_t>(index_of(bend)));
+}
+
+Json faces_json(const Sheet& sheet, const std::vector<FaceId>& faces) {
+  Json json = Json::array();
+  for (const FaceId id : faces) {
+    const Face& face = sheet.faces[static_cast<std::size_t>(index_of(id))];
+    if (face.source_face > 0) json.push_back(face.source_face);
+    for (const int number : face.merged_faces)
+      if (number != face.source_face) json.push_back(number);
+  }
+  return json;
+}
+
+void add_parts(Shape& shape, const Sheet& sheet) {
+  for (std::size_t i = 0; i < sheet.flanges.size(); ++i)
+    shape.parts.push_back({{"name", fmt::format("F{}", i + 1)}, {"kind", "flange"}, {"faces", faces_json(sheet, sheet.flanges[i].faces)}});
+  for (std::size_t i = 0; i < sheet.bends.size(); ++i)
+    shape.parts.push_back({{"name", fmt::format("B{}", i + 1)},
+                           {"kind", "bend"},
+                           {"angle", sheet.bends[i].angle.degrees()},
+                           {"faces", faces_json(sheet, sheet.bends[i].faces)}});
+}
+
+struct PolygonArrays {
+  std::vector<float> points;
+  Numbers ring_starts{0}, polygon_starts{0}, facet_starts{0};
+
+  void add_ring(const std::vector<Vec2>& ring) {
+    for (const Vec2& p : ring)
+      append(points, p);
+    ring_starts.push_back(count_of(points.size() / 2));
+  }
+  void add_facet(const std::vector<Polygon>& polygons) {
+    for (const Polygon& polygon : polygons) {
+      add_ring(polygon.outer);
+      for (const auto& hole : polygon.holes)
+        add_ring(hole);
+      polygon_starts.push_back(count_of(ring_starts.size() - 1));
+    }
+    facet_starts.push_back(count_of(polygon_starts.size() - 1));
+  }
+};
+
+void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
+  PolygonArrays polygons;
+  std::vector<std::int32_t> parents;
+  std::vector<float> hinges, angles, edges;
+  Numbers parts, edge_facets;
+  for (const Facet& facet : facets.facets) {
+    polygons.add_facet(facet.polygons);
+    parents.push_back(facet.parent);
+    append(hinges, facet.hinge);
+    angles.push_back(static_cast<float>(facet.angle.radians()));
+    parts.push_back(std::visit([&](auto id) { return row_of(sheet, id); }, facet.part));
+  }
+  for (const FacetEdge& edge : facets.edges) {
+    append(edges, edge.line);
+    edge_facets.push_back(static_cast<std::uint32_t>(edge.facet));
+  }
+  shape.add("points", polygons.points);
+  shape.add("ring_starts", polygons.ring_starts);
+  shape.add("polygon_starts", polygons.polygon_starts);
+  shape.add("facet_starts", polygons.facet_starts);
+  shape.add("facet_parent", parents);
+  shape.add("facet_hinge", hinges);
+  shape.add("facet_angle", angles);
+  shape.add("facet_part", parts);
+  shape.add("edges", edges);
+  shape.add("edge_facet", edge_facets);
+  shape.root = facets.root;
+}
+
+void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
+  std::vector<float> lines;
+  Numbers parts;
+  for (const FlatBend& bend : flat.bends)
+    for (const Segment& line : bend.lines) {
+      append(lines, line);
+      parts.push_back(row_of(sheet, bend.bend));
+    }
+  shape.add("bend_lines", lines);
+  shape.add("bend_line_part", parts);
+}
+
+void add_overlaps(Shape& shape, const job::Report& report) {
+  const bool known = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.code == "overlap"; });
+  if (!known) return;
+  std::vector<float> points;
+  for (const Vec2& p : overlap_triangles(report.flat))
+    append(points, p);
+  shape.add("overlaps", points);
+}
+
+}  // namespace
+
+void add_sheet(Shape& shape, const job::Report& report) {
+  const Sheet& sheet = report.laid;
+  add_parts(shape, sheet);
+  if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
+  add_facets(shape, sheet, facets_of(sheet, report.flat));
+  add_bend_lines(shape, sheet, report.flat);
+  add_overlaps(shape, report);
+}
+
+}  // namespace planish::studio

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "answer.hpp"
+#include "document.hpp"
+
+#include <planish/base/progress.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace planish::studio {
+
+/// Where one document is worked on: requests become answers, without processes or sockets. Not thread-safe.
+class Workbench {
+ public:
+  /// `attachments`: the folder of the files that were added to the document.
+  explicit Workbench(std::filesystem::path attachments) : attachments_(std::move(attachments)) {}
+
+  /// Answers as docs/studio-api.md has them; what is opened has no "id" yet. Whatever a task throws becomes an answer:
+  /// 409 `out_of_memory`, else 500 `internal`.
+  Answer perform(const Task& task, const Progress& progress = {});
+
+ private:
+  Answer dispatch(const Task& task, const Progress& progress);
+  Answer open(const Task& task);
+  Answer shape(const Task& task, job::Effort effort, const Progress& progress);
+  Answer file(const Task& task, const Progress& progress);
+
+  std::filesystem::path attachments_;
+  std::unique_ptr<Document> document_;
+};
+
+}  // namespace planish::studio

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "../work/answer.hpp"
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace planish::studio {
+
+/// What server and worker say to each other over a socket pair. A frame is its kind (one byte), the length of its content
+/// (four bytes, of this machine's order) and the content.
+enum class FrameKind : std::uint8_t { task = 1, progress = 2, answer = 3 };
+
+struct Frame {
+  FrameKind kind = FrameKind::task;
+  std::string content;
+};
+
+/// Progress of a task: a stage's name and the share done, 0 to 1.
+struct Stage {
+  std::string name;
+  double share = 0.0;
+};
+
+/// Whether all of it could be sent; false when nobody listens any more.
+bool send_frame(int socket, const Frame& frame);
+
+using Moment = std::chrono::steady_clock::time_point;
+
+enum class FrameFailure { ended, late };
+
+/// The next frame. `ended`: the other side is gone, or sends what is no frame; `late`: it did not come before `until`.
+tl::expected<Frame, FrameFailure> receive_frame(int socket, std::optional<Moment> until = std::nullopt);
+
+Frame task_frame(const Task& task);
+Frame progress_frame(const Stage& stage);
+Frame answer_frame(const Answer& answer);
+/// Empty for content that is none.
+std::optional<Task> task_of(const Frame& frame);
+std::optional<Stage> stage_of(const Frame& frame);
+std::optional<Answer> answer_of(const Frame& frame);
+
+}  // namespace planish::studio

@@ -1,0 +1,185 @@
+#!/usr/bin/python3
+"""Who is answered, and what nobody gets: tokens, hosts, origins, sizes, paths."""
+
+import http.client
+import pathlib
+import socket
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_studio import EXAMPLES, Studio, StudioTest, main  # noqa: E402
+
+TOO_LARGE = (64 << 20) + 1
+
+
+class Callers(StudioTest):
+    def test_the_token_opens(self):
+        self.assertEqual(self.studio.get("/api/documents").json(), [])
+
+    def test_other_tokens_do_not(self):
+        right = self.studio.token
+        wrong = [None, "", "0" * 32, right[:-1], right + "0", right.upper() if right.upper() != right else "x", right[:-1] + ("0" if right[-1] != "0" else "1")]
+        for token in wrong:
+            for method, path, body in (("GET", "/api/documents", None), ("GET", "/api/examples", None), ("GET", "/api/nothing", None),
+                                       ("POST", "/api/documents?name=a.step", b"x"), ("DELETE", "/api/documents/d1", None),
+                                       ("PUT", "/api/documents/d1/attachments/a", b"x")):
+                answer = self.studio.ask(method, path, body, headers={"X-Planish-Token": token})
+                self.assert_error(answer, 403, "forbidden")
+
+    def test_the_token_is_in_no_answer_to_those_without_it(self):
+        for path in ("/", "/index.html", "/api/documents"):
+            answer = self.studio.get(path, headers={"X-Planish-Token": None})
+            self.assertNotIn(self.studio.token.encode(), answer.body)
+            self.assertNotIn(self.studio.token, str(answer.headers))
+
+    def test_tokens_differ(self):
+        with Studio() as other:
+            self.assertNotEqual(other.token, self.studio.token)
+            self.assert_error(self.studio.get("/api/documents", headers={"X-Planish-Token": other.token}), 403)
+
+    def test_hosts(self):
+        port = self.studio.port
+        for host, status in ((f"127.0.0.1:{port}", 200), (f"localhost:{port}", 200), ("127.0.0.1", 403), (f"127.0.0.1:{port + 1}", 403),
+                             (f"evil.example:{port}", 403), ("evil.example", 403), (f"127.0.0.1:{port}.evil.example", 403), ("", 403)):
+            for path in ("/", "/api/documents"):
+                self.assertEqual(self.studio.get(path, headers={"Host": host}).status, status, (host, path))
+
+    def test_origins(self):
+        port = self.studio.port
+        for origin, status in ((f"http://127.0.0.1:{port}", 200), (f"http://localhost:{port}", 200), ("null", 403), ("http://evil.example", 403),
+                               (f"https://127.0.0.1:{port}", 403), (f"http://127.0.0.1:{port + 1}", 403), (f"http://127.0.0.1:{port}/", 403)):
+            self.assertEqual(self.studio.get("/api/documents", headers={"Origin": origin}).status, status, origin)
+
+    def test_two_hosts_are_none(self):
+        with socket.create_connection(("127.0.0.1", self.studio.port), timeout=10) as connection:
+            host = f"Host: 127.0.0.1:{self.studio.port}\r\n"
+            connection.sendall(f"GET / HTTP/1.1\r\n{host}Host: evil.example\r\nConnection: close\r\n\r\n".encode())
+            self.assertIn(b" 403 ", connection.recv(4096).split(b"\r\n")[0])
+
+    def test_it_listens_on_this_machine_alone(self):
+        rows = pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]
+        listening = [row.split()[1] for row in rows if row.split()[3] == "0A"]
+        port = f":{self.studio.port:04X}"
+        self.assertEqual([a for a in listening if a.endswith(port)], ["0100007F" + port])
+        rows6 = pathlib.Path("/proc/net/tcp6")
+        if rows6.exists():
+            self.assertFalse([r for r in rows6.read_text().splitlines()[1:] if r.split()[1].endswith(port) and r.split()[3] == "0A"])
+
+    def test_a_port_that_is_taken_is_refused(self):
+        import subprocess
+
+        from planish_studio import CLI
+        done = subprocess.run([CLI, "studio", "--no-browser", "--port", str(self.studio.port)], capture_output=True, text=True, timeout=30)
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stdout, "")
+        self.assertIn(f"the port {self.studio.port} of 127.0.0.1 cannot be had", done.stderr)
+
+
+class Paths(StudioTest):
+    def test_every_answer_has_the_safety_headers(self):
+        for answer in (self.studio.get("/"), self.studio.get("/api/documents"), self.studio.get("/nothing"),
+                       self.studio.get("/api/documents", headers={"X-Planish-Token": None})):
+            policy = answer.headers["content-security-policy"]
+            self.assertIn("default-src 'self'", policy)
+            self.assertIn("frame-ancestors 'none'", policy)
+            self.assertNotIn("unsafe-eval", policy)
+            self.assertNotIn("unsafe-inline", policy.split("script-src", 1)[1].split(";")[0])
+            self.assertEqual(answer.headers["x-content-type-options"], "nosniff")
+            self.assertEqual(answer.headers["referrer-policy"], "no-referrer")
+            self.assertNotIn("access-control-allow-origin", answer.headers)
+
+    def test_the_page_is_there(self):
+        page = self.studio.get("/", headers={"X-Planish-Token": None})
+        self.assertEqual(page.status, 200)
+        self.assertTrue(page.headers["content-type"].startswith("text/html"))
+        self.assertIn(b"<!doctype html", page.body[:200].lower())
+
+    def test_nothing_of_the_disk_is(self):
+        for path in ("/../../../../../../etc/passwd", "/..%2f..%2f..%2f..%2fetc%2fpasswd", "/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd", "/etc/passwd",
+                     "/page/../../etc/passwd", "/.", "/..", "/./index.html", "/index.html%00.txt", "/api/examples/../../etc/passwd",
+                     "/api/examples/..%2f..%2f..%2fetc%2fpasswd", "/api/examples//etc/passwd", "/api/examples/connect/../bracket.step",
+                     "/api/examples/connect", "/api/examples/../page/index.html", "/api/documents/d1/attachments/x", "/proc/self/environ"):
+            answer = self.studio.get(path)
+            self.assertIn(answer.status, (400, 404), path)
+            self.assertNotIn(b"root:", answer.body, path)
+
+    def test_long_addresses_are_refused(self):
+        for length in (3000, 7000):
+            self.assertEqual(self.studio.get("/" + "a" * length).status, 400)
+        self.assertIn(self.studio.get("/" + "a" * 100_000).status, (400, 414))
+        self.assertEqual(self.studio.get("/").status, 200)
+
+    def test_other_methods_are_not_there(self):
+        for method in ("PATCH", "OPTIONS", "TRACE", "CONNECT"):
+            self.assertIn(self.studio.ask(method, "/api/documents").status, (400, 404), method)
+        self.assert_error(self.studio.ask("POST", "/", b""), 404)
+        self.assert_error(self.studio.ask("PUT", "/api/documents", b""), 404)
+
+    def test_bodies_over_the_limit_are_refused(self):
+        for headers in ({}, {"X-Planish-Token": None}):
+            connection = self.studio.connection()
+            sent = {"X-Planish-Token": self.studio.token, **headers}
+            connection.putrequest("POST", "/api/documents?name=a.step")
+            for key, value in sent.items():
+                if value is not None:
+                    connection.putheader(key, value)
+            connection.putheader("Content-Length", str(TOO_LARGE))
+            connection.endheaders()
+            chunk = b" " * (1 << 20)
+            for _ in range(TOO_LARGE // len(chunk)):
+                connection.send(chunk)
+            connection.send(b" ")
+            self.assertEqual(connection.getresponse().status, 413 if not headers else 403)
+            connection.close()
+        self.assertEqual(self.studio.get("/api/documents").json(), [])
+
+    def test_compressed_bodies_over_the_limit_are_refused(self):
+        import gzip
+        answer = self.studio.ask("POST", "/api/documents?name=a.step", gzip.compress(b" " * TOO_LARGE), headers={"Content-Encoding": "gzip"})
+        self.assertEqual(answer.status, 413)
+
+    def test_forms_are_not_understood(self):
+        body = b'--x\r\nContent-Disposition: form-data; name="f"; filename="a.step"\r\n\r\nhello\r\n--x--\r\n'
+        answer = self.studio.ask("POST", "/api/documents?name=a.step", body, headers={"Content-Type": "multipart/form-data; boundary=x"})
+        self.assertEqual(answer.status, 400)
+        self.assertEqual(self.studio.get("/api/documents").json(), [])
+
+    def test_a_connection_that_was_turned_away_stays_usable(self):
+        connection = self.studio.connection()
+        connection.request("POST", "/api/documents?name=a.step", b"GET /api/documents HTTP/1.1\r\n\r\n" * 100)
+        refused = connection.getresponse()
+        refused.read()
+        self.assertEqual(refused.status, 403)
+        connection.request("GET", "/api/documents", headers={"X-Planish-Token": self.studio.token})
+        self.assertEqual(connection.getresponse().status, 200)
+        connection.close()
+
+    def test_rubbish_on_the_wire_ends_nothing(self):
+        for rubbish in (b"\0" * 4096, b"GET\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"POST /api/documents HTTP/1.1\r\nContent-Length: -1\r\n\r\n",
+                        b"\x16\x03\x01" + bytes(range(256)), b"GET / HTTP/1.1\r\n" + b"A: b\r\n" * 5000 + b"\r\n"):
+            with socket.create_connection(("127.0.0.1", self.studio.port), timeout=10) as connection:
+                connection.settimeout(0.3)
+                try:
+                    connection.sendall(rubbish)
+                    connection.recv(4096)
+                except (TimeoutError, ConnectionError):
+                    pass
+        self.assertEqual(self.studio.get("/api/documents").status, 200)
+
+
+class Examples(StudioTest):
+    def test_the_list_names_what_can_be_had(self):
+        listed = self.studio.get("/api/examples").json()
+        self.assertEqual({row["kind"] for row in listed}, {"unfold", "connect", "transition", "slit"})
+        self.assertEqual({row["name"] for row in listed}, {str(p.relative_to(EXAMPLES)) for p in EXAMPLES.rglob("*") if p.suffix in (".step", ".json")})
+        for row in listed:
+            self.assertEqual(self.studio.get("/api/examples/" + row["name"]).body, (EXAMPLES / row["name"]).read_bytes())
+            self.assertTrue(row["title"][0].isupper(), row)
+
+    def test_scans_can_be_had_too(self):
+        name = "slit/low_chair_scan0.xyz"
+        self.assertEqual(self.studio.get("/api/examples/" + name).body, (EXAMPLES / name).read_bytes())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+"""Starts `planish studio` as a user does and talks to it as its page does."""
+
+import contextlib
+import http.client
+import json
+import os
+import pathlib
+import re
+import signal
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+import urllib.parse
+
+CLI = os.environ.get("PLANISH_CLI", "planish")
+SOURCE = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
+EXAMPLES = SOURCE / "examples"
+SECONDS = 120
+TYPES = {"f32": "f", "u32": "I", "i32": "i"}
+
+
+class Answer:
+    def __init__(self, response):
+        self.status = response.status
+        self.headers = {key.lower(): value for key, value in response.getheaders()}
+        self.body = response.read()
+
+    def json(self):
+        return json.loads(self.body)
+
+
+class Shape:
+    """A shape's JSON, and its arrays as lists of numbers."""
+
+    def __init__(self, content):
+        assert content[:4] == b"PLN1", content[:40]
+        (length,) = struct.unpack_from("<I", content, 4)
+        assert (8 + length) % 4 == 0, length
+        self.json = json.loads(content[8:8 + length])
+        data = content[8 + length:]
+        self.arrays, end = {}, 0
+        for name, place in self.json["arrays"].items():
+            assert place["at"] % 4 == 0, (name, place)
+            self.arrays[name] = struct.unpack_from(f"<{place['count']}{TYPES[place['type']]}", data, place["at"])
+            end = max(end, place["at"] + 4 * place["count"])
+        assert end == len(data), (end, len(data))
+
+    @property
+    def report(self):
+        return self.json["report"]
+
+
+class Studio:
+    """A running `planish studio`; a context manager."""
+
+    def __init__(self, *arguments, folder=None):
+        self.folder = folder or tempfile.mkdtemp(prefix="planish-test-")
+        environment = dict(os.environ, TMPDIR=str(self.folder))
+        self.process = subprocess.Popen([CLI, "studio", "--no-browser", *map(str, arguments)], env=environment,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.line = self.process.stdout.readline()
+        match = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/#([0-9a-f]{32})\n", self.line)
+        if not match:
+            raise AssertionError(f"no address: {self.line!r} {self.process.stderr.read()}")
+        self.port, self.token = int(match[1]), match[2]
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.stop()
+        with contextlib.suppress(OSError):
+            os.rmdir(self.folder)
+
+    def stop(self, how=signal.SIGTERM):
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+        try:
+            self.process.wait(timeout=10)
+        finally:
+            self.process.kill()
+            self.process.stdout.close()
+            self.process.stderr.close()
+        return self.process.returncode
+
+    def connection(self):
+        return http.client.HTTPConnection("127.0.0.1", self.port, timeout=SECONDS)
+
+    def ask(self, method, path, body=None, headers=None):
+        """An answer; `headers` beyond the token, None as a value leaves one out."""
+        sent = {"X-Planish-Token": self.token, **(headers or {})}
+        connection = self.connection()
+        try:
+            connection.request(method, path, body, {key: value for key, value in sent.items() if value is not None})
+            return Answer(connection.getresponse())
+        finally:
+            connection.close()
+
+    def get(self, path, **more):
+        return self.ask("GET", path, **more)
+
+    def open(self, name, content):
+        return self.ask("POST", "/api/documents?name=" + urllib.parse.quote(name), content)
+
+    def open_example(self, name):
+        """Its id and its spec (None of STEP files)."""
+        path = EXAMPLES / name
+        opened = self.open(path.name, path.read_bytes())
+        assert opened.status == 200, opened.body
+        document = opened.json()
+        spec = None if document["text"] is None else json.loads(document["text"])
+        for scan in (spec or {}).get("scan", []):
+            if isinstance(scan["points"], str):
+                points = (path.parent / scan["points"]).read_bytes()
+                put = self.ask("PUT", f"/api/documents/{document['id']}/attachments/{scan['points']}", points)
+                assert put.status == 204, put.body
+        return document["id"], spec
+
+    def post(self, document, verb, spec=None, **options):
+        request = {"options": options} if spec is None else {"spec": spec, "options": options}
+        return self.ask("POST", f"/api/documents/{document}/{verb}", json.dumps(request))
+
+    def shape(self, document, verb, spec=None, **options):
+        answer = self.post(document, verb, spec, **options)
+        assert answer.status == 200, (answer.status, answer.body[:400])
+        return Shape(answer.body)
+
+    def workers(self):
+        """Process numbers of its workers."""
+        return children_of(self.process.pid)
+
+
+def children_of(parent):
+    found = []
+    for entry in pathlib.Path("/proc").iterdir():
+        if not entry.name.isdigit():
+            continue
+        with contextlib.suppress(OSError):
+            state = (entry / "stat").read_text().rsplit(")", 1)[1].split()
+            if int(state[1]) == parent and state[0] != "Z":
+                found.append(int(entry.name))
+    return found
+
+
+def until(condition, seconds=20.0):
+    """Waits for what must come about."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if condition():
+            return True
+        time.sleep(0.02)
+    return False
+
+
+class StudioTest(unittest.TestCase):
+    """All tests of a class talk to one server."""
+
+    maxDiff = None
+    arguments = ()
+
+    @classmethod
+    def setUpClass(cls):
+        cls.studio = Studio(*cls.arguments)
+        cls.addClassCleanup(cls.studio.__exit__)
+
+    def tearDown(self):
+        for document in self.studio.get("/api/documents").json():
+            self.studio.ask("DELETE", f"/api/documents/{document['id']}")
+
+    def assert_error(self, answer, status, code=None):
+        self.assertEqual(answer.status, status, answer.body[:400])
+        error = answer.json()
+        self.assertEqual(sorted(error), ["code", "message", "where"])
+        if code:
+            self.assertEqual(error["code"], code, error)
+        self.assertTrue(error["message"])
+        return error
+
+
+def main():
+    unittest.main(verbosity=2)

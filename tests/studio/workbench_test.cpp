@@ -1,0 +1,114 @@
+#include "work/workbench.hpp"
+
+#include "work/attachments.hpp"
+#include "work/overlap_triangles.hpp"
+
+#include <planish/geometry/region.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+
+namespace planish::studio {
+namespace {
+
+std::string example(const std::string& name) {
+  std::ifstream file(PLANISH_SOURCE_DIR "/examples/" + name, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string request(const std::string& spec) { return "{\"spec\": " + spec + "}"; }
+
+TEST(Workbench, OpensEachKindAndDraftsIt) {
+  for (const auto& [name, kind] : {std::pair{"bracket.step", "unfold"}, {"connect/a_folded.json", "connect"},
+                                   {"transition/a_square_to_round.json", "transition"}, {"slit/chair.json", "slit"}}) {
+    Workbench bench("/nowhere");
+    const std::string bytes = example(name);
+    const Answer opened = bench.perform({"open", "a.file", bytes});
+    ASSERT_EQ(opened.status, 200) << opened.body;
+    EXPECT_EQ(Json::parse(opened.body)["kind"], kind);
+    const std::string asked = kind == std::string("unfold") ? "{}" : request(bytes);
+    for (const char* verb : {"draft", "result", "draft"}) {
+      const Answer shape = bench.perform({verb, "", asked});
+      EXPECT_EQ(shape.status, 200) << shape.body;
+      EXPECT_EQ(shape.body.substr(0, 4), "PLN1");
+    }
+  }
+}
+
+TEST(Workbench, DoesNothingBeforeItIsOpen) {
+  Workbench bench("/nowhere");
+  for (const char* verb : {"draft", "result", "files", ""})
+    EXPECT_EQ(bench.perform({verb, "dxf", "{}"}).status, 500);
+  EXPECT_EQ(bench.perform({"open", "a", "rubbish"}).status, 422);
+  EXPECT_EQ(bench.perform({"draft", "", "{}"}).status, 500);
+}
+
+TEST(Workbench, TellsHowFarItIs) {
+  Workbench bench("/nowhere");
+  const std::string spec = example("slit/chair.json");
+  bench.perform({"open", "a.json", spec});
+  double last = 0.0;
+  int stages = 0;
+  Progress progress;
+  progress.report = [&](std::string_view, double share) { last = share, ++stages; };
+  EXPECT_EQ(bench.perform({"result", "", request(spec)}, progress).status, 200);
+  EXPECT_GT(stages, 2);
+  EXPECT_GT(last, 0.5);
+}
+
+TEST(Workbench, GivesUpWhenAsked) {
+  Workbench bench("/nowhere");
+  const std::string spec = example("slit/chair.json");
+  bench.perform({"open", "a.json", spec});
+  Progress progress;
+  progress.cancelled = [] { return true; };
+  const Answer answer = bench.perform({"result", "", request(spec)}, progress);
+  EXPECT_EQ(answer.status, 409);
+  EXPECT_EQ(Json::parse(answer.body)["code"], "cancelled");
+}
+
+TEST(Attachments, HavePlainNames) {
+  for (const char* name : {"a", "scan 0.xyz", "räumlich.txt", "a..b"})
+    EXPECT_TRUE(is_plain_name(name)) << name;
+  for (const char* name : {"", ".", "..", ".a", "/a", "a/b", "a\\b", "a\nb", "a\x7f"})
+    EXPECT_FALSE(is_plain_name(name)) << name;
+  EXPECT_FALSE(is_plain_name(std::string("a\0b", 3)));
+  EXPECT_TRUE(is_plain_name(std::string(128, 'a')));
+  EXPECT_FALSE(is_plain_name(std::string(129, 'a')));
+}
+
+double area_of(const std::vector<Vec2>& triangles) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
+    const double area = ring_area({triangles[i], triangles[i + 1], triangles[i + 2]});
+    EXPECT_GT(area, 0.0);
+    sum += area;
+  }
+  return sum;
+}
+
+TEST(RingTriangles, CoverARingThatTurnsInwards) {
+  std::vector<Vec2> star;
+  for (int i = 0; i < 20; ++i) {
+    const double angle = std::numbers::pi * i / 10.0, radius = i % 2 == 0 ? 10.0 : 3.0;
+    star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  EXPECT_NEAR(area_of(ring_triangles(star)), ring_area(star), 1e-9);
+  const std::vector<Vec2> clockwise(star.rbegin(), star.rend());
+  EXPECT_NEAR(area_of(ring_triangles(clockwise)), ring_area(star), 1e-9);
+}
+
+TEST(RingTriangles, OfNoRingAreNone) {
+  EXPECT_TRUE(ring_triangles({}).empty());
+  EXPECT_TRUE(ring_triangles({{0, 0}, {1, 0}}).empty());
+  EXPECT_TRUE(ring_triangles({{0, 0}, {1, 0}, {2, 0}, {3, 0}}).empty());
+}
+
+}  // namespace
+}  // namespace planish::studio
