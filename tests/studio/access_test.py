@@ -88,6 +88,12 @@ class Paths(StudioTest):
             self.assertEqual(answer.headers["referrer-policy"], "no-referrer")
             self.assertNotIn("access-control-allow-origin", answer.headers)
 
+    def test_answers_are_not_compressed(self):
+        for path in ("/", "/api/examples"):
+            answer = self.studio.get(path, headers={"Accept-Encoding": "br, gzip, deflate"})
+            self.assertEqual(answer.status, 200)
+            self.assertNotIn("content-encoding", answer.headers)
+
     def test_the_page_is_there(self):
         page = self.studio.get("/", headers={"X-Planish-Token": None})
         self.assertEqual(page.status, 200)

@@ -88,6 +88,10 @@ void without_body(Api& api, const httplib::Request& request, httplib::Response& 
   send(response, no ? *no : api.answer(asked, {}));
 }
 
+/// The library would compress texts as hard as can be, which takes seconds where sending them takes none. It has no switch for
+/// that but what the browser accepts; the request is its own and not constant.
+void answer_uncompressed(const httplib::Request& request) { const_cast<httplib::Request&>(request).headers.erase("Accept-Encoding"); }
+
 /// What the library says by itself has no body.
 void explain(const httplib::Request& request, httplib::Response& response) {
   if (!response.body.empty()) return;
@@ -131,8 +135,9 @@ Result<int> HttpServer::bind(int port) {
 
 void HttpServer::serve(Api& api) {
   httplib::Server& server = content_->server;
-  // Before paths are matched, which takes memory by their length.
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
+    answer_uncompressed(request);
+    // Before paths are matched, which takes memory by their length.
     if (request.target.size() <= kLongestTarget) return httplib::Server::HandlerResponse::Unhandled;
     send(response, failure(400, "bad_request", "the address is too long"));
     return httplib::Server::HandlerResponse::Handled;

@@ -2,7 +2,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace planish::studio {
+namespace {
+
+/// Line and column, from 1, of a byte.
+std::string place_of(const std::string& text, std::size_t byte) {
+  const std::string before = text.substr(0, byte > 0 ? byte - 1 : 0);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t last = before.rfind('\n');
+  return fmt::format("{}:{}", line, before.size() - (last == std::string::npos ? 0 : last + 1) + 1);
+}
+
+}  // namespace
 
 Result<Json> parse_json(const std::string& text, const std::string& what) {
   // Whoever walks through a document calls itself once a level.
@@ -16,8 +29,10 @@ Result<Json> parse_json(const std::string& text, const std::string& what) {
     Json json = Json::parse(text, watch);
     if (too_deep) return fail(ErrorCode::invalid_input, fmt::format("the {} is nested more than {} deep", what, kDeepest));
     return json;
-  } catch (const Json::exception& error) {
-    return fail(ErrorCode::invalid_input, fmt::format("the {} is not JSON: {}", what, error.what()));
+  } catch (const Json::parse_error& error) {
+    return fail(ErrorCode::invalid_input, fmt::format("the {} is not JSON: mistake at line:column {}", what, place_of(text, error.byte)));
+  } catch (const Json::exception&) {
+    return fail(ErrorCode::invalid_input, fmt::format("the {} is not JSON: a number is too large", what));
   }
 }
 
