@@ -36,7 +36,7 @@ export interface Progress { stage: string; share: number }
 
 // ---- shapes -------------------------------------------------------------------------------------------------------
 
-export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; faces: number[] }
+export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; faces: number[]; plate?: string }
 
 export interface Handles {
   plates?: { id: string; corners: Vec3[] }[];

@@ -1,0 +1,87 @@
+import { Api, ApiError } from './api.ts';
+import { problemOf } from './compute.ts';
+import type { Store } from './state.ts';
+import type { OpenDocument, SlitSpec, Spec } from './types.ts';
+
+interface Given { name: string; bytes: ArrayBuffer }
+
+/** Opening: the main file becomes the document, text files beside it the scans that it names. */
+export class Documents {
+  private readonly api: Api;
+  private readonly store: Store;
+  constructor(api: Api, store: Store) {
+    this.api = api;
+    this.store = store;
+  }
+
+  async openFiles(files: File[]) {
+    await this.attempt(async () => {
+      const given = await Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() })));
+      const main = given.find((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
+      if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null);
+      else await this.addPoints(points);
+    });
+  }
+
+  async openExample(name: string) {
+    await this.attempt(async () => {
+      const folder = name.includes('/') ? name.slice(0, name.lastIndexOf('/') + 1) : '';
+      await this.open({ name: name.slice(folder.length), bytes: await this.api.example(name) }, (file) => this.api.example(folder + file).catch(() => null));
+    });
+  }
+
+  /** Documents that the server has opened from its command line. */
+  async adopt() {
+    const open = await this.api.documents().catch(() => []);
+    const last = open.at(-1);
+    if (last && !this.store.state.document) await this.attempt(() => this.take(last, async () => null));
+  }
+
+  closeOnLeaving() {
+    const d = this.store.state.document;
+    if (d) void this.api.close(d.id).catch(() => undefined);
+  }
+
+  private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>) {
+    await this.take(await this.api.open(main.name, main.bytes), beside);
+  }
+
+  private async take(document: OpenDocument, beside: (name: string) => Promise<ArrayBuffer | null>) {
+    const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
+    const missing: string[] = [];
+    for (const file of pointFiles(document, spec)) {
+      const bytes = await beside(file);
+      if (bytes) await this.api.attach(document.id, file, bytes);
+      else missing.push(file);
+    }
+    const before = this.store.state.document;
+    this.store.dispatch({ type: 'opened', document, spec });
+    if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
+    if (before) void this.api.close(before.id).catch(() => undefined);
+  }
+
+  private async addPoints(points: Given[]) {
+    const d = this.store.state.document;
+    if (d?.kind !== 'slit') throw new ApiError({ code: 'no_slit_file', message: 'points belong to a slit file; open that first, or both together' }, 0);
+    for (const p of points) await this.api.attach(d.id, p.name, p.bytes);
+    this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
+  }
+
+  private async attempt(work: () => Promise<void>) {
+    this.store.dispatch({ type: 'computing', computing: true });
+    this.store.dispatch({ type: 'problem', problem: null });
+    try {
+      await work();
+    } catch (error) {
+      this.store.dispatch({ type: 'computing', computing: false });
+      this.store.dispatch({ type: 'problem', problem: problemOf(error) });
+    }
+  }
+}
+
+const isPoints = (name: string) => /\.(xyz|txt|asc|csv)$/i.test(name);
+
+function pointFiles(document: OpenDocument, spec: Spec | null): string[] {
+  if (document.kind !== 'slit' || !spec) return [];
+  return ((spec as SlitSpec).scan ?? []).flatMap((s) => (typeof s.points === 'string' ? [s.points] : []));
+}

@@ -1,0 +1,73 @@
+import {
+  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, LineSegments, Points, PointsMaterial, type Texture,
+} from 'three';
+import type { Palette } from './theme.ts';
+import type { AnchorSpec, Handles, Vec3 } from './types.ts';
+
+/** Curves and points that stand beside the sheet: what can be dragged, and what it is drawn after. */
+export class HandleObjects {
+  readonly group = new Group();
+  private readonly disc: Texture = discTexture();
+
+  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null }, scale: number) {
+    this.clear();
+    for (const plate of handles.plates ?? [])
+      if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), new LineBasicMaterial({ color: palette.selected, depthTest: false })));
+    for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
+    for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
+    this.segments(handles.rulings ?? [], palette.crease);
+    this.points(ridgeEnds(handles).map((r) => r.at), palette.ridge, 5);
+    this.points(handles.scan ?? [], palette.scan, 2);
+    const at = anchors.map((a) => a.at.map((v) => v * scale) as Vec3);
+    this.points(at, palette.anchor, 13);
+    if (selected.anchor !== null && at[selected.anchor]) this.points([at[selected.anchor]!], palette.selected, 17);
+  }
+
+  private clear() {
+    for (const child of [...this.group.children]) {
+      this.group.remove(child);
+      const o = child as Line;
+      o.geometry.dispose();
+      (o.material as LineBasicMaterial).dispose();
+    }
+  }
+
+  private curve(points: Vec3[], color: string, closed: boolean) {
+    if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), new LineBasicMaterial({ color })));
+  }
+
+  private segments(pairs: [Vec3, Vec3][], color: string) {
+    if (pairs.length) this.group.add(new LineSegments(through(pairs.flat()), new LineBasicMaterial({ color, transparent: true, opacity: 0.5 })));
+  }
+
+  private points(at: Vec3[], color: string, size: number) {
+    if (!at.length) return;
+    const material = new PointsMaterial({ color, size, sizeAttenuation: false, map: this.disc, alphaTest: 0.5, depthTest: size < 10 });
+    const points = new Points(through(at), material);
+    if (size >= 10) points.renderOrder = 2;
+    this.group.add(points);
+  }
+}
+
+export interface RidgeEnd { strip: number; row: number; rows: number; side: 'left' | 'right'; at: Vec3 }
+
+export function ridgeEnds(handles: Handles): RidgeEnd[] {
+  return (handles.ridges ?? []).flatMap((ridges, strip) =>
+    ridges.flatMap(([left, right], row) => [
+      { strip, row, rows: ridges.length, side: 'left' as const, at: left },
+      { strip, row, rows: ridges.length, side: 'right' as const, at: right },
+    ]));
+}
+
+const through = (points: Vec3[]) => new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(points.flat()), 3));
+
+function discTexture(): Texture {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 32;
+  const c = canvas.getContext('2d')!;
+  c.fillStyle = '#fff';
+  c.beginPath();
+  c.arc(16, 16, 14, 0, 2 * Math.PI);
+  c.fill();
+  return new CanvasTexture(canvas);
+}

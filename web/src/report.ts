@@ -1,0 +1,9 @@
+import type { State } from './state.ts';
+import type { PieceReport } from './types.ts';
+
+/** The report of what is shown: of transitions in several pieces that of the piece chosen. */
+export function pieceOf(state: Pick<State, 'shape' | 'input'>): PieceReport | null {
+  const report = state.shape?.report ?? null;
+  const pieces = report?.pieces;
+  return pieces?.length ? (pieces[Math.min(state.input.options.piece ?? 0, pieces.length - 1)] ?? report) : report;
+}
