@@ -1,5 +1,6 @@
 import { Api, ApiError } from './api.ts';
 import { problemOf } from './compute.ts';
+import { keepDocument, keptDocument } from './kept.ts';
 import type { Store } from './state.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
@@ -9,6 +10,7 @@ interface Given { name: string; bytes: ArrayBuffer }
 export class Documents {
   private readonly api: Api;
   private readonly store: Store;
+  private adopted: string | null = null;
   constructor(api: Api, store: Store) {
     this.api = api;
     this.store = store;
@@ -30,20 +32,35 @@ export class Documents {
     });
   }
 
-  /** Documents that the server has opened from its command line. */
-  async adopt() {
-    const open = await this.api.documents().catch(() => []);
-    const last = open.at(-1);
-    if (last && !this.store.state.document) await this.attempt(() => this.take(last, async () => null));
+  /** What was open here before the page was loaded again, else the file that was named on the command line. */
+  async begin() {
+    await this.attempt(async () => {
+      const kept = keptDocument();
+      if (kept) {
+        await this.open(kept, async (name) => kept.beside[name] ?? null);
+        return this.store.dispatch({ type: 'edit', input: kept.input });
+      }
+      const open = await this.api.documents().catch(() => []), named = open.find((d) => d.named) ?? open.find((d) => d.id === 'd1');
+      if (named) {
+        this.adopted = named.id;
+        await this.take(named, async () => null);
+      }
+    });
   }
 
-  closeOnLeaving() {
-    const d = this.store.state.document;
-    if (d) void this.api.close(d.id).catch(() => undefined);
+  /** Documents that others opened are left to them. */
+  leave(id: string | undefined) {
+    if (id && id !== this.adopted) void this.api.close(id).catch(() => undefined);
   }
 
   private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>) {
-    await this.take(await this.api.open(main.name, main.bytes), beside);
+    const document = await this.api.open(main.name, main.bytes), used: Record<string, ArrayBuffer> = {};
+    await this.take(document, async (name) => {
+      const bytes = await beside(name);
+      if (bytes) used[name] = bytes;
+      return bytes;
+    });
+    keepDocument(main, used);
   }
 
   private async take(document: OpenDocument, beside: (name: string) => Promise<ArrayBuffer | null>) {
@@ -52,12 +69,12 @@ export class Documents {
     for (const file of pointFiles(document, spec)) {
       const bytes = await beside(file);
       if (bytes) await this.api.attach(document.id, file, bytes);
-      else missing.push(file);
+      else if (document.id !== this.adopted) missing.push(file);
     }
     const before = this.store.state.document;
     this.store.dispatch({ type: 'opened', document, spec });
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
-    if (before) void this.api.close(before.id).catch(() => undefined);
+    this.leave(before?.id);
   }
 
   private async addPoints(points: Given[]) {
@@ -68,12 +85,10 @@ export class Documents {
   }
 
   private async attempt(work: () => Promise<void>) {
-    this.store.dispatch({ type: 'computing', computing: true });
     this.store.dispatch({ type: 'problem', problem: null });
     try {
       await work();
     } catch (error) {
-      this.store.dispatch({ type: 'computing', computing: false });
       this.store.dispatch({ type: 'problem', problem: problemOf(error) });
     }
   }

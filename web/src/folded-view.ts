@@ -46,7 +46,8 @@ export class FoldedView {
   private readonly grip = new Object3D();
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
-  private readonly light = new DirectionalLight(0xffffff, 2.1);
+  private readonly light = new DirectionalLight(0xffffff, 1.7);
+  private readonly headlight = new DirectionalLight(0xffffff, 0.9);
   private shape: Shape | null = null;
   private overlay: Overlay = { anchors: [], scale: 1, plate: null, anchor: null, gizmo: 'translate', handles: true };
   private palette: Palette;
@@ -67,7 +68,7 @@ export class FoldedView {
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
     this.camera.up.set(0, 0, 1);
-    this.scene.add(new HemisphereLight(0xffffff, 0x8a90a0, 1.25), this.light, this.light.target, this.sheet.group, this.handles.group, this.grip);
+    this.scene.add(new HemisphereLight(0xffffff, 0xa0a6b2, 1.15), this.light, this.headlight, this.light.target, this.headlight.target, this.sheet.group, this.handles.group, this.grip);
     this.orbit = new OrbitControls(this.camera, canvas);
     this.orbit.zoomToCursor = true;
     this.orbit.addEventListener('change', () => this.draw());
@@ -289,7 +290,8 @@ export class FoldedView {
       this.renderer.setClearColor(new Color(this.palette.background));
       const across = new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up = new Vector3(0, 1, 0).applyQuaternion(this.camera.quaternion);
       this.light.position.copy(this.camera.position).addScaledVector(across, -1.8 * this.radius).addScaledVector(up, 2.4 * this.radius);
-      this.light.target.position.copy(this.orbit.target);
+      this.headlight.position.copy(this.camera.position);
+      for (const l of [this.light, this.headlight]) l.target.position.copy(this.orbit.target);
       this.renderer.render(this.scene, this.camera);
       frameDrawn();
     });

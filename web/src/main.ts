@@ -2,6 +2,7 @@ import { html, nothing, render } from 'lit-html';
 import { Api } from './api.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
+import { keepInput } from './kept.ts';
 import { removeAnchor } from './edits/slit.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
@@ -38,6 +39,7 @@ const ui: Ui = {
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
   commit: () => store.dispatch({ type: 'commit' }),
+  faceUp: (upper) => void faceUp(upper),
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
@@ -93,6 +95,19 @@ async function download(format: FileFormat, profile?: DxfProfile) {
 function fileName(name: string, format: FileFormat, piece?: number): string {
   const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : '');
   return format === 'spec' ? `${stem}.json` : format === 'json' ? `${stem}-report.json` : format === 'mould.stl' ? `${stem}-mould.stl` : `${stem}.${format}`;
+}
+
+/** Options name a side by the skin that is unfolded; which of the two that is, the shape with this one up shows. */
+async function faceUp(upper: boolean) {
+  const { document: d, input, shape } = store.state;
+  if (!d || !shape) return;
+  try {
+    const reference = await api.draft(d.id, { options: { ...input.options, up: 'reference' } });
+    const along = [2, 6, 10].reduce((sum, i) => sum + (shape.root[i] ?? 0) * (reference.root[i] ?? 0), 0);
+    ui.editOptions((o) => ({ ...o, up: along > 0 === upper ? 'reference' : 'other' }));
+  } catch (error) {
+    store.dispatch({ type: 'problem', problem: problemOf(error) });
+  }
 }
 
 let animation = 0;
@@ -155,9 +170,10 @@ window.addEventListener('drop', (e) => {
   root.classList.remove('dropping');
   if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
 });
-window.addEventListener('pagehide', () => documents.closeOnLeaving());
+window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
+store.subscribe((state, before) => { if (state.input !== before.input && !state.pending) keepInput(state.input); });
 
 draw();
 api.examples().then((examples) => store.dispatch({ type: 'examples', examples }), (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }));
-void documents.adopt();
+void documents.begin();
 Object.assign(window, { planish: { store, views } }); // for tests, and for the curious

@@ -13,6 +13,7 @@ export class SheetObject {
   private readonly outline: LineSegments;
   private readonly creases: LineSegments;
   private readonly solid: Mesh;
+  private readonly marked: LineSegments;
   private mesh: SheetMesh | null = null;
   private thickness = 1;
 
@@ -25,7 +26,9 @@ export class SheetObject {
     this.solid = new Mesh(new BufferGeometry(), new MeshPhongMaterial({ side: DoubleSide, flatShading: true, shininess: 20, specular: new Color(0x222222) }));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
-    this.group.add(this.skin, this.rim, this.outline, this.creases, this.solid);
+    this.marked = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
+    this.marked.renderOrder = 1;
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.solid, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
@@ -38,6 +41,7 @@ export class SheetObject {
     this.skin.geometry.setAttribute('color', new BufferAttribute(new Float32Array(6 * n), 3));
     replaceGeometry(this.outline, doubled(rim, n));
     replaceGeometry(this.creases, doubled(creases, n));
+    replaceGeometry(this.marked, new BufferGeometry());
     replaceGeometry(this.rim, new BufferGeometry());
     replaceGeometry(this.solid, spaceGeometry(shape));
     this.solid.visible = triangles.length === 0;
@@ -52,6 +56,7 @@ export class SheetObject {
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
+    this.marked.geometry.setAttribute('position', position);
     setRim(this.rim.geometry, this.mesh.rim, positions);
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
@@ -62,6 +67,8 @@ export class SheetObject {
     (this.solid.material as MeshPhongMaterial).color.set(palette.flange);
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
+    (this.marked.material as LineBasicMaterial).color.set(palette.selected);
+    this.mark(selected);
     const color = this.skin.geometry.getAttribute('color') as BufferAttribute | undefined;
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh, n = cornerFacet.length;
@@ -74,6 +81,15 @@ export class SheetObject {
       color.setXYZ(n + c, lower.r, lower.g, lower.b);
     }
     color.needsUpdate = true;
+  }
+
+  /** A sharp bend has no facets; its line is marked instead. */
+  private mark(selected: number | null) {
+    const { mesh } = this, pairs: number[] = [];
+    const sharp = mesh && selected !== null && mesh.shape.parts[selected]?.kind === 'bend' && !mesh.shape.facet_part.includes(selected);
+    if (sharp) for (let i = 0; i + 1 < mesh.creases.length; i += 2) if (liesOn(mesh, mesh.creases[i]!, mesh.creases[i + 1]!, selected)) pairs.push(mesh.creases[i]!, mesh.creases[i + 1]!);
+    const index = doubled(Uint32Array.from(pairs), mesh?.cornerFacet.length ?? 0).getIndex();
+    this.marked.geometry.setIndex(index);
   }
 
   /** The facet under triangle `face` of the skin, and whether it is its upper side. */
@@ -94,6 +110,17 @@ export class SheetObject {
       box.union(mesh.geometry.boundingBox!);
     }
   }
+}
+
+/** Whether the crease between two corners is a line of bend `part`. */
+function liesOn({ shape, corners }: SheetMesh, a: number, b: number, part: number): boolean {
+  const l = shape.bend_lines, [x, y] = [(corners[2 * a]! + corners[2 * b]!) / 2, (corners[2 * a + 1]! + corners[2 * b + 1]!) / 2];
+  return shape.bend_line_part.some((p, i) => {
+    if (p !== part) return false;
+    const ux = l[4 * i + 2]! - l[4 * i]!, uy = l[4 * i + 3]! - l[4 * i + 1]!, length = Math.hypot(ux, uy), vx = x - l[4 * i]!, vy = y - l[4 * i + 1]!;
+    const along = (vx * ux + vy * uy) / length;
+    return Math.abs(vx * uy - vy * ux) < 0.01 * length && along > -0.01 && along < length + 0.01;
+  });
 }
 
 function replaceGeometry(object: Mesh | LineSegments, geometry: BufferGeometry) {

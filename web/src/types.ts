@@ -12,7 +12,7 @@ export interface Example { name: string; kind: Kind; title: string }
 export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
 export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
 
-export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
+export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null; named?: boolean }
 
 export interface Options {
   body?: number;

@@ -9,6 +9,8 @@ export interface Ui {
   edit<S extends Spec>(change: (spec: S) => S, live?: boolean): void;
   editOptions(change: (options: Options) => Options, live?: boolean): void;
   commit(): void;
+  /** The side that faces up now, or the other one, from now on. */
+  faceUp(upper: boolean): void;
   openFiles(files: FileList | File[]): void;
   openExample(name: string): void;
   download(format: FileFormat, profile?: DxfProfile): void;

@@ -102,11 +102,10 @@ export class Views {
     const row = facet === null ? undefined : state.shape?.facet_part[facet];
     const part = row === undefined ? undefined : state.shape?.parts[row];
     if (state.pick === 'root' || state.pick === 'up') {
-      const face = part?.kind === 'flange' ? (upper ? part.faces[0] : (part.faces[1] ?? part.faces[0])) : undefined;
-      if (face === undefined) return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
-      const key = state.pick;
+      const face = part?.kind === 'flange' ? part.faces[0] : undefined;
+      if (face === undefined && !(part && state.pick === 'up')) return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
       this.ui.dispatch({ type: 'pick', pick: 'none' });
-      return this.ui.editOptions((o) => ({ ...o, [key]: face }));
+      return state.pick === 'up' ? this.ui.faceUp(upper) : this.ui.editOptions((o) => ({ ...o, root: face }));
     }
     this.pickPart(row ?? null);
   }

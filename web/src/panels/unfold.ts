@@ -20,7 +20,7 @@ export function unfoldPanel(ui: Ui) {
     ${section('Lying flat', html`
       ${pickRow(ui, 'root', 'Stays where it is', options.root === undefined || options.root === 'largest' ? 'the largest flange' : `face ${options.root}`, () => set({ root: undefined }))}
       ${pickRow(ui, 'up', 'Faces up', options.up === undefined || options.up === 'auto' ? 'chosen by the program' : typeof options.up === 'number' ? `the side of face ${options.up}` : `the ${options.up} side`, () => set({ up: undefined }))}
-      <p class="row"><button data-testid="up-turn" @click=${() => set({ up: options.up === 'other' ? 'reference' : 'other' })}>Turn over</button></p>`)}`;
+      <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`)}`;
 }
 
 const kRule = (o: Options) => (o.k === undefined ? 'default' : o.k === 'din6935' ? 'din6935' : 'number');
