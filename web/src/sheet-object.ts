@@ -155,7 +155,7 @@ function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array)
     at.forEach((from, i) => { for (let k = 0; k < 3; ++k) position[18 * q + 3 * i + k] = skins[from + k]!; });
     const [ux, uy, uz] = [0, 1, 2].map((k) => skins[b + k]! - skins[a + k]!) as [number, number, number];
     const [vx, vy, vz] = [0, 1, 2].map((k) => skins[half + a + k]! - skins[a + k]!) as [number, number, number];
-    const n = [vy * uz - vz * uy, vz * ux - vx * uz, vx * uy - vy * ux], l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
+    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx], l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
     for (let i = 0; i < 18; ++i) normal[18 * q + i] = n[i % 3]! / l;
   }
   geometry.setAttribute('position', new BufferAttribute(position, 3));
