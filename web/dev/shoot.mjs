@@ -8,7 +8,7 @@ page.on('pageerror', (e) => console.log('pageerror', e.message));
 page.on('response', (r) => { if (r.status() >= 400) console.log(r.status(), r.request().method(), r.url()); });
 await page.goto(address);
 await page.waitForTimeout(800);
-const settled = () => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing; }, null, { timeout: 60000 });
+const settled = () => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing; }, null, { timeout: 20000 });
 for (const step of steps) {
   const at = step.indexOf(':'), verb = at < 0 ? step : step.slice(0, at), rest = at < 0 ? '' : step.slice(at + 1);
   try {

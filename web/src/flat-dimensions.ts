@@ -2,20 +2,33 @@ import type { LabelWriter } from './flat-labels.ts';
 import type { Palette } from './theme.ts';
 import type { Vec2 } from './types.ts';
 
-/** Width and height of the blank, below and to the left of it. `low` and `high` are its corners on the screen. */
-export function drawDimensions(c: CanvasRenderingContext2D, low: Vec2, high: Vec2, text: [string, string], palette: Palette, writer: LabelWriter) {
-  const below = low[1] + 22, left = low[0] - 22;
+/** Length and width of the blank along two sides of its smallest rectangle; `box` is that on the screen. */
+export function drawDimensions(c: CanvasRenderingContext2D, box: [Vec2, Vec2, Vec2, Vec2], text: [string, string], palette: Palette, writer: LabelWriter, turned: boolean) {
   c.strokeStyle = palette.dimension;
   c.lineWidth = 1;
+  if (turned) {
+    c.setLineDash([2, 4]);
+    c.beginPath();
+    box.forEach((p, i) => (i ? c.lineTo(...p) : c.moveTo(...p)));
+    c.closePath();
+    c.stroke();
+  }
   c.setLineDash([]);
-  line(c, [low[0], low[1] + 6], [low[0], below + 5]);
-  line(c, [high[0], low[1] + 6], [high[0], below + 5]);
-  line(c, [low[0] - 6, low[1]], [left - 5, low[1]]);
-  line(c, [low[0] - 6, high[1]], [left - 5, high[1]]);
-  arrow(c, [low[0], below], [high[0], below]);
-  arrow(c, [left, low[1]], [left, high[1]]);
-  writer.write({ text: text[0], at: [(low[0] + high[0]) / 2, below], angle: 0, room: 1000, color: palette.dimension });
-  writer.write({ text: text[1], at: [left, (low[1] + high[1]) / 2], angle: -Math.PI / 2, room: 1000, color: palette.dimension });
+  dimension(c, box[0], box[1], box[2], text[0], palette, writer);
+  dimension(c, box[0], box[3], box[1], text[1], palette, writer);
+}
+
+/** From `a` to `b`, on the side away from `inner`. */
+function dimension(c: CanvasRenderingContext2D, a: Vec2, b: Vec2, inner: Vec2, text: string, palette: Palette, writer: LabelWriter) {
+  const l = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
+  let [nx, ny] = [-(b[1] - a[1]) / l, (b[0] - a[0]) / l];
+  if (nx * (inner[0] - a[0]) + ny * (inner[1] - a[1]) > 0) [nx, ny] = [-nx, -ny];
+  const out = (p: Vec2, d: number): Vec2 => [p[0] + d * nx, p[1] + d * ny];
+  line(c, out(a, 6), out(a, 27));
+  line(c, out(b, 6), out(b, 27));
+  arrow(c, out(a, 22), out(b, 22));
+  const [p, q] = [out(a, 22), out(b, 22)];
+  writer.write({ text, at: [(p[0] + q[0]) / 2, (p[1] + q[1]) / 2], angle: Math.atan2(q[1] - p[1], q[0] - p[0]), room: 1000, color: palette.dimension });
 }
 
 function line(c: CanvasRenderingContext2D, a: Vec2, b: Vec2) {

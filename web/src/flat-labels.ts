@@ -39,10 +39,10 @@ export class LabelWriter {
     c.rotate(angle);
     c.textAlign = 'center';
     c.textBaseline = 'middle';
-    c.lineWidth = 4;
-    c.lineJoin = 'round';
-    c.strokeStyle = this.halo;
-    c.strokeText(text, 0, 0);
+    c.fillStyle = this.halo;
+    c.globalAlpha = 0.85;
+    c.fillRect(-width / 2 - 3, -7, width + 6, 14);
+    c.globalAlpha = 1;
     c.fillStyle = label.color;
     c.fillText(text, 0, 0);
     c.restore();

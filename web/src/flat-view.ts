@@ -1,5 +1,7 @@
 import { drawDimensions } from './flat-dimensions.ts';
 import { LabelWriter } from './flat-labels.ts';
+import { labelPlaces, type Place } from './label-places.ts';
+import { smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
 import { clean, lengthText, millimetres, type DisplayUnit } from './units.ts';
@@ -22,6 +24,8 @@ export class FlatView {
   private scale = 1;
   private offset: Vec2 = [0, 0];
   private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
+  private rectangle: Rectangle | null = null;
+  private places: Map<number, Place> | null = null;
   private fitted = true;
   private frame = 0;
   private press: { x: number; y: number; moved: boolean } | null = null;
@@ -73,7 +77,13 @@ export class FlatView {
       b.x0 = Math.min(b.x0, p[i]!); b.x1 = Math.max(b.x1, p[i]!);
       b.y0 = Math.min(b.y0, p[i + 1]!); b.y1 = Math.max(b.y1, p[i + 1]!);
     }
+    this.rectangle = smallestRectangle(p);
+    for (const [x, y] of this.rectangle?.corners ?? []) {
+      b.x0 = Math.min(b.x0, x); b.x1 = Math.max(b.x1, x);
+      b.y0 = Math.min(b.y0, y); b.y1 = Math.max(b.y1, y);
+    }
     this.bounds = b;
+    this.places = null;
   }
 
   private listen() {
@@ -160,9 +170,15 @@ export class FlatView {
     this.strokeOutline(shape);
     const writer = new LabelWriter(c, palette.halo);
     this.markFindings(writer);
-    const { x0, y0, x1, y1 } = this.bounds;
-    drawDimensions(c, this.at(x0, y0), this.at(x1, y1), [x1 - x0, y1 - y0].map((v) => lengthText(v, 'mm', scene.units)) as [string, string], palette, writer);
+    this.dimension(writer);
     this.writeLabels(shape, writer);
+  }
+
+  private dimension(writer: LabelWriter) {
+    const r = this.rectangle, { palette, units } = this.scene;
+    if (!r) return;
+    const box = r.corners.map((p) => this.at(...p)) as typeof r.corners;
+    drawDimensions(this.c, box, r.size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
   }
 
   private fill(shape: Shape, part: number | null, color: string) {
@@ -237,9 +253,10 @@ export class FlatView {
       c.moveTo(...this.at(l[4 * i]!, l[4 * i + 1]!));
       c.lineTo(...this.at(l[4 * i + 2]!, l[4 * i + 3]!));
       c.strokeStyle = this.isUp(shape, part) ? palette.up : palette.down;
-      c.lineWidth = part === selected ? 2.6 : 1.1;
+      const short = this.scale * this.lengthOf(l, i) < 30;
+      c.lineWidth = part === selected ? 2.6 : short ? 0.6 : 1.1;
       c.lineCap = 'butt';
-      c.setLineDash(this.isUp(shape, part) ? [7, 4] : [7, 3, 2, 3]);
+      c.setLineDash(short ? [] : this.isUp(shape, part) ? [7, 4] : [7, 3, 2, 3]);
       c.stroke();
     }
     c.setLineDash([]);
@@ -300,7 +317,12 @@ export class FlatView {
     }
     for (const m of marks) writer.write({ text: m.text, at: this.at(m.at[0] * factor, m.at[1] * factor), angle: 0, room: 200, color: palette.label, weight: 'bold' });
     if (marks.length) return;
-    for (const [part, at] of this.flangePlaces(shape)) writer.write({ text: shape.parts[part]!.name, at, angle: 0, room: 200, color: palette.label, weight: 'bold' });
+    this.places ??= labelPlaces(shape);
+    for (const [part, { at, room }] of this.places) {
+      if (room * this.scale < 9) continue;
+      const { name, plate } = shape.parts[part]!;
+      writer.write({ text: plate ?? name, at: this.at(...at), angle: 0, room: 400, color: palette.label, weight: 'bold' });
+    }
   }
 
   private bendText(shape: Shape, part: number): string {
@@ -311,37 +333,9 @@ export class FlatView {
   }
 
   private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
-
-  /** The middle of the largest ring of each flange that is wide enough to bear its name. */
-  private flangePlaces(shape: Shape): Map<number, Vec2> {
-    const out = new Map<number, Vec2>(), sizes = new Map<number, number>();
-    for (let f = 0; f < shape.facet_part.length; ++f) {
-      const part = shape.facet_part[f]!;
-      if (shape.parts[part]?.kind !== 'flange') continue;
-      for (let p = shape.facet_starts[f]!; p < shape.facet_starts[f + 1]!; ++p) {
-        const { area, x, y } = ringMiddle(shape, shape.polygon_starts[p]!);
-        if (area * this.scale * this.scale < 500 || area <= (sizes.get(part) ?? 0)) continue;
-        sizes.set(part, area);
-        out.set(part, this.at(x, y));
-      }
-    }
-    return out;
-  }
 }
 
-function ringMiddle(shape: Shape, ring: number): { area: number; x: number; y: number } {
-  let a = 0, x = 0, y = 0;
-  const first = shape.ring_starts[ring]!, end = shape.ring_starts[ring + 1]!, p = shape.points;
-  for (let i = first; i < end; ++i) {
-    const j = i + 1 < end ? i + 1 : first, cross = p[2 * i]! * p[2 * j + 1]! - p[2 * j]! * p[2 * i + 1]!;
-    a += cross;
-    x += (p[2 * i]! + p[2 * j]!) * cross;
-    y += (p[2 * i + 1]! + p[2 * j + 1]!) * cross;
-  }
-  return a === 0 ? { area: 0, x: 0, y: 0 } : { area: Math.abs(a) / 2, x: x / (3 * a), y: y / (3 * a) };
-}
-
-function insideFacet(shape: Shape, f: number, x: number, y: number): boolean {
+export function insideFacet(shape: Shape, f: number, x: number, y: number): boolean {
   let inside = false;
   const p = shape.points;
   for (let q = shape.facet_starts[f]!; q < shape.facet_starts[f + 1]!; ++q)

@@ -26,22 +26,20 @@ export interface Overlay {
   plate: string | null;
   anchor: number | null;
   gizmo: 'translate' | 'rotate';
+  ridges: number; // of a strip before it is subdivided
   handles: boolean; // whether handles fit what is shown: not while it is partly folded
 }
 
-const directions: Record<StandardView, { from: Vec3; up: Vec3 }> = {
-  front: { from: [0, -1, 0], up: [0, 0, 1] },
-  top: { from: [0, 0, 1], up: [0, 1, 0] },
-  right: { from: [1, 0, 0], up: [0, 0, 1] },
-  iso: { from: [1, -1.25, 0.95], up: [0, 0, 1] },
-};
+/** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
+const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
 
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
-  private readonly orbit: OrbitControls;
+  private orbit: OrbitControls;
+  private upright: 'y' | 'z' = 'z';
   private readonly gizmo: TransformControls;
   private readonly grip = new Object3D();
   private readonly sheet = new SheetObject();
@@ -49,7 +47,7 @@ export class FoldedView {
   private readonly light = new DirectionalLight(0xffffff, 1.7);
   private readonly headlight = new DirectionalLight(0xffffff, 0.9);
   private shape: Shape | null = null;
-  private overlay: Overlay = { anchors: [], scale: 1, plate: null, anchor: null, gizmo: 'translate', handles: true };
+  private overlay: Overlay = { anchors: [], scale: 1, plate: null, anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
   private palette: Palette;
   private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
@@ -69,9 +67,7 @@ export class FoldedView {
     box.append(canvas);
     this.camera.up.set(0, 0, 1);
     this.scene.add(new HemisphereLight(0xffffff, 0xa0a6b2, 1.15), this.light, this.headlight, this.light.target, this.headlight.target, this.sheet.group, this.handles.group, this.grip);
-    this.orbit = new OrbitControls(this.camera, canvas);
-    this.orbit.zoomToCursor = true;
-    this.orbit.addEventListener('change', () => this.draw());
+    this.orbit = this.orbiting();
     this.gizmo = new TransformControls(this.camera, canvas);
     this.gizmo.setSize(0.8);
     this.scene.add(this.gizmo.getHelper());
@@ -129,14 +125,29 @@ export class FoldedView {
   }
 
   look(view: StandardView) {
-    const { from, up } = directions[view];
-    const direction = new Vector3(...from).normalize();
-    if (view === 'top') direction.set(0, -1e-4, 1).normalize(); // orbiting keeps z up, so the pole is never reached
-    this.camera.up.set(0, 0, 1);
-    void up;
-    this.camera.position.copy(this.orbit.target).addScaledVector(direction, 4 * this.radius);
+    const [x, y, z] = directions[view], direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+    this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
     this.orbit.update();
     this.fit();
+  }
+
+  /** Which axis of space stands upright. */
+  setUp(up: 'y' | 'z') {
+    if (up === this.upright) return;
+    this.upright = up;
+    this.camera.up.set(0, up === 'y' ? 1 : 0, up === 'z' ? 1 : 0);
+    const { target } = this.orbit;
+    this.orbit.dispose();
+    this.orbit = this.orbiting(); // it takes its axis once, when it is made
+    this.orbit.target.copy(target);
+    this.look('iso');
+  }
+
+  private orbiting(): OrbitControls {
+    const orbit = new OrbitControls(this.camera, this.renderer.domElement);
+    orbit.zoomToCursor = true;
+    orbit.addEventListener('change', () => this.draw());
+    return orbit;
   }
 
   /** Where a point in space is seen, in client coordinates: for tests. */
@@ -213,7 +224,7 @@ export class FoldedView {
 
   private click(e: PointerEvent) {
     if (this.shape && this.overlay.handles) {
-      const ends = ridgeEnds(this.shape.handles), end = this.nearest(e, ends.map((r) => r.at), 7);
+      const ends = ridgeEnds(this.shape.handles, this.overlay.ridges), end = this.nearest(e, ends.map((r) => r.at), 7);
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
     const hit = this.sheet.empty ? undefined : this.ray(e).intersectObject(this.sheet.skin, false)[0];
@@ -246,7 +257,7 @@ export class FoldedView {
 
   private showHandles() {
     const shown = this.overlay.handles ? (this.shape?.handles ?? {}) : {};
-    this.handles.set(shown, this.overlay.handles ? this.overlay.anchors : [], this.palette, this.overlay, this.overlay.scale);
+    this.handles.set(shown, this.overlay.handles ? this.overlay.anchors : [], this.palette, this.overlay, this.overlay.scale, this.overlay.ridges);
   }
 
   /** The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate follows. */

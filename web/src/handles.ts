@@ -9,14 +9,14 @@ export class HandleObjects {
   readonly group = new Group();
   private readonly disc: Texture = discTexture();
 
-  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null }, scale: number) {
+  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null }, scale: number, ridges: number) {
     this.clear();
     for (const plate of handles.plates ?? [])
       if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), new LineBasicMaterial({ color: palette.selected, depthTest: false })));
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
     this.segments(handles.rulings ?? [], palette.crease);
-    this.points(ridgeEnds(handles).map((r) => r.at), palette.ridge, 5);
+    this.points(ridgeEnds(handles, ridges).map((r) => r.at), palette.ridge, 5);
     this.points(handles.scan ?? [], palette.scan, 2);
     const at = anchors.map((a) => a.at.map((v) => v * scale) as Vec3);
     this.points(at, palette.anchor, 13);
@@ -49,14 +49,17 @@ export class HandleObjects {
   }
 }
 
-export interface RidgeEnd { strip: number; row: number; rows: number; side: 'left' | 'right'; at: Vec3 }
+export interface RidgeEnd { strip: number; ridge: number; side: 'left' | 'right'; at: Vec3 }
 
-export function ridgeEnds(handles: Handles): RidgeEnd[] {
-  return (handles.ridges ?? []).flatMap((ridges, strip) =>
-    ridges.flatMap(([left, right], row) => [
-      { strip, row, rows: ridges.length, side: 'left' as const, at: left },
-      { strip, row, rows: ridges.length, side: 'right' as const, at: right },
-    ]));
+/** Both ends of the ridges that stand from the start, `count` spans to a strip: those between came by halving. */
+export function ridgeEnds(handles: Handles, count: number): RidgeEnd[] {
+  return (handles.ridges ?? []).flatMap((rows, strip) => {
+    const step = Math.max(1, Math.round((rows.length - 1) / count));
+    return rows.flatMap(([left, right], row) => row % step ? [] : [
+      { strip, ridge: row / step, side: 'left' as const, at: left },
+      { strip, ridge: row / step, side: 'right' as const, at: right },
+    ]);
+  });
 }
 
 const through = (points: Vec3[]) => new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(points.flat()), 3));

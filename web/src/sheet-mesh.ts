@@ -14,7 +14,8 @@ export interface SheetMesh {
   triangles: Uint32Array; // of the upper skin
   triangleFacet: Uint32Array;
   rim: Uint32Array; // pairs of corners, in the direction of the cut
-  creases: Uint32Array; // pairs of corners: where bends begin and end
+  hinges: Uint32Array; // pairs of corners: all hinges but those within a curved bend
+  creases: Uint32Array; // of these, where bends begin and end and what is folded sharply
 }
 
 export interface FoldedSheet { positions: Float32Array; normals: Float32Array }
@@ -27,7 +28,7 @@ export function makeSheetMesh(shape: Shape): SheetMesh {
   for (let f = 0; f < facets; ++f)
     for (let p = shape.facet_starts[f]!; p < shape.facet_starts[f + 1]!; ++p) builder.addPolygon(f, p);
   for (let e = 0; e < shape.edge_facet.length; ++e) builder.addEdge(e);
-  for (let f = 0; f < facets; ++f) builder.addCrease(f);
+  for (let f = 0; f < facets; ++f) builder.addHinge(f);
   return builder.finish();
 }
 
@@ -37,6 +38,7 @@ class Builder {
   private readonly triangles: number[] = [];
   private readonly triangleFacet: number[] = [];
   private readonly rim: number[] = [];
+  private readonly hinges: number[] = [];
   private readonly creases: number[] = [];
 
   private readonly shape: Shape;
@@ -72,12 +74,16 @@ class Builder {
     this.rim.push(this.corner(f, edges[4 * e]!, edges[4 * e + 1]!), this.corner(f, edges[4 * e + 2]!, edges[4 * e + 3]!));
   }
 
-  addCrease(f: number) {
+  addHinge(f: number) {
     const { facet_parent, facet_part, facet_angle, facet_hinge: h } = this.shape;
     const parent = facet_parent[f]!;
     if (parent < 0) return;
-    if (facet_part[parent] === facet_part[f] && Math.abs(facet_angle[f]!) < smoothBelow) return;
-    this.creases.push(this.corner(f, h[4 * f]!, h[4 * f + 1]!), this.corner(f, h[4 * f + 2]!, h[4 * f + 3]!));
+    const isBend = (part: number) => this.shape.parts[part]?.kind === 'bend';
+    const own = facet_part[f]!, other = facet_part[parent]!, sharp = Math.abs(facet_angle[f]!) >= smoothBelow;
+    if (own === other && isBend(own) && !sharp) return;
+    const pair = [this.corner(f, h[4 * f]!, h[4 * f + 1]!), this.corner(f, h[4 * f + 2]!, h[4 * f + 3]!)];
+    this.hinges.push(...pair);
+    if (sharp || (own !== other && (isBend(own) || isBend(other)))) this.creases.push(...pair);
   }
 
   finish(): SheetMesh {
@@ -97,7 +103,7 @@ class Builder {
       shape: this.shape, corners: Float32Array.from(this.corners), cornerFacet: Uint32Array.from(this.facet),
       mitreStarts: Uint32Array.from(starts), mitreHinge: Uint32Array.from(mitreHinge), mitreSign: Int8Array.from(mitreSign),
       triangles: Uint32Array.from(this.triangles), triangleFacet: Uint32Array.from(this.triangleFacet),
-      rim: Uint32Array.from(this.rim), creases: Uint32Array.from(this.creases),
+      rim: Uint32Array.from(this.rim), hinges: Uint32Array.from(this.hinges), creases: Uint32Array.from(this.creases),
     };
   }
 

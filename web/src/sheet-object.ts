@@ -87,7 +87,7 @@ export class SheetObject {
   private mark(selected: number | null) {
     const { mesh } = this, pairs: number[] = [];
     const sharp = mesh && selected !== null && mesh.shape.parts[selected]?.kind === 'bend' && !mesh.shape.facet_part.includes(selected);
-    if (sharp) for (let i = 0; i + 1 < mesh.creases.length; i += 2) if (liesOn(mesh, mesh.creases[i]!, mesh.creases[i + 1]!, selected)) pairs.push(mesh.creases[i]!, mesh.creases[i + 1]!);
+    if (sharp) for (let i = 0; i + 1 < mesh.hinges.length; i += 2) if (liesOn(mesh, mesh.hinges[i]!, mesh.hinges[i + 1]!, selected)) pairs.push(mesh.hinges[i]!, mesh.hinges[i + 1]!);
     const index = doubled(Uint32Array.from(pairs), mesh?.cornerFacet.length ?? 0).getIndex();
     this.marked.geometry.setIndex(index);
   }

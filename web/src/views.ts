@@ -1,7 +1,7 @@
 import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
-import { addAnchor, moveAnchor, ridgeOfRow } from './edits/slit.ts';
+import { addAnchor, moveAnchor } from './edits/slit.ts';
 import { FlatView } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
@@ -57,6 +57,7 @@ export class Views {
     }
     if (state.document !== before.document) {
       this.documentShown = null;
+      this.folded.setUp(state.document?.kind === 'slit' ? 'y' : 'z');
       if (!state.shape) this.folded.setShape(null, 1, 1, null);
     }
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
@@ -82,7 +83,7 @@ export class Views {
     const spec = state.input.spec as SlitSpec | null;
     return {
       anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [], scale: millimetres(spec?.units),
-      plate: state.document?.kind === 'connect' ? state.selection.plate : null, anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999,
+      plate: state.document?.kind === 'connect' ? state.selection.plate : null, anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999, ridges: spec?.ridges ?? 10,
     };
   }
 
@@ -119,7 +120,7 @@ export class Views {
   private addAnchorAt(end: RidgeEnd) {
     const { input } = this.ui.state, spec = input.spec as SlitSpec, scale = millimetres(spec.units);
     const index = spec.anchors?.length ?? 0;
-    this.ui.edit<SlitSpec>((s) => addAnchor(s, { strip: end.strip, ridge: ridgeOfRow(end.row, end.rows, s), side: end.side, at: end.at.map((v) => v / scale) as Vec3 }));
+    this.ui.edit<SlitSpec>((s) => addAnchor(s, { strip: end.strip, ridge: end.ridge, side: end.side, at: end.at.map((v) => v / scale) as Vec3 }));
     this.ui.dispatch({ type: 'select', selection: { anchor: index } });
   }
 

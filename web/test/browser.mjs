@@ -19,13 +19,16 @@ async function fresh() {
   page.on('pageerror', (e) => said.push(e.message));
   await page.goto(address);
   await page.waitForSelector('[data-testid=examples-menu]');
-  await page.waitForFunction(() => window.planish.store.state.examples.length > 0);
+  await page.waitForTimeout(300);
   return { page, said, context };
 }
 
 async function example(page, name) {
-  await page.click('[data-testid=examples-menu]');
-  await page.click(`[data-testid="example-${name}"]`);
+  if (await page.locator(`[data-testid="example-${name}"]`).count()) {
+    await page.click('[data-testid=examples-menu]');
+    await page.click(`[data-testid="example-${name}"]`);
+  } else await page.setInputFiles('[data-testid=file-input]', new URL(`../../examples/${name}`, import.meta.url).pathname);
+  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, name.split('/').at(-1));
   await rested(page);
 }
 

@@ -40,11 +40,6 @@ export function sheetWidth(spec: SlitSpec): number | null {
   return (spec.sheet.strips as { width?: number; gap?: number }[]).reduce((sum, s) => sum + (s.width ?? 0) + (s.gap ?? 0), 0) + (spec.sheet.margin ?? 0);
 }
 
-/** Ridges that stand from the start: the others came by halving. */
-export function ridgeOfRow(row: number, rows: number, spec: SlitSpec): number {
-  return Math.round((row * (spec.ridges ?? 10)) / Math.max(rows - 1, 1));
-}
-
 export function addAnchor(spec: SlitSpec, anchor: AnchorSpec): SlitSpec {
   return { ...spec, anchors: [...(spec.anchors ?? []), { ...anchor, at: anchor.at.map((v) => round(v, 3)) as Vec3 }] };
 }

@@ -32,7 +32,7 @@ function summary(ui: Ui) {
   const rows: [string, string, string][] = [
     ['Blank', report?.flat ? `${text(report.flat.size[0])} × ${text(report.flat.size[1])}` : '–', 'blank-size'],
     ['Thickness', text(report?.sheet?.thickness), 'sheet-thickness'],
-    ['Cut', report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
+    ['Cut length', report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
     ['Bends', report?.sheet ? String(report.sheet.bends) : '–', 'bend-count'],
   ];
   return html`<dl class="summary">${rows.map(([name, value, id]) => html`<div><dt>${name}</dt><dd data-testid=${id}>${value}</dd></div>`)}</dl>`;
