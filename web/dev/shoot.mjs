@@ -1,11 +1,13 @@
 // Screenshots of the page: node dev/shoot.mjs ADDRESS OUT STEP… ; a step is `example:NAME`, `tab:NAME`, `wait:MS`, `shot:NAME`, `click:TESTID`, `key:KEY`, `dark`, `eval:CODE`.
 import { chromium } from 'playwright-core';
+import { serveDist } from '../test/serve-dist.mjs';
 const [address, out, ...steps] = process.argv.slice(2);
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
 page.on('console', (m) => { if (['error', 'warning'].includes(m.type())) console.log('console', m.type(), m.text()); });
 page.on('pageerror', (e) => console.log('pageerror', e.message));
 page.on('response', (r) => { if (r.status() >= 400) console.log(r.status(), r.request().method(), r.url()); });
+await serveDist(page, address);
 await page.goto(address);
 await page.waitForTimeout(800);
 const settled = () => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing; }, null, { timeout: 20000 });

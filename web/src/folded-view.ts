@@ -33,6 +33,14 @@ export interface Overlay {
 /** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
 const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
 
+/** Smooth edges cost a processor that draws by itself most of its time. */
+function drawsInSoftware(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
   private readonly renderer: WebGLRenderer;
@@ -60,7 +68,7 @@ export class FoldedView {
     this.box = box;
     this.events = events;
     this.palette = palette;
-    this.renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: false });
+    this.renderer = new WebGLRenderer({ antialias: !drawsInSoftware() });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const canvas = this.renderer.domElement;
     canvas.dataset.testid = 'folded-canvas';

@@ -1,5 +1,6 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, LineSegments, Points, PointsMaterial, type Texture,
+  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, LineSegments, Points, PointsMaterial,
+  type LineBasicMaterialParameters, type Material, type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
 import type { AnchorSpec, Handles, Vec3 } from './types.ts';
@@ -8,11 +9,12 @@ import type { AnchorSpec, Handles, Vec3 } from './types.ts';
 export class HandleObjects {
   readonly group = new Group();
   private readonly disc: Texture = discTexture();
+  private readonly materials = new Map<string, Material>();
 
   set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null }, scale: number, ridges: number) {
     this.clear();
     for (const plate of handles.plates ?? [])
-      if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), new LineBasicMaterial({ color: palette.selected, depthTest: false })));
+      if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
     this.segments(handles.rulings ?? [], palette.crease);
@@ -26,23 +28,32 @@ export class HandleObjects {
   private clear() {
     for (const child of [...this.group.children]) {
       this.group.remove(child);
-      const o = child as Line;
-      o.geometry.dispose();
-      (o.material as LineBasicMaterial).dispose();
+      (child as Line).geometry.dispose();
     }
   }
 
+  /** Materials are kept: with the last one of a kind three.js lets its program go, which costs to make again. */
+  private material<M extends Material>(key: string, make: () => M): M {
+    if (!this.materials.has(key)) this.materials.set(key, make());
+    return this.materials.get(key) as M;
+  }
+
+  private line(color: string, more: LineBasicMaterialParameters = {}) {
+    return this.material(`line ${color} ${JSON.stringify(more)}`, () => new LineBasicMaterial({ color, ...more }));
+  }
+
   private curve(points: Vec3[], color: string, closed: boolean) {
-    if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), new LineBasicMaterial({ color })));
+    if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
   }
 
   private segments(pairs: [Vec3, Vec3][], color: string) {
-    if (pairs.length) this.group.add(new LineSegments(through(pairs.flat()), new LineBasicMaterial({ color, transparent: true, opacity: 0.5 })));
+    if (pairs.length) this.group.add(new LineSegments(through(pairs.flat()), this.line(color, { transparent: true, opacity: 0.5 })));
   }
 
   private points(at: Vec3[], color: string, size: number) {
     if (!at.length) return;
-    const material = new PointsMaterial({ color, size, sizeAttenuation: false, map: this.disc, alphaTest: 0.5, depthTest: size < 10 });
+    const material = this.material(`points ${color} ${size}`,
+      () => new PointsMaterial({ color, size, sizeAttenuation: false, map: this.disc, alphaTest: 0.5, depthTest: size < 10 }));
     const points = new Points(through(at), material);
     if (size >= 10) points.renderOrder = 2;
     this.group.add(points);

@@ -1,4 +1,4 @@
-import type { ApiProblem, Example, OpenDocument, Options, Progress, Shape, Spec } from './types.ts';
+import type { ApiProblem, Example, OpenDocument, Options, Progress, Report, Shape, Spec } from './types.ts';
 import type { DisplayUnit } from './units.ts';
 
 export interface Input { spec: Spec | null; options: Options }
@@ -19,6 +19,7 @@ export interface State {
   shape: Shape | null;
   shapeIsDraft: boolean;
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
+  known: Report | null; // the last report with a pattern
   selection: Selection;
   fold: number;
   pick: PickMode;
@@ -61,7 +62,7 @@ export const nothing: Selection = { part: null, plate: null, anchor: null, findi
 export function initialState(theme: Theme): State {
   return {
     document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
-    result: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
+    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
     examples: [], problem: null, note: null, busy: false, computing: false, progress: null, help: false,
   };
 }
@@ -123,7 +124,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
   const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
   return {
-    ...state, shape: shown, shapeIsDraft: draft, result: draft ? state.result : shown,
+    ...state, shape: shown, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
   };
 }

@@ -5,7 +5,7 @@ import { addAnchor, moveAnchor } from './edits/slit.ts';
 import { FlatView } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
-import { pieceOf } from './report.ts';
+import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
 import { findingsOf } from './panels/tables.ts';
 import { readPalette } from './theme.ts';
@@ -74,7 +74,7 @@ export class Views {
 
   private showFlat(state: State) {
     this.flat.set({
-      shape: state.shape, report: pieceOf(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state),
+      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state),
       finding: state.selection.finding, units: state.units, palette: this.palette,
     });
   }
@@ -88,7 +88,7 @@ export class Views {
   }
 
   private thickness(state: State): number {
-    const report = pieceOf(state), thickness = report?.sheet?.thickness ?? (state.input.spec as { thickness?: number } | null)?.thickness ?? 1;
+    const report = pieceOf(state)?.sheet ? pieceOf(state) : knownPiece(state), thickness = report?.sheet?.thickness ?? (state.input.spec as { thickness?: number } | null)?.thickness ?? 1;
     return thickness * millimetres(report?.units);
   }
 

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit-html';
 import { bendSpecOf, middleOf, movePlate, parseEdges, setBend, turned } from '../edits/connect.ts';
-import { pieceOf } from '../report.ts';
+import { knownPiece } from '../report.ts';
 import type { Alternative, BendRow, BendSpec, PlatesSpec, Vec3 } from '../types.ts';
 import { lengthText } from '../units.ts';
 import { platesOf, type Ui } from '../ui.ts';
@@ -8,7 +8,7 @@ import { choice, lengthField, lengthSlider, niceAbove, numberField, section } fr
 
 export function connectPanel(ui: Ui) {
   const spec = platesOf(ui), set = (patch: Partial<PlatesSpec>) => ui.edit<PlatesSpec>((s) => ({ ...s, ...patch }));
-  const rows = pieceOf(ui.state)?.flat?.bends ?? [];
+  const rows = knownPiece(ui.state)?.flat?.bends ?? [];
   return html`
     ${section('Sheet', html`
       ${lengthField(ui, { label: 'Thickness', testid: 'thickness', value: spec.thickness, from: spec.units, min: 1e-6, on: (v) => v && set({ thickness: v }) })}
@@ -40,7 +40,7 @@ function bendBlock(ui: Ui, spec: PlatesSpec, rows: BendRow[], row: BendRow) {
   const set = (patch: Partial<BendSpec>, live = false) => ui.edit<PlatesSpec>((s) => setBend(s, rows, row, patch), live);
   return html`<div class="block ${open ? 'open' : ''}">
     <button class="head" data-testid="bend-head-${row.id}" aria-expanded=${open} @click=${() => ui.dispatch({ type: 'select', selection: { part: open ? null : row.id } })}>
-      <b>${row.id}</b><span>${row.between?.join(' – ') ?? ''}</span><em>${row.surface ?? row.kind}, R ${lengthText(row.inside_radius, pieceOf(ui.state)?.units, ui.state.units)}</em></button>
+      <b>${row.id}</b><span>${row.between?.join(' – ') ?? ''}</span><em>${row.surface ?? row.kind}, R ${lengthText(row.inside_radius, knownPiece(ui.state)?.units, ui.state.units)}</em></button>
     ${open ? bendFields(ui, spec, row, own, set) : nothing}</div>`;
 }
 
@@ -58,7 +58,7 @@ function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | unde
     ${numberField({ label: 'Trade-off γ', testid: 'bend-trade-off', value: own?.trade_off, min: 0, placeholder: '1', on: (v) => set({ trade_off: v ?? undefined }) })}
     ${(row.between ?? []).map((id) => edgesField(row, own, id, set))}
     ${row.alternatives?.length ? html`<h4>Alternatives</h4><ul class="alternatives">${row.alternatives.map((a, i) => html`<li>
-      <span>${edgesText(a)}<small>${a.surface}, ${a.facing}; ${lengthText(a.width, pieceOf(ui.state)?.units, ui.state.units)} wide, ${lengthText(a.span, pieceOf(ui.state)?.units, ui.state.units)} long</small></span>
+      <span>${edgesText(a)}<small>${a.surface}, ${a.facing}; ${lengthText(a.width, knownPiece(ui.state)?.units, ui.state.units)} wide, ${lengthText(a.span, knownPiece(ui.state)?.units, ui.state.units)} long</small></span>
       <button data-testid="alternative-${i}" @click=${() => set({ edges: chosenEdges(a) })}>Use</button></li>`)}</ul>` : nothing}`;
 }
 

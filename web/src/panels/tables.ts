@@ -1,5 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { pieceOf } from '../report.ts';
+import { knownPiece, pieceOf } from '../report.ts';
 import { clean, lengthText, sizeText } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import type { BendRow, Finding } from '../types.ts';
@@ -7,18 +7,18 @@ import type { BendRow, Finding } from '../types.ts';
 const most = 120;
 
 export function bendTable(ui: Ui): TemplateResult {
-  const report = pieceOf(ui.state), rows = report?.flat?.bends ?? [];
+  const report = knownPiece(ui.state), rows = report?.flat?.bends ?? [];
   if (rows.length === 0) return html`<p class="hint">No bends.</p>`;
   const { selection } = ui.state, units = ui.state.units === 'mm' ? 'mm' : 'in';
   const at = rows.findIndex((r) => r.id === selection.part), first = at >= most ? at - 10 : 0;
-  return html`<table class="bends" data-testid="bend-table">
+  return html`<table class="bends ${pieceOf(ui.state)?.flat ? '' : 'old'}" data-testid="bend-table">
     <thead><tr><th>Bend</th><th>Angle<br />°</th><th>Radius<br />${units}</th><th>K</th><th title="Bend allowance">Allow.<br />${units}</th><th>Dir.</th><th>Length<br />${units}</th></tr></thead>
     <tbody>${rows.slice(first, first + most).map((r) => bendRow(ui, r, r.id === selection.part))}</tbody></table>
     ${rows.length > most ? html`<p class="hint">${rows.length} bends, of which ${most} are shown; the report has all.</p>` : nothing}`;
 }
 
 function bendRow(ui: Ui, r: BendRow, selected: boolean) {
-  const from = pieceOf(ui.state)?.units, text = (v: number | null) => lengthText(v, from, ui.state.units);
+  const from = knownPiece(ui.state)?.units, text = (v: number | null) => lengthText(v, from, ui.state.units);
   return html`<tr class=${selected ? 'selected' : ''} data-testid="bend-${r.id}" aria-selected=${selected} @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}>
     <td>${r.id}</td><td>${clean(r.angle, 2)}</td><td>${text(r.inside_radius)}</td><td>${kCell(ui, r)}</td><td>${text(r.allowance)}</td>
     <td class=${r.direction}>${r.direction}</td><td>${text(r.length)}</td></tr>`;
@@ -39,7 +39,7 @@ function kCell(ui: Ui, r: BendRow) {
     });
   };
   return html`<input class="cell ${own ? 'own' : ''}" title="K-factor of this bend; empty: that of the part" data-testid="bend-k-${r.id}" .value=${text}
-    @click=${(e: Event) => e.stopPropagation()} @change=${change} />`;
+    @click=${(e: Event) => { e.stopPropagation(); ui.dispatch({ type: 'select', selection: { part: r.id } }); }} @change=${change} />`;
 }
 
 export function findingsList(ui: Ui): TemplateResult {

@@ -1,0 +1,26 @@
+import { chromium } from 'playwright-core';
+import { serveDist } from '../test/serve-dist.mjs';
+const [address, file] = process.argv.slice(2);
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
+const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+await serveDist(page, address);
+await page.goto(address);
+await page.setInputFiles('[data-testid=file-input]', file);
+await page.waitForTimeout(4000);
+console.log(await page.evaluate(async () => {
+  const { store, views } = window.planish, s = store.state, token = location.hash.slice(1), out = {};
+  const body = JSON.stringify({ spec: s.input.spec ?? undefined, options: s.input.options });
+  const time = async (name, n, f) => { const v = []; for (let i = 0; i < n; ++i) { const t = performance.now(); await f(); v.push(performance.now() - t); } v.sort((a, b) => a - b); out[name] = `${v[n >> 1].toFixed(2)} (max ${v[n - 1].toFixed(2)})`; };
+  let size = 0, seconds = [];
+  await time('fetch draft', 15, async () => { const r = await fetch(`/api/documents/${s.document.id}/draft`, { method: 'POST', body, headers: { 'X-Planish-Token': token, 'Content-Type': 'application/json' } }); const b = await r.arrayBuffer(); size = b.byteLength; seconds.push(JSON.parse(new TextDecoder().decode(new Uint8Array(b, 8, new DataView(b).getUint32(4, true)))).seconds); });
+  await time('folded.setShape', 10, () => views.folded.setShape({ ...s.shape }, 1, 2, null));
+  await time('flat paint', 10, () => views.flat.paint());
+  await time('flat set', 10, () => views.flat.set({ ...views.flat.scene, shape: { ...s.shape } }));
+  await time('gl render', 10, () => { const f = views.folded; f.renderer.render(f.scene, f.camera); });
+  await time('gl render finished', 10, () => { const f = views.folded; f.renderer.render(f.scene, f.camera); const g = f.renderer.getContext(); g.readPixels(0, 0, 1, 1, g.RGBA, g.UNSIGNED_BYTE, new Uint8Array(4)); });
+  await time('frame', 10, () => new Promise((r) => { views.folded.draw(); requestAnimationFrame(() => requestAnimationFrame(r)); }));
+  const g = views.folded.renderer.getContext(), ext = g.getExtension('WEBGL_debug_renderer_info');
+  out.renderer = ext ? g.getParameter(ext.UNMASKED_RENDERER_WEBGL) : '?'; out.size = size; out.seconds = seconds.join(' '); out.facets = s.shape.facet_part.length;
+  return out;
+}));
+await browser.close();
