@@ -6,6 +6,7 @@ import type { ApiProblem, Request, Shape } from './types.ts';
 const settle = 120; // ms without an edit before the whole result is asked for
 const patience = 500; // ms before a bar is shown
 const poll = 250;
+const restart = 120; // ms that a worker takes to be there again after a cancelled request
 
 /** Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and the
  * result once it rests. */
@@ -17,6 +18,9 @@ export class Computation {
   private busyTimer = 0;
   private dragAt: number | null = null;
   private generation = 0;
+  private startedAt = 0;
+  private resultTook = 0;
+  private givenUp: Promise<unknown> | null = null; // a result that an edit has made pointless is being cancelled
 
   private readonly api: Api;
   private readonly store: Store;
@@ -45,6 +49,8 @@ export class Computation {
 
   private restart() {
     ++this.generation;
+    this.resultTook = 0;
+    this.givenUp = null;
     this.running = null;
     this.draftWanted = this.store.state.document !== null;
     this.resultWanted = this.draftWanted;
@@ -56,8 +62,16 @@ export class Computation {
     clearTimeout(this.timer);
     if (changed) this.draftWanted = true;
     this.resultWanted = false;
+    if (changed) this.giveUpResult();
     if (!live) this.timer = window.setTimeout(() => { this.resultWanted = true; void this.next(); }, settle);
     void this.next();
+  }
+
+  /** A result that would keep the draft waiting for longer than a worker takes to come back. */
+  private giveUpResult() {
+    const { document } = this.store.state, left = this.resultTook - (performance.now() - this.startedAt);
+    if (this.running !== 'result' || this.givenUp || !document || document.kind === 'unfold' || left < restart) return;
+    this.givenUp = this.api.cancel(document.id).catch(() => undefined);
   }
 
   private async next() {
@@ -74,11 +88,14 @@ export class Computation {
     try {
       const request: Request = { spec: input.spec ?? undefined, options: input.options };
       const shape = await (what === 'draft' ? this.api.draft(document.id, request) : this.api.result(document.id, request));
+      if (what === 'result') this.resultTook = performance.now() - this.startedAt;
       if (generation === this.generation) this.arrived(shape, what === 'draft', timing);
     } catch (error) {
       dropTiming(timing);
       if (generation === this.generation) this.failed(error);
     }
+    await this.givenUp; // so that it cannot end the next request
+    this.givenUp = null;
     if (generation !== this.generation) return;
     this.running = null;
     this.quiet();
@@ -93,11 +110,13 @@ export class Computation {
 
   private failed(error: unknown) {
     const problem = problemOf(error);
+    if (problem.code === 'cancelled' && this.givenUp) return;
     if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });
     else this.store.dispatch({ type: 'problem', problem });
   }
 
   private started(id: string) {
+    this.startedAt = performance.now();
     this.store.dispatch({ type: 'computing', computing: true });
     if (this.busyTimer) return;
     const look = async () => {

@@ -1,4 +1,6 @@
+import { insideFacet } from './facet.ts';
 import { drawDimensions } from './flat-dimensions.ts';
+import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
 import { smallestRectangle, type Rectangle } from './rectangle.ts';
@@ -36,7 +38,7 @@ export class FlatView {
     this.box = box;
     this.pick = pick;
     this.scene = { shape: null, report: null, findings: [], selected: null, finding: null, units: 'mm', palette };
-    this.c = this.canvas.getContext('2d')!;
+    this.c = this.canvas.getContext('2d', { willReadFrequently: drawnInSoftware })!;
     this.canvas.dataset.testid = 'flat-canvas';
     box.append(this.canvas);
     this.listen();
@@ -333,20 +335,6 @@ export class FlatView {
   }
 
   private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
-}
-
-export function insideFacet(shape: Shape, f: number, x: number, y: number): boolean {
-  let inside = false;
-  const p = shape.points;
-  for (let q = shape.facet_starts[f]!; q < shape.facet_starts[f + 1]!; ++q)
-    for (let r = shape.polygon_starts[q]!; r < shape.polygon_starts[q + 1]!; ++r) {
-      const first = shape.ring_starts[r]!, end = shape.ring_starts[r + 1]!;
-      for (let i = first, j = end - 1; i < end; j = i++) {
-        const yi = p[2 * i + 1]!, yj = p[2 * j + 1]!;
-        if (yi > y !== yj > y && x < ((p[2 * j]! - p[2 * i]!) * (y - yi)) / (yj - yi) + p[2 * i]!) inside = !inside;
-      }
-    }
-  return inside;
 }
 
 function distanceToSegment(x: number, y: number, a: Vec2, b: Vec2): number {

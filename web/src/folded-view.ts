@@ -1,9 +1,10 @@
 import {
-  Box3, Color, DirectionalLight, HemisphereLight, Matrix4, Object3D, OrthographicCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+  Box3, Color, Matrix4, Object3D, OrthographicCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
+import { drawnInSoftware } from './graphics.ts';
 import { SheetObject } from './sheet-object.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
@@ -33,14 +34,6 @@ export interface Overlay {
 /** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
 const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
 
-/** Smooth edges cost a processor that draws by itself most of its time. */
-function drawsInSoftware(): boolean {
-  const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
-  const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
-  gl?.getExtension('WEBGL_lose_context')?.loseContext();
-  return /swiftshader|llvmpipe|software|basic render/i.test(name);
-}
-
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
   private readonly renderer: WebGLRenderer;
@@ -52,8 +45,6 @@ export class FoldedView {
   private readonly grip = new Object3D();
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
-  private readonly light = new DirectionalLight(0xffffff, 1.7);
-  private readonly headlight = new DirectionalLight(0xffffff, 0.9);
   private shape: Shape | null = null;
   private overlay: Overlay = { anchors: [], scale: 1, plate: null, anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
   private palette: Palette;
@@ -68,13 +59,13 @@ export class FoldedView {
     this.box = box;
     this.events = events;
     this.palette = palette;
-    this.renderer = new WebGLRenderer({ antialias: !drawsInSoftware() });
+    this.renderer = new WebGLRenderer({ antialias: !drawnInSoftware });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const canvas = this.renderer.domElement;
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
     this.camera.up.set(0, 0, 1);
-    this.scene.add(new HemisphereLight(0xffffff, 0xa0a6b2, 1.15), this.light, this.headlight, this.light.target, this.headlight.target, this.sheet.group, this.handles.group, this.grip);
+    this.scene.add(this.sheet.group, this.handles.group, this.grip);
     this.orbit = this.orbiting();
     this.gizmo = new TransformControls(this.camera, canvas);
     this.gizmo.setSize(0.8);
@@ -180,7 +171,7 @@ export class FoldedView {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));
     canvas.addEventListener('pointerup', (e) => this.up(e));
-    this.gizmo.addEventListener('change', () => this.draw());
+    this.gizmo.addEventListener('change', () => { if (!this.gizmo.dragging) this.draw(); }); // else the geometry that follows does
     this.gizmo.addEventListener('dragging-changed', (e) => {
       this.orbit.enabled = !e.value;
       if (e.value) this.gripStart.copy(this.grip.matrixWorld);
@@ -307,10 +298,6 @@ export class FoldedView {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.renderer.setClearColor(new Color(this.palette.background));
-      const across = new Vector3(1, 0, 0).applyQuaternion(this.camera.quaternion), up = new Vector3(0, 1, 0).applyQuaternion(this.camera.quaternion);
-      this.light.position.copy(this.camera.position).addScaledVector(across, -1.8 * this.radius).addScaledVector(up, 2.4 * this.radius);
-      this.headlight.position.copy(this.camera.position);
-      for (const l of [this.light, this.headlight]) l.target.position.copy(this.orbit.target);
       this.renderer.render(this.scene, this.camera);
       frameDrawn();
     });

@@ -1,5 +1,5 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, LineSegments, Points, PointsMaterial,
+  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, Points, PointsMaterial,
   type LineBasicMaterialParameters, type Material, type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
@@ -17,7 +17,6 @@ export class HandleObjects {
       if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
-    this.segments(handles.rulings ?? [], palette.crease);
     this.points(ridgeEnds(handles, ridges).map((r) => r.at), palette.ridge, 5);
     this.points(handles.scan ?? [], palette.scan, 2);
     const at = anchors.map((a) => a.at.map((v) => v * scale) as Vec3);
@@ -44,10 +43,6 @@ export class HandleObjects {
 
   private curve(points: Vec3[], color: string, closed: boolean) {
     if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
-  }
-
-  private segments(pairs: [Vec3, Vec3][], color: string) {
-    if (pairs.length) this.group.add(new LineSegments(through(pairs.flat()), this.line(color, { transparent: true, opacity: 0.5 })));
   }
 
   private points(at: Vec3[], color: string, size: number) {

@@ -1,4 +1,4 @@
-import { insideFacet } from './flat-view.ts';
+import { insideFacet } from './facet.ts';
 import type { Shape, Vec2 } from './types.ts';
 
 /** Where the name of a flange stands, and how far material reaches about it. */

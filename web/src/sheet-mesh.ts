@@ -1,5 +1,6 @@
 import { ShapeUtils, Vector2 } from 'three';
 import { facetTransforms, unit } from './folding.ts';
+import { insideFacet } from './facet.ts';
 import type { Shape } from './types.ts';
 
 /** What of a shape does not change while it is folded: triangles, rim and lines over *corners*, points of the flat pattern on
@@ -15,7 +16,7 @@ export interface SheetMesh {
   triangleFacet: Uint32Array;
   rim: Uint32Array; // pairs of corners, in the direction of the cut
   hinges: Uint32Array; // pairs of corners: all hinges but those within a curved bend
-  creases: Uint32Array; // of these, where bends begin and end and what is folded sharply
+  creases: Uint32Array; // of these, where bends begin and end and what is folded sharply, and bend lines
 }
 
 export interface FoldedSheet { positions: Float32Array; normals: Float32Array }
@@ -29,6 +30,7 @@ export function makeSheetMesh(shape: Shape): SheetMesh {
     for (let p = shape.facet_starts[f]!; p < shape.facet_starts[f + 1]!; ++p) builder.addPolygon(f, p);
   for (let e = 0; e < shape.edge_facet.length; ++e) builder.addEdge(e);
   for (let f = 0; f < facets; ++f) builder.addHinge(f);
+  builder.addBendLines();
   return builder.finish();
 }
 
@@ -84,6 +86,17 @@ class Builder {
     const pair = [this.corner(f, h[4 * f]!, h[4 * f + 1]!), this.corner(f, h[4 * f + 2]!, h[4 * f + 3]!)];
     this.hinges.push(...pair);
     if (sharp || (own !== other && (isBend(own) || isBend(other)))) this.creases.push(...pair);
+  }
+
+  /** Where the press brake strikes, on the facets of the bend that the lines run over. */
+  addBendLines() {
+    const { bend_lines: l, bend_line_part, facet_part } = this.shape, facets = new Map<number, number[]>();
+    facet_part.forEach((part, f) => { if (this.shape.parts[part]?.kind === 'bend') facets.set(part, [...(facets.get(part) ?? []), f]); });
+    bend_line_part.forEach((part, i) => {
+      const x = (l[4 * i]! + l[4 * i + 2]!) / 2, y = (l[4 * i + 1]! + l[4 * i + 3]!) / 2;
+      const f = facets.get(part)?.find((g) => insideFacet(this.shape, g, x, y));
+      if (f !== undefined) this.creases.push(this.corner(f, l[4 * i]!, l[4 * i + 1]!), this.corner(f, l[4 * i + 2]!, l[4 * i + 3]!));
+    });
   }
 
   finish(): SheetMesh {

@@ -1,6 +1,7 @@
 import {
-  BufferAttribute, BufferGeometry, Color, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshPhongMaterial, type Box3,
+  BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3,
 } from 'three';
+import { sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
 import type { Shape } from './types.ts';
@@ -16,14 +17,12 @@ export class SheetObject {
   private readonly marked: LineSegments;
   private mesh: SheetMesh | null = null;
   private thickness = 1;
+  private readonly rimTint = new Color();
 
   constructor() {
-    const surface = () => new MeshPhongMaterial({
-      vertexColors: true, side: DoubleSide, shininess: 24, specular: new Color(0x2a2a2a), polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1,
-    });
-    this.skin = new Mesh(new BufferGeometry(), surface());
-    this.rim = new Mesh(new BufferGeometry(), new MeshPhongMaterial({ side: DoubleSide, shininess: 10, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1 }));
-    this.solid = new Mesh(new BufferGeometry(), new MeshPhongMaterial({ side: DoubleSide, flatShading: true, shininess: 20, specular: new Color(0x222222) }));
+    this.skin = new Mesh(new BufferGeometry(), sheetMaterial(false));
+    this.rim = new Mesh(new BufferGeometry(), sheetMaterial(true));
+    this.solid = new Mesh(new BufferGeometry(), sheetMaterial(true));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.marked = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
@@ -38,7 +37,7 @@ export class SheetObject {
     const { triangles, rim, creases, cornerFacet } = this.mesh;
     const n = cornerFacet.length;
     replaceGeometry(this.skin, bothSkins(triangles, n));
-    this.skin.geometry.setAttribute('color', new BufferAttribute(new Float32Array(6 * n), 3));
+    this.skin.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(6 * n), 3));
     replaceGeometry(this.outline, doubled(rim, n));
     replaceGeometry(this.creases, doubled(creases, n));
     replaceGeometry(this.marked, new BufferGeometry());
@@ -58,18 +57,20 @@ export class SheetObject {
     this.creases.geometry.setAttribute('position', position);
     this.marked.geometry.setAttribute('position', position);
     setRim(this.rim.geometry, this.mesh.rim, positions);
+    if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count) setTint(this.rim.geometry, this.rimTint);
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
   }
 
   paint(palette: Palette, selected: number | null) {
-    (this.rim.material as MeshPhongMaterial).color.set(palette.rim);
-    (this.solid.material as MeshPhongMaterial).color.set(palette.flange);
+    this.rimTint.set(palette.rim);
+    setTint(this.rim.geometry, this.rimTint);
+    setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
     (this.marked.material as LineBasicMaterial).color.set(palette.selected);
     this.mark(selected);
-    const color = this.skin.geometry.getAttribute('color') as BufferAttribute | undefined;
+    const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh, n = cornerFacet.length;
     const [flange, bend, flangeUnder, bendUnder, mark] = [palette.flange, palette.bend, palette.flangeUnder, palette.bendUnder, palette.selected].map((c) => new Color(c));
@@ -162,9 +163,17 @@ function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array)
   geometry.setAttribute('normal', new BufferAttribute(normal, 3));
 }
 
+function setTint(geometry: BufferGeometry, tint: Color) {
+  const count = geometry.getAttribute('position')?.count ?? 0, values = new Float32Array(3 * count);
+  for (let i = 0; i < count; ++i) values.set([tint.r, tint.g, tint.b], 3 * i);
+  geometry.setAttribute('tint', new BufferAttribute(values, 3));
+}
+
 function spaceGeometry(shape: Shape): BufferGeometry {
-  const geometry = new BufferGeometry();
+  let geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(shape.space_points, 3));
   geometry.setIndex(new BufferAttribute(shape.space_triangles, 1));
+  geometry = geometry.toNonIndexed(); // every triangle shaded by its own plane
+  geometry.computeVertexNormals();
   return geometry;
 }

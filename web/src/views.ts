@@ -62,7 +62,8 @@ export class Views {
     }
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.selectedRow(state));
-    if (state.selection !== before.selection || state.input !== before.input || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
+    const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
+    if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
       this.folded.setOverlay(this.overlay(state));
     if (state.selection !== before.selection || state.theme !== before.theme || state.units !== before.units || state.result !== before.result || state.shape !== before.shape) this.showFlat(state);
   }
