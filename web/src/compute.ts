@@ -25,7 +25,9 @@ export class Computation {
   private readonly api: Api;
   private readonly store: Store;
   private readonly show: (shape: Shape, draft: boolean) => void;
-  constructor(api: Api, store: Store, show: (shape: Shape, draft: boolean) => void) {
+  private readonly reopen: () => Promise<boolean>;
+  constructor(api: Api, store: Store, show: (shape: Shape, draft: boolean) => void, reopen: () => Promise<boolean>) {
+    this.reopen = reopen;
     this.api = api;
     this.store = store;
     this.show = show;
@@ -92,7 +94,7 @@ export class Computation {
       if (generation === this.generation) this.arrived(shape, what === 'draft', timing);
     } catch (error) {
       dropTiming(timing);
-      if (generation === this.generation) this.failed(error);
+      if (generation === this.generation) await this.failed(error);
     }
     await this.givenUp; // so that it cannot end the next request
     this.givenUp = null;
@@ -108,7 +110,8 @@ export class Computation {
     timing?.geometry();
   }
 
-  private failed(error: unknown) {
+  private async failed(error: unknown) {
+    if (error instanceof ApiError && error.status === 404 && (await this.reopen().catch(() => false))) return; // begins anew by itself
     const problem = problemOf(error);
     if (problem.code === 'cancelled' && this.givenUp) return;
     if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });

@@ -1,6 +1,6 @@
 import { Api, ApiError } from './api.ts';
 import { problemOf } from './compute.ts';
-import { keepDocument, keptDocument } from './kept.ts';
+import { keepDocument, keptDocument, noteOpened, openedHere } from './kept.ts';
 import type { Store } from './state.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
@@ -11,6 +11,8 @@ export class Documents {
   private readonly api: Api;
   private readonly store: Store;
   private adopted: string | null = null;
+  private file: Given | null = null;
+  private beside: Record<string, ArrayBuffer> = {};
   constructor(api: Api, store: Store) {
     this.api = api;
     this.store = store;
@@ -40,12 +42,24 @@ export class Documents {
         await this.open(kept, async (name) => kept.beside[name] ?? null);
         return this.store.dispatch({ type: 'edit', input: kept.input });
       }
-      const open = await this.api.documents().catch(() => []), named = open.find((d) => d.named) ?? open.find((d) => d.id === 'd1');
+      const open = await this.api.documents().catch(() => []), named = open.find((d) => d.id === 'd1' && !openedHere(d.id)); // the first one; others belong to other pages
       if (named) {
         this.adopted = named.id;
+        this.file = named.text ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer } : null;
         await this.take(named, async () => null);
       }
     });
+  }
+
+  /** The same file once more, when the server has let the document go; the edits stay. False where the file is not known. */
+  async reopen(): Promise<boolean> {
+    const { file } = this;
+    if (!file) return false;
+    const document = await this.api.open(file.name, file.bytes);
+    noteOpened(document.id);
+    for (const [name, bytes] of Object.entries(this.beside)) await this.api.attach(document.id, name, bytes);
+    this.store.dispatch({ type: 'reopened', document });
+    return true;
   }
 
   /** Documents that others opened are left to them. */
@@ -54,12 +68,16 @@ export class Documents {
   }
 
   private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>) {
-    const document = await this.api.open(main.name, main.bytes), used: Record<string, ArrayBuffer> = {};
+    const document = await this.api.open(main.name, main.bytes);
+    noteOpened(document.id);
+    this.file = main;
+    const used: Record<string, ArrayBuffer> = {};
     await this.take(document, async (name) => {
       const bytes = await beside(name);
       if (bytes) used[name] = bytes;
       return bytes;
     });
+    this.beside = used;
     keepDocument(main, used);
   }
 
@@ -81,6 +99,8 @@ export class Documents {
     const d = this.store.state.document;
     if (d?.kind !== 'slit') throw new ApiError({ code: 'no_slit_file', message: 'points belong to a slit file; open that first, or both together' }, 0);
     for (const p of points) await this.api.attach(d.id, p.name, p.bytes);
+    this.beside = { ...this.beside, ...Object.fromEntries(points.map((p) => [p.name, p.bytes])) };
+    if (this.file) keepDocument(this.file, this.beside);
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 

@@ -53,7 +53,7 @@ const ui: Ui = {
   },
 };
 const views = new Views(ui, part('.folded .canvas'), part('.flat .canvas'), (at) => computation.dragged(at));
-const computation = new Computation(api, store, (shape) => views.show(shape));
+const computation = new Computation(api, store, (shape) => views.show(shape), () => documents.reopen());
 const documents = new Documents(api, store);
 
 let waiting = 0;
@@ -96,7 +96,7 @@ async function download(format: FileFormat, profile?: DxfProfile) {
 
 function fileName(name: string, format: FileFormat, piece?: number): string {
   const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : '');
-  return format === 'spec' ? `${stem}.json` : format === 'json' ? `${stem}-report.json` : format === 'mould.stl' ? `${stem}-mould.stl` : `${stem}.${format}`;
+  return format === 'spec' ? `${stem}.json` : format === 'json' ? `${stem}-report.json` : format === 'mould.stl' ? `${stem}-mould.stl` : format === 'flat.step' ? `${stem}-flat.step` : `${stem}.${format}`;
 }
 
 /** Options name a side by the skin that is unfolded; which of the two that is, the shape with this one up shows. */

@@ -39,6 +39,7 @@ export interface State {
 export type Action =
   | { type: 'examples'; examples: Example[] }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null }
+  | { type: 'reopened'; document: OpenDocument }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
   | { type: 'undo' }
@@ -73,6 +74,7 @@ export function reduce(state: State, action: Action): State {
   switch (action.type) {
     case 'examples': return { ...state, examples: action.examples };
     case 'opened': return opened(state, action.document, action.spec);
+    case 'reopened': return { ...state, document: action.document, problem: null };
     case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input } : edited(state, action.input);
     case 'commit': return state.pending ? edited(state, state.input) : state;
     case 'undo': return undone(state);

@@ -12,7 +12,7 @@ export interface Example { name: string; kind: Kind; title: string }
 export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
 export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
 
-export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null; named?: boolean }
+export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
 
 export interface Options {
   body?: number;
@@ -29,7 +29,7 @@ export interface Options {
   version?: 'r2000' | 'r12';
 }
 export type DxfProfile = 'standard' | 'inventor' | 'onshape' | 'solid_edge';
-export type FileFormat = 'dxf' | 'svg' | 'step' | 'stl' | 'mould.stl' | 'json' | 'spec';
+export type FileFormat = 'dxf' | 'svg' | 'step' | 'flat.step' | 'stl' | 'mould.stl' | 'json' | 'spec';
 
 export interface Request { spec?: Spec; options: Options }
 export interface Progress { stage: string; share: number }

@@ -35,7 +35,7 @@ function examplesMenu(ui: Ui) {
 const kindFormats: [FileFormat, string, Kind[]][] = [
   ['svg', 'SVG, flat pattern', ['unfold', 'connect', 'transition', 'slit']],
   ['step', 'STEP, folded', ['connect', 'transition', 'slit']],
-  ['step', 'STEP, flat', ['unfold']],
+  ['flat.step', 'STEP, flat', ['unfold', 'connect', 'transition', 'slit']],
   ['stl', 'STL, folded', ['connect', 'transition', 'slit']],
   ['mould.stl', 'STL, mould', ['slit']],
   ['json', 'JSON, report', ['unfold', 'connect', 'transition', 'slit']],
