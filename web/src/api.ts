@@ -25,29 +25,31 @@ export class Api {
     this.json<OpenDocument>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
   attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
     this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
-  close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, true);
-  draft = (id: string, request: Request) => this.shape(id, 'draft', request);
-  result = (id: string, request: Request) => this.shape(id, 'result', request);
+  close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
+  draft = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'draft', request, signal);
+  result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
   file = async (id: string, format: FileFormat, request: Request) =>
     (await this.call('POST', `/api/documents/${id}/files/${format}`, JSON.stringify(request))).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
-  private async shape(id: string, what: string, request: Request): Promise<Shape> {
-    return decodeShape(await (await this.call('POST', `/api/documents/${id}/${what}`, JSON.stringify(request))).arrayBuffer());
+  private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {
+    const answer = await this.call('POST', `/api/documents/${id}/${what}`, JSON.stringify(request), { signal });
+    return decodeShape(await answer.arrayBuffer());
   }
 
   private async json<T>(method: string, path: string, body?: BodyInit): Promise<T> {
     return (await (await this.call(method, path, body)).json()) as T;
   }
 
-  private async call(method: string, path: string, body?: BodyInit, keepalive = false): Promise<Response> {
+  private async call(method: string, path: string, body?: BodyInit, more: Pick<RequestInit, 'keepalive' | 'signal'> = {}): Promise<Response> {
     const headers: Record<string, string> = { 'X-Planish-Token': this.token };
     if (body !== undefined) headers['Content-Type'] = typeof body === 'string' ? 'application/json' : 'application/octet-stream';
     let answer: Response;
     try {
-      answer = await fetch(path, { method, headers, body, keepalive, cache: 'no-store' });
+      answer = await fetch(path, { method, headers, body, cache: 'no-store', ...more });
     } catch {
+      if (more.signal?.aborted) throw new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
       throw new ApiError({ code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' }, 0);
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);

@@ -18,8 +18,10 @@ export class Computation {
   private busyTimer = 0;
   private dragAt: number | null = null;
   private generation = 0;
+  private flight = new AbortController(); // of the request that is running
   private startedAt = 0;
   private resultTook = 0;
+  private superseded = false;
   private givenUp: Promise<unknown> | null = null; // a result that an edit has made pointless is being cancelled
 
   private readonly api: Api;
@@ -46,11 +48,13 @@ export class Computation {
     const id = this.store.state.document?.id;
     this.resultWanted = this.draftWanted = false;
     clearTimeout(this.timer);
-    if (id) void this.api.cancel(id).catch(() => undefined);
+    if (id && this.running) this.stop(id);
   }
 
   private restart() {
     ++this.generation;
+    this.flight.abort();
+    this.superseded = false;
     this.resultTook = 0;
     this.givenUp = null;
     this.running = null;
@@ -73,7 +77,14 @@ export class Computation {
   private giveUpResult() {
     const { document } = this.store.state, left = this.resultTook - (performance.now() - this.startedAt);
     if (this.running !== 'result' || this.givenUp || !document || document.kind === 'unfold' || left < restart) return;
-    this.givenUp = this.api.cancel(document.id).catch(() => undefined);
+    this.stop(document.id);
+    this.superseded = true;
+  }
+
+  /** Ends the request that runs, here at once and at the server; the next one waits until that has heard of it. */
+  private stop(id: string) {
+    this.givenUp = this.api.cancel(id).catch(() => undefined);
+    this.flight.abort();
   }
 
   private async next() {
@@ -86,10 +97,11 @@ export class Computation {
     const timing = this.dragAt === null ? null : beginTiming(this.dragAt);
     this.dragAt = null;
     this.running = what;
+    this.flight = new AbortController();
     this.started(document.id);
     try {
       const request: Request = { spec: input.spec ?? undefined, options: input.options };
-      const shape = await (what === 'draft' ? this.api.draft(document.id, request) : this.api.result(document.id, request));
+      const shape = await (what === 'draft' ? this.api.draft(document.id, request, this.flight.signal) : this.api.result(document.id, request, this.flight.signal));
       if (what === 'result') this.resultTook = performance.now() - this.startedAt;
       if (generation === this.generation) this.arrived(shape, what === 'draft', timing);
     } catch (error) {
@@ -98,6 +110,7 @@ export class Computation {
     }
     await this.givenUp; // so that it cannot end the next request
     this.givenUp = null;
+    this.superseded = false;
     if (generation !== this.generation) return;
     this.running = null;
     this.quiet();
@@ -113,7 +126,7 @@ export class Computation {
   private async failed(error: unknown) {
     if (error instanceof ApiError && error.status === 404 && (await this.reopen().catch(() => false))) return; // begins anew by itself
     const problem = problemOf(error);
-    if (problem.code === 'cancelled' && this.givenUp) return;
+    if (problem.code === 'cancelled' && this.superseded) return;
     if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });
     else this.store.dispatch({ type: 'problem', problem });
   }

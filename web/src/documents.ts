@@ -24,14 +24,14 @@ export class Documents {
       const main = given.find((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
       if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null);
       else await this.addPoints(points);
-    });
+    }, `Opening ${files[0]?.name ?? ''} …`);
   }
 
   async openExample(name: string) {
     await this.attempt(async () => {
       const folder = name.includes('/') ? name.slice(0, name.lastIndexOf('/') + 1) : '';
       await this.open({ name: name.slice(folder.length), bytes: await this.api.example(name) }, (file) => this.api.example(folder + file).catch(() => null));
-    });
+    }, `Opening ${name} …`);
   }
 
   /** What was open here before the page was loaded again, else the file that was named on the command line. */
@@ -104,10 +104,12 @@ export class Documents {
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 
-  private async attempt(work: () => Promise<void>) {
+  private async attempt(work: () => Promise<void>, note: string | null = null) {
     this.store.dispatch({ type: 'problem', problem: null });
+    this.store.dispatch({ type: 'note', note });
     try {
       await work();
+      if (this.store.state.note === note) this.store.dispatch({ type: 'note', note: null });
     } catch (error) {
       this.store.dispatch({ type: 'problem', problem: problemOf(error) });
     }
