@@ -1,24 +1,18 @@
 import { defineConfig } from 'vite';
 
+// PLANISH_SERVER=http://127.0.0.1:PORT: the server that `vite` and `vite preview` ask; open their address with its #TOKEN.
+const target = process.env.PLANISH_SERVER;
+
 // Few files with fixed names: the server embeds whatever is in dist.
-export default defineConfig(async ({ command }) => ({
+export default defineConfig({
   base: './',
-  plugins: command === 'serve' && process.env.PLANISH_MOCK ? [(await import('./dev/mock')).mock()] : [],
-  server: {
-    proxy: process.env.PLANISH_SERVER
-      ? { '/api': { target: process.env.PLANISH_SERVER, changeOrigin: true, headers: { origin: process.env.PLANISH_SERVER } } }
-      : undefined,
-  },
+  server: { proxy: target ? { '/api': { target, changeOrigin: true, headers: { origin: target } } } : undefined },
   build: {
     target: 'es2022',
-    modulePreload: false as const,
+    modulePreload: false,
     chunkSizeWarningLimit: 1500,
     rollupOptions: {
-      output: {
-        entryFileNames: 'studio.js',
-        chunkFileNames: 'studio-[name].js',
-        assetFileNames: 'studio[extname]',
-      },
+      output: { entryFileNames: 'studio.js', chunkFileNames: 'studio-[name].js', assetFileNames: 'studio[extname]' },
     },
   },
-}));
+});

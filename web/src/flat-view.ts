@@ -311,7 +311,8 @@ export class FlatView {
     const written = new Set<number>();
     const marks = report?.flat?.labels ?? [], factor = millimetres(report?.units);
     const l = shape.bend_lines, lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort((a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i));
-    for (const { part, i } of [...lines.filter((x) => x.part === selected), ...lines]) {
+    const ridges = shape.handles.ridges !== undefined; // too many to be named; strips are
+    for (const { part, i } of [...lines.filter((x) => x.part === selected), ...(ridges ? [] : lines)]) {
       if (written.has(part)) continue;
       const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!), room = Math.hypot(b[0] - a[0], b[1] - a[1]) - 6;
       const color = this.isUp(shape, part) ? palette.up : palette.down, angle = Math.atan2(b[1] - a[1], b[0] - a[0]);

@@ -25,6 +25,7 @@ export interface Overlay {
   anchors: AnchorSpec[];
   scale: number; // millimetres in a unit of the anchors
   plate: string | null;
+  numbered: string[]; // plates whose edges bear their numbers
   anchor: number | null;
   gizmo: 'translate' | 'rotate';
   ridges: number; // of a strip before it is subdivided
@@ -46,7 +47,7 @@ export class FoldedView {
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
   private shape: Shape | null = null;
-  private overlay: Overlay = { anchors: [], scale: 1, plate: null, anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
+  private overlay: Overlay = { anchors: [], scale: 1, plate: null, numbered: [], anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
   private palette: Palette;
   private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;

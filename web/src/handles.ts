@@ -1,5 +1,5 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, Points, PointsMaterial,
+  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, Points, PointsMaterial, SRGBColorSpace,
   type LineBasicMaterialParameters, type Material, type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
@@ -11,10 +11,11 @@ export class HandleObjects {
   private readonly disc: Texture = discTexture();
   private readonly materials = new Map<string, Material>();
 
-  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null }, scale: number, ridges: number) {
+  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null; numbered: string[] }, scale: number, ridges: number) {
     this.clear();
     for (const plate of handles.plates ?? [])
       if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
+    for (const plate of handles.plates ?? []) if (selected.numbered.includes(plate.id)) this.numbers(plate.corners, palette);
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
     this.points(ridgeEnds(handles, ridges).map((r) => r.at), palette.ridge, 5);
@@ -43,6 +44,18 @@ export class HandleObjects {
 
   private curve(points: Vec3[], color: string, closed: boolean) {
     if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
+  }
+
+  /** The numbers of a plate's edges, as files name them, in the middle of each. */
+  private numbers(corners: Vec3[], palette: Palette) {
+    corners.forEach((a, i) => {
+      const b = corners[(i + 1) % corners.length]!, middle = a.map((v, k) => (v + b[k]!) / 2) as Vec3;
+      const material = this.material(`number ${i} ${palette.label} ${palette.halo}`, () => new PointsMaterial({
+        size: 20, sizeAttenuation: false, map: numberTexture(i, palette), transparent: true, depthTest: false }));
+      const point = new Points(through([middle]), material);
+      point.renderOrder = 3;
+      this.group.add(point);
+    });
   }
 
   private points(at: Vec3[], color: string, size: number) {
@@ -79,4 +92,24 @@ function discTexture(): Texture {
   c.arc(16, 16, 14, 0, 2 * Math.PI);
   c.fill();
   return new CanvasTexture(canvas);
+}
+
+function numberTexture(number: number, palette: Palette): Texture {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 40;
+  const c = canvas.getContext('2d')!;
+  c.fillStyle = palette.halo;
+  c.globalAlpha = 0.85;
+  c.beginPath();
+  c.arc(20, 20, 17, 0, 2 * Math.PI);
+  c.fill();
+  c.globalAlpha = 1;
+  c.fillStyle = palette.label;
+  c.font = 'bold 22px system-ui, sans-serif';
+  c.textAlign = 'center';
+  c.textBaseline = 'middle';
+  c.fillText(String(number), 20, 21);
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
 }

@@ -57,6 +57,7 @@ const computation = new Computation(api, store, (shape) => views.show(shape), ()
 const documents = new Documents(api, store);
 
 let waiting = 0;
+let scrolledFor: string | undefined;
 store.subscribe((state, before) => {
   views.changed(state, before);
   waiting ||= requestAnimationFrame(() => {
@@ -71,6 +72,10 @@ function draw() {
   render(topBar(ui), part('header'));
   render(messageBar(ui), part('.messages'));
   render(sidePanel(ui), part('aside'));
+  if (store.state.document?.id !== scrolledFor) {
+    scrolledFor = store.state.document?.id;
+    part('.content').scrollTop = 0;
+  }
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
   render(startScreen(ui), part('.over'));

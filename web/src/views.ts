@@ -21,6 +21,7 @@ export class Views {
   private readonly dragged: (at: number) => void;
   private palette = readPalette();
   private documentShown: string | null = null;
+  private resultShown: string | null = null; // of sheets that are solved step by step the first draft may be far off
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void) {
@@ -39,7 +40,9 @@ export class Views {
 
   /** New geometry, handed to the renderer at once. */
   show(shape: Shape) {
-    const { state } = this.ui, first = this.documentShown !== (state.document?.id ?? null);
+    const { state } = this.ui, id = state.document?.id ?? null, fresh = state.past.length === 0 && !state.pending;
+    const first = this.documentShown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
+    if (!state.shapeIsDraft) this.resultShown = id;
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.selectedRow(state));
     this.folded.follow();
     this.showFlat(state);
@@ -84,8 +87,14 @@ export class Views {
     const spec = state.input.spec as SlitSpec | null;
     return {
       anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [], scale: millimetres(spec?.units),
-      plate: state.document?.kind === 'connect' ? state.selection.plate : null, anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999, ridges: spec?.ridges ?? 10,
+      plate: state.document?.kind === 'connect' ? state.selection.plate : null, numbered: this.numbered(state), anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999, ridges: spec?.ridges ?? 10,
     };
+  }
+
+  /** Whoever sets a bend's edges sees which is which. */
+  private numbered(state: State): string[] {
+    if (state.document?.kind !== 'connect') return [];
+    return knownPiece(state)?.flat?.bends.find((b) => b.id === state.selection.part)?.between ?? [];
   }
 
   private thickness(state: State): number {
