@@ -15,7 +15,7 @@ for (const step of steps) {
   const at = step.indexOf(':'), verb = at < 0 ? step : step.slice(0, at), rest = at < 0 ? '' : step.slice(at + 1);
   try {
     if (verb === 'example') { await page.evaluate((n) => { document.querySelector('[data-testid="examples-menu"]').click(); setTimeout(() => document.querySelector(`[data-testid="example-${n}"]`).click(), 50); }, rest); await page.waitForFunction((n) => window.planish.store.state.document?.name === n, rest.split('/').at(-1)); await page.waitForTimeout(300); await settled(); await page.waitForTimeout(400); }
-    else if (verb === 'open') { await page.setInputFiles('[data-testid=file-input]', rest.split(',')); await page.waitForTimeout(300); await settled(); await page.waitForTimeout(400); }
+    else if (verb === 'open') { await page.setInputFiles('[data-testid=file-input]', rest.split(',')); await page.waitForFunction((n) => window.planish.store.state.document?.name === n, rest.split(',')[0].split('/').at(-1)); await page.waitForTimeout(300); await settled(); await page.waitForTimeout(400); }
     else if (verb === 'settled') { await settled(); await page.waitForTimeout(300); }
     else if (verb === 'tab') await page.click(`[data-testid="tab-${rest}"]`);
     else if (verb === 'wait') await page.waitForTimeout(Number(rest));

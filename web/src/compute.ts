@@ -128,7 +128,7 @@ export class Computation {
     const problem = problemOf(error);
     if (problem.code === 'cancelled' && this.superseded) return;
     if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });
-    else this.store.dispatch({ type: 'problem', problem });
+    else this.store.dispatch({ type: 'problem', problem, ofInput: true });
   }
 
   private started(id: string) {

@@ -12,6 +12,7 @@ export class Documents {
   private readonly store: Store;
   private adopted: string | null = null;
   private file: Given | null = null;
+  private turn = 0;
   private beside: Record<string, ArrayBuffer> = {};
   constructor(api: Api, store: Store) {
     this.api = api;
@@ -68,8 +69,9 @@ export class Documents {
   }
 
   private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>) {
-    const document = await this.api.open(main.name, main.bytes);
+    const turn = ++this.turn, document = await this.api.open(main.name, main.bytes);
     noteOpened(document.id);
+    if (turn !== this.turn) return this.leave(document.id); // another file was opened meanwhile
     this.file = main;
     const used: Record<string, ArrayBuffer> = {};
     await this.take(document, async (name) => {

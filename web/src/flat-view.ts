@@ -316,7 +316,9 @@ export class FlatView {
       if (written.has(part)) continue;
       const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!), room = Math.hypot(b[0] - a[0], b[1] - a[1]) - 6;
       const color = this.isUp(shape, part) ? palette.up : palette.down, angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
-      if (writer.write({ text: this.bendText(shape, part), at: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], angle, room, color, weight: part === selected ? 'bold' : 'normal' })) written.add(part);
+      const along = (t: number) => writer.write({
+        text: this.bendText(shape, part), at: [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])], angle, room: 2 * Math.min(t, 1 - t) * room, color, weight: part === selected ? 'bold' : 'normal' });
+      if ([0.5, 0.27, 0.73].some(along)) written.add(part);
     }
     for (const m of marks) writer.write({ text: m.text, at: this.at(m.at[0] * factor, m.at[1] * factor), angle: 0, room: 200, color: palette.label, weight: 'bold' });
     if (marks.length) return;

@@ -77,11 +77,11 @@ export class FoldedView {
     this.look('iso');
   }
 
-  setShape(shape: Shape | null, share: number, thickness: number, selected: number | null) {
+  setShape(shape: Shape | null, share: number, thickness: number, selected: number | null, held = 0) {
     this.shape = shape;
     this.sheet.group.visible = shape !== null;
     if (shape) {
-      this.sheet.setShape(shape, thickness, share);
+      this.sheet.setShape(shape, thickness, share, held);
       this.sheet.paint(this.palette, selected);
     }
     this.showHandles();

@@ -48,3 +48,30 @@ export function place(transforms: Float64Array, f: number, x: number, y: number,
     t[o + 8]! * x + t[o + 9]! * y + t[o + 10]! * z + t[o + 11]!,
   ];
 }
+
+/** The same, moved so that facet `held` is where it is when all is folded: another facet than the root stays in place. */
+export function transformsHolding(tree: FacetTree, share: number, held: number): Float64Array {
+  const out = facetTransforms(tree, share);
+  if (held <= 0 || held >= tree.facet_parent.length || share === 1) return out;
+  const moved = product(facetTransforms(tree, 1), 16 * held, inverse(out, 16 * held), 0);
+  for (let f = 0; f < tree.facet_parent.length; ++f) out.set(product(moved, 0, out, 16 * f), 16 * f);
+  return out;
+}
+
+function product(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number[] {
+  return Array.from({ length: 16 }, (_, n) => {
+    const row = i + 4 * Math.floor(n / 4), column = j + (n % 4);
+    return a[row]! * b[column]! + a[row + 1]! * b[column + 4]! + a[row + 2]! * b[column + 8]! + a[row + 3]! * b[column + 12]!;
+  });
+}
+
+/** Of a rigid motion. */
+function inverse(m: ArrayLike<number>, o: number): number[] {
+  const at = (r: number, c: number) => m[o + 4 * r + c]!;
+  const out = [...identity];
+  for (let r = 0; r < 3; ++r) {
+    for (let c = 0; c < 3; ++c) out[4 * r + c] = at(c, r);
+    out[4 * r + 3] = -(at(0, r) * at(0, 3) + at(1, r) * at(1, 3) + at(2, r) * at(2, 3));
+  }
+  return out;
+}

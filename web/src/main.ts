@@ -67,8 +67,7 @@ store.subscribe((state, before) => {
 });
 
 function draw() {
-  const { shape, problem } = store.state;
-  part('main').classList.toggle('stale', shape?.report.status === 'refused' && shape.facet_part.length > 0 && problem !== null);
+  root.classList.toggle('stale', store.state.stale);
   render(topBar(ui), part('header'));
   render(messageBar(ui), part('.messages'));
   render(sidePanel(ui), part('aside'));

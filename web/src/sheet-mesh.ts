@@ -1,5 +1,5 @@
 import { ShapeUtils, Vector2 } from 'three';
-import { facetTransforms, unit } from './folding.ts';
+import { transformsHolding, unit } from './folding.ts';
 import { insideFacet } from './facet.ts';
 import type { Shape } from './types.ts';
 
@@ -162,10 +162,10 @@ function extent(values: number[]): number {
   return most;
 }
 
-/** Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart. */
-export function foldSheet(mesh: SheetMesh, share: number, thickness: number): FoldedSheet {
+/** Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart; facet `held` stays in place. */
+export function foldSheet(mesh: SheetMesh, share: number, thickness: number, held = 0): FoldedSheet {
   const { corners, cornerFacet, shape } = mesh;
-  const transforms = facetTransforms(shape, share);
+  const transforms = transformsHolding(shape, share, held);
   const slopes = mitreSlopes(shape, share);
   const count = cornerFacet.length, half = thickness / 2;
   const positions = new Float32Array(6 * count), normals = new Float32Array(6 * count);

@@ -17,6 +17,7 @@ export class SheetObject {
   private readonly marked: LineSegments;
   private mesh: SheetMesh | null = null;
   private thickness = 1;
+  private held = 0;
   private readonly rimTint = new Color();
 
   constructor() {
@@ -31,8 +32,9 @@ export class SheetObject {
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
-  setShape(shape: Shape, thickness: number, share: number) {
+  setShape(shape: Shape, thickness: number, share: number, held: number) {
     this.thickness = thickness;
+    this.held = held;
     this.mesh = makeSheetMesh(shape);
     const { triangles, rim, creases, cornerFacet } = this.mesh;
     const n = cornerFacet.length;
@@ -49,7 +51,7 @@ export class SheetObject {
 
   setShare(share: number) {
     if (!this.mesh) return;
-    const { positions, normals } = foldSheet(this.mesh, share, this.thickness);
+    const { positions, normals } = foldSheet(this.mesh, share, this.thickness, this.held);
     const position = new BufferAttribute(positions, 3);
     this.skin.geometry.setAttribute('position', position);
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));

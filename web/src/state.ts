@@ -29,6 +29,7 @@ export interface State {
   theme: Theme;
   examples: Example[];
   problem: ApiProblem | null;
+  stale: boolean; // what is shown is not of this input, which could not be computed
   note: string | null;
   busy: boolean; // for longer than half a second
   computing: boolean;
@@ -45,7 +46,7 @@ export type Action =
   | { type: 'undo' }
   | { type: 'redo' }
   | { type: 'shape'; shape: Shape; draft: boolean }
-  | { type: 'problem'; problem: ApiProblem | null }
+  | { type: 'problem'; problem: ApiProblem | null; ofInput?: boolean }
   | { type: 'note'; note: string | null }
   | { type: 'computing'; computing: boolean }
   | { type: 'busy'; busy: boolean; progress?: Progress | null }
@@ -64,7 +65,7 @@ export function initialState(theme: Theme): State {
   return {
     document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
     result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
-    examples: [], problem: null, note: null, busy: false, computing: false, progress: null, help: false,
+    examples: [], problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
   };
 }
 
@@ -80,7 +81,7 @@ export function reduce(state: State, action: Action): State {
     case 'undo': return undone(state);
     case 'redo': return redone(state);
     case 'shape': return shaped(state, action.shape, action.draft);
-    case 'problem': return { ...state, problem: action.problem, note: null };
+    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null };
     case 'note': return { ...state, note: action.note };
     case 'computing': return { ...state, computing: action.computing };
     case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
@@ -127,7 +128,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
   return {
     ...state, shape: shown, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
-    problem: shape.report.status === 'refused' ? shape.report.reason : null,
+    problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
   };
 }
 

@@ -43,7 +43,7 @@ export class Views {
     const { state } = this.ui, id = state.document?.id ?? null, fresh = state.past.length === 0 && !state.pending;
     const first = this.documentShown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
-    this.folded.setShape(state.shape, state.fold, this.thickness(state), this.selectedRow(state));
+    this.folded.setShape(state.shape, state.fold, this.thickness(state), this.selectedRow(state), heldFacet(state));
     this.folded.follow();
     this.showFlat(state);
     if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
@@ -149,4 +149,12 @@ export class Views {
       return [v.x, v.y, v.z];
     }).plates }), true);
   }
+}
+
+/** The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the root. */
+function heldFacet({ shape, input, document }: State): number {
+  if (!shape) return 0;
+  const { root } = document?.kind === 'unfold' ? input.options : (input.spec as { root?: string } | null) ?? {};
+  const part = root === undefined ? -1 : shape.parts.findIndex((p) => p.plate === root || (typeof root === 'number' && p.faces.includes(root)));
+  return Math.max(0, part < 0 ? 0 : shape.facet_part.indexOf(part));
 }

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { facetTransforms, place } from '../src/folding.ts';
+import { facetTransforms, place, transformsHolding } from '../src/folding.ts';
 import { decodeShape } from '../src/shape.ts';
 import { foldSheet, makeSheetMesh } from '../src/sheet-mesh.ts';
 import { twoFlangesShape } from './two-flanges.ts';
@@ -50,4 +50,15 @@ test('the skins are the thickness apart, and those of neighbours meet', () => {
       const [x, y] = [skin(4 * f + 1), skin(4 * f + 4)];
       near(Math.hypot(x[0]! - y[0]!, x[1]! - y[1]!, x[2]! - y[2]!), 0, 1e-4);
     }
+});
+
+test('a facet that is held stays where it is folded, at every stage', () => {
+  const shape = decodeShape(twoFlangesShape());
+  const last = shape.facet_parent.length - 1, folded = facetTransforms(shape, 1);
+  for (const share of [0, 0.4, 1]) {
+    const t = transformsHolding(shape, share, last);
+    for (const [x, y] of [[48, 0], [78, 60]] as const) place(t, last, x, y).forEach((v, k) => near(v, place(folded, last, x, y)[k]!, 1e-9));
+  }
+  const flat = transformsHolding(shape, 0, last), low = place(flat, 0, 0, 0), high = place(flat, last, 78, 0);
+  near(Math.hypot(low[0] - high[0], low[1] - high[1], low[2] - high[2]), 78, 1e-5);
 });

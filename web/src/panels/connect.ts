@@ -32,7 +32,7 @@ function plateFields(ui: Ui, spec: PlatesSpec) {
     ><button data-testid="gizmo-rotate" class=${mode === 'rotate' ? 'on' : ''} @click=${() => ui.dispatch({ type: 'gizmo', gizmo: 'rotate' })}>Turn</button></div>
     <div class="triple">${(['x', 'y', 'z'] as const).map((axis, k) => mode === 'translate'
       ? lengthField(ui, { label: axis, testid: `plate-${axis}`, value: middle[k]!, from: spec.units, on: (v) => move(k, v) })
-      : numberField({ label: `by ${axis}`, testid: `plate-turn-${axis}`, value: 0, unit: '°', on: (v) => turn(k as 0 | 1 | 2, v) }))}</div>`;
+      : numberField({ label: `by ${axis}`, testid: `plate-turn-${axis}`, value: 0, unit: '°', momentary: true, on: (v) => turn(k as 0 | 1 | 2, v) }))}</div>`;
 }
 
 function bendBlock(ui: Ui, spec: PlatesSpec, rows: BendRow[], row: BendRow) {

@@ -12,6 +12,7 @@ export interface NumberOptions {
   digits?: number;
   min?: number;
   max?: number;
+  momentary?: boolean; // a step that is taken, not a value that stays
   placeholder?: string; // an empty field is allowed where there is one: the program chooses
 }
 
@@ -24,6 +25,7 @@ export function numberField(o: NumberOptions): TemplateResult {
     if (entered === '' && o.placeholder !== undefined) o.on(null);
     else if (entered === '' || !Number.isFinite(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity)) input.value = text;
     else if (entered !== text) o.on(value);
+    if (o.momentary) input.value = text;
   };
   return html`<label class="field"><span>${o.label}</span>
     <input type="text" inputmode="decimal" data-testid=${o.testid} .value=${text} placeholder=${o.placeholder ?? ''} @change=${change} />
