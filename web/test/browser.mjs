@@ -1,13 +1,23 @@
-// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. Downloads are written to /tmp/planish-studio-files.
+// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. Downloads are written to the folder STUDIO_FILES;
+// STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { chromium } from 'playwright-core';
 import { serveDist } from './serve-dist.mjs';
 
 const [address, ...wanted] = process.argv.slice(2);
-const out = '/tmp/planish-studio-files';
+const out = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
 mkdirSync(out, { recursive: true });
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
+
+function killWorkers() {
+  for (const entry of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
+    let line = '';
+    try { line = readFileSync(`/proc/${entry}/cmdline`, 'utf8'); } catch { continue; }
+    const [, command, server] = line.split('\0');
+    if (command === 'studio-worker' && server === process.env.STUDIO_PROCESS) process.kill(Number(entry), 'SIGKILL');
+  }
+}
 
 const state = (page, code) => page.evaluate(`(() => { const s = window.planish.store.state, views = window.planish.views; return ${code}; })()`);
 const settled = (page) => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing && s.past !== undefined; }, null, { timeout: 60000 });
@@ -153,6 +163,42 @@ const flows = {
     said.length = 0; // the browser notes the status of the answer
     await example(page, 'connect/a_folded.json');
     assert.equal(await state(page, 's.problem'), null);
+  },
+  async killed({ page, said }) {
+    await example(page, 'slit/chair.json');
+    // Between two requests: nobody notices.
+    killWorkers();
+    await page.click('[data-testid=coarser]');
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+    // In the middle of one, that takes seconds: the page says so, and goes on with the next edit.
+    for (let i = 0; i < 3; ++i) await page.click('[data-testid=subdivide]');
+    await page.waitForFunction(() => { const s = window.planish.store.state; return s.computing && s.shapeIsDraft && s.busy; }, null, { timeout: 60000 });
+    killWorkers();
+    await page.waitForFunction(() => window.planish.store.state.problem);
+    assert.match(await page.textContent('[data-testid=message]'), /worker/);
+    said.length = 0; // the browser notes the status of the answer
+    for (let i = 0; i < 3; ++i) await page.click('[data-testid=coarser]');
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+  },
+  async two({ page, said }) {
+    const other = await fresh();
+    await example(page, 'transition/a_square_to_round.json');
+    await example(other.page, 'connect/a_folded.json');
+    const blank = (p) => p.textContent('[data-testid=blank-size]');
+    const before = await blank(page), beside = await blank(other.page);
+    await slide(page, 'to-z', 0.9);
+    await rested(page);
+    await rested(other.page);
+    assert.notEqual(await blank(page), before);
+    assert.equal(await blank(other.page), beside, 'the other page is as it was');
+    await other.page.click('[data-testid=bend-head-B1]');
+    await slide(other.page, 'bend-radius', 0.3);
+    await rested(other.page);
+    assert.equal(await state(page, 's.document.name'), 'a_square_to_round.json');
+    said.push(...other.said);
+    await other.context.close();
   },
 };
 

@@ -1,0 +1,66 @@
+#!/usr/bin/python3
+"""The page in a browser without a window, from opening a file to a downloaded DXF (web/test/browser.mjs)."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import ezdxf
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_studio import SOURCE, StudioTest, main  # noqa: E402
+
+
+class Browser(StudioTest):
+    def flow(self, name):
+        """What one flow says, and the folder of its downloads."""
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        address = f"http://127.0.0.1:{self.studio.port}/#{self.studio.token}"
+        done = subprocess.run(["node", "test/browser.mjs", address, name], cwd=SOURCE / "web", capture_output=True, text=True, timeout=200,
+                              env=dict(os.environ, STUDIO_FILES=str(folder), STUDIO_PROCESS=str(self.studio.process.pid)))
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn(f"ok {name}", done.stdout)
+        return done.stdout, folder
+
+    def drawing(self, name):
+        """The DXF that a flow downloads at its end."""
+        _, folder = self.flow(name)
+        (path,) = folder.glob("*.dxf")
+        drawing = ezdxf.readfile(path)
+        self.assertFalse(drawing.audit().has_errors)
+        return drawing
+
+    def test_unfold(self):
+        layers = {entity.dxf.layer for entity in self.drawing("unfold").modelspace()}
+        self.assertEqual(layers, {"OUTER_PROFILE", "INTERIOR_PROFILES", "BEND_UP"})
+
+    def test_connect(self):
+        layers = [entity.dxf.layer for entity in self.drawing("connect").modelspace()]
+        self.assertEqual(layers.count("OUTER_PROFILE"), 1)
+        self.assertIn("BEND_UP", layers)
+
+    def test_transition(self):
+        layers = [entity.dxf.layer for entity in self.drawing("transition").modelspace()]
+        self.assertEqual(layers.count("OUTER_PROFILE"), 1)
+        self.assertIn("BEND_UP", layers)
+
+    def test_slit(self):
+        layers = [entity.dxf.layer for entity in self.drawing("slit").modelspace()]
+        self.assertEqual(layers.count("OUTER_PROFILE"), 1)
+        self.assertIn("BEND_UP", layers)
+
+    def test_rubbish_is_answered_with_the_programs_sentence(self):
+        said, _ = self.flow("rubbish")
+        self.assertIn("STEP", said)
+
+    def test_a_killed_worker_is_said_and_work_goes_on(self):
+        self.flow("killed")
+
+    def test_two_pages_at_once(self):
+        self.flow("two")
+
+
+if __name__ == "__main__":
+    main()
