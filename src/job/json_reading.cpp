@@ -216,6 +216,22 @@ int JsonPlace::index() const {
   return 0;
 }
 
+Vec3 JsonPlace::point() const {
+  const auto xyz = items(3, "a point [x, y, z]");
+  if (xyz.empty()) return Vec3::Zero();
+  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
+}
+
+std::optional<Vec3> JsonPlace::direction() const {
+  if (!given()) return std::nullopt;
+  const auto xyz = items(3, "a direction [x, y, z]");
+  if (xyz.empty()) return std::nullopt;
+  const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
+  if (v.norm() > 0.0) return v.normalized();
+  mistake("is [0, 0, 0], which is no direction");
+  return std::nullopt;
+}
+
 std::string JsonPlace::text() const {
   if (!given() || reading_->error()) return {};
   if (value_->is_string() && !value_->get_ref<const std::string&>().empty())

@@ -4,6 +4,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/base/result.hpp>
+#include <planish/geometry/frame.hpp>
 #include <planish/io/flat_writers.hpp>
 
 #include <initializer_list>
@@ -96,6 +97,10 @@ class JsonPlace {
   Angle angle(const Allowed& allowed = kAnyNumber) const;
   /// A whole number of at least 0.
   int index() const;
+  /// [x, y, z] in millimetres; zero for a mistake.
+  Vec3 point() const;
+  /// [x, y, z], made one long; none where the place is not given, or for a mistake.
+  std::optional<Vec3> direction() const;
   std::string text() const;  ///< not empty
   bool yes() const;          ///< true or false
   /// Whether it is this text, or a list; anything else is no mistake.

@@ -15,16 +15,10 @@ constexpr int kVersion = 1;
 constexpr Allowed kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false, false};
 constexpr Allowed kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
 
-Vec3 point_at(const JsonPlace& place) {
-  const auto xyz = place.items(3, "a point [x, y, z]");
-  if (xyz.empty()) return Vec3::Zero();
-  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
-}
-
 std::vector<Vec3> polygon_at(const JsonPlace& place) {
   std::vector<Vec3> corners;
   for (const JsonPlace& corner : place.items())
-    corners.push_back(point_at(corner));
+    corners.push_back(corner.point());
   return corners;
 }
 
@@ -103,7 +97,7 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
   bend.aperture = place["aperture"].maybe_angle(kAperture);
   bend.slope = place["slope"].maybe_number();
   bend.apex = place["apex"].maybe_length();
-  if (place["tangent_point"].given()) bend.tangent_point = point_at(place["tangent_point"]);
+  if (place["tangent_point"].given()) bend.tangent_point = place["tangent_point"].point();
   bend.trade_off = place["trade_off"].maybe_number(kAtLeastZero).value_or(bend.trade_off);
   bend.angle = place["angle"].maybe_angle(kTurn);
   bend.length = place["length"].maybe_length(kAboveZero);

@@ -14,22 +14,6 @@ constexpr auto kFormat = "planish/slits";
 constexpr int kVersion = 1;
 constexpr int kMostSubdivisions = 6;
 
-Vec3 space_point_at(const JsonPlace& place) {
-  const auto xyz = place.items(3, "a point [x, y, z]");
-  if (xyz.empty()) return Vec3::Zero();
-  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
-}
-
-std::optional<Vec3> direction_at(const JsonPlace& place) {
-  if (!place.given()) return std::nullopt;
-  const auto xyz = place.items(3, "a direction [x, y, z]");
-  if (xyz.empty()) return std::nullopt;
-  const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
-  if (v.norm() > 0.0) return v.normalized();
-  place.mistake("is [0, 0, 0], which is no direction");
-  return std::nullopt;
-}
-
 BezierCurve curve_at(const JsonPlace& place) {
   place.keys({"bezier"});
   BezierCurve curve;
@@ -84,7 +68,7 @@ SlitAnchor anchor_at(const JsonPlace& place) {
   anchor.strip = place["strip"].index();
   anchor.ridge = place["ridge"].index();
   anchor.side = place["side"].choice<Side>({{"left", Side::left}, {"right", Side::right}}, Side::left);
-  anchor.at = space_point_at(place["at"]);
+  anchor.at = place["at"].point();
   return anchor;
 }
 
@@ -118,9 +102,9 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
     }
     ends.resize(std::max(ends.size(), static_cast<std::size_t>(strip) + 1));
     StripEnd& end = ends[static_cast<std::size_t>(strip)];
-    if (item["position"].given()) end.position = space_point_at(item["position"]);
-    end.direction = direction_at(item["direction"]);
-    end.across = direction_at(item["across"]);
+    if (item["position"].given()) end.position = item["position"].point();
+    end.direction = item["direction"].direction();
+    end.across = item["across"].direction();
   }
   return ends;
 }
@@ -138,7 +122,7 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
     ScanPlace scan{{item["strip"].index(), {}}, {}};
     if (item["points"].is_list())
       for (const JsonPlace& point : item["points"].items())
-        scan.scan.points.push_back(space_point_at(point));
+        scan.scan.points.push_back(point.point());
     else
       scan.file = item["points"].text();
     scans.push_back(std::move(scan));

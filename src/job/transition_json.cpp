@@ -27,29 +27,14 @@ std::vector<Vec2> plane_points_at(const JsonPlace& place) {
   return points;
 }
 
-Vec3 vector_at(const JsonPlace& place, const Vec3& otherwise) {
-  if (!place.given()) return otherwise;
-  const auto xyz = place.items(3, "a direction [x, y, z]");
-  if (xyz.empty()) return otherwise;
-  const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
-  if (!(v.norm() > 0.0)) {
-    place.mistake("is [0, 0, 0], which is no direction");
-    return otherwise;
-  }
-  return v.normalized();
-}
-
 Frame frame_at(const JsonPlace& place) {
   if (!place.given()) return {};
   place.keys({}, {"origin", "x", "normal"});
-  Vec3 origin = Vec3::Zero();
-  if (place["origin"].given())
-    if (const auto xyz = place["origin"].items(3, "a point [x, y, z]"); !xyz.empty())
-      origin = {xyz[0].length(), xyz[1].length(), xyz[2].length()};
-  const Vec3 z = vector_at(place["normal"], Vec3::UnitZ());
+  const Vec3 origin = place["origin"].given() ? place["origin"].point() : Vec3::Zero();
+  const Vec3 z = place["normal"].direction().value_or(Vec3::UnitZ());
   constexpr double kParallel = 1e-6;
   const bool x_given = place["x"].given();
-  const Vec3 x = vector_at(place["x"], Vec3::UnitX());
+  const Vec3 x = place["x"].direction().value_or(Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
   if (x_given) place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
   return frame_from_axes(origin, z, x_given ? Vec3(z.unitOrthogonal()) : z.x() > 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ());

@@ -1,3 +1,5 @@
+#include "mould_clear.hpp"
+
 #include <planish/geometry/region.hpp>
 #include <planish/slit/mould.hpp>
 
@@ -7,18 +9,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <set>
-#include <utility>
 
 namespace planish {
-namespace {
 
-/// A strip from one end to the other: ridges as they are in space, left then right, and a normal a quad, towards the
-/// mould.
-struct WholeStrip {
-  std::vector<std::array<Vec3, 2>> ridges;
-  std::vector<Vec3> towards_mould;
-};
+using namespace slit_detail;
+
+namespace {
 
 Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
@@ -98,9 +94,6 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
 }
 
 bool leans_up(const Vec3& towards_mould, const Setting& setting) { return -towards_mould.dot(setting.up) >= setting.least_lean; }
-
-/// From a ridge to where the facets beside it meet, half the thickness from both quads.
-Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
 
 /// The ridge `at` of a rib, on its working surface.
 Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at, const Setting& setting, int number) {
@@ -211,133 +204,6 @@ double volume_of(const Mesh& mesh) {
   return sum;
 }
 
-/// Upright walls do not meet where the footprints are apart.
-Result<void> check_apart(const std::vector<MouldRib>& ribs) {
-  std::vector<Polygon> footprints;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const MouldRib& rib : ribs) {
-    if (!self_crossings(rib.footprint).empty())
-      return fail(ErrorCode::unsupported_shape, fmt::format("strip {} lies above itself, so its rib would stand in itself; choose another direction for the mould", rib.strip),
-                  fmt::format("strip {}", rib.strip));
-    footprints.push_back({rib.footprint, {}});
-    smallest = std::min(smallest, ring_area(rib.footprint));
-  }
-  constexpr double kTouching = 1e-9;  // of the smallest footprint
-  for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
-    const int first = ribs[static_cast<std::size_t>(overlap.first)].strip, second = ribs[static_cast<std::size_t>(overlap.second)].strip;
-    return fail(ErrorCode::unsupported_shape,
-                fmt::format("the mould's ribs under strips {} and {} would stand in one another on {:.4g} mm²; choose a larger inset, another direction or "
-                            "the other side",
-                            first, second, overlap.area),
-                fmt::format("strip {}", first));
-  }
-  return {};
-}
-
-/// What is seen from above: facets of ribs, quads of strips in the middle of their thickness, and what their material
-/// covers at both skins, the height always that of the skin towards the mould.
-enum class Layer { rib, middle, skin };
-
-/// A plane piece as it is seen from above, and its plane.
-struct Seen {
-  Layer layer = Layer::rib;
-  int strip = 0, quad = 0;
-  Vec3 on;      ///< in the base's frame
-  Vec3 normal;  ///< likewise
-};
-
-double height_at(const Seen& piece, const Vec2& p) {
-  return piece.on.z() - (piece.normal.head<2>().dot(p - piece.on.head<2>())) / piece.normal.z();
-}
-
-class View {
- public:
-  View(const Frame& base, double offset) : base_(base), offset_(offset) {}
-
-  void add(const MouldRib& rib) {
-    for (std::size_t i = 0; i < rib.facets.size(); ++i) {
-      carried_.insert({rib.strip, rib.first_quad + static_cast<int>(i)});
-      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i), {}, {}}, rib.facets[i], rib.facets[i]);
-    }
-  }
-
-  void add(const WholeStrip& strip, int number, int first_quad) {
-    const auto skin = [&](std::size_t ridge, double sense) -> std::array<Vec3, 2> {
-      const auto& normals = strip.towards_mould;
-      const Vec3 step = sense * offset_ * (ridge == 0 ? normals.front() : ridge == normals.size() ? normals.back() : mitre(normals[ridge - 1], normals[ridge]));
-      return {strip.ridges[ridge][0] + step, strip.ridges[ridge][1] + step};
-    };
-    for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad) {
-      const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) { return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]}; };
-      const int own = first_quad + static_cast<int>(quad);
-      const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]), below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
-      see({Layer::middle, number, own, {}, {}}, middle, middle);
-      see({Layer::skin, number, own, {}, {}}, below, below);
-      see({Layer::skin, number, own, {}, {}}, below, piece(skin(quad, -1.0), skin(quad + 1, -1.0)));
-    }
-  }
-
-  /// A rib may stand below the sheet, also below what it does not carry; one that comes up through it may not.
-  Result<void> check_clear() const {
-    constexpr double kTouching = 1e-9;  // of the smallest piece
-    for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
-      const Seen *rib = &pieces_[static_cast<std::size_t>(overlap.first)], *strip = &pieces_[static_cast<std::size_t>(overlap.second)];
-      if (strip->layer == Layer::rib) std::swap(rib, strip);
-      if (rib->layer != Layer::rib || !matters(*rib, *strip)) continue;
-      constexpr double kHigher = 1e-6;  // mm
-      for (const auto& ring : overlap.outline)
-        for (const Vec2& p : ring)
-          if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
-            return fail(ErrorCode::unsupported_shape,
-                        fmt::format("the mould's rib under strip {} would stand in {}; choose a larger inset, another direction or the other side", rib->strip,
-                                    rib->strip == strip->strip ? "another part of that strip" : fmt::format("strip {}", strip->strip)),
-                        fmt::format("strip {}", rib->strip));
-    }
-    return {};
-  }
-
- private:
-  /// The quad that a facet carries, and those carried beside it, are mitred to it. One beside it that is left bare
-  /// begins at its ridge, and may lead back below it.
-  bool matters(const Seen& rib, const Seen& strip) const {
-    if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1) return strip.layer == Layer::skin;
-    return strip.layer == Layer::middle && !carried_.contains({strip.strip, strip.quad});
-  }
-
-  void see(Seen piece, const std::array<Vec3, 4>& plane, const std::array<Vec3, 4>& outline) {
-    const Vec3 normal = (plane[2] - plane[0]).cross(plane[3] - plane[1]).normalized();
-    piece.on = base_.local(plane[0]);
-    piece.normal = {normal.dot(base_.x), normal.dot(base_.y), normal.dot(base_.z)};
-    constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
-    if (std::abs(piece.normal.z()) < kUpright) return;
-    Polygon polygon;
-    for (const Vec3& corner : outline) polygon.outer.push_back(base_.local2(corner));
-    smallest_ = std::min(smallest_, std::abs(ring_area(polygon.outer)));
-    pieces_.push_back(piece);
-    outlines_.push_back(std::move(polygon));
-  }
-
-  const Frame& base_;
-  double offset_;
-  double smallest_ = std::numeric_limits<double>::infinity();
-  std::set<std::pair<int, int>> carried_;
-  std::vector<Seen> pieces_;
-  std::vector<Polygon> outlines_;
-};
-
-Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips, double offset) {
-  View view(mould.base, offset);
-  for (const MouldRib& rib : mould.ribs) view.add(rib);
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    int quads = 0;
-    for (const WholeStrip& strip : strips[i]) {
-      view.add(strip, static_cast<int>(i), quads);
-      quads += static_cast<int>(strip.towards_mould.size());
-    }
-  }
-  return view.check_clear();
-}
-
 /// The mould for one direction.
 Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
   Mould mould;
@@ -359,7 +225,6 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
     rib.mesh = closed_mesh(rib, mould.base);
     mould.volume += volume_of(rib.mesh);
   }
-  if (auto apart = check_apart(mould.ribs); !apart) return tl::unexpected(apart.error());
   if (auto clear = check_clear(mould, strips, setting.offset); !clear) return tl::unexpected(clear.error());
   return mould;
 }

@@ -1,0 +1,67 @@
+import { decodeShape } from './shape.ts';
+import type { ApiProblem, Example, FileFormat, OpenDocument, Progress, Request, Shape } from './types.ts';
+
+/** What went wrong, as the program says it. */
+export class ApiError extends Error {
+  readonly problem: ApiProblem;
+  readonly status: number;
+  constructor(problem: ApiProblem, status: number) {
+    super(problem.message);
+    this.problem = problem;
+    this.status = status;
+  }
+}
+
+export class Api {
+  private readonly token: string;
+  constructor(token: string) {
+    this.token = token;
+  }
+
+  examples = () => this.json<Example[]>('GET', '/api/examples');
+  example = async (name: string) => (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
+  documents = () => this.json<OpenDocument[]>('GET', '/api/documents');
+  open = (name: string, bytes: ArrayBuffer | Blob) =>
+    this.json<OpenDocument>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
+  attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
+    this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
+  close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
+  draft = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'draft', request, signal);
+  result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
+  file = async (id: string, format: FileFormat, request: Request) =>
+    (await this.call('POST', `/api/documents/${id}/files/${format}`, JSON.stringify(request))).blob();
+  progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
+  cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
+
+  private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {
+    const answer = await this.call('POST', `/api/documents/${id}/${what}`, JSON.stringify(request), { signal });
+    return decodeShape(await answer.arrayBuffer());
+  }
+
+  private async json<T>(method: string, path: string, body?: BodyInit): Promise<T> {
+    return (await (await this.call(method, path, body)).json()) as T;
+  }
+
+  private async call(method: string, path: string, body?: BodyInit, more: Pick<RequestInit, 'keepalive' | 'signal'> = {}): Promise<Response> {
+    const headers: Record<string, string> = { 'X-Planish-Token': this.token };
+    if (body !== undefined) headers['Content-Type'] = typeof body === 'string' ? 'application/json' : 'application/octet-stream';
+    let answer: Response;
+    try {
+      answer = await fetch(path, { method, headers, body, cache: 'no-store', ...more });
+    } catch {
+      if (more.signal?.aborted) throw new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
+      throw new ApiError({ code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' }, 0);
+    }
+    if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
+    return answer;
+  }
+}
+
+async function problemOf(answer: Response): Promise<ApiProblem> {
+  try {
+    const body = (await answer.json()) as Partial<ApiProblem>;
+    if (typeof body.message === 'string') return { code: body.code ?? String(answer.status), message: body.message, where: body.where };
+  } catch { /* not JSON: said below */ }
+  if (answer.status === 403) return { code: 'forbidden', message: 'the page lacks the token of this server; open the address that planish studio printed' };
+  return { code: String(answer.status), message: `the server answered ${answer.status} ${answer.statusText}` };
+}

@@ -1,0 +1,157 @@
+import { Api, ApiError } from './api.ts';
+import { beginTiming, dropTiming, type Timing } from './timings.ts';
+import type { Store } from './state.ts';
+import type { ApiProblem, Request, Shape } from './types.ts';
+
+const settle = 120; // ms without an edit before the whole result is asked for
+const patience = 500; // ms before a bar is shown
+const poll = 250;
+const restart = 120; // ms that a worker takes to be there again after a cancelled request
+
+/** Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and the
+ * result once it rests. */
+export class Computation {
+  private draftWanted = false;
+  private resultWanted = false;
+  private running: 'draft' | 'result' | null = null;
+  private timer = 0;
+  private busyTimer = 0;
+  private dragAt: number | null = null;
+  private generation = 0;
+  private flight = new AbortController(); // of the request that is running
+  private startedAt = 0;
+  private resultTook = 0;
+  private superseded = false;
+  private givenUp: Promise<unknown> | null = null; // a result that an edit has made pointless is being cancelled
+
+  private readonly api: Api;
+  private readonly store: Store;
+  private readonly show: (shape: Shape, draft: boolean) => void;
+  private readonly reopen: () => Promise<boolean>;
+  constructor(api: Api, store: Store, show: (shape: Shape, draft: boolean) => void, reopen: () => Promise<boolean>) {
+    this.reopen = reopen;
+    this.api = api;
+    this.store = store;
+    this.show = show;
+    store.subscribe((state, before) => {
+      if (state.document?.id !== before.document?.id) this.restart();
+      else if (state.input !== before.input || (before.pending && !state.pending)) this.edited(state.input !== before.input, state.pending !== null);
+    });
+  }
+
+  /** The next edit comes from a drag; it is timed from now. */
+  dragged(at: number) {
+    this.dragAt ??= at;
+  }
+
+  cancel() {
+    const id = this.store.state.document?.id;
+    this.resultWanted = this.draftWanted = false;
+    clearTimeout(this.timer);
+    if (id && this.running) this.stop(id);
+  }
+
+  private restart() {
+    ++this.generation;
+    this.flight.abort();
+    this.superseded = false;
+    this.resultTook = 0;
+    this.givenUp = null;
+    this.running = null;
+    this.draftWanted = this.store.state.document !== null;
+    this.resultWanted = this.draftWanted;
+    this.quiet();
+    void this.next();
+  }
+
+  private edited(changed: boolean, live: boolean) {
+    clearTimeout(this.timer);
+    if (changed) this.draftWanted = true;
+    this.resultWanted = false;
+    if (changed) this.giveUpResult();
+    if (!live) this.timer = window.setTimeout(() => { this.resultWanted = true; void this.next(); }, settle);
+    void this.next();
+  }
+
+  /** A result that would keep the draft waiting for longer than a worker takes to come back. */
+  private giveUpResult() {
+    const { document } = this.store.state, left = this.resultTook - (performance.now() - this.startedAt);
+    if (this.running !== 'result' || this.givenUp || !document || document.kind === 'unfold' || left < restart) return;
+    this.stop(document.id);
+    this.superseded = true;
+  }
+
+  /** Ends the request that runs, here at once and at the server; the next one waits until that has heard of it. */
+  private stop(id: string) {
+    this.givenUp = this.api.cancel(id).catch(() => undefined);
+    this.flight.abort();
+  }
+
+  private async next() {
+    const { document, input } = this.store.state;
+    if (this.running || !document || !(this.draftWanted || this.resultWanted)) return;
+    const what = this.draftWanted ? 'draft' : 'result';
+    if (what === 'draft') this.draftWanted = false;
+    else this.resultWanted = false;
+    const generation = this.generation;
+    const timing = this.dragAt === null ? null : beginTiming(this.dragAt);
+    this.dragAt = null;
+    this.running = what;
+    this.flight = new AbortController();
+    this.started(document.id);
+    try {
+      const request: Request = { spec: input.spec ?? undefined, options: input.options };
+      const shape = await (what === 'draft' ? this.api.draft(document.id, request, this.flight.signal) : this.api.result(document.id, request, this.flight.signal));
+      if (what === 'result') this.resultTook = performance.now() - this.startedAt;
+      if (generation === this.generation) this.arrived(shape, what === 'draft', timing);
+    } catch (error) {
+      dropTiming(timing);
+      if (generation === this.generation) await this.failed(error);
+    }
+    await this.givenUp; // so that it cannot end the next request
+    this.givenUp = null;
+    this.superseded = false;
+    if (generation !== this.generation) return;
+    this.running = null;
+    this.quiet();
+    void this.next();
+  }
+
+  private arrived(shape: Shape, draft: boolean, timing: Timing | null) {
+    this.store.dispatch({ type: 'shape', shape, draft });
+    this.show(shape, draft);
+    timing?.geometry();
+  }
+
+  private async failed(error: unknown) {
+    if (error instanceof ApiError && error.status === 404 && (await this.reopen().catch(() => false))) return; // begins anew by itself
+    const problem = problemOf(error);
+    if (problem.code === 'cancelled' && this.superseded) return;
+    if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });
+    else this.store.dispatch({ type: 'problem', problem, ofInput: true });
+  }
+
+  private started(id: string) {
+    this.startedAt = performance.now();
+    this.store.dispatch({ type: 'computing', computing: true });
+    if (this.busyTimer) return;
+    const look = async () => {
+      const progress = await this.api.progress(id).catch(() => null);
+      if (this.running) this.store.dispatch({ type: 'busy', busy: true, progress });
+      if (this.running) this.busyTimer = window.setTimeout(look, poll);
+    };
+    this.busyTimer = window.setTimeout(look, patience);
+  }
+
+  private quiet() {
+    clearTimeout(this.busyTimer);
+    this.busyTimer = 0;
+    if (this.store.state.computing || this.store.state.busy) {
+      this.store.dispatch({ type: 'computing', computing: false });
+      this.store.dispatch({ type: 'busy', busy: false });
+    }
+  }
+}
+
+export const problemOf = (error: unknown): ApiProblem =>
+  error instanceof ApiError ? error.problem : { code: 'page', message: error instanceof Error ? error.message : String(error) };

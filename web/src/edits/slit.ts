@@ -1,0 +1,55 @@
+import type { AnchorSpec, SlitSpec, Vec2, Vec3 } from '../types.ts';
+import { round } from '../units.ts';
+
+export function bezierPoints(control: Vec2[], count = 64): Vec2[] {
+  return Array.from({ length: count + 1 }, (_, i) => bezierAt(control, i / count));
+}
+
+function bezierAt(control: Vec2[], t: number): Vec2 {
+  let level = control;
+  while (level.length > 1) level = level.slice(1).map((b, i) => [level[i]![0] + t * (b[0] - level[i]![0]), level[i]![1] + t * (b[1] - level[i]![1])]);
+  return level[0] ?? [0, 0];
+}
+
+export function lengthOf(control: Vec2[]): number {
+  const p = bezierPoints(control, 400);
+  return p.slice(1).reduce((sum, b, i) => sum + Math.hypot(b[0] - p[i]![0], b[1] - p[i]![1]), 0);
+}
+
+/** The same curve with one control point more. */
+export function raised(control: Vec2[]): Vec2[] {
+  const n = control.length;
+  return Array.from({ length: n + 1 }, (_, i) => {
+    const a = control[Math.max(i - 1, 0)]!, b = control[Math.min(i, n - 1)]!, t = i / n;
+    return [round(t * a[0] + (1 - t) * b[0]), round(t * a[1] + (1 - t) * b[1])];
+  });
+}
+
+/** Scaled from its first point so that it is `length` long. */
+export function fitted(control: Vec2[], length: number): Vec2[] {
+  const own = lengthOf(control), [o] = control;
+  if (!o || own <= 0) return control;
+  const s = length / own;
+  return control.map((p) => [round(o[0] + s * (p[0] - o[0]), 4), round(o[1] + s * (p[1] - o[1]), 4)]);
+}
+
+export const stripCount = (spec: SlitSpec) => (typeof spec.sheet.strips === 'number' ? spec.sheet.strips : spec.sheet.strips.length);
+
+export function sheetWidth(spec: SlitSpec): number | null {
+  if (typeof spec.sheet.strips === 'number') return spec.sheet.strips * (spec.sheet.strip_width ?? 0);
+  return (spec.sheet.strips as { width?: number; gap?: number }[]).reduce((sum, s) => sum + (s.width ?? 0) + (s.gap ?? 0), 0) + (spec.sheet.margin ?? 0);
+}
+
+export function addAnchor(spec: SlitSpec, anchor: AnchorSpec): SlitSpec {
+  return { ...spec, anchors: [...(spec.anchors ?? []), { ...anchor, at: anchor.at.map((v) => round(v, 3)) as Vec3 }] };
+}
+
+export function moveAnchor(spec: SlitSpec, index: number, at: Vec3): SlitSpec {
+  return { ...spec, anchors: spec.anchors?.map((a, i) => (i === index ? { ...a, at: at.map((v) => round(v, 3)) as Vec3 } : a)) };
+}
+
+export function removeAnchor(spec: SlitSpec, index: number): SlitSpec {
+  const anchors = (spec.anchors ?? []).filter((_, i) => i !== index);
+  const { anchors: _gone, ...rest } = spec;
+  return anchors.length ? { ...rest, anchors } : rest;
+}

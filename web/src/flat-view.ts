@@ -1,0 +1,347 @@
+import { insideFacet } from './facet.ts';
+import { drawDimensions } from './flat-dimensions.ts';
+import { drawnInSoftware } from './graphics.ts';
+import { LabelWriter } from './flat-labels.ts';
+import { labelPlaces, type Place } from './label-places.ts';
+import { smallestRectangle, type Rectangle } from './rectangle.ts';
+import type { Palette } from './theme.ts';
+import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
+import { clean, lengthText, millimetres, type DisplayUnit } from './units.ts';
+
+export interface FlatScene {
+  shape: Shape | null;
+  report: PieceReport | null; // of the piece that is shown
+  findings: Finding[];
+  selected: number | null; // row of parts
+  finding: number | null;
+  units: DisplayUnit;
+  palette: Palette;
+}
+
+/** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
+export class FlatView {
+  private readonly canvas = document.createElement('canvas');
+  private readonly c: CanvasRenderingContext2D;
+  private scene: FlatScene;
+  private scale = 1;
+  private offset: Vec2 = [0, 0];
+  private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
+  private rectangle: Rectangle | null = null;
+  private places: Map<number, Place> | null = null;
+  private fitted = true;
+  private frame = 0;
+  private press: { x: number; y: number; moved: boolean } | null = null;
+
+  private readonly box: HTMLElement;
+  private readonly pick: (part: number | null) => void;
+  constructor(box: HTMLElement, palette: Palette, pick: (part: number | null) => void) {
+    this.box = box;
+    this.pick = pick;
+    this.scene = { shape: null, report: null, findings: [], selected: null, finding: null, units: 'mm', palette };
+    this.c = this.canvas.getContext('2d', { willReadFrequently: drawnInSoftware })!;
+    this.canvas.dataset.testid = 'flat-canvas';
+    box.append(this.canvas);
+    this.listen();
+    new ResizeObserver(() => this.resize()).observe(box);
+    this.resize();
+  }
+
+  set(scene: FlatScene) {
+    const other = scene.shape !== this.scene.shape;
+    this.scene = scene;
+    if (other) this.measure();
+    if (other && this.fitted) this.fit();
+    this.draw();
+  }
+
+  fit() {
+    const { clientWidth: w, clientHeight: h } = this.box, { x0, y0, x1, y1 } = this.bounds;
+    const [left, below, right, above] = [54, 46, 26, 26];
+    this.scale = Math.min((w - left - right) / Math.max(x1 - x0, 1e-6), (h - below - above) / Math.max(y1 - y0, 1e-6));
+    this.offset = [left + (w - left - right) / 2 - (this.scale * (x0 + x1)) / 2, above + (h - below - above) / 2 + (this.scale * (y0 + y1)) / 2];
+    this.fitted = true;
+    this.draw();
+  }
+
+  /** Where a point of the pattern is seen, in client coordinates: for tests. */
+  project(at: Vec2) {
+    const r = this.canvas.getBoundingClientRect(), [x, y] = this.at(at[0], at[1]);
+    return { x: r.left + x, y: r.top + y };
+  }
+
+  private at = (x: number, y: number): Vec2 => [this.offset[0] + this.scale * x, this.offset[1] - this.scale * y];
+
+  private measure() {
+    const p = this.scene.shape?.points;
+    if (!p || p.length === 0) return;
+    const b = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
+    for (let i = 0; i < p.length; i += 2) {
+      b.x0 = Math.min(b.x0, p[i]!); b.x1 = Math.max(b.x1, p[i]!);
+      b.y0 = Math.min(b.y0, p[i + 1]!); b.y1 = Math.max(b.y1, p[i + 1]!);
+    }
+    this.rectangle = smallestRectangle(p);
+    for (const [x, y] of this.rectangle?.corners ?? []) {
+      b.x0 = Math.min(b.x0, x); b.x1 = Math.max(b.x1, x);
+      b.y0 = Math.min(b.y0, y); b.y1 = Math.max(b.y1, y);
+    }
+    this.bounds = b;
+    this.places = null;
+  }
+
+  private listen() {
+    const canvas = this.canvas;
+    canvas.addEventListener('pointerdown', (e) => {
+      this.press = { x: e.clientX, y: e.clientY, moved: false };
+      canvas.setPointerCapture(e.pointerId);
+    });
+    canvas.addEventListener('pointermove', (e) => {
+      if (!this.press) return;
+      const dx = e.clientX - this.press.x, dy = e.clientY - this.press.y;
+      if (!this.press.moved && Math.hypot(dx, dy) < 4) return;
+      this.press = { x: e.clientX, y: e.clientY, moved: true };
+      this.offset = [this.offset[0] + dx, this.offset[1] + dy];
+      this.fitted = false;
+      this.draw();
+    });
+    canvas.addEventListener('pointerup', (e) => {
+      if (this.press && !this.press.moved) this.pick(this.partUnder(e));
+      this.press = null;
+    });
+    canvas.addEventListener('wheel', (e) => {
+      e.preventDefault();
+      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, factor = Math.exp(-e.deltaY * 0.0015);
+      this.scale *= factor;
+      this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
+      this.fitted = false;
+      this.draw();
+    }, { passive: false });
+    canvas.addEventListener('dblclick', () => this.fit());
+  }
+
+  private partUnder(e: PointerEvent): number | null {
+    const { shape } = this.scene;
+    if (!shape) return null;
+    const r = this.canvas.getBoundingClientRect(), sx = e.clientX - r.left, sy = e.clientY - r.top;
+    const line = this.bendLineNear(shape, sx, sy);
+    if (line !== null) return line;
+    const x = (sx - this.offset[0]) / this.scale, y = (this.offset[1] - sy) / this.scale;
+    for (let f = 0; f < shape.facet_part.length; ++f) if (insideFacet(shape, f, x, y)) return shape.facet_part[f]!;
+    return null;
+  }
+
+  private bendLineNear(shape: Shape, sx: number, sy: number): number | null {
+    const l = shape.bend_lines;
+    let best: number | null = null, least = 5;
+    for (let i = 0; i < shape.bend_line_part.length; ++i) {
+      const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!);
+      const d = distanceToSegment(sx, sy, a, b);
+      if (d < least) { least = d; best = shape.bend_line_part[i]!; }
+    }
+    return best;
+  }
+
+  private resize() {
+    const { clientWidth: w, clientHeight: h } = this.box, ratio = window.devicePixelRatio;
+    if (w === 0 || h === 0) return;
+    this.canvas.width = Math.round(w * ratio);
+    this.canvas.height = Math.round(h * ratio);
+    this.canvas.style.width = `${w}px`;
+    this.canvas.style.height = `${h}px`;
+    if (this.fitted) this.fit();
+    this.draw();
+  }
+
+  draw() {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.paint();
+    });
+  }
+
+  private paint() {
+    const { c, scene } = this, { shape, palette } = scene, ratio = window.devicePixelRatio;
+    c.setTransform(ratio, 0, 0, ratio, 0, 0);
+    c.fillStyle = palette.background;
+    c.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    if (!shape || shape.points.length === 0) return;
+    this.fill(shape, null, palette.fill);
+    this.fillBends(shape);
+    if (scene.selected !== null) this.fill(shape, scene.selected, palette.selected);
+    this.fillOverlaps(shape);
+    this.strokeBendLines(shape);
+    this.strokeOutline(shape);
+    const writer = new LabelWriter(c, palette.halo);
+    this.markFindings(writer);
+    this.dimension(writer);
+    this.writeLabels(shape, writer);
+  }
+
+  private dimension(writer: LabelWriter) {
+    const r = this.rectangle, { palette, units } = this.scene;
+    if (!r) return;
+    const box = r.corners.map((p) => this.at(...p)) as typeof r.corners;
+    drawDimensions(this.c, box, r.size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
+  }
+
+  private fill(shape: Shape, part: number | null, color: string) {
+    const { c } = this;
+    c.beginPath();
+    for (let f = 0; f < shape.facet_part.length; ++f)
+      if (part === null || shape.facet_part[f] === part) this.trace(shape, f);
+    c.fillStyle = color;
+    c.strokeStyle = color;
+    c.lineWidth = 0.6; // closes the hairs between facets
+    c.fill('evenodd');
+    c.stroke();
+  }
+
+  private fillBends(shape: Shape) {
+    const { c } = this;
+    c.beginPath();
+    for (let f = 0; f < shape.facet_part.length; ++f) if (shape.parts[shape.facet_part[f]!]?.kind === 'bend') this.trace(shape, f);
+    c.globalAlpha = 0.28;
+    c.fillStyle = this.scene.palette.bend;
+    c.fill('evenodd');
+    c.globalAlpha = 1;
+  }
+
+  private trace(shape: Shape, f: number) {
+    const { c } = this;
+    for (let p = shape.facet_starts[f]!; p < shape.facet_starts[f + 1]!; ++p)
+      for (let r = shape.polygon_starts[p]!; r < shape.polygon_starts[p + 1]!; ++r) {
+        const first = shape.ring_starts[r]!, end = shape.ring_starts[r + 1]!;
+        for (let i = first; i < end; ++i) {
+          const [x, y] = this.at(shape.points[2 * i]!, shape.points[2 * i + 1]!);
+          if (i === first) c.moveTo(x, y);
+          else c.lineTo(x, y);
+        }
+        c.closePath();
+      }
+  }
+
+  private fillOverlaps(shape: Shape) {
+    const { c } = this, o = shape.overlaps;
+    if (o.length === 0) return;
+    c.beginPath();
+    for (let i = 0; i + 5 < o.length; i += 6) {
+      c.moveTo(...this.at(o[i]!, o[i + 1]!));
+      c.lineTo(...this.at(o[i + 2]!, o[i + 3]!));
+      c.lineTo(...this.at(o[i + 4]!, o[i + 5]!));
+      c.closePath();
+    }
+    c.fillStyle = this.scene.palette.overlap;
+    c.fill();
+  }
+
+  private strokeOutline(shape: Shape) {
+    const { c } = this, e = shape.edges;
+    c.beginPath();
+    for (let i = 0; i + 3 < e.length; i += 4) {
+      c.moveTo(...this.at(e[i]!, e[i + 1]!));
+      c.lineTo(...this.at(e[i + 2]!, e[i + 3]!));
+    }
+    c.strokeStyle = this.scene.palette.outline;
+    c.lineWidth = 1.3;
+    c.lineCap = 'round';
+    c.setLineDash([]);
+    c.stroke();
+  }
+
+  private strokeBendLines(shape: Shape) {
+    const { c } = this, { palette, selected } = this.scene, l = shape.bend_lines;
+    for (let i = 0; i < shape.bend_line_part.length; ++i) {
+      const part = shape.bend_line_part[i]!;
+      c.beginPath();
+      c.moveTo(...this.at(l[4 * i]!, l[4 * i + 1]!));
+      c.lineTo(...this.at(l[4 * i + 2]!, l[4 * i + 3]!));
+      c.strokeStyle = this.isUp(shape, part) ? palette.up : palette.down;
+      const short = this.scale * this.lengthOf(l, i) < 30;
+      c.lineWidth = part === selected ? 2.6 : short ? 0.6 : 1.1;
+      c.lineCap = 'butt';
+      c.setLineDash(short ? [] : this.isUp(shape, part) ? [7, 4] : [7, 3, 2, 3]);
+      c.stroke();
+    }
+    c.setLineDash([]);
+  }
+
+  private isUp(shape: Shape, part: number): boolean {
+    return (shape.parts[part]?.angle ?? 1) >= 0 && this.bendRow(shape, part)?.direction !== 'down';
+  }
+
+  private bendRow(shape: Shape, part: number) {
+    return this.rows(shape).get(shape.parts[part]?.name ?? '');
+  }
+
+  private rowsOf: Shape | null = null;
+  private rowMap = new Map<string, BendRow>();
+  private rows(shape: Shape) {
+    if (this.rowsOf !== shape) {
+      this.rowsOf = shape;
+      this.rowMap = new Map((this.scene.report?.flat?.bends ?? []).map((b) => [b.id, b]));
+    }
+    return this.rowMap;
+  }
+
+  private markFindings(writer: LabelWriter) {
+    const { c } = this, { palette, findings, finding, report } = this.scene, factor = millimetres(report?.units);
+    findings.forEach((f, i) => {
+      for (const at of f.at ?? []) {
+        const [x, y] = this.at(at[0] * factor, at[1] * factor), r = i === finding ? 10 : 7;
+        c.beginPath();
+        c.arc(x, y, r, 0, 2 * Math.PI);
+        c.fillStyle = palette[f.severity];
+        c.globalAlpha = 0.9;
+        c.fill();
+        c.globalAlpha = 1;
+        c.strokeStyle = palette.halo;
+        c.lineWidth = 1.5;
+        c.stroke();
+        c.fillStyle = palette.background;
+        c.font = 'bold 10px system-ui, sans-serif';
+        c.textAlign = 'center';
+        c.textBaseline = 'middle';
+        c.fillText(String(i + 1), x, y + 0.5);
+        writer.reserve({ x: x - r, y: y - r, w: 2 * r, h: 2 * r });
+      }
+    });
+  }
+
+  private writeLabels(shape: Shape, writer: LabelWriter) {
+    const { palette, selected, report } = this.scene;
+    const written = new Set<number>();
+    const marks = report?.flat?.labels ?? [], factor = millimetres(report?.units);
+    const l = shape.bend_lines, lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort((a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i));
+    const ridges = shape.handles.ridges !== undefined; // too many to be named; strips are
+    for (const { part, i } of [...lines.filter((x) => x.part === selected), ...(ridges ? [] : lines)]) {
+      if (written.has(part)) continue;
+      const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!), room = Math.hypot(b[0] - a[0], b[1] - a[1]) - 6;
+      const color = this.isUp(shape, part) ? palette.up : palette.down, angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
+      const along = (t: number) => writer.write({
+        text: this.bendText(shape, part), at: [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])], angle, room: 2 * Math.min(t, 1 - t) * room, color, weight: part === selected ? 'bold' : 'normal' });
+      if ([0.5, 0.27, 0.73].some(along)) written.add(part);
+    }
+    for (const m of marks) writer.write({ text: m.text, at: this.at(m.at[0] * factor, m.at[1] * factor), angle: 0, room: 200, color: palette.label, weight: 'bold' });
+    if (marks.length) return;
+    this.places ??= labelPlaces(shape);
+    for (const [part, { at, room }] of this.places) {
+      if (room * this.scale < 9) continue;
+      const { name, plate } = shape.parts[part]!;
+      writer.write({ text: plate ?? name, at: this.at(...at), angle: 0, room: 400, color: palette.label, weight: 'bold' });
+    }
+  }
+
+  private bendText(shape: Shape, part: number): string {
+    const row = this.bendRow(shape, part), name = shape.parts[part]?.name ?? '';
+    if (!row) return name;
+    const radius = row.inside_radius > 0 ? ` R${lengthText(row.inside_radius, this.scene.report?.units, this.scene.units)}` : '';
+    return `${name} ${row.direction} ${clean(row.angle, 1)}°${radius}`;
+  }
+
+  private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
+}
+
+function distanceToSegment(x: number, y: number, a: Vec2, b: Vec2): number {
+  const dx = b[0] - a[0], dy = b[1] - a[1], l = dx * dx + dy * dy;
+  const t = l === 0 ? 0 : Math.max(0, Math.min(1, ((x - a[0]) * dx + (y - a[1]) * dy) / l));
+  return Math.hypot(x - a[0] - t * dx, y - a[1] - t * dy);
+}

@@ -1,0 +1,306 @@
+import {
+  Box3, Color, Matrix4, Object3D, OrthographicCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
+import { drawnInSoftware } from './graphics.ts';
+import { SheetObject } from './sheet-object.ts';
+import type { Palette } from './theme.ts';
+import { frameDrawn } from './timings.ts';
+import type { AnchorSpec, Shape, Vec3 } from './types.ts';
+
+export type StandardView = 'front' | 'top' | 'right' | 'iso';
+
+export interface FoldedViewEvents {
+  pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
+  pickAnchor(anchor: number): void;
+  pickRidgeEnd(end: RidgeEnd): void;
+  dragAnchor(anchor: number, at: Vec3, event: number): void;
+  dragPlate(id: string, moved: Matrix4, event: number): void;
+  dragEnd(): void;
+}
+
+export interface Overlay {
+  anchors: AnchorSpec[];
+  scale: number; // millimetres in a unit of the anchors
+  plate: string | null;
+  numbered: string[]; // plates whose edges bear their numbers
+  anchor: number | null;
+  gizmo: 'translate' | 'rotate';
+  ridges: number; // of a strip before it is subdivided
+  handles: boolean; // whether handles fit what is shown: not while it is partly folded
+}
+
+/** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
+const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
+
+/** The folded sheet. Draws when something changed, never by the clock. */
+export class FoldedView {
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
+  private orbit: OrbitControls;
+  private upright: 'y' | 'z' = 'z';
+  private readonly gizmo: TransformControls;
+  private readonly grip = new Object3D();
+  private readonly sheet = new SheetObject();
+  private readonly handles = new HandleObjects();
+  private shape: Shape | null = null;
+  private overlay: Overlay = { anchors: [], scale: 1, plate: null, numbered: [], anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
+  private palette: Palette;
+  private gripStart = new Matrix4();
+  private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
+  private frame = 0;
+  private radius = 100;
+
+  private readonly box: HTMLElement;
+  private readonly events: FoldedViewEvents;
+  constructor(box: HTMLElement, palette: Palette, events: FoldedViewEvents) {
+    this.box = box;
+    this.events = events;
+    this.palette = palette;
+    this.renderer = new WebGLRenderer({ antialias: !drawnInSoftware });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    const canvas = this.renderer.domElement;
+    canvas.dataset.testid = 'folded-canvas';
+    box.append(canvas);
+    this.camera.up.set(0, 0, 1);
+    this.scene.add(this.sheet.group, this.handles.group, this.grip);
+    this.orbit = this.orbiting();
+    this.gizmo = new TransformControls(this.camera, canvas);
+    this.gizmo.setSize(0.8);
+    this.scene.add(this.gizmo.getHelper());
+    this.listen(canvas);
+    new ResizeObserver(() => this.resize()).observe(box);
+    this.resize();
+    this.look('iso');
+  }
+
+  setShape(shape: Shape | null, share: number, thickness: number, selected: number | null, held = 0) {
+    this.shape = shape;
+    this.sheet.group.visible = shape !== null;
+    if (shape) {
+      this.sheet.setShape(shape, thickness, share, held);
+      this.sheet.paint(this.palette, selected);
+    }
+    this.showHandles();
+    this.draw();
+  }
+
+  setShare(share: number) {
+    this.sheet.setShare(share);
+    this.draw();
+  }
+
+  paint(palette: Palette, selected: number | null) {
+    this.palette = palette;
+    this.sheet.paint(palette, selected);
+    this.showHandles();
+    this.draw();
+  }
+
+  setOverlay(overlay: Overlay) {
+    this.overlay = overlay;
+    this.showHandles();
+    this.attachGizmo();
+    this.draw();
+  }
+
+  fit() {
+    const box = new Box3();
+    this.sheet.boundsInto(box);
+    if (box.isEmpty()) return;
+    const sphere = box.getBoundingSphere(new Sphere());
+    this.radius = Math.max(sphere.radius, 1e-3);
+    const direction = this.camera.position.clone().sub(this.orbit.target).normalize();
+    this.orbit.target.copy(sphere.center);
+    this.camera.position.copy(sphere.center).addScaledVector(direction, 4 * this.radius);
+    this.camera.near = -8 * this.radius;
+    this.camera.far = 16 * this.radius;
+    this.camera.zoom = this.fittingZoom(box, direction);
+    this.camera.updateProjectionMatrix();
+    this.orbit.update();
+    this.draw();
+  }
+
+  look(view: StandardView) {
+    const [x, y, z] = directions[view], direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+    this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
+    this.orbit.update();
+    this.fit();
+  }
+
+  /** Which axis of space stands upright. */
+  setUp(up: 'y' | 'z') {
+    if (up === this.upright) return;
+    this.upright = up;
+    this.camera.up.set(0, up === 'y' ? 1 : 0, up === 'z' ? 1 : 0);
+    const { target } = this.orbit;
+    this.orbit.dispose();
+    this.orbit = this.orbiting(); // it takes its axis once, when it is made
+    this.orbit.target.copy(target);
+    this.look('iso');
+  }
+
+  private orbiting(): OrbitControls {
+    const orbit = new OrbitControls(this.camera, this.renderer.domElement);
+    orbit.zoomToCursor = true;
+    orbit.addEventListener('change', () => this.draw());
+    return orbit;
+  }
+
+  /** Where a point in space is seen, in client coordinates: for tests. */
+  project(at: Vec3): { x: number; y: number } {
+    const p = this.toScreen(at), r = this.renderer.domElement.getBoundingClientRect();
+    return { x: r.left + p.x, y: r.top + p.y };
+  }
+
+  private fittingZoom(box: Box3, direction: Vector3): number {
+    const right = new Vector3().crossVectors(this.camera.up, direction).normalize(), top = new Vector3().crossVectors(direction, right);
+    const center = box.getCenter(new Vector3());
+    let w = 1e-6, h = 1e-6;
+    for (let i = 0; i < 8; ++i) {
+      const corner = new Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).sub(center);
+      w = Math.max(w, Math.abs(corner.dot(right)));
+      h = Math.max(h, Math.abs(corner.dot(top)));
+    }
+    return 0.88 * Math.min(this.camera.right / w, this.camera.top / h);
+  }
+
+  private listen(canvas: HTMLCanvasElement) {
+    canvas.addEventListener('pointerdown', (e) => this.down(e), true);
+    canvas.addEventListener('pointermove', (e) => this.move(e));
+    canvas.addEventListener('pointerup', (e) => this.up(e));
+    this.gizmo.addEventListener('change', () => { if (!this.gizmo.dragging) this.draw(); }); // else the geometry that follows does
+    this.gizmo.addEventListener('dragging-changed', (e) => {
+      this.orbit.enabled = !e.value;
+      if (e.value) this.gripStart.copy(this.grip.matrixWorld);
+      else {
+        this.events.dragEnd();
+        this.attachGizmo();
+      }
+    });
+    this.gizmo.addEventListener('objectChange', () => {
+      this.grip.updateMatrix();
+      const moved = this.grip.matrix.clone().multiply(this.gripStart.clone().invert());
+      if (this.overlay.plate) this.events.dragPlate(this.overlay.plate, moved, performance.now());
+    });
+  }
+
+  private down(e: PointerEvent) {
+    if (e.button !== 0) return;
+    const anchor = this.overlay.handles ? this.nearest(e, this.overlay.anchors.map((a) => this.anchorAt(a)), 12) : null;
+    const plane = new Plane();
+    if (anchor !== null) {
+      const at = new Vector3(...this.anchorAt(this.overlay.anchors[anchor]!));
+      plane.setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new Vector3()), at);
+      this.orbit.enabled = false;
+      this.renderer.domElement.setPointerCapture(e.pointerId);
+      this.events.pickAnchor(anchor);
+    }
+    this.press = { x: e.clientX, y: e.clientY, anchor, plane };
+  }
+
+  private move(e: PointerEvent) {
+    if (!this.press || this.press.anchor === null) return;
+    const at = this.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
+    const { scale } = this.overlay;
+    if (at) this.events.dragAnchor(this.press.anchor, [at.x / scale, at.y / scale, at.z / scale], performance.now());
+  }
+
+  private up(e: PointerEvent) {
+    const press = this.press;
+    this.press = null;
+    if (!press || e.button !== 0) return;
+    if (press.anchor !== null) {
+      this.orbit.enabled = true;
+      this.events.dragEnd();
+      return;
+    }
+    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.gizmo.dragging || this.gizmo.axis) return;
+    this.click(e);
+  }
+
+  private click(e: PointerEvent) {
+    if (this.shape && this.overlay.handles) {
+      const ends = ridgeEnds(this.shape.handles, this.overlay.ridges), end = this.nearest(e, ends.map((r) => r.at), 7);
+      if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
+    }
+    const hit = this.sheet.empty ? undefined : this.ray(e).intersectObject(this.sheet.skin, false)[0];
+    const found = hit?.faceIndex === undefined || hit.faceIndex === null ? null : this.sheet.facetOf(hit.faceIndex);
+    this.events.pickFacet(found?.facet ?? null, found?.upper ?? true, hit ? (hit.point.toArray() as Vec3) : null);
+  }
+
+  private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
+    const r = this.renderer.domElement.getBoundingClientRect();
+    let best: number | null = null, least = within;
+    places.forEach((place, i) => {
+      const p = this.toScreen(place), d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
+      if (d < least) { least = d; best = i; }
+    });
+    return best;
+  }
+
+  private anchorAt = (a: AnchorSpec): Vec3 => a.at.map((v) => v * this.overlay.scale) as Vec3;
+
+  private toScreen(at: Vec3) {
+    const p = new Vector3(...at).project(this.camera), canvas = this.renderer.domElement;
+    return { x: ((p.x + 1) / 2) * canvas.clientWidth, y: ((1 - p.y) / 2) * canvas.clientHeight };
+  }
+
+  private ray(e: PointerEvent): Raycaster {
+    const r = this.renderer.domElement.getBoundingClientRect(), ray = new Raycaster();
+    ray.setFromCamera(new Vector2(((e.clientX - r.left) / r.width) * 2 - 1, 1 - ((e.clientY - r.top) / r.height) * 2), this.camera);
+    return ray;
+  }
+
+  private showHandles() {
+    const shown = this.overlay.handles ? (this.shape?.handles ?? {}) : {};
+    this.handles.set(shown, this.overlay.handles ? this.overlay.anchors : [], this.palette, this.overlay, this.overlay.scale, this.overlay.ridges);
+  }
+
+  /** The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate follows. */
+  private attachGizmo() {
+    if (this.gizmo.dragging) return;
+    const plate = this.overlay.handles ? this.shape?.handles.plates?.find((p) => p.id === this.overlay.plate) : undefined;
+    if (!plate) {
+      this.gizmo.detach();
+      return;
+    }
+    const middle = new Vector3();
+    for (const c of plate.corners) middle.add(new Vector3(...c));
+    this.grip.position.copy(middle.divideScalar(plate.corners.length));
+    this.grip.quaternion.identity();
+    this.grip.scale.set(1, 1, 1);
+    this.grip.updateMatrixWorld(true);
+    this.gizmo.setMode(this.overlay.gizmo);
+    this.gizmo.attach(this.grip);
+  }
+
+  /** After new geometry: handles may have moved with it. */
+  follow() {
+    this.attachGizmo();
+  }
+
+  private resize() {
+    const { clientWidth: w, clientHeight: h } = this.box;
+    if (w === 0 || h === 0) return;
+    this.renderer.setSize(w, h);
+    this.camera.left = -w / 2;
+    this.camera.right = w / 2;
+    this.camera.top = h / 2;
+    this.camera.bottom = -h / 2;
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  draw() {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.renderer.setClearColor(new Color(this.palette.background));
+      this.renderer.render(this.scene, this.camera);
+      frameDrawn();
+    });
+  }
+}

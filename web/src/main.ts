@@ -1,0 +1,185 @@
+import { html, nothing, render } from 'lit-html';
+import { Api } from './api.ts';
+import { Computation, problemOf } from './compute.ts';
+import { Documents } from './documents.ts';
+import { keepInput } from './kept.ts';
+import { removeAnchor } from './edits/slit.ts';
+import { messageBar } from './panels/message-bar.ts';
+import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
+import { sidePanel } from './panels/side-panel.ts';
+import { chooseFile, topBar } from './panels/top-bar.ts';
+import { initialState, Store, type Theme } from './state.ts';
+import './styles.css';
+import type { DxfProfile, FileFormat, Options, SlitSpec, Spec } from './types.ts';
+import type { Ui } from './ui.ts';
+import { Views } from './views.ts';
+
+window.planishTimings = [];
+const api = new Api(location.hash.slice(1));
+const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
+document.documentElement.dataset.theme = store.state.theme;
+
+const root = document.getElementById('app')!;
+root.innerHTML = `<header></header><div class="messages"></div><main>
+  <div class="view folded"><div class="canvas"></div><div class="buttons"></div><div class="fold"></div></div>
+  <div class="view flat"><div class="canvas"></div><div class="title">Flat pattern</div></div><div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
+const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
+
+const ui: Ui = {
+  get state() { return store.state; },
+  dispatch: store.dispatch,
+  edit: (change, live = false) => {
+    const { input } = store.state;
+    if (!input.spec) return;
+    if (live) computation.dragged(performance.now());
+    store.dispatch({ type: 'edit', input: { ...input, spec: (change as unknown as (s: Spec) => Spec)(input.spec) }, live });
+  },
+  editOptions: (change, live = false) => {
+    const { input } = store.state;
+    store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
+  },
+  commit: () => store.dispatch({ type: 'commit' }),
+  faceUp: (upper) => void faceUp(upper),
+  openFiles: (files) => void documents.openFiles([...files]),
+  openExample: (name) => void documents.openExample(name),
+  download,
+  cancel: () => computation.cancel(),
+  look: (view) => views.folded.look(view),
+  fit: () => views.fit(),
+  animate,
+  setTheme: (theme: Theme) => {
+    document.documentElement.dataset.theme = theme;
+    store.dispatch({ type: 'theme', theme });
+  },
+};
+const views = new Views(ui, part('.folded .canvas'), part('.flat .canvas'), (at) => computation.dragged(at));
+const computation = new Computation(api, store, (shape) => views.show(shape), () => documents.reopen());
+const documents = new Documents(api, store);
+
+let waiting = 0;
+let scrolledFor: string | undefined;
+store.subscribe((state, before) => {
+  views.changed(state, before);
+  waiting ||= requestAnimationFrame(() => {
+    waiting = 0;
+    draw();
+  });
+});
+
+function draw() {
+  root.classList.toggle('stale', store.state.stale);
+  render(topBar(ui), part('header'));
+  render(messageBar(ui), part('.messages'));
+  render(sidePanel(ui), part('aside'));
+  if (store.state.document?.id !== scrolledFor) {
+    scrolledFor = store.state.document?.id;
+    part('.content').scrollTop = 0;
+  }
+  render(foldBar(ui), part('.fold'));
+  render(viewButtons(ui), part('.buttons'));
+  render(startScreen(ui), part('.over'));
+  render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
+}
+
+const withoutHoles = (o: Options) => Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
+
+async function download(format: FileFormat, profile?: DxfProfile) {
+  const { document: d, input } = store.state;
+  if (!d) return;
+  try {
+    const blob = await api.file(d.id, format, { spec: input.spec ?? undefined, options: { ...input.options, ...(profile && profile !== 'standard' ? { profile } : {}) } });
+    const link = document.createElement('a'), url = URL.createObjectURL(blob);
+    link.href = url;
+    link.download = fileName(d.name, format, input.options.piece);
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+  } catch (error) {
+    store.dispatch({ type: 'problem', problem: problemOf(error) });
+  }
+}
+
+function fileName(name: string, format: FileFormat, piece?: number): string {
+  const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : '');
+  return format === 'spec' ? `${stem}.json` : format === 'json' ? `${stem}-report.json` : format === 'mould.stl' ? `${stem}-mould.stl` : format === 'flat.step' ? `${stem}-flat.step` : `${stem}.${format}`;
+}
+
+/** Options name a side by the skin that is unfolded; which of the two that is, the shape with this one up shows. */
+async function faceUp(upper: boolean) {
+  const { document: d, input, shape } = store.state;
+  if (!d || !shape) return;
+  try {
+    const reference = await api.draft(d.id, { options: { ...input.options, up: 'reference' } });
+    const along = [2, 6, 10].reduce((sum, i) => sum + (shape.root[i] ?? 0) * (reference.root[i] ?? 0), 0);
+    ui.editOptions((o) => ({ ...o, up: along > 0 === upper ? 'reference' : 'other' }));
+  } catch (error) {
+    store.dispatch({ type: 'problem', problem: problemOf(error) });
+  }
+}
+
+let animation = 0;
+function animate() {
+  cancelAnimationFrame(animation);
+  const from = store.state.fold, to = from > 0.5 ? 0 : 1, start = performance.now(), duration = 900 * Math.abs(to - from);
+  const step = (now: number) => {
+    const t = Math.min(1, Math.max(0, (now - start) / duration)), eased = t * t * (3 - 2 * t);
+    store.dispatch({ type: 'fold', fold: t === 1 ? to : from + (to - from) * eased });
+    if (t < 1) animation = requestAnimationFrame(step);
+  };
+  animation = requestAnimationFrame(step);
+}
+
+const views1 = ['front', 'top', 'right', 'iso'] as const;
+window.addEventListener('keydown', (e) => {
+  const target = e.target as HTMLElement, typing = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
+  const key = e.key.toLowerCase();
+  if (e.ctrlKey || e.metaKey) {
+    if (key === 'o') chooseFile();
+    else if (typing || !(key === 'z' || key === 'y')) return;
+    else store.dispatch({ type: key === 'y' || e.shiftKey ? 'redo' : 'undo' });
+    e.preventDefault();
+    return;
+  }
+  if (key === 'escape') return escape(target);
+  if (typing || e.altKey) return;
+  const view = views1[Number(key) - 1];
+  if (view) ui.look(view);
+  else if (key === 'f') ui.fit();
+  else if (key === ' ' && !target.matches('button, summary')) { animate(); e.preventDefault(); }
+  else if (key === '?') store.dispatch({ type: 'help', help: !store.state.help });
+  else if (key === 'm') store.dispatch({ type: 'gizmo', gizmo: 'translate' });
+  else if (key === 't') store.dispatch({ type: 'gizmo', gizmo: 'rotate' });
+  else if (key === 'delete' || key === 'backspace') dropAnchor();
+});
+
+function escape(target: HTMLElement) {
+  target.blur();
+  root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
+  store.dispatch({ type: 'help', help: false });
+  store.dispatch({ type: 'pick', pick: 'none' });
+  store.dispatch({ type: 'select', selection: {} });
+}
+
+function dropAnchor() {
+  const { anchor } = store.state.selection;
+  if (anchor === null) return;
+  ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
+  store.dispatch({ type: 'select', selection: {} });
+}
+
+window.addEventListener('pointerdown', (e) => {
+  root.querySelectorAll('details.menu[open]').forEach((m) => { if (!m.contains(e.target as Node)) m.removeAttribute('open'); });
+});
+window.addEventListener('dragover', (e) => { e.preventDefault(); root.classList.add('dropping'); });
+window.addEventListener('dragleave', (e) => { if (!e.relatedTarget) root.classList.remove('dropping'); });
+window.addEventListener('drop', (e) => {
+  e.preventDefault();
+  root.classList.remove('dropping');
+  if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
+});
+window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
+store.subscribe((state, before) => { if (state.input !== before.input && !state.pending) keepInput(state.input); });
+
+draw();
+api.examples().then((examples) => store.dispatch({ type: 'examples', examples }), (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }));
+void documents.begin();
+Object.assign(window, { planish: { store, views } }); // for tests, and for the curious

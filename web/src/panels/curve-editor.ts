@@ -1,0 +1,53 @@
+import { html, svg, type TemplateResult } from 'lit-html';
+import { bezierPoints, lengthOf, raised } from '../edits/slit.ts';
+import type { LengthUnit, Vec2 } from '../types.ts';
+import { lengthText } from '../units.ts';
+import type { Ui } from '../ui.ts';
+
+export interface CurveOptions {
+  name: string;
+  axes: [string, string];
+  control: Vec2[];
+  resting: Vec2[]; // as it was before the drag: the picture stands still meanwhile
+  units: LengthUnit | undefined;
+  note?: string;
+  on: (control: Vec2[], live: boolean) => void;
+}
+
+const [width, height, margin] = [312, 190, 22];
+
+/** A Bézier curve whose control points are dragged. */
+export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
+  const box = bounds(o.resting), scale = Math.min((width - 2 * margin) / box.w, (height - 2 * margin) / box.h);
+  const at = ([x, y]: Vec2): Vec2 => [width / 2 + (x - box.x) * scale, height / 2 - (y - box.y) * scale];
+  const drag = (i: number) => (e: PointerEvent) => {
+    const circle = e.target as SVGCircleElement, r = circle.ownerSVGElement!.getBoundingClientRect(), zoom = width / r.width;
+    circle.setPointerCapture(e.pointerId);
+    const move = (m: PointerEvent) => {
+      const x = (m.clientX - r.left) * zoom, y = (m.clientY - r.top) * zoom;
+      const p: Vec2 = [Number((box.x + (x - width / 2) / scale).toFixed(2)), Number((box.y - (y - height / 2) / scale).toFixed(2))];
+      o.on(o.control.map((q, j) => (j === i ? p : q)), true);
+    };
+    const end = () => {
+      circle.removeEventListener('pointermove', move);
+      ui.commit();
+    };
+    circle.addEventListener('pointermove', move);
+    circle.addEventListener('pointerup', end, { once: true });
+    circle.addEventListener('pointercancel', end, { once: true });
+  };
+  const path = (points: Vec2[]) => points.map(at).map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ');
+  return html`<svg class="curve" viewBox="0 0 ${width} ${height}" data-testid="curve-${o.name}">
+      <text x="6" y="14" class="axis">${o.axes[1]} ↑</text><text x=${width - 6} y=${height - 6} text-anchor="end" class="axis">${o.axes[0]} →</text>
+      <polyline points=${path(o.control)} class="control" /><polyline points=${path(bezierPoints(o.control))} class="line" />
+      ${o.control.map((p, i) => { const [x, y] = at(p); return svg`<g><circle cx=${x} cy=${y} r="6" data-testid="curve-${o.name}-${i}" @pointerdown=${drag(i)}><title>${`${o.axes[0]} ${p[0]}, ${o.axes[1]} ${p[1]}`}</title></circle></g>`; })}
+    </svg>
+    <p class="row curve-note"><span class="hint">${lengthText(lengthOf(o.control), o.units, ui.state.units)} long${o.note ?? ''}</span>
+      <button class="link" title="One control point more" data-testid="curve-${o.name}-raise" @click=${() => o.on(raised(o.control), false)}>+ point</button></p>`;
+}
+
+function bounds(control: Vec2[]) {
+  const xs = control.map((p) => p[0]), ys = control.map((p) => p[1]);
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)], room = 0.35 * Math.max(x1 - x0, y1 - y0, 1);
+  return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, w: x1 - x0 + room, h: y1 - y0 + room };
+}

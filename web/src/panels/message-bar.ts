@@ -1,0 +1,30 @@
+import { html, nothing } from 'lit-html';
+import type { State } from '../state.ts';
+import type { Ui } from '../ui.ts';
+
+/** One line that is always there, so that nothing moves when it has something to say. */
+export function messageBar(ui: Ui) {
+  const { problem, note, busy, progress } = ui.state;
+  return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
+    <span class="message ${problem ? 'error' : ''}" role="status" data-testid="message" title=${problem?.message ?? ''}>${problem
+      ? html`${problem.message}<small>[${problem.code}]${problem.where ? ` ${problem.where}` : ''}</small>` : note ?? hint(ui.state)}</span>
+    <span class="work">${busy ? html`<span>${progress?.stage ?? 'computing'}</span><progress data-testid="progress" max="1" .value=${progress ? progress.share : 0}></progress>
+      <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>` : nothing}</span>`;
+}
+
+function statusOf(s: State): string {
+  if (!s.document) return s.computing ? 'opening' : 'ready';
+  if (s.problem) return s.shape?.report.status === 'refused' ? 'refused' : 'error';
+  if (!s.shape) return 'computing';
+  if (s.shapeIsDraft) return 'draft';
+  return s.shape.report.status === 'warning' ? 'warning' : 'ok';
+}
+
+const tone = (s: State) => ({ ok: 'good', warning: 'warning', refused: 'error', error: 'error' } as Record<string, string>)[statusOf(s)] ?? '';
+
+function hint(s: State): string {
+  if (s.pick === 'root') return 'Click the flange that stays where it is. Esc ends it.';
+  if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc ends it.';
+  const count = s.result && !s.shapeIsDraft ? s.result.report.checks.length : 0;
+  return count ? `${count} finding${count > 1 ? 's' : ''}; see “Findings”.` : '';
+}

@@ -1,0 +1,30 @@
+import { DoubleSide, ShaderMaterial } from 'three';
+
+// Light from above, from the upper left of the viewer and from the viewer, reckoned at corners: sheets are shaded by few
+// and large triangles, and a picture costs little even where a processor draws it.
+const vertexShader = /* glsl */ `
+  uniform bool twoSided;
+  attribute vec3 tint;
+  varying vec3 shade;
+  void main() {
+    vec3 n = normalize(normalMatrix * normal);
+    if (twoSided && n.z < 0.0) n = -n;
+    float above = 0.5 + 0.5 * dot(n, normalize((viewMatrix * vec4(0.0, 0.6, 0.8, 0.0)).xyz));
+    float key = max(dot(n, vec3(-0.42, 0.66, 0.62)), 0.0);
+    float light = 0.30 + 0.14 * above + 0.46 * key + 0.22 * max(n.z, 0.0);
+    float gleam = 0.10 * pow(max(dot(n, vec3(-0.23, 0.37, 0.90)), 0.0), 40.0);
+    shade = pow(tint * light + gleam, vec3(1.0 / 2.2));
+    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  }`;
+
+const fragmentShader = /* glsl */ `
+  varying vec3 shade;
+  void main() { gl_FragColor = vec4(shade, 1.0); }`;
+
+/** For geometries with normals and an attribute `tint`, linear colours at corners. */
+export function sheetMaterial(twoSided: boolean): ShaderMaterial {
+  return new ShaderMaterial({
+    vertexShader, fragmentShader, side: DoubleSide, uniforms: { twoSided: { value: twoSided } },
+    polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1,
+  });
+}

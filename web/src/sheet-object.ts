@@ -1,0 +1,181 @@
+import {
+  BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3,
+} from 'three';
+import { sheetMaterial } from './sheet-material.ts';
+import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
+import type { Palette } from './theme.ts';
+import type { Shape } from './types.ts';
+
+/** The sheet as three.js draws it: both skins, the cut rim, outline and tangent lines. */
+export class SheetObject {
+  readonly group = new Group();
+  readonly skin: Mesh;
+  private readonly rim: Mesh;
+  private readonly outline: LineSegments;
+  private readonly creases: LineSegments;
+  private readonly solid: Mesh;
+  private readonly marked: LineSegments;
+  private mesh: SheetMesh | null = null;
+  private thickness = 1;
+  private held = 0;
+  private readonly rimTint = new Color();
+
+  constructor() {
+    this.skin = new Mesh(new BufferGeometry(), sheetMaterial(false));
+    this.rim = new Mesh(new BufferGeometry(), sheetMaterial(true));
+    this.solid = new Mesh(new BufferGeometry(), sheetMaterial(true));
+    this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
+    this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
+    this.marked = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
+    this.marked.renderOrder = 1;
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.solid, this.marked);
+    for (const o of this.group.children) o.frustumCulled = false;
+  }
+
+  setShape(shape: Shape, thickness: number, share: number, held: number) {
+    this.thickness = thickness;
+    this.held = held;
+    this.mesh = makeSheetMesh(shape);
+    const { triangles, rim, creases, cornerFacet } = this.mesh;
+    const n = cornerFacet.length;
+    replaceGeometry(this.skin, bothSkins(triangles, n));
+    this.skin.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(6 * n), 3));
+    replaceGeometry(this.outline, doubled(rim, n));
+    replaceGeometry(this.creases, doubled(creases, n));
+    replaceGeometry(this.marked, new BufferGeometry());
+    replaceGeometry(this.rim, new BufferGeometry());
+    replaceGeometry(this.solid, spaceGeometry(shape));
+    this.solid.visible = triangles.length === 0;
+    this.setShare(share);
+  }
+
+  setShare(share: number) {
+    if (!this.mesh) return;
+    const { positions, normals } = foldSheet(this.mesh, share, this.thickness, this.held);
+    const position = new BufferAttribute(positions, 3);
+    this.skin.geometry.setAttribute('position', position);
+    this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
+    this.outline.geometry.setAttribute('position', position);
+    this.creases.geometry.setAttribute('position', position);
+    this.marked.geometry.setAttribute('position', position);
+    setRim(this.rim.geometry, this.mesh.rim, positions);
+    if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count) setTint(this.rim.geometry, this.rimTint);
+    this.skin.geometry.boundingSphere = null;
+    this.skin.geometry.boundingBox = null;
+  }
+
+  paint(palette: Palette, selected: number | null) {
+    this.rimTint.set(palette.rim);
+    setTint(this.rim.geometry, this.rimTint);
+    setTint(this.solid.geometry, new Color(palette.flange));
+    (this.outline.material as LineBasicMaterial).color.set(palette.edge);
+    (this.creases.material as LineBasicMaterial).color.set(palette.crease);
+    (this.marked.material as LineBasicMaterial).color.set(palette.selected);
+    this.mark(selected);
+    const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;
+    if (!this.mesh || !color) return;
+    const { shape, cornerFacet } = this.mesh, n = cornerFacet.length;
+    const [flange, bend, flangeUnder, bendUnder, mark] = [palette.flange, palette.bend, palette.flangeUnder, palette.bendUnder, palette.selected].map((c) => new Color(c));
+    for (let c = 0; c < n; ++c) {
+      const part = shape.facet_part[cornerFacet[c]!]!, isBend = shape.parts[part]?.kind === 'bend';
+      const upper = part === selected ? mark! : isBend ? bend! : flange!;
+      const lower = part === selected ? mark! : isBend ? bendUnder! : flangeUnder!;
+      color.setXYZ(c, upper.r, upper.g, upper.b);
+      color.setXYZ(n + c, lower.r, lower.g, lower.b);
+    }
+    color.needsUpdate = true;
+  }
+
+  /** A sharp bend has no facets; its line is marked instead. */
+  private mark(selected: number | null) {
+    const { mesh } = this, pairs: number[] = [];
+    const sharp = mesh && selected !== null && mesh.shape.parts[selected]?.kind === 'bend' && !mesh.shape.facet_part.includes(selected);
+    if (sharp) for (let i = 0; i + 1 < mesh.hinges.length; i += 2) if (liesOn(mesh, mesh.hinges[i]!, mesh.hinges[i + 1]!, selected)) pairs.push(mesh.hinges[i]!, mesh.hinges[i + 1]!);
+    const index = doubled(Uint32Array.from(pairs), mesh?.cornerFacet.length ?? 0).getIndex();
+    this.marked.geometry.setIndex(index);
+  }
+
+  /** The facet under triangle `face` of the skin, and whether it is its upper side. */
+  facetOf(face: number): { facet: number; upper: boolean } | null {
+    if (!this.mesh) return null;
+    const half = this.mesh.triangleFacet.length;
+    const facet = this.mesh.triangleFacet[face % half];
+    return facet === undefined ? null : { facet, upper: face < half };
+  }
+
+  get empty() { return !this.mesh || (this.mesh.triangles.length === 0 && this.mesh.shape.space_triangles.length === 0); }
+
+  boundsInto(box: Box3) {
+    for (const mesh of [this.skin, this.solid]) {
+      const position = mesh.geometry.getAttribute('position') as BufferAttribute | undefined;
+      if (!position || position.count === 0) continue;
+      mesh.geometry.computeBoundingBox();
+      box.union(mesh.geometry.boundingBox!);
+    }
+  }
+}
+
+/** Whether the crease between two corners is a line of bend `part`. */
+function liesOn({ shape, corners }: SheetMesh, a: number, b: number, part: number): boolean {
+  const l = shape.bend_lines, [x, y] = [(corners[2 * a]! + corners[2 * b]!) / 2, (corners[2 * a + 1]! + corners[2 * b + 1]!) / 2];
+  return shape.bend_line_part.some((p, i) => {
+    if (p !== part) return false;
+    const ux = l[4 * i + 2]! - l[4 * i]!, uy = l[4 * i + 3]! - l[4 * i + 1]!, length = Math.hypot(ux, uy), vx = x - l[4 * i]!, vy = y - l[4 * i + 1]!;
+    const along = (vx * ux + vy * uy) / length;
+    return Math.abs(vx * uy - vy * ux) < 0.01 * length && along > -0.01 && along < length + 0.01;
+  });
+}
+
+function replaceGeometry(object: Mesh | LineSegments, geometry: BufferGeometry) {
+  object.geometry.dispose();
+  object.geometry = geometry;
+}
+
+function bothSkins(triangles: Uint32Array, n: number): BufferGeometry {
+  const index = new Uint32Array(2 * triangles.length);
+  index.set(triangles);
+  for (let i = 0; i < triangles.length; i += 3) {
+    index[triangles.length + i] = n + triangles[i]!;
+    index[triangles.length + i + 1] = n + triangles[i + 2]!;
+    index[triangles.length + i + 2] = n + triangles[i + 1]!;
+  }
+  return new BufferGeometry().setIndex(new BufferAttribute(index, 1));
+}
+
+function doubled(pairs: Uint32Array, n: number): BufferGeometry {
+  const index = new Uint32Array(2 * pairs.length);
+  index.set(pairs);
+  for (let i = 0; i < pairs.length; ++i) index[pairs.length + i] = n + pairs[i]!;
+  return new BufferGeometry().setIndex(new BufferAttribute(index, 1));
+}
+
+function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array) {
+  const quads = rim.length / 2, half = skins.length / 2;
+  const position = new Float32Array(18 * quads), normal = new Float32Array(18 * quads);
+  for (let q = 0; q < quads; ++q) {
+    const a = 3 * rim[2 * q]!, b = 3 * rim[2 * q + 1]!;
+    const at = [a, b, half + b, a, half + b, half + a];
+    at.forEach((from, i) => { for (let k = 0; k < 3; ++k) position[18 * q + 3 * i + k] = skins[from + k]!; });
+    const [ux, uy, uz] = [0, 1, 2].map((k) => skins[b + k]! - skins[a + k]!) as [number, number, number];
+    const [vx, vy, vz] = [0, 1, 2].map((k) => skins[half + a + k]! - skins[a + k]!) as [number, number, number];
+    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx], l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
+    for (let i = 0; i < 18; ++i) normal[18 * q + i] = n[i % 3]! / l;
+  }
+  geometry.setAttribute('position', new BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
+}
+
+function setTint(geometry: BufferGeometry, tint: Color) {
+  const count = geometry.getAttribute('position')?.count ?? 0, values = new Float32Array(3 * count);
+  for (let i = 0; i < count; ++i) values.set([tint.r, tint.g, tint.b], 3 * i);
+  geometry.setAttribute('tint', new BufferAttribute(values, 3));
+}
+
+function spaceGeometry(shape: Shape): BufferGeometry {
+  let geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(shape.space_points, 3));
+  geometry.setIndex(new BufferAttribute(shape.space_triangles, 1));
+  geometry = geometry.toNonIndexed(); // every triangle shaded by its own plane
+  geometry.computeVertexNormals();
+  return geometry;
+}

@@ -1,0 +1,151 @@
+import type { ApiProblem, Example, OpenDocument, Options, Progress, Report, Shape, Spec } from './types.ts';
+import type { DisplayUnit } from './units.ts';
+
+export interface Input { spec: Spec | null; options: Options }
+export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
+export type Theme = 'light' | 'dark';
+export type PickMode = 'none' | 'root' | 'up' | 'anchor';
+export type GizmoMode = 'translate' | 'rotate';
+
+/** Names what is picked: a part of the shape (bends and flanges), a plate or an anchor of the input. */
+export interface Selection { part: string | null; plate: string | null; anchor: number | null; finding: number | null }
+
+export interface State {
+  document: OpenDocument | null;
+  input: Input;
+  pending: Input | null; // what the input was before a drag that has not ended
+  past: Input[];
+  future: Input[];
+  shape: Shape | null;
+  shapeIsDraft: boolean;
+  result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
+  known: Report | null; // the last report with a pattern
+  selection: Selection;
+  fold: number;
+  pick: PickMode;
+  gizmo: GizmoMode;
+  tab: Tab;
+  units: DisplayUnit;
+  theme: Theme;
+  examples: Example[];
+  problem: ApiProblem | null;
+  stale: boolean; // what is shown is not of this input, which could not be computed
+  note: string | null;
+  busy: boolean; // for longer than half a second
+  computing: boolean;
+  progress: Progress | null;
+  help: boolean;
+}
+
+export type Action =
+  | { type: 'examples'; examples: Example[] }
+  | { type: 'opened'; document: OpenDocument; spec: Spec | null }
+  | { type: 'reopened'; document: OpenDocument }
+  | { type: 'edit'; input: Input; live?: boolean }
+  | { type: 'commit' }
+  | { type: 'undo' }
+  | { type: 'redo' }
+  | { type: 'shape'; shape: Shape; draft: boolean }
+  | { type: 'problem'; problem: ApiProblem | null; ofInput?: boolean }
+  | { type: 'note'; note: string | null }
+  | { type: 'computing'; computing: boolean }
+  | { type: 'busy'; busy: boolean; progress?: Progress | null }
+  | { type: 'select'; selection: Partial<Selection> }
+  | { type: 'fold'; fold: number }
+  | { type: 'pick'; pick: PickMode }
+  | { type: 'gizmo'; gizmo: GizmoMode }
+  | { type: 'tab'; tab: Tab }
+  | { type: 'units'; units: DisplayUnit }
+  | { type: 'theme'; theme: Theme }
+  | { type: 'help'; help: boolean };
+
+export const nothing: Selection = { part: null, plate: null, anchor: null, finding: null };
+
+export function initialState(theme: Theme): State {
+  return {
+    document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
+    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
+    examples: [], problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
+  };
+}
+
+const historyLength = 200;
+
+export function reduce(state: State, action: Action): State {
+  switch (action.type) {
+    case 'examples': return { ...state, examples: action.examples };
+    case 'opened': return opened(state, action.document, action.spec);
+    case 'reopened': return { ...state, document: action.document, problem: null };
+    case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input } : edited(state, action.input);
+    case 'commit': return state.pending ? edited(state, state.input) : state;
+    case 'undo': return undone(state);
+    case 'redo': return redone(state);
+    case 'shape': return shaped(state, action.shape, action.draft);
+    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null };
+    case 'note': return { ...state, note: action.note };
+    case 'computing': return { ...state, computing: action.computing };
+    case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
+    case 'select': return { ...state, selection: { ...nothing, ...action.selection } };
+    case 'fold': return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
+    case 'pick': return { ...state, pick: action.pick };
+    case 'gizmo': return { ...state, gizmo: action.gizmo };
+    case 'tab': return { ...state, tab: action.tab };
+    case 'units': return { ...state, units: action.units };
+    case 'theme': return { ...state, theme: action.theme };
+    case 'help': return { ...state, help: action.help };
+  }
+}
+
+function opened(state: State, document: OpenDocument, spec: Spec | null): State {
+  return {
+    ...initialState(state.theme), examples: state.examples, units: state.units, document, input: { spec, options: {} },
+    tab: state.document?.kind === document.kind ? state.tab : 'input',
+  };
+}
+
+function edited(state: State, input: Input): State {
+  const before = state.pending ?? state.input;
+  if (before === input || JSON.stringify(before) === JSON.stringify(input)) return { ...state, input, pending: null };
+  return { ...state, input, pending: null, past: [...state.past, before].slice(-historyLength), future: [] };
+}
+
+function undone(state: State): State {
+  const input = state.pending ?? state.past.at(-1);
+  if (!input) return state;
+  const past = state.pending ? state.past : state.past.slice(0, -1);
+  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null } };
+}
+
+function redone(state: State): State {
+  const [input, ...future] = state.future;
+  if (!input || state.pending) return state;
+  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null } };
+}
+
+function shaped(state: State, shape: Shape, draft: boolean): State {
+  const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
+  // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
+  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
+  return {
+    ...state, shape: shown, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
+    problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
+  };
+}
+
+export type Listener = (state: State, before: State) => void;
+
+export class Store {
+  state: State;
+  private readonly listeners: Listener[] = [];
+  constructor(state: State) {
+    this.state = state;
+  }
+  subscribe(listener: Listener) {
+    this.listeners.push(listener);
+  }
+  dispatch = (action: Action) => {
+    const before = this.state;
+    this.state = reduce(before, action);
+    if (this.state !== before) for (const listener of this.listeners) listener(this.state, before);
+  };
+}

@@ -1,0 +1,264 @@
+// The types of docs/studio-api.md and of the files and reports of the program.
+
+export type Kind = 'unfold' | 'connect' | 'transition' | 'slit';
+export type Vec2 = [number, number];
+export type Vec3 = [number, number, number];
+export type LengthUnit = 'mm' | 'inch' | 'm';
+
+export interface ApiProblem { code: string; message: string; where?: string | null }
+
+export interface Example { name: string; kind: Kind; title: string }
+
+export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
+export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
+
+export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
+
+export interface Options {
+  body?: number;
+  root?: 'largest' | number;
+  up?: 'auto' | 'reference' | 'other' | number;
+  k?: number | 'din6935';
+  bend_k?: Record<string, number>;
+  density?: number;
+  piece?: number;
+  align_scans?: boolean;
+  profile?: DxfProfile;
+  units?: LengthUnit;
+  splines?: 'arcs' | 'keep';
+  version?: 'r2000' | 'r12';
+}
+export type DxfProfile = 'standard' | 'inventor' | 'onshape' | 'solid_edge';
+export type FileFormat = 'dxf' | 'svg' | 'step' | 'flat.step' | 'stl' | 'mould.stl' | 'json' | 'spec';
+
+export interface Request { spec?: Spec; options: Options }
+export interface Progress { stage: string; share: number }
+
+// ---- shapes -------------------------------------------------------------------------------------------------------
+
+export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; faces: number[]; plate?: string }
+
+export interface Handles {
+  plates?: { id: string; corners: Vec3[] }[];
+  profiles?: { points: Vec3[] }[];
+  rulings?: [Vec3, Vec3][];
+  leg_curve?: Vec3[];
+  seat_curve?: Vec3[];
+  ridges?: [Vec3, Vec3][][];
+  scan?: Vec3[];
+}
+
+export interface ArrayPlace { type: 'f32' | 'u32' | 'i32'; at: number; count: number }
+
+export interface ShapeHeader {
+  report: Report;
+  arrays: Record<string, ArrayPlace>;
+  parts: Part[];
+  root: number[];
+  handles?: Handles;
+  seconds?: number;
+}
+
+export interface Facets {
+  points: Float32Array;
+  ring_starts: Uint32Array;
+  polygon_starts: Uint32Array;
+  facet_starts: Uint32Array;
+  facet_parent: Int32Array;
+  facet_hinge: Float32Array;
+  facet_angle: Float32Array;
+  facet_part: Uint32Array;
+  edges: Float32Array;
+  edge_facet: Uint32Array;
+  bend_lines: Float32Array;
+  bend_line_part: Uint32Array;
+  overlaps: Float32Array;
+  space_points: Float32Array;
+  space_triangles: Uint32Array;
+}
+
+export interface Shape extends Facets {
+  report: Report;
+  parts: Part[];
+  root: number[];
+  handles: Handles;
+  seconds: number;
+}
+
+// ---- reports ------------------------------------------------------------------------------------------------------
+
+export interface Alternative {
+  edges: Record<string, number[] | null>;
+  surface: string;
+  facing: string;
+  width: number;
+  span: number;
+}
+
+export interface BendRow {
+  id: string;
+  kind: string;
+  angle: number;
+  inside_radius: number;
+  k_factor: number | null;
+  k_source?: string;
+  allowance: number;
+  deduction: number | null;
+  direction: 'up' | 'down';
+  length: number;
+  line: Vec2[];
+  between?: string[];
+  edges?: Record<string, number[]>;
+  surface?: string;
+  lateral?: string;
+  facing?: string;
+  slope?: number;
+  apex?: number | null;
+  width?: number;
+  span?: number;
+  extension_area?: number;
+  alternatives?: Alternative[];
+}
+
+export interface Finding { code: string; severity: 'info' | 'warning' | 'error'; message: string; at?: Vec2[] | null }
+
+export interface Verification {
+  volume_ratio: number | null;
+  explained_ratio?: number | null;
+  length_error: number | null;
+  refold_deviation?: number | null;
+  closure?: number | null;
+}
+
+export interface SheetRow {
+  thickness: number;
+  k_factor: number | null;
+  k_source?: string | null;
+  flanges: number;
+  bends: number;
+  volume: number | null;
+  mass?: number | null;
+}
+
+export interface FlatRow {
+  area: number;
+  perimeter: number;
+  size: Vec2;
+  openings?: number;
+  cutting?: { outer: number; inner: number };
+  bends: BendRow[];
+  labels?: { text: string; at: Vec2 }[];
+}
+
+export interface StripRow {
+  status: string;
+  gap: number;
+  shortfall: number;
+  min_radius: number | null;
+  iterations?: number;
+  seat_distance?: number;
+  anchor_distance?: number;
+  scan_distance?: number;
+  crosses_next?: boolean;
+  crosses_plane?: boolean;
+}
+
+export interface PieceReport {
+  body?: string;
+  units: LengthUnit;
+  status: 'ok' | 'warning' | 'refused';
+  reason: ApiProblem | null;
+  sheet: SheetRow | null;
+  flat: FlatRow | null;
+  verification: Verification | null;
+  checks: Finding[];
+  notes?: string[];
+}
+
+export interface Report extends PieceReport {
+  command: Kind;
+  body_number?: number;
+  quantity?: number;
+  pieces?: PieceReport[];
+  slit?: { gap: number; strips: StripRow[] };
+  transition?: {
+    area: number;
+    perimeters: number[];
+    patches: { kind: string; area: number; turn: number }[];
+    press_lines: { id: string; angle: number; direction: string }[];
+    true_lengths: { from: string; to: string; length: number }[];
+  };
+}
+
+// ---- inputs -------------------------------------------------------------------------------------------------------
+
+export interface PlateSpec { id: string; outline: Vec3[]; holes?: Vec3[][] }
+export interface BendSpec {
+  between: string[];
+  edges?: Record<string, number[]>;
+  surface?: string;
+  inside_radius?: number;
+  inside_radii?: Vec2;
+  aperture?: number;
+  slope?: number;
+  apex?: number;
+  tangent_point?: Vec3;
+  lateral?: string;
+  trade_off?: number;
+  angle?: number;
+  length?: number;
+}
+export interface PlatesSpec {
+  units?: LengthUnit;
+  thickness: number;
+  k_factor?: number;
+  plates: PlateSpec[];
+  bends?: BendSpec[];
+  root?: string;
+}
+
+export type Profile =
+  | { polygon: Vec2[] }
+  | { circle: { radius: number } }
+  | { ellipse: { rx: number; ry: number } }
+  | { rounded_rectangle: { width: number; height: number; radius: number } }
+  | { obround: { length: number; width: number } }
+  | { spline: Vec2[] };
+export interface Frame { origin?: Vec3; x?: Vec3; normal?: Vec3 }
+export interface ProfileSpec { profile: Profile; frame?: Frame }
+export type Seam = { edge: number } | { corner: number } | { parameter: number };
+export type PressLines = { count: number } | { max_angle: number } | { chord: number };
+export interface TransitionSpec {
+  units?: LengthUnit;
+  thickness: number;
+  k_factor?: number;
+  from: ProfileSpec;
+  to: ProfileSpec;
+  sizes_are?: 'inside' | 'mid' | 'outside';
+  seam?: Seam;
+  pieces?: 1 | 2 | 'per_side';
+  press_lines?: PressLines;
+}
+
+export interface AnchorSpec { strip: number; ridge: number; side?: 'left' | 'right'; at: Vec3 }
+export interface SlitWeights { smooth?: number; spacing?: number; anchors?: number; seat?: number; spread?: number; scan?: number }
+export interface SlitSpec {
+  units?: LengthUnit;
+  thickness: number;
+  sheet: { strips: number | object[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
+  symmetric?: boolean;
+  ridges?: number;
+  subdivisions?: number;
+  leg_curve: { bezier: Vec2[] };
+  seat_curve?: { bezier: Vec2[] };
+  end_angle?: 'right_angle' | 'level' | 'free';
+  anchors?: AnchorSpec[];
+  scan?: { strip: number; points: string | Vec3[] }[];
+  align_scan?: boolean;
+  weights?: SlitWeights;
+  min_inside_radius?: number;
+  kerf?: number;
+  stop_hole?: number;
+}
+
+export type Spec = PlatesSpec | TransitionSpec | SlitSpec;

@@ -1,0 +1,29 @@
+import type { Action, State, Theme } from './state.ts';
+import type { DxfProfile, FileFormat, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
+import type { StandardView } from './folded-view.ts';
+
+/** What panels may see and do. `edit` with `live` belongs to a drag that `commit` ends. */
+export interface Ui {
+  state: State;
+  dispatch(action: Action): void;
+  edit<S extends Spec>(change: (spec: S) => S, live?: boolean): void;
+  editOptions(change: (options: Options) => Options, live?: boolean): void;
+  commit(): void;
+  /** The side that faces up now, or the other one, from now on. */
+  faceUp(upper: boolean): void;
+  openFiles(files: FileList | File[]): void;
+  openExample(name: string): void;
+  download(format: FileFormat, profile?: DxfProfile): void;
+  cancel(): void;
+  look(view: StandardView): void;
+  fit(): void;
+  animate(): void;
+  setTheme(theme: Theme): void;
+}
+
+export const platesOf = (ui: Ui) => ui.state.input.spec as PlatesSpec;
+export const transitionOf = (ui: Ui) => ui.state.input.spec as TransitionSpec;
+export const slitOf = (ui: Ui) => ui.state.input.spec as SlitSpec;
+
+/** The input before the drag that is going on: ranges of sliders rest on it, so that they stand still. */
+export const restingSpec = <S extends Spec>(ui: Ui) => (ui.state.pending ?? ui.state.input).spec as S;

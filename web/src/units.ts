@@ -1,0 +1,31 @@
+import type { LengthUnit } from './types.ts';
+
+export type DisplayUnit = 'mm' | 'inch';
+const inMm: Record<LengthUnit, number> = { mm: 1, inch: 25.4, m: 1000 };
+
+export const millimetres = (unit: LengthUnit | undefined) => inMm[unit ?? 'mm'];
+
+/** `value` given in `from`, in `to`. */
+export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) => (value * millimetres(from)) / inMm[to];
+
+/** A length to be read: hundredths of a millimetre, thousandths of an inch. */
+export function lengthText(value: number | null | undefined, from: LengthUnit | undefined, to: DisplayUnit): string {
+  if (value === null || value === undefined || !Number.isFinite(value)) return '–';
+  return clean(convert(value, from, to), to === 'inch' ? 3 : 2);
+}
+
+/** `value` with at most `digits` decimals, none that are zero, never −0. */
+export function clean(value: number, digits: number): string {
+  const text = value.toFixed(digits);
+  const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
+  return short === '-0' ? '0' : short;
+}
+
+export const round = (value: number, digits = 6) => Number(value.toFixed(digits)) + 0;
+
+/** 3e-9 rather than 3.141e-9: of residuals only the size matters. */
+export function sizeText(value: number): string {
+  if (value === 0) return '0';
+  const e = Math.floor(Math.log10(Math.abs(value)));
+  return e >= -3 ? clean(value, 4) : `${Math.round(Math.abs(value) / 10 ** e)}e${e}`;
+}

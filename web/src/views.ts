@@ -1,0 +1,160 @@
+import type { Matrix4 } from 'three';
+import { Vector3 } from 'three';
+import { movePlate } from './edits/connect.ts';
+import { addAnchor, moveAnchor } from './edits/slit.ts';
+import { FlatView } from './flat-view.ts';
+import { FoldedView } from './folded-view.ts';
+import type { RidgeEnd } from './handles.ts';
+import { knownPiece, pieceOf } from './report.ts';
+import type { State } from './state.ts';
+import { findingsOf } from './panels/tables.ts';
+import { readPalette } from './theme.ts';
+import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
+import type { Ui } from './ui.ts';
+import { millimetres } from './units.ts';
+
+/** Both views, told of what changed, and what is done in them made into edits. */
+export class Views {
+  readonly folded: FoldedView;
+  readonly flat: FlatView;
+  private readonly ui: Ui;
+  private readonly dragged: (at: number) => void;
+  private palette = readPalette();
+  private documentShown: string | null = null;
+  private resultShown: string | null = null; // of sheets that are solved step by step the first draft may be far off
+  private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
+
+  constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void) {
+    this.ui = ui;
+    this.dragged = dragged;
+    this.folded = new FoldedView(folded, this.palette, {
+      pickFacet: (facet, upper) => this.pickFacet(facet, upper),
+      pickAnchor: (anchor) => this.ui.dispatch({ type: 'select', selection: { anchor } }),
+      pickRidgeEnd: (end) => this.addAnchorAt(end),
+      dragAnchor: (anchor, at, event) => this.dragAnchor(anchor, at, event),
+      dragPlate: (id, moved, event) => this.dragPlate(id, moved, event),
+      dragEnd: () => { this.plateAtStart = null; this.ui.commit(); },
+    });
+    this.flat = new FlatView(flat, this.palette, (part) => this.pickPart(part));
+  }
+
+  /** New geometry, handed to the renderer at once. */
+  show(shape: Shape) {
+    const { state } = this.ui, id = state.document?.id ?? null, fresh = state.past.length === 0 && !state.pending;
+    const first = this.documentShown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
+    if (!state.shapeIsDraft) this.resultShown = id;
+    this.folded.setShape(state.shape, state.fold, this.thickness(state), this.selectedRow(state), heldFacet(state));
+    this.folded.follow();
+    this.showFlat(state);
+    if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
+      this.documentShown = state.document?.id ?? null;
+      this.folded.fit();
+      this.flat.fit();
+    }
+  }
+
+  changed(state: State, before: State) {
+    if (state.theme !== before.theme) {
+      this.palette = readPalette();
+      this.folded.paint(this.palette, this.selectedRow(state));
+    }
+    if (state.document !== before.document) {
+      this.documentShown = null;
+      this.folded.setUp(state.document?.kind === 'slit' ? 'y' : 'z');
+      if (!state.shape) this.folded.setShape(null, 1, 1, null);
+    }
+    if (state.fold !== before.fold) this.folded.setShare(state.fold);
+    if (state.selection !== before.selection) this.folded.paint(this.palette, this.selectedRow(state));
+    const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
+    if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
+      this.folded.setOverlay(this.overlay(state));
+    if (state.selection !== before.selection || state.theme !== before.theme || state.units !== before.units || state.result !== before.result || state.shape !== before.shape) this.showFlat(state);
+  }
+
+  fit() {
+    this.folded.fit();
+    this.flat.fit();
+  }
+
+  private showFlat(state: State) {
+    this.flat.set({
+      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state),
+      finding: state.selection.finding, units: state.units, palette: this.palette,
+    });
+  }
+
+  private overlay(state: State) {
+    const spec = state.input.spec as SlitSpec | null;
+    return {
+      anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [], scale: millimetres(spec?.units),
+      plate: state.document?.kind === 'connect' ? state.selection.plate : null, numbered: this.numbered(state), anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999, ridges: spec?.ridges ?? 10,
+    };
+  }
+
+  /** Whoever sets a bend's edges sees which is which. */
+  private numbered(state: State): string[] {
+    if (state.document?.kind !== 'connect') return [];
+    return knownPiece(state)?.flat?.bends.find((b) => b.id === state.selection.part)?.between ?? [];
+  }
+
+  private thickness(state: State): number {
+    const report = pieceOf(state)?.sheet ? pieceOf(state) : knownPiece(state), thickness = report?.sheet?.thickness ?? (state.input.spec as { thickness?: number } | null)?.thickness ?? 1;
+    return thickness * millimetres(report?.units);
+  }
+
+  private selectedRow(state: State): number | null {
+    const { part, plate } = state.selection, parts = state.shape?.parts ?? [];
+    const row = parts.findIndex((p) => (part !== null ? p.name === part : plate !== null && p.plate === plate));
+    return row < 0 ? null : row;
+  }
+
+  private pickFacet(facet: number | null, upper: boolean) {
+    const { state } = this.ui;
+    const row = facet === null ? undefined : state.shape?.facet_part[facet];
+    const part = row === undefined ? undefined : state.shape?.parts[row];
+    if (state.pick === 'root' || state.pick === 'up') {
+      const face = part?.kind === 'flange' ? part.faces[0] : undefined;
+      if (face === undefined && !(part && state.pick === 'up')) return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
+      this.ui.dispatch({ type: 'pick', pick: 'none' });
+      return state.pick === 'up' ? this.ui.faceUp(upper) : this.ui.editOptions((o) => ({ ...o, root: face }));
+    }
+    this.pickPart(row ?? null);
+  }
+
+  private pickPart(row: number | null) {
+    const part = row === null ? undefined : this.ui.state.shape?.parts[row];
+    if (part?.plate) this.ui.dispatch({ type: 'select', selection: { plate: part.plate } });
+    else this.ui.dispatch({ type: 'select', selection: { part: part?.name ?? null } });
+  }
+
+  private addAnchorAt(end: RidgeEnd) {
+    const { input } = this.ui.state, spec = input.spec as SlitSpec, scale = millimetres(spec.units);
+    const index = spec.anchors?.length ?? 0;
+    this.ui.edit<SlitSpec>((s) => addAnchor(s, { strip: end.strip, ridge: end.ridge, side: end.side, at: end.at.map((v) => v / scale) as Vec3 }));
+    this.ui.dispatch({ type: 'select', selection: { anchor: index } });
+  }
+
+  private dragAnchor(anchor: number, at: Vec3, event: number) {
+    this.dragged(event);
+    this.ui.edit<SlitSpec>((s) => moveAnchor(s, anchor, at), true);
+  }
+
+  private dragPlate(id: string, moved: Matrix4, event: number) {
+    const { state } = this.ui;
+    this.plateAtStart ??= { id, spec: (state.pending ?? state.input).spec as PlatesSpec };
+    const { spec } = this.plateAtStart, scale = millimetres(spec.units), v = new Vector3();
+    this.dragged(event);
+    this.ui.edit<PlatesSpec>((s) => ({ ...s, plates: movePlate(spec, id, (p) => {
+      v.set(p[0] * scale, p[1] * scale, p[2] * scale).applyMatrix4(moved).divideScalar(scale);
+      return [v.x, v.y, v.z];
+    }).plates }), true);
+  }
+}
+
+/** The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the root. */
+function heldFacet({ shape, input, document }: State): number {
+  if (!shape) return 0;
+  const { root } = document?.kind === 'unfold' ? input.options : (input.spec as { root?: string } | null) ?? {};
+  const part = root === undefined ? -1 : shape.parts.findIndex((p) => p.plate === root || (typeof root === 'number' && p.faces.includes(root)));
+  return Math.max(0, part < 0 ? 0 : shape.facet_part.indexOf(part));
+}

@@ -1,0 +1,175 @@
+// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. Downloads are written to /tmp/planish-studio-files.
+import assert from 'node:assert/strict';
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { chromium } from 'playwright-core';
+import { serveDist } from './serve-dist.mjs';
+
+const [address, ...wanted] = process.argv.slice(2);
+const out = '/tmp/planish-studio-files';
+mkdirSync(out, { recursive: true });
+const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
+
+const state = (page, code) => page.evaluate(`(() => { const s = window.planish.store.state, views = window.planish.views; return ${code}; })()`);
+const settled = (page) => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing && s.past !== undefined; }, null, { timeout: 60000 });
+const rested = async (page) => { await page.waitForTimeout(250); await settled(page); };
+
+async function fresh() {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true });
+  const page = await context.newPage(), said = [];
+  page.on('console', (m) => { if (m.type() === 'error') said.push(m.text()); });
+  page.on('pageerror', (e) => said.push(e.message));
+  await serveDist(page, address);
+  await page.goto(address);
+  await page.waitForSelector('[data-testid=examples-menu]');
+  await page.waitForTimeout(300);
+  return { page, said, context };
+}
+
+async function example(page, name) {
+  if (await page.locator(`[data-testid="example-${name}"]`).count()) {
+    await page.click('[data-testid=examples-menu]');
+    await page.click(`[data-testid="example-${name}"]`);
+  } else await page.setInputFiles('[data-testid=file-input]', new URL(`../../examples/${name}`, import.meta.url).pathname);
+  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, name.split('/').at(-1));
+  await rested(page);
+}
+
+async function download(page, format) {
+  await page.click('[data-testid=download-menu]');
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click(`[data-testid="download-${format}"]`)]);
+  const path = `${out}/${file.suggestedFilename()}`;
+  await file.saveAs(path);
+  return path;
+}
+
+async function drag(page, from, by, steps = 12) {
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  for (let i = 1; i <= steps; ++i) {
+    await page.mouse.move(from.x + (by.x * i) / steps, from.y + (by.y * i) / steps);
+    await page.waitForTimeout(20);
+  }
+  await page.mouse.up();
+}
+
+async function slide(page, testid, share) {
+  await page.locator(`[data-testid="${testid}"]`).scrollIntoViewIfNeeded();
+  const box = await page.locator(`[data-testid="${testid}"]`).boundingBox(), at = await page.$eval(`[data-testid="${testid}"]`, (e) => (e.value - e.min) / (e.max - e.min));
+  const x = (s) => box.x + 8 + s * (box.width - 16);
+  await drag(page, { x: x(at), y: box.y + box.height / 2 }, { x: x(share) - x(at), y: 0 });
+}
+
+function timings(name, list) {
+  const of = (key) => { const v = list.map((t) => t[key]).filter((x) => x !== null).sort((a, b) => a - b); return v.length ? `${v[Math.floor(v.length / 2)].toFixed(1)} / ${v[Math.floor(0.95 * v.length)].toFixed(1)} ms` : '–'; };
+  console.log(`   ${name}: ${list.length} drafts; to geometry ${of('toGeometry')}, to the frame ${of('toFrame')} (median / 95 %)`);
+}
+
+const flows = {
+  async unfold({ page }) {
+    await example(page, 'bracket.step');
+    const before = await page.textContent('[data-testid=blank-size]');
+    await page.click('[data-testid=tab-bends]');
+    await page.fill('[data-testid=bend-k-B1]', '0.3');
+    await page.keyboard.press('Enter');
+    await rested(page);
+    assert.notEqual(await page.textContent('[data-testid=blank-size]'), before, 'the blank follows K');
+    await page.click('[data-testid=bend-B2]');
+    assert.equal(await state(page, 's.selection.part'), 'B2');
+    await page.click('[data-testid=undo]');
+    await rested(page);
+    assert.equal(await page.textContent('[data-testid=blank-size]'), before, 'undo brings it back');
+    await page.click('[data-testid=tab-input]');
+    await page.click('[data-testid=pick-root]');
+    const spot = await state(page, `(() => { const f = [...s.shape.facet_part].findIndex((p) => s.shape.parts[p].name === 'F2'), r = s.shape.polygon_starts[s.shape.facet_starts[f]], a = s.shape.ring_starts[r], b = s.shape.ring_starts[r + 1]; return f; })()`);
+    assert.ok(spot >= 0);
+    await page.click('[data-testid=tab-certificate]');
+    assert.match(await page.textContent('[data-testid=certificate]'), /Volume agrees to/);
+    await page.keyboard.press('Escape');
+    await page.keyboard.press(' ');
+    await page.waitForTimeout(1500);
+    assert.equal(await state(page, 's.fold'), 0);
+    return download(page, 'dxf');
+  },
+  async connect({ page }) {
+    await example(page, 'connect/a_folded.json');
+    await page.click('[data-testid=plate-right]');
+    await page.waitForTimeout(200);
+    const middle = await state(page, `(() => { const c = s.shape.handles.plates.find((p) => p.id === 'right').corners, m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length); return { m, at: views.folded.project(m) }; })()`);
+    await page.evaluate(() => { window.planishTimings.length = 0; });
+    await drag(page, middle.at, { x: 40, y: 12 }, 30);
+    await rested(page);
+    const moved = await state(page, `s.shape.handles.plates.find((p) => p.id === 'right').corners[0]`);
+    assert.ok(Math.hypot(moved[0] - 460, moved[1], moved[2] - 40) > 5, `the plate moved: ${moved}`);
+    timings('connect', await page.evaluate(() => window.planishTimings));
+    await page.keyboard.press('Control+z');
+    await rested(page);
+    assert.deepEqual(await state(page, `s.input.spec.plates[4].outline[0]`), [460, 0, 40]);
+    await page.keyboard.press('Escape');
+    await page.click('[data-testid=bend-head-B1]');
+    await slide(page, 'bend-radius', 0.2);
+    await rested(page);
+    assert.ok((await state(page, 's.shape.report.flat.bends[0].inside_radius')) < 3, 'the radius followed');
+    return download(page, 'dxf');
+  },
+  async transition({ page }) {
+    await example(page, 'transition/a_square_to_round.json');
+    await page.evaluate(() => { window.planishTimings.length = 0; });
+    const before = await page.textContent('[data-testid=blank-size]');
+    await slide(page, 'to-z', 0.95);
+    await rested(page);
+    assert.notEqual(await page.textContent('[data-testid=blank-size]'), before);
+    await slide(page, 'to-tiltX', 0.55);
+    await rested(page);
+    await slide(page, 'to-twist', 0.6);
+    await rested(page);
+    timings('transition', await page.evaluate(() => window.planishTimings));
+    assert.equal(await state(page, 's.past.length'), 3);
+    return download(page, 'dxf');
+  },
+  async slit({ page }) {
+    await example(page, 'slit/chair.json');
+    await page.evaluate(() => { window.planishTimings.length = 0; });
+    const circle = await page.locator('[data-testid=curve-seat-2]').boundingBox();
+    await drag(page, { x: circle.x + circle.width / 2, y: circle.y + circle.height / 2 }, { x: 12, y: -6 }, 30);
+    await rested(page);
+    timings('slit, seat curve', await page.evaluate(() => window.planishTimings));
+    const end = await state(page, `(() => { const r = s.shape.handles.ridges[2], row = r[Math.floor(r.length / 2)]; return { at: row[0], on: views.folded.project(row[0]) }; })()`);
+    await page.mouse.click(end.on.x, end.on.y);
+    await rested(page);
+    assert.equal(await state(page, 's.input.spec.anchors.length'), 1);
+    await page.evaluate(() => { window.planishTimings.length = 0; });
+    await drag(page, end.on, { x: 0, y: -25 }, 30);
+    await rested(page);
+    timings('slit, anchor', await page.evaluate(() => window.planishTimings));
+    const at = await state(page, 's.input.spec.anchors[0].at');
+    assert.ok(Math.hypot(...at.map((v, k) => v - end.at[k])) > 3, 'the anchor moved');
+    return download(page, 'dxf');
+  },
+  async rubbish({ page, said }) {
+    writeFileSync(`${out}/rubbish.step`, 'this is no STEP file');
+    await page.setInputFiles('[data-testid=file-input]', `${out}/rubbish.step`);
+    await page.waitForFunction(() => window.planish.store.state.problem);
+    console.log(`   ${await page.textContent('[data-testid=message]')}`);
+    said.length = 0; // the browser notes the status of the answer
+    await example(page, 'connect/a_folded.json');
+    assert.equal(await state(page, 's.problem'), null);
+  },
+};
+
+let failed = 0;
+for (const [name, flow] of Object.entries(flows)) {
+  if (wanted.length && !wanted.includes(name)) continue;
+  const given = await fresh();
+  try {
+    const file = await flow(given);
+    assert.deepEqual(given.said, [], 'nothing on the console');
+    console.log(`ok ${name}${file ? ` (${file})` : ''}`);
+  } catch (error) {
+    ++failed;
+    await given.page.screenshot({ path: `${out}/failed-${name}.png` });
+    console.log(`not ok ${name}: ${error.message}\n   ${given.said.join('\n   ')}`);
+  }
+  await given.context.close();
+}
+await browser.close();
+process.exitCode = failed ? 1 : 0;
