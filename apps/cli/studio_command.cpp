@@ -20,9 +20,12 @@ It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
 
 CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "see and change parts in a browser");
-  add_text(*command, "input", arguments.input, "FILE", "file to open: STEP, plates, transition or slit file");
+  add_text(*command, "input", arguments.input, "FILE",
+           "file to open: STEP, plates, transition or slit file");
   constexpr int kLastPort = 65535;
-  command->add_option("--port", arguments.port, "port of the page's address; default: any that is free")
+  command
+      ->add_option("--port", arguments.port,
+                   "port of the page's address; default: any that is free")
       ->check(CLI::Range(1, kLastPort))
       ->type_name("N");
   command->add_flag("--no-browser", arguments.no_browser, "print the address, open no browser");
@@ -52,7 +55,9 @@ int run_studio_worker(const std::string& server) { return studio::run_worker(ser
 #else
 
 int run_studio(const StudioArguments&) {
-  return complain({ErrorCode::bad_option, "this planish was built without the studio (PLANISH_STUDIO=OFF)", {}});
+  return complain({ErrorCode::bad_option,
+                   "this planish was built without the studio (PLANISH_STUDIO=OFF)",
+                   {}});
 }
 
 int run_studio_worker(const std::string&) { return run_studio({}); }

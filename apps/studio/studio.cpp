@@ -48,9 +48,7 @@ Result<void> run_studio(const StudioOptions& options) {
   int signal = 0;
   sigwait(&signals, &signal);
   store.close_all();
-  {
-    const TempFolder removed(std::move(*folder));
-  }
+  { const TempFolder removed(std::move(*folder)); }
   // Connections that browsers keep open would be waited for.
   std::_Exit(EXIT_SUCCESS);
 }

@@ -14,9 +14,9 @@ struct StudioOptions {
   bool open_browser = true;
 };
 
-/// Serves the page on 127.0.0.1 until SIGINT or SIGTERM, then ends the process; prints its address, and opens a browser.
-/// Must be called before there are other threads. Errors: `cannot_read` (the file) and what else is wrong with it,
-/// `bad_option` (the port is taken).
+/// Serves the page on 127.0.0.1 until SIGINT or SIGTERM, then ends the process; prints its address,
+/// and opens a browser. Must be called before there are other threads. Errors: `cannot_read` (the
+/// file) and what else is wrong with it, `bad_option` (the port is taken).
 Result<void> run_studio(const StudioOptions& options);
 
 /// Works for the server whose process number is `server`, on descriptor 3, until that is closed.

@@ -1,12 +1,12 @@
 #include "worker/frames.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <array>
 #include <string>
-#include <sys/socket.h>
 #include <thread>
-#include <unistd.h>
 
 namespace planish::studio {
 namespace {
@@ -27,7 +27,9 @@ class Frames : public testing::Test {
     close(ends_[1]);
     ends_[1] = -1;
   }
-  void say(const std::string& bytes) { ASSERT_EQ(send(there(), bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size())); }
+  void say(const std::string& bytes) {
+    ASSERT_EQ(send(there(), bytes.data(), bytes.size(), 0), static_cast<ssize_t>(bytes.size()));
+  }
 
  private:
   std::array<int, 2> ends_{-1, -1};

@@ -25,8 +25,10 @@ std::string example(const std::string& name) {
 std::string request(const std::string& spec) { return "{\"spec\": " + spec + "}"; }
 
 TEST(Workbench, OpensEachKindAndDraftsIt) {
-  for (const auto& [name, kind] : {std::pair{"bracket.step", "unfold"}, {"connect/a_folded.json", "connect"},
-                                   {"transition/a_square_to_round.json", "transition"}, {"slit/chair.json", "slit"}}) {
+  for (const auto& [name, kind] : {std::pair{"bracket.step", "unfold"},
+                                   {"connect/a_folded.json", "connect"},
+                                   {"transition/a_square_to_round.json", "transition"},
+                                   {"slit/chair.json", "slit"}}) {
     Workbench bench("/nowhere");
     const std::string bytes = example(name);
     const Answer opened = bench.perform({"open", "a.file", bytes});

@@ -1,11 +1,11 @@
 #include "access.hpp"
 
 #include <fmt/format.h>
+#include <sys/random.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <sys/random.h>
 
 namespace planish::studio {
 
@@ -22,20 +22,26 @@ Result<std::string> random_token() {
 bool same_secret(const std::string& a, const std::string& b) {
   unsigned different = a.size() == b.size() ? 0U : 1U;
   for (std::size_t i = 0; i < b.size(); ++i)
-    different |= static_cast<unsigned char>(b[i]) ^ static_cast<unsigned char>(a.empty() ? '\0' : a[i % a.size()]);
+    different |= static_cast<unsigned char>(b[i]) ^
+                 static_cast<unsigned char>(a.empty() ? '\0' : a[i % a.size()]);
   return different == 0;
 }
 
 Access::Access(int port, std::string token)
-    : hosts_{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)}, token_(std::move(token)) {}
+    : hosts_{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)},
+      token_(std::move(token)) {}
 
 std::optional<std::string> Access::host_refusal(const Caller& caller) const {
-  const auto known = [&](const std::string& host) { return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end(); };
+  const auto known = [&](const std::string& host) {
+    return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
+  };
   // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
-  if (caller.hosts.size() != 1 || !known(caller.hosts.front())) return "this server answers 127.0.0.1 and localhost only";
+  if (caller.hosts.size() != 1 || !known(caller.hosts.front()))
+    return "this server answers 127.0.0.1 and localhost only";
   constexpr std::string_view kScheme = "http://";
   for (const std::string& origin : caller.origins)
-    if (!origin.starts_with(kScheme) || !known(origin.substr(kScheme.size()))) return "requests of other pages are not answered";
+    if (!origin.starts_with(kScheme) || !known(origin.substr(kScheme.size())))
+      return "requests of other pages are not answered";
   return std::nullopt;
 }
 

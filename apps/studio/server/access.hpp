@@ -24,7 +24,8 @@ class Access {
  public:
   Access(int port, std::string token);
 
-  /// A sentence for a caller that is turned away. `host_refusal` for what everyone may see, the page itself.
+  /// A sentence for a caller that is turned away. `host_refusal` for what everyone may see, the
+  /// page itself.
   std::optional<std::string> host_refusal(const Caller& caller) const;
   std::optional<std::string> refusal(const Caller& caller) const;
 

@@ -23,23 +23,26 @@ std::vector<std::string> segments(std::string_view path) {
   return all;
 }
 
-Answer nothing_there(const std::string& path) { return failure(404, "not_found", fmt::format("there is nothing at {}", path), path); }
+Answer nothing_there(const std::string& path) {
+  return failure(404, "not_found", fmt::format("there is nothing at {}", path), path);
+}
 
 std::string_view type_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes{{{".html", "text/html; charset=utf-8"},
-                                                                                  {".js", "text/javascript; charset=utf-8"},
-                                                                                  {".css", "text/css; charset=utf-8"},
-                                                                                  {".json", "application/json"},
-                                                                                  {".svg", "image/svg+xml"},
-                                                                                  {".png", "image/png"},
-                                                                                  {".ico", "image/x-icon"},
-                                                                                  {".woff2", "font/woff2"},
-                                                                                  {".wasm", "application/wasm"},
-                                                                                  {".webmanifest", "application/manifest+json"},
-                                                                                  {".txt", "text/plain; charset=utf-8"},
-                                                                                  {".xyz", "text/plain; charset=utf-8"},
-                                                                                  {".map", "application/json"},
-                                                                                  {".step", "model/step"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes{
+      {{".html", "text/html; charset=utf-8"},
+       {".js", "text/javascript; charset=utf-8"},
+       {".css", "text/css; charset=utf-8"},
+       {".json", "application/json"},
+       {".svg", "image/svg+xml"},
+       {".png", "image/png"},
+       {".ico", "image/x-icon"},
+       {".woff2", "font/woff2"},
+       {".wasm", "application/wasm"},
+       {".webmanifest", "application/manifest+json"},
+       {".txt", "text/plain; charset=utf-8"},
+       {".xyz", "text/plain; charset=utf-8"},
+       {".map", "application/json"},
+       {".step", "model/step"}}};
   for (const auto& [suffix, type] : kTypes)
     if (name.ends_with(suffix)) return type;
   return "application/octet-stream";
@@ -53,7 +56,8 @@ Answer embedded_answer(const std::string& name, const std::string& path) {
 
 Answer page(const ApiRequest& request) {
   if (request.method != "GET") return nothing_there(request.path);
-  return embedded_answer("page" + (request.path == "/" ? "/index.html" : request.path), request.path);
+  return embedded_answer("page" + (request.path == "/" ? "/index.html" : request.path),
+                         request.path);
 }
 
 Answer examples(const ApiRequest& request) {
@@ -63,17 +67,21 @@ Answer examples(const ApiRequest& request) {
 }
 
 /// What stands at /api/documents/…, by method and the parts of the path behind "documents".
-Answer documents(DocumentStore& store, const ApiRequest& request, const std::vector<std::string>& at, std::string body) {
+Answer documents(DocumentStore& store, const ApiRequest& request,
+                 const std::vector<std::string>& at, std::string body) {
   const std::string& method = request.method;
   const bool posted = method == "POST";
   if (at.empty() && posted) return store.open(request.name, body);
   if (at.empty() && method == "GET") return store.list();
   if (at.size() == 1 && method == "DELETE") return store.close(at[0]);
-  if (at.size() == 2 && posted && (at[1] == "draft" || at[1] == "result")) return store.work(at[0], {at[1], "", std::move(body)});
+  if (at.size() == 2 && posted && (at[1] == "draft" || at[1] == "result"))
+    return store.work(at[0], {at[1], "", std::move(body)});
   if (at.size() == 2 && posted && at[1] == "cancel") return store.cancel(at[0]);
   if (at.size() == 2 && method == "GET" && at[1] == "progress") return store.progress(at[0]);
-  if (at.size() == 3 && posted && at[1] == "files") return store.work(at[0], {"files", at[2], std::move(body)});
-  if (at.size() == 3 && method == "PUT" && at[1] == "attachments") return store.attach(at[0], at[2], body);
+  if (at.size() == 3 && posted && at[1] == "files")
+    return store.work(at[0], {"files", at[2], std::move(body)});
+  if (at.size() == 3 && method == "PUT" && at[1] == "attachments")
+    return store.attach(at[0], at[2], body);
   return nothing_there(request.path);
 }
 
@@ -81,7 +89,8 @@ Answer documents(DocumentStore& store, const ApiRequest& request, const std::vec
 
 std::optional<Answer> Api::turned_away(const ApiRequest& request) const {
   const bool open_to_all = !request.path.starts_with(kApi);
-  const auto why = open_to_all ? access_.host_refusal(request.caller) : access_.refusal(request.caller);
+  const auto why =
+      open_to_all ? access_.host_refusal(request.caller) : access_.refusal(request.caller);
   if (!why) return std::nullopt;
   return failure(403, "forbidden", *why);
 }

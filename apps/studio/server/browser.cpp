@@ -2,16 +2,16 @@
 
 #include <planish/io/flat_writers.hpp>
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace planish::studio {
 namespace {
@@ -34,7 +34,8 @@ void start_apart(std::string program, std::string argument) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK);
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t process = 0;
-  const int failed = posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  const int failed =
+      posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (failed == 0) std::thread([process] { waitpid(process, nullptr, 0); }).detach();
@@ -46,7 +47,8 @@ void open_in_browser(const std::string& address, const std::filesystem::path& fo
   if (!has_desktop()) return;
   const auto file = folder / "open.html";
   const std::string text = fmt::format(
-      "<!doctype html><meta charset=\"utf-8\"><title>planish studio</title><meta http-equiv=\"refresh\" content=\"0; url={0}\">"
+      "<!doctype html><meta charset=\"utf-8\"><title>planish studio</title><meta "
+      "http-equiv=\"refresh\" content=\"0; url={0}\">"
       "<a href=\"{0}\">planish studio</a>\n",
       address);
   if (write_file(file, text)) start_apart("xdg-open", file.string());

@@ -15,7 +15,9 @@ namespace {
 constexpr std::size_t kMostDocuments = 8;
 constexpr std::chrono::seconds kUnused(60);
 
-Answer no_document(const std::string& id) { return failure(404, "no_such_document", fmt::format("there is no document \"{}\"", id), id); }
+Answer no_document(const std::string& id) {
+  return failure(404, "no_such_document", fmt::format("there is no document \"{}\"", id), id);
+}
 
 /// −1 for what is none.
 int number_of(const std::string& id) {
@@ -28,12 +30,15 @@ int number_of(const std::string& id) {
 }  // namespace
 
 Answer DocumentStore::open(const std::string& name, const std::string& bytes) {
-  if (!is_plain_name(name)) return failure(422, "invalid_input", "the file needs a name without folders, of at most 128 bytes", name);
+  if (!is_plain_name(name))
+    return failure(422, "invalid_input",
+                   "the file needs a name without folders, of at most 128 bytes", name);
   std::string id;
   {
     const std::lock_guard lock(mutex_);
     if (!make_room())
-      return failure(429, "too_many_documents", fmt::format("{} documents are open and in use; close one", kMostDocuments));
+      return failure(429, "too_many_documents",
+                     fmt::format("{} documents are open and in use; close one", kMostDocuments));
     ++opening_;
     id = fmt::format("d{}", ++last_);
   }
@@ -43,7 +48,8 @@ Answer DocumentStore::open(const std::string& name, const std::string& bytes) {
   return answer;
 }
 
-Answer DocumentStore::opened(const std::string& id, const std::string& name, const std::string& bytes) {
+Answer DocumentStore::opened(const std::string& id, const std::string& name,
+                             const std::string& bytes) {
   auto document = ServedDocument::make(folder_ / id, name, bytes);
   if (!document) return failure(document.error());
   Answer answer = (*document)->open(turns_);
@@ -57,10 +63,12 @@ Answer DocumentStore::opened(const std::string& id, const std::string& name, con
 bool DocumentStore::make_room() {
   if (rows_.size() + static_cast<std::size_t>(opening_) < kMostDocuments) return true;
   if (rows_.empty()) return false;
-  const auto oldest = std::min_element(rows_.begin(), rows_.end(), [](const auto& a, const auto& b) {
-    return a.second.document->last_used() < b.second.document->last_used();
-  });
-  if (!oldest->second.document->is_idle_since(std::chrono::steady_clock::now() - kUnused)) return false;
+  const auto oldest =
+      std::min_element(rows_.begin(), rows_.end(), [](const auto& a, const auto& b) {
+        return a.second.document->last_used() < b.second.document->last_used();
+      });
+  if (!oldest->second.document->is_idle_since(std::chrono::steady_clock::now() - kUnused))
+    return false;
   rows_.erase(oldest);
   return true;
 }
@@ -88,10 +96,13 @@ Answer DocumentStore::close(const std::string& id) {
   return {204, "", ""};
 }
 
-Answer DocumentStore::attach(const std::string& id, const std::string& name, const std::string& bytes) {
+Answer DocumentStore::attach(const std::string& id, const std::string& name,
+                             const std::string& bytes) {
   const auto document = find(id);
   if (!document) return no_document(id);
-  if (!is_plain_name(name)) return failure(422, "invalid_input", "an attachment needs a name without folders, of at most 128 bytes", name);
+  if (!is_plain_name(name))
+    return failure(422, "invalid_input",
+                   "an attachment needs a name without folders, of at most 128 bytes", name);
   return document->attach(name, bytes);
 }
 

@@ -10,8 +10,9 @@
 
 namespace planish::studio {
 
-/// The documents that are open, at most 8: beyond that the one longest unused is closed if nobody has used it for a
-/// minute, else none is opened (429). At most two of them compute at once. Thread-safe.
+/// The documents that are open, at most 8: beyond that the one longest unused is closed if nobody
+/// has used it for a minute, else none is opened (429). At most two of them compute at once.
+/// Thread-safe.
 class DocumentStore {
  public:
   explicit DocumentStore(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -11,7 +11,8 @@ struct EmbeddedFile {
   std::string_view bytes;
 };
 
-/// All of them, by name in ascending order. The build writes this function (cmake/PlanishEmbed.cmake).
+/// All of them, by name in ascending order. The build writes this function
+/// (cmake/PlanishEmbed.cmake).
 std::span<const EmbeddedFile> embedded_files();
 
 /// Null where there is none of this name.

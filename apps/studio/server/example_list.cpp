@@ -15,7 +15,8 @@ std::string kind_of(std::string_view name) {
   return name.ends_with(".json") ? std::string(name.substr(0, name.find('/'))) : "";
 }
 
-/// "Square to round" of "transition/a_square_to_round.json": letters that only order the files are left out.
+/// "Square to round" of "transition/a_square_to_round.json": letters that only order the files are
+/// left out.
 std::string title_of(std::string_view name) {
   name.remove_prefix(name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1);
   name = name.substr(0, name.rfind('.'));
@@ -34,7 +35,8 @@ Answer example_list() {
   for (const EmbeddedFile& file : embedded_files()) {
     if (!file.name.starts_with(kFolder)) continue;
     const std::string_view name = file.name.substr(kFolder.size());
-    if (const std::string kind = kind_of(name); !kind.empty()) list.push_back({{"name", name}, {"kind", kind}, {"title", title_of(name)}});
+    if (const std::string kind = kind_of(name); !kind.empty())
+      list.push_back({{"name", name}, {"kind", kind}, {"title", title_of(name)}});
   }
   return {200, kJsonType, list.dump()};
 }

@@ -43,7 +43,8 @@ std::vector<std::string> scans_of(const std::string& text) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("scan") || !json["scan"].is_array()) return names;
   for (const Json& scan : json["scan"])
-    if (scan.is_object() && scan.contains("points") && scan["points"].is_string()) names.push_back(scan["points"].get<std::string>());
+    if (scan.is_object() && scan.contains("points") && scan["points"].is_string())
+      names.push_back(scan["points"].get<std::string>());
   return names;
 }
 
@@ -52,13 +53,17 @@ std::vector<std::string> scans_of(const std::string& text) {
 Result<void> open_first(DocumentStore& store, const std::filesystem::path& file) {
   const auto bytes = job::read_text(file, "file");
   if (!bytes) return tl::unexpected(bytes.error());
-  if (bytes->size() > kLargestBody) return fail(ErrorCode::cannot_read, fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20), file.string());
+  if (bytes->size() > kLargestBody)
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
+                file.string());
   const Answer opened = store.open(shown_name(file), *bytes);
   if (opened.status != 200) return tl::unexpected(error_of(opened));
   const std::string id = Json::parse(opened.body)["id"];
   for (const std::string& name : scans_of(*bytes)) {
     // What lies elsewhere is missed when it is asked for.
-    const auto points = is_plain_name(name) ? job::read_text(file.parent_path() / name, "scan") : fail(ErrorCode::cannot_read, "");
+    const auto points = is_plain_name(name) ? job::read_text(file.parent_path() / name, "scan")
+                                            : fail(ErrorCode::cannot_read, "");
     if (points) store.attach(id, name, *points);
   }
   return {};

@@ -19,8 +19,10 @@ constexpr time_t kIdleSeconds = 60;
 
 // Styles may be set by scripts on elements; scripts come from this server alone.
 constexpr auto kContentPolicy =
-    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; connect-src 'self'; "
-    "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
+    "blob:; connect-src 'self'; "
+    "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'";
 
 httplib::Headers security_headers() {
   return {{"Content-Security-Policy", kContentPolicy},
@@ -40,8 +42,11 @@ std::vector<std::string> values_of(const httplib::Request& request, const char* 
 }
 
 ApiRequest api_request(const httplib::Request& request) {
-  return {request.method == "HEAD" ? "GET" : request.method, request.path, request.get_param_value("name"),
-          {values_of(request, "Host"), values_of(request, "Origin"), values_of(request, "X-Planish-Token")}};
+  return {request.method == "HEAD" ? "GET" : request.method,
+          request.path,
+          request.get_param_value("name"),
+          {values_of(request, "Host"), values_of(request, "Origin"),
+           values_of(request, "X-Planish-Token")}};
 }
 
 void send(httplib::Response& response, const Answer& answer) {
@@ -49,11 +54,17 @@ void send(httplib::Response& response, const Answer& answer) {
   if (!answer.type.empty()) response.set_content(answer.body, answer.type);
 }
 
-Answer too_large() { return failure(413, "too_large", fmt::format("the body is larger than {} MiB", kLargestBody >> 20)); }
+Answer too_large() {
+  return failure(413, "too_large",
+                 fmt::format("the body is larger than {} MiB", kLargestBody >> 20));
+}
 
 /// The body, or how it is answered that there is none.
-tl::expected<std::string, Answer> body_of(const httplib::Request& request, const httplib::Response& response, const httplib::ContentReader& reader) {
-  if (request.is_multipart_form_data()) return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
+tl::expected<std::string, Answer> body_of(const httplib::Request& request,
+                                          const httplib::Response& response,
+                                          const httplib::ContentReader& reader) {
+  if (request.is_multipart_form_data())
+    return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
   std::string body;
   bool fits = true;
   // What is compressed may be far larger than its length says.
@@ -72,7 +83,8 @@ void skip_body(const httplib::Request& request, const httplib::ContentReader& re
   if (!request.is_multipart_form_data()) reader([](const char*, std::size_t) { return true; });
 }
 
-void with_body(Api& api, const httplib::Request& request, httplib::Response& response, const httplib::ContentReader& reader) {
+void with_body(Api& api, const httplib::Request& request, httplib::Response& response,
+               const httplib::ContentReader& reader) {
   const ApiRequest asked = api_request(request);
   if (const auto no = api.turned_away(asked)) {
     skip_body(request, reader);
@@ -88,15 +100,21 @@ void without_body(Api& api, const httplib::Request& request, httplib::Response& 
   send(response, no ? *no : api.answer(asked, {}));
 }
 
-/// The library would compress texts as hard as can be, which takes seconds where sending them takes none. It has no switch for
-/// that but what the browser accepts; the request is its own and not constant.
-void answer_uncompressed(const httplib::Request& request) { const_cast<httplib::Request&>(request).headers.erase("Accept-Encoding"); }
+/// The library would compress texts as hard as can be, which takes seconds where sending them takes
+/// none. It has no switch for that but what the browser accepts; the request is its own and not
+/// constant.
+void answer_uncompressed(const httplib::Request& request) {
+  const_cast<httplib::Request&>(request).headers.erase("Accept-Encoding");
+}
 
 /// What the library says by itself has no body.
 void explain(const httplib::Request& request, httplib::Response& response) {
   if (!response.body.empty()) return;
-  send(response, response.status == 413 ? too_large()
-                                        : failure(response.status, response.status == 404 ? "not_found" : "bad_request", "this is not understood", request.path));
+  send(response,
+       response.status == 413
+           ? too_large()
+           : failure(response.status, response.status == 404 ? "not_found" : "bad_request",
+                     "this is not understood", request.path));
 }
 
 }  // namespace
@@ -128,9 +146,15 @@ HttpServer::~HttpServer() {
 
 Result<int> HttpServer::bind(int port) {
   httplib::Server& server = content_->server;
-  const int taken = port == 0 ? server.bind_to_any_port(kHost) : server.bind_to_port(kHost, port) ? port : -1;
+  const int taken = port == 0                          ? server.bind_to_any_port(kHost)
+                    : server.bind_to_port(kHost, port) ? port
+                                                       : -1;
   if (taken > 0) return taken;
-  return fail(ErrorCode::bad_option, fmt::format("the port {} of {} cannot be had: another program has it, or it is reserved", port, kHost), "--port");
+  return fail(
+      ErrorCode::bad_option,
+      fmt::format("the port {} of {} cannot be had: another program has it, or it is reserved",
+                  port, kHost),
+      "--port");
 }
 
 void HttpServer::serve(Api& api) {
@@ -142,8 +166,10 @@ void HttpServer::serve(Api& api) {
     send(response, failure(400, "bad_request", "the address is too long"));
     return httplib::Server::HandlerResponse::Handled;
   });
-  const auto read = [&api](const httplib::Request& q, httplib::Response& r, const httplib::ContentReader& c) { with_body(api, q, r, c); };
-  server.Get(kAnyPath, [&api](const httplib::Request& q, httplib::Response& r) { without_body(api, q, r); });
+  const auto read = [&api](const httplib::Request& q, httplib::Response& r,
+                           const httplib::ContentReader& c) { with_body(api, q, r, c); };
+  server.Get(kAnyPath,
+             [&api](const httplib::Request& q, httplib::Response& r) { without_body(api, q, r); });
   server.Post(kAnyPath, read);
   server.Put(kAnyPath, read);
   server.Delete(kAnyPath, read);

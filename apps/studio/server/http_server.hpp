@@ -7,7 +7,8 @@
 
 namespace planish::studio {
 
-/// HTTP on 127.0.0.1. What is asked is answered by an `Api`; here are only headers, limits and threads.
+/// HTTP on 127.0.0.1. What is asked is answered by an `Api`; here are only headers, limits and
+/// threads.
 class HttpServer {
  public:
   HttpServer();

@@ -13,12 +13,16 @@
 namespace planish::studio {
 namespace fs = std::filesystem;
 
-Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, std::string name, const std::string& bytes) {
+Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, std::string name,
+                                                             const std::string& bytes) {
   std::shared_ptr<ServedDocument> document(new ServedDocument(std::move(folder), std::move(name)));
   std::error_code error;
   fs::create_directories(document->attachments(), error);
-  if (error) return fail(ErrorCode::cannot_write, fmt::format("cannot make the folder {}: {}", document->folder_.string(), error.message()));
-  if (auto written = write_file(document->file(), bytes); !written) return tl::unexpected(written.error());
+  if (error)
+    return fail(ErrorCode::cannot_write, fmt::format("cannot make the folder {}: {}",
+                                                     document->folder_.string(), error.message()));
+  if (auto written = write_file(document->file(), bytes); !written)
+    return tl::unexpected(written.error());
   return document;
 }
 
@@ -97,8 +101,12 @@ Answer ServedDocument::worker_lost(WorkerEnd end) {
   replace_worker(nullptr);
   if (is_cancelled()) return failure(409, "cancelled", "cancelled");
   if (end == WorkerEnd::late)
-    return failure(409, "worker_timeout", fmt::format("the request took longer than {} s and was given up", kMostTime.count()));
-  return failure(409, "worker_ended", "the worker that computed the request ended unexpectedly; the document is as it was");
+    return failure(
+        409, "worker_timeout",
+        fmt::format("the request took longer than {} s and was given up", kMostTime.count()));
+  return failure(
+      409, "worker_ended",
+      "the worker that computed the request ended unexpectedly; the document is as it was");
 }
 
 void ServedDocument::cancel() {
@@ -112,7 +120,8 @@ Answer ServedDocument::progress() const {
   const std::lock_guard lock(state_);
   nlohmann::ordered_json json;
   if (computing_) json = {{"stage", stage_.name}, {"share", stage_.share}};
-  return {200, kJsonType, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+  return {200, kJsonType,
+          json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
 }
 
 Answer ServedDocument::attach(const std::string& name, const std::string& bytes) {
@@ -120,9 +129,12 @@ Answer ServedDocument::attach(const std::string& name, const std::string& bytes)
   const std::lock_guard turn(turn_);
   std::error_code ignored;
   const bool known = fs::exists(attachments() / name, ignored);
-  if (!known && std::distance(fs::directory_iterator(attachments(), ignored), fs::directory_iterator()) >= kMost)
-    return failure(422, "invalid_input", fmt::format("a document has {} attachments at the most", kMost), name);
-  if (auto written = write_file(attachments() / name, bytes); !written) return failure(written.error());
+  if (!known && std::distance(fs::directory_iterator(attachments(), ignored),
+                              fs::directory_iterator()) >= kMost)
+    return failure(422, "invalid_input",
+                   fmt::format("a document has {} attachments at the most", kMost), name);
+  if (auto written = write_file(attachments() / name, bytes); !written)
+    return failure(written.error());
   // What the worker remembers was made without it.
   replace_worker(nullptr);
   return {204, "", ""};

@@ -11,19 +11,22 @@
 
 namespace planish::studio {
 
-/// A document as the server keeps it: its file and attachments in a folder, and the worker that computes it, which may end
-/// at any time and is then replaced. One task at a time, the others wait. Thread-safe.
+/// A document as the server keeps it: its file and attachments in a folder, and the worker that
+/// computes it, which may end at any time and is then replaced. One task at a time, the others
+/// wait. Thread-safe.
 class ServedDocument {
  public:
   /// Writes the file into `folder`, which is made. Error: `cannot_write`.
-  static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder, std::string name, const std::string& bytes);
+  static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder,
+                                                      std::string name, const std::string& bytes);
   ServedDocument(const ServedDocument&) = delete;
   ServedDocument& operator=(const ServedDocument&) = delete;
   ~ServedDocument();
 
   /// Has the worker open the file.
   Answer open(Turns& turns);
-  /// Has the worker, who has opened the file, do a task. 409 with `cancelled`, `worker_ended`, `worker_timeout`.
+  /// Has the worker, who has opened the file, do a task. 409 with `cancelled`, `worker_ended`,
+  /// `worker_timeout`.
   Answer work(const Task& task, Turns& turns);
   /// What is being computed is given up: its worker ends.
   void cancel();
@@ -36,7 +39,8 @@ class ServedDocument {
   Moment last_used() const;
 
  private:
-  ServedDocument(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {}
+  ServedDocument(std::filesystem::path folder, std::string name)
+      : folder_(std::move(folder)), name_(std::move(name)) {}
 
   using Worker = std::shared_ptr<WorkerProcess>;
 

@@ -12,13 +12,16 @@ int status_of(ErrorCode code) {
 
 }  // namespace
 
-Answer failure(int status, const std::string& code, const std::string& message, const std::string& where) {
+Answer failure(int status, const std::string& code, const std::string& message,
+               const std::string& where) {
   nlohmann::ordered_json json{{"code", code}, {"message", message}, {"where", where}};
-  return {status, kJsonType, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
+  return {status, kJsonType,
+          json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)};
 }
 
 Answer failure(const Error& error) {
-  return failure(status_of(error.code), std::string(code_name(error.code)), error.message, error.where);
+  return failure(status_of(error.code), std::string(code_name(error.code)), error.message,
+                 error.where);
 }
 
 }  // namespace planish::studio

@@ -6,8 +6,8 @@
 
 namespace planish::studio {
 
-/// What a worker is asked: `open` (argument: the file's name; body: its bytes), `draft`, `result` and `files` (argument:
-/// the format; body: a request as docs/studio-api.md has it).
+/// What a worker is asked: `open` (argument: the file's name; body: its bytes), `draft`, `result`
+/// and `files` (argument: the format; body: a request as docs/studio-api.md has it).
 struct Task {
   std::string verb;
   std::string argument;
@@ -24,7 +24,8 @@ struct Answer {
 constexpr auto kJsonType = "application/json";
 
 /// `{"code", "message", "where"}` with this status. Bytes that are not UTF-8 become U+FFFD.
-Answer failure(int status, const std::string& code, const std::string& message, const std::string& where = {});
+Answer failure(int status, const std::string& code, const std::string& message,
+               const std::string& where = {});
 
 /// The same for what the program says: 409 for `cancelled`, 500 for `internal`, else 422.
 Answer failure(const Error& error);

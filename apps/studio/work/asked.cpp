@@ -70,7 +70,8 @@ Read k_by_bend(std::vector<std::pair<std::string, double>>& target) {
 
 Read positive(std::optional<double>& target) {
   return [&target](const Json& value) {
-    if (!value.is_number() || !(value.get<double>() > 0.0) || !std::isfinite(value.get<double>())) return false;
+    if (!value.is_number() || !(value.get<double>() > 0.0) || !std::isfinite(value.get<double>()))
+      return false;
     target = value.get<double>();
     return true;
   };
@@ -92,14 +93,18 @@ std::map<std::string, Read> options_of(Asked& asked) {
           {"density", positive(asked.density)},
           {"piece", whole(asked.piece, 0)},
           {"align_scans", yes_or_no(asked.align_scans)},
-          {"profile", choice<LayerProfile>(asked.dxf.profile, {{"standard", LayerProfile::standard},
-                                                               {"inventor", LayerProfile::inventor},
-                                                               {"onshape", LayerProfile::onshape},
-                                                               {"solid_edge", LayerProfile::solid_edge}})},
-          {"splines", choice<Splines>(asked.dxf.splines, {{"arcs", Splines::arcs}, {"keep", Splines::keep}})},
-          {"version", choice<DxfVersion>(asked.dxf.version, {{"r2000", DxfVersion::r2000}, {"r12", DxfVersion::r12}})},
-          {"units", choice<std::optional<LengthUnit>>(
-                        asked.units, {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}})}};
+          {"profile",
+           choice<LayerProfile>(asked.dxf.profile, {{"standard", LayerProfile::standard},
+                                                    {"inventor", LayerProfile::inventor},
+                                                    {"onshape", LayerProfile::onshape},
+                                                    {"solid_edge", LayerProfile::solid_edge}})},
+          {"splines",
+           choice<Splines>(asked.dxf.splines, {{"arcs", Splines::arcs}, {"keep", Splines::keep}})},
+          {"version", choice<DxfVersion>(asked.dxf.version,
+                                         {{"r2000", DxfVersion::r2000}, {"r12", DxfVersion::r12}})},
+          {"units", choice<std::optional<LengthUnit>>(asked.units, {{"mm", LengthUnit::mm},
+                                                                    {"inch", LengthUnit::inch},
+                                                                    {"m", LengthUnit::m}})}};
 }
 
 tl::unexpected<Error> mistake(const std::string& message, const std::string& where) {
@@ -111,10 +116,13 @@ Result<void> read_options(const Json& options, Asked& asked) {
   const auto known = options_of(asked);
   for (const auto& [key, value] : options.items()) {
     const auto option = known.find(key);
-    if (option == known.end()) return mistake(fmt::format("there is no option \"{}\"", key), "/options/" + key);
+    if (option == known.end())
+      return mistake(fmt::format("there is no option \"{}\"", key), "/options/" + key);
     // What is null is not given.
     if (!value.is_null() && !option->second(value))
-      return mistake(fmt::format("the option \"{}\" cannot be {}", key, json_text(value).substr(0, 40)), "/options/" + key);
+      return mistake(
+          fmt::format("the option \"{}\" cannot be {}", key, json_text(value).substr(0, 40)),
+          "/options/" + key);
   }
   return {};
 }

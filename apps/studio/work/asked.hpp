@@ -27,7 +27,8 @@ struct Asked {
   std::optional<LengthUnit> units;
 };
 
-/// Errors: `invalid_input` for anything that is not JSON, unknown keys, values of another kind or outside their range
+/// Errors: `invalid_input` for anything that is not JSON, unknown keys, values of another kind or
+/// outside their range
 /// (`where` is the JSON pointer).
 Result<Asked> parse_asked(const std::string& json);
 

@@ -44,7 +44,8 @@ class ConnectDocument : public Document {
     return shape;
   }
 
-  Result<MadeFile> file(const Asked& asked, const std::string& format, const Progress& progress) override {
+  Result<MadeFile> file(const Asked& asked, const std::string& format,
+                        const Progress& progress) override {
     const auto file = spec_of(asked);
     if (!file) return tl::unexpected(file.error());
     const auto report = report_of(*file, asked, job::Effort::full, progress);
@@ -65,8 +66,11 @@ class ConnectDocument : public Document {
     return job::parse_plates(asked.spec, name_);
   }
 
-  Result<ConnectReport> report_of(const job::PlatesFile& file, const Asked& asked, job::Effort effort, const Progress& progress) {
-    const auto make = [&] { return job::connect_plates(file, make_request(asked, name_, effort), progress); };
+  Result<ConnectReport> report_of(const job::PlatesFile& file, const Asked& asked,
+                                  job::Effort effort, const Progress& progress) {
+    const auto make = [&] {
+      return job::connect_plates(file, make_request(asked, name_, effort), progress);
+    };
     return effort == job::Effort::draft ? make() : last_.get(asked.key, make);
   }
 

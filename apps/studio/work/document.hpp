@@ -22,8 +22,8 @@ struct MadeFile {
   std::string bytes;
 };
 
-/// One opened file with what is kept between requests. Errors of all: those of the job, and `bad_option` for options that
-/// this kind does not take and formats that it does not have.
+/// One opened file with what is kept between requests. Errors of all: those of the job, and
+/// `bad_option` for options that this kind does not take and formats that it does not have.
 class Document {
  public:
   Document() = default;
@@ -35,12 +35,13 @@ class Document {
   /// What `planish info` says of it; null where it says nothing.
   virtual Json info() const { return nullptr; }
   virtual Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) = 0;
-  virtual Result<MadeFile> file(const Asked& asked, const std::string& format, const Progress& progress) = 0;
+  virtual Result<MadeFile> file(const Asked& asked, const std::string& format,
+                                const Progress& progress) = 0;
 };
 
-/// Opens a file by its content. A text is that of a spec if it is a JSON object; its "format", or else its keys, say
-/// which. `attachments` is the folder of the files that it may name.
-/// Errors: those of `read_step` and of the parsers.
+/// Opens a file by its content. A text is that of a spec if it is a JSON object; its "format", or
+/// else its keys, say which. `attachments` is the folder of the files that it may name. Errors:
+/// those of `read_step` and of the parsers.
 Result<std::unique_ptr<Document>> open_document(const std::string& name, const std::string& bytes,
                                                 const std::filesystem::path& attachments);
 

@@ -8,11 +8,13 @@
 
 namespace planish::studio {
 
-/// The strips of a slit sheet while somebody drags at it: each design begins from the shape of the one before.
+/// The strips of a slit sheet while somebody drags at it: each design begins from the shape of the
+/// one before.
 class DraftSession {
  public:
-  /// Takes the design of a file, without its subdivisions, and solves it for 0.05 s at most; what is open then goes on with
-  /// the next. Errors: those of `SlitSession::start` (what was before stays), `cancelled`.
+  /// Takes the design of a file, without its subdivisions, and solves it for 0.05 s at most; what
+  /// is open then goes on with the next. Errors: those of `SlitSession::start` (what was before
+  /// stays), `cancelled`.
   Result<void> follow(const job::SlitFile& file, const Progress& progress);
 
   /// Requires that `follow` has succeeded.

@@ -11,7 +11,8 @@ namespace planish::studio {
 /// Keys stay in the order in which they stand, so that files that are edited here look as they did.
 using Json = nlohmann::ordered_json;
 
-/// Errors: `invalid_input` for text that is not JSON, or nested more than 100 deep. `what` names it in messages.
+/// Errors: `invalid_input` for text that is not JSON, or nested more than 100 deep. `what` names it
+/// in messages.
 Result<Json> parse_json(const std::string& text, const std::string& what);
 
 /// Bytes that are not UTF-8 become U+FFFD. `indent` −1: one line.

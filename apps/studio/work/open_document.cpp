@@ -14,14 +14,19 @@ bool looks_like_json(const std::string& bytes) {
 
 Result<Kind> kind_of_spec(const Json& json, const std::string& name) {
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
-  const std::string format = has("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
+  const std::string format =
+      has("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
   if (format == "planish/plates" || (format.empty() && has("plates"))) return Kind::connect;
   if (format == "planish/transition" || (format.empty() && has("from"))) return Kind::transition;
   if (format == "planish/slits" || (format.empty() && has("leg_curve"))) return Kind::slit;
-  return fail(ErrorCode::invalid_input,
-              format.empty() ? fmt::format("{} is JSON, but neither a plates, a transition nor a slit file", name)
-                             : fmt::format("{} has the format \"{}\"; known are planish/plates, planish/transition and planish/slits", name, format),
-              name + (format.empty() ? "" : "/format"));
+  return fail(
+      ErrorCode::invalid_input,
+      format.empty()
+          ? fmt::format("{} is JSON, but neither a plates, a transition nor a slit file", name)
+          : fmt::format("{} has the format \"{}\"; known are planish/plates, planish/transition "
+                        "and planish/slits",
+                        name, format),
+      name + (format.empty() ? "" : "/format"));
 }
 
 Result<Kind> kind_of(const std::string& name, const std::string& bytes) {

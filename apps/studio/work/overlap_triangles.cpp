@@ -7,7 +7,9 @@
 namespace planish::studio {
 namespace {
 
-double turn(const Vec2& a, const Vec2& b, const Vec2& c) { return (b - a).x() * (c - b).y() - (b - a).y() * (c - b).x(); }
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b - a).x() * (c - b).y() - (b - a).y() * (c - b).x();
+}
 
 bool in_triangle(const Vec2& p, const Vec2& a, const Vec2& b, const Vec2& c) {
   return turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
@@ -17,8 +19,9 @@ bool is_ear(const std::vector<Vec2>& ring, std::size_t i) {
   const std::size_t n = ring.size();
   const Vec2 &a = ring[(i + n - 1) % n], &b = ring[i], &c = ring[(i + 1) % n];
   if (turn(a, b, c) <= 0.0) return false;
-  return std::none_of(ring.begin(), ring.end(),
-                      [&](const Vec2& p) { return p != a && p != b && p != c && in_triangle(p, a, b, c); });
+  return std::none_of(ring.begin(), ring.end(), [&](const Vec2& p) {
+    return p != a && p != b && p != c && in_triangle(p, a, b, c);
+  });
 }
 
 }  // namespace
@@ -41,8 +44,8 @@ std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
 }
 
 std::vector<Vec2> overlap_triangles(const FlatPattern& pattern) {
-  constexpr double kChord = 0.05;          // mm
-  constexpr double kContactShare = 1e-3;   // of the thickness: less deep overlaps only touch
+  constexpr double kChord = 0.05;         // mm
+  constexpr double kContactShare = 1e-3;  // of the thickness: less deep overlaps only touch
   std::vector<Polygon> polygons;
   for (std::size_t f = 0; f < pattern.face_outlines.size(); ++f)
     polygons.push_back(polygon_of({pattern.face_outlines[f], pattern.face_openings[f]}, kChord));

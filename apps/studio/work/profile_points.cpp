@@ -11,7 +11,8 @@ namespace {
 constexpr int kPoints = 96;  // of a full turn; a multiple of four, so that extents are met
 
 /// Appends `turns` quarters of an arc about `center` from the angle `start` (in quarters).
-void append_arc(std::vector<Vec2>& points, const Vec2& center, double radius, int start, int quarters) {
+void append_arc(std::vector<Vec2>& points, const Vec2& center, double radius, int start,
+                int quarters) {
   const int steps = kPoints / 4 * quarters;
   for (int i = 0; i <= steps; ++i) {
     const double angle = std::numbers::pi / 2 * (start + static_cast<double>(quarters * i) / steps);
@@ -31,7 +32,8 @@ std::vector<Vec2> flat_points(const EllipseProfile& ellipse) {
 }
 
 std::vector<Vec2> flat_points(const RoundedRectangleProfile& rectangle) {
-  const double x = rectangle.width / 2 - rectangle.radius, y = rectangle.height / 2 - rectangle.radius;
+  const double x = rectangle.width / 2 - rectangle.radius,
+               y = rectangle.height / 2 - rectangle.radius;
   std::vector<Vec2> points;
   append_arc(points, {x, -y}, rectangle.radius, 3, 1);
   append_arc(points, {x, y}, rectangle.radius, 0, 1);
@@ -85,9 +87,11 @@ std::vector<Vec3> border_near(const Mesh& mesh, const Frame& frame) {
 }  // namespace
 
 std::vector<Vec3> profile_points(const PlacedProfile& profile, const Mesh& mesh) {
-  if (std::holds_alternative<SplineProfile>(profile.profile) && !mesh.triangles.empty()) return border_near(mesh, profile.frame);
+  if (std::holds_alternative<SplineProfile>(profile.profile) && !mesh.triangles.empty())
+    return border_near(mesh, profile.frame);
   std::vector<Vec3> points;
-  for (const Vec2& p : std::visit([](const auto& shape) { return flat_points(shape); }, profile.profile))
+  for (const Vec2& p :
+       std::visit([](const auto& shape) { return flat_points(shape); }, profile.profile))
     points.push_back(profile.frame.point(p));
   return points;
 }

@@ -8,7 +8,8 @@
 
 namespace planish::studio {
 
-/// The last whole report with the request it answers: files are mostly asked for after the result of the same request.
+/// The last whole report with the request it answers: files are mostly asked for after the result
+/// of the same request.
 template <typename Report>
 class Remembered {
  public:

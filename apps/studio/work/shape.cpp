@@ -37,9 +37,12 @@ Json arrays_json(const Shape& shape) {
 }
 
 std::string header(const Shape& shape, double seconds) {
-  // The report is text already; reading it again only to write it would cost more than all the rest.
+  // The report is text already; reading it again only to write it would cost more than all the
+  // rest.
   std::string text = "{\"report\": " + (shape.report.empty() ? "null" : shape.report);
-  const auto add = [&](const char* key, const Json& value) { text += std::string(",\"") + key + "\": " + json_text(value); };
+  const auto add = [&](const char* key, const Json& value) {
+    text += std::string(",\"") + key + "\": " + json_text(value);
+  };
   add("arrays", arrays_json(shape));
   add("parts", shape.parts);
   add("root", root_json(shape.root));
@@ -52,9 +55,15 @@ std::string header(const Shape& shape, double seconds) {
 
 }  // namespace
 
-void Shape::add(const std::string& name, const std::vector<float>& values) { arrays.push_back(array_of(name, "f32", values)); }
-void Shape::add(const std::string& name, const std::vector<std::uint32_t>& values) { arrays.push_back(array_of(name, "u32", values)); }
-void Shape::add(const std::string& name, const std::vector<std::int32_t>& values) { arrays.push_back(array_of(name, "i32", values)); }
+void Shape::add(const std::string& name, const std::vector<float>& values) {
+  arrays.push_back(array_of(name, "f32", values));
+}
+void Shape::add(const std::string& name, const std::vector<std::uint32_t>& values) {
+  arrays.push_back(array_of(name, "u32", values));
+}
+void Shape::add(const std::string& name, const std::vector<std::int32_t>& values) {
+  arrays.push_back(array_of(name, "i32", values));
+}
 
 void add_space(Shape& shape, const Mesh& mesh) {
   std::vector<float> points;
@@ -81,7 +90,9 @@ std::string encoded(const Shape& shape, double seconds) {
 }
 
 Json point_json(const Vec3& p) {
-  const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
   return Json::array({number(p.x()), number(p.y()), number(p.z())});
 }
 

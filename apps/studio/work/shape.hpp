@@ -33,9 +33,9 @@ struct Shape {
   void add(const std::string& name, const std::vector<std::int32_t>& values);
 };
 
-/// Flanges and bends as rows of `parts`: first the flanges, then the bends, each in the sheet's order. Then the facets with
-/// their outline, the lines at which it bends, and where the pattern covers itself. Nothing for a report that knows no
-/// pattern.
+/// Flanges and bends as rows of `parts`: first the flanges, then the bends, each in the sheet's
+/// order. Then the facets with their outline, the lines at which it bends, and where the pattern
+/// covers itself. Nothing for a report that knows no pattern.
 void add_sheet(Shape& shape, const job::Report& report);
 
 /// A solid to look at.

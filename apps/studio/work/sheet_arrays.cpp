@@ -24,7 +24,9 @@ void append(std::vector<float>& to, const Segment& line) {
   append(to, line.b);
 }
 
-std::uint32_t row_of(const Sheet&, FlangeId flange) { return static_cast<std::uint32_t>(index_of(flange)); }
+std::uint32_t row_of(const Sheet&, FlangeId flange) {
+  return static_cast<std::uint32_t>(index_of(flange));
+}
 
 std::uint32_t row_of(const Sheet& sheet, BendId bend) {
   return count_of(sheet.flanges.size() + static_cast<std::size_t>(index_of(bend)));
@@ -43,7 +45,9 @@ Json faces_json(const Sheet& sheet, const std::vector<FaceId>& faces) {
 
 void add_parts(Shape& shape, const Sheet& sheet) {
   for (std::size_t i = 0; i < sheet.flanges.size(); ++i)
-    shape.parts.push_back({{"name", fmt::format("F{}", i + 1)}, {"kind", "flange"}, {"faces", faces_json(sheet, sheet.flanges[i].faces)}});
+    shape.parts.push_back({{"name", fmt::format("F{}", i + 1)},
+                           {"kind", "flange"},
+                           {"faces", faces_json(sheet, sheet.flanges[i].faces)}});
   for (std::size_t i = 0; i < sheet.bends.size(); ++i)
     shape.parts.push_back({{"name", fmt::format("B{}", i + 1)},
                            {"kind", "bend"},
@@ -113,7 +117,8 @@ void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
 }
 
 void add_overlaps(Shape& shape, const job::Report& report) {
-  const bool known = std::any_of(report.findings.begin(), report.findings.end(), [](const Finding& f) { return f.code == "overlap"; });
+  const bool known = std::any_of(report.findings.begin(), report.findings.end(),
+                                 [](const Finding& f) { return f.code == "overlap"; });
   if (!known) return;
   std::vector<float> points;
   for (const Vec2& p : overlap_triangles(report.flat))

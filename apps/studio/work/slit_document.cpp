@@ -9,7 +9,6 @@
 #include <planish/job/slit.hpp>
 #include <planish/slit/mould.hpp>
 
-
 namespace planish::studio {
 namespace {
 
@@ -51,8 +50,11 @@ Json scan_json(const std::vector<SlitScan>& scans, const Eigen::Isometry3d& moti
 
 Json handles_of(const SlitDesign& design, const SlitReport& report) {
   Json json;
-  json["leg_curve"] = curve_json(design.leg_curve, [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); });
-  if (design.seat_curve) json["seat_curve"] = curve_json(*design.seat_curve, [](const Vec2& p) { return Vec3(0, p.x(), p.y()); });
+  json["leg_curve"] =
+      curve_json(design.leg_curve, [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); });
+  if (design.seat_curve)
+    json["seat_curve"] =
+        curve_json(*design.seat_curve, [](const Vec2& p) { return Vec3(0, p.x(), p.y()); });
   json["ridges"] = ridges_json(report.folded);
   json["scan"] = scan_json(design.scans, report.scan_motion);
   return json;
@@ -60,14 +62,16 @@ Json handles_of(const SlitDesign& design, const SlitReport& report) {
 
 class SlitDocument : public Document {
  public:
-  SlitDocument(std::string name, std::filesystem::path attachments) : name_(std::move(name)), attachments_(std::move(attachments)) {}
+  SlitDocument(std::string name, std::filesystem::path attachments)
+      : name_(std::move(name)), attachments_(std::move(attachments)) {}
 
   std::string_view kind() const override { return "slit"; }
 
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) override {
     const auto file = spec_of(asked);
     if (!file) return tl::unexpected(file.error());
-    const auto report = effort == job::Effort::draft ? draft(*file, asked, progress) : result(*file, asked, progress);
+    const auto report = effort == job::Effort::draft ? draft(*file, asked, progress)
+                                                     : result(*file, asked, progress);
     if (!report) return tl::unexpected(report.error());
     Shape shape;
     shape.report = report_json(*report);
@@ -76,17 +80,21 @@ class SlitDocument : public Document {
     return shape;
   }
 
-  Result<MadeFile> file(const Asked& asked, const std::string& format, const Progress& progress) override {
+  Result<MadeFile> file(const Asked& asked, const std::string& format,
+                        const Progress& progress) override {
     const auto file = spec_of(asked);
     if (!file) return tl::unexpected(file.error());
     const auto report = result(*file, asked, progress);
     if (!report) return tl::unexpected(report.error());
     if (format == "json") return MadeFile{kJsonType, report_json(*report)};
     // Ridges are drawn but too many to be labelled; strips are.
-    if (auto common = common_file(*report, asked, format, {.labels = false})) return std::move(*common);
+    if (auto common = common_file(*report, asked, format, {.labels = false}))
+      return std::move(*common);
     if (auto whole = not_refused(*report); !whole) return tl::unexpected(whole.error());
-    if (format == "step") return as_file(folded_surface_step(sheet_of(report->folded), report->body), kStepType);
-    if (format == "stl") return MadeFile{kStlType, stl_binary(mesh_of(report->folded), report->body)};
+    if (format == "step")
+      return as_file(folded_surface_step(sheet_of(report->folded), report->body), kStepType);
+    if (format == "stl")
+      return MadeFile{kStlType, stl_binary(mesh_of(report->folded), report->body)};
     if (format != "mould.stl") return tl::unexpected(no_such_format(format));
     const auto mould = mould_of(report->folded);
     if (!mould) return tl::unexpected(mould.error());
@@ -96,20 +104,27 @@ class SlitDocument : public Document {
  private:
   Result<job::SlitFile> spec_of(const Asked& asked) const {
     if (auto given = has_spec(asked); !given) return tl::unexpected(given.error());
-    if (auto plain = check_attachments(asked.spec, name_, attachments_); !plain) return tl::unexpected(plain.error());
+    if (auto plain = check_attachments(asked.spec, name_, attachments_); !plain)
+      return tl::unexpected(plain.error());
     auto file = job::parse_slits(asked.spec, name_, attachments_);
     if (file && asked.align_scans) file->align_scans = *asked.align_scans;
     return file;
   }
 
-  Result<SlitReport> result(const job::SlitFile& file, const Asked& asked, const Progress& progress) {
-    return last_.get(asked.key, [&] { return job::slit_sheet(file, make_request(asked, name_, job::Effort::full), progress); });
+  Result<SlitReport> result(const job::SlitFile& file, const Asked& asked,
+                            const Progress& progress) {
+    return last_.get(asked.key, [&] {
+      return job::slit_sheet(file, make_request(asked, name_, job::Effort::full), progress);
+    });
   }
 
-  /// As far as a moment allows: strips that are not at their best then are `open`, and the next draft goes on.
-  Result<SlitReport> draft(const job::SlitFile& file, const Asked& asked, const Progress& progress) {
+  /// As far as a moment allows: strips that are not at their best then are `open`, and the next
+  /// draft goes on.
+  Result<SlitReport> draft(const job::SlitFile& file, const Asked& asked,
+                           const Progress& progress) {
     const job::MakeRequest request = make_request(asked, name_, job::Effort::draft);
-    if (auto followed = session_.follow(file, progress); !followed) return refused(request, followed.error());
+    if (auto followed = session_.follow(file, progress); !followed)
+      return refused(request, followed.error());
     auto report = job::slit_solved(session_.now(), file, request, progress);
     if (report) report->scan_motion = session_.scan_motion();
     return report;
@@ -133,7 +148,8 @@ Result<std::unique_ptr<Document>> open_slit(const std::string& name, const std::
   // The files that it names come later.
   const auto alone = without_attachments(json, name);
   if (!alone) return tl::unexpected(alone.error());
-  if (const auto file = job::parse_slits(*alone, name, attachments); !file) return tl::unexpected(file.error());
+  if (const auto file = job::parse_slits(*alone, name, attachments); !file)
+    return tl::unexpected(file.error());
   return std::make_unique<SlitDocument>(name, attachments);
 }
 

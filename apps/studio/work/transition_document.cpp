@@ -16,7 +16,8 @@ using job::TransitionReport;
 Json handles_of(const TransitionSpec& spec, const Transition& transition) {
   Json json;
   for (const PlacedProfile* profile : {&spec.from, &spec.to})
-    json["profiles"].push_back({{"points", points_json(profile_points(*profile, transition.mesh))}});
+    json["profiles"].push_back(
+        {{"points", points_json(profile_points(*profile, transition.mesh))}});
   json["rulings"] = Json::array();
   for (const TrueLength& line : transition.true_lengths)
     json["rulings"].push_back({point_json(line.points[0]), point_json(line.points[1])});
@@ -41,7 +42,8 @@ class TransitionDocument : public Document {
     return shape;
   }
 
-  Result<MadeFile> file(const Asked& asked, const std::string& format, const Progress& progress) override {
+  Result<MadeFile> file(const Asked& asked, const std::string& format,
+                        const Progress& progress) override {
     const auto report = report_of(asked, job::Effort::full, progress);
     if (!report) return tl::unexpected(report.error());
     if (format == "json") return MadeFile{kJsonType, report_json(*report)};
@@ -49,19 +51,23 @@ class TransitionDocument : public Document {
     if (!piece) return tl::unexpected(piece.error());
     if (auto common = common_file(**piece, asked, format)) return std::move(*common);
     if (auto whole = not_refused(*report); !whole) return tl::unexpected(whole.error());
-    if (format == "stl") return MadeFile{kStlType, stl_binary(report->transition.mesh, report->body)};
-    if (format == "step") return as_file(report->pieces[static_cast<std::size_t>(asked.piece)].solid, kStepType);
+    if (format == "stl")
+      return MadeFile{kStlType, stl_binary(report->transition.mesh, report->body)};
+    if (format == "step")
+      return as_file(report->pieces[static_cast<std::size_t>(asked.piece)].solid, kStepType);
     return tl::unexpected(no_such_format(format));
   }
 
  private:
-  Result<TransitionReport> report_of(const Asked& asked, job::Effort effort, const Progress& progress) {
+  Result<TransitionReport> report_of(const Asked& asked, job::Effort effort,
+                                     const Progress& progress) {
     const auto make = [&]() -> Result<TransitionReport> {
       if (auto given = has_spec(asked); !given) return tl::unexpected(given.error());
       const auto file = job::parse_transition(asked.spec, name_);
       if (!file) return tl::unexpected(file.error());
       if (asked.k && !std::holds_alternative<ConstantK>(*asked.k))
-        return fail(ErrorCode::bad_option, "transitions have no inside radius, so their K is a number", "/options/k");
+        return fail(ErrorCode::bad_option,
+                    "transitions have no inside radius, so their K is a number", "/options/k");
       return job::transition_between(*file, make_request(asked, name_, effort), progress);
     };
     return effort == job::Effort::draft ? make() : last_.get(asked.key, make);
@@ -70,9 +76,12 @@ class TransitionDocument : public Document {
   /// The report of the piece that is looked at; the whole where refusal left none.
   static Result<const job::Report*> piece_of(const TransitionReport& report, const Asked& asked) {
     const std::size_t count = report.pieces.size();
-    if (static_cast<std::size_t>(asked.piece) < count) return &report.pieces[static_cast<std::size_t>(asked.piece)];
+    if (static_cast<std::size_t>(asked.piece) < count)
+      return &report.pieces[static_cast<std::size_t>(asked.piece)];
     if (report.refusal) return &report;
-    return fail(ErrorCode::bad_option, fmt::format("there is no piece {}; the last is {}", asked.piece, count - 1), "/options/piece");
+    return fail(ErrorCode::bad_option,
+                fmt::format("there is no piece {}; the last is {}", asked.piece, count - 1),
+                "/options/piece");
   }
 
   std::string name_;
@@ -81,8 +90,10 @@ class TransitionDocument : public Document {
 
 }  // namespace
 
-Result<std::unique_ptr<Document>> open_transition(const std::string& name, const std::string& json) {
-  if (const auto file = job::parse_transition(json, name); !file) return tl::unexpected(file.error());
+Result<std::unique_ptr<Document>> open_transition(const std::string& name,
+                                                  const std::string& json) {
+  if (const auto file = job::parse_transition(json, name); !file)
+    return tl::unexpected(file.error());
   return std::make_unique<TransitionDocument>(name);
 }
 

@@ -18,11 +18,14 @@ using job::UnfoldReport;
 
 class UnfoldDocument : public Document {
  public:
-  UnfoldDocument(std::string name, StepFile file) : name_(std::move(name)), file_(std::move(file)) {}
+  UnfoldDocument(std::string name, StepFile file)
+      : name_(std::move(name)), file_(std::move(file)) {}
 
   std::string_view kind() const override { return "unfold"; }
 
-  Json info() const override { return Json::parse(job::info_json(*job::info_of(file_, {.input = name_, .body = {}}))); }
+  Json info() const override {
+    return Json::parse(job::info_json(*job::info_of(file_, {.input = name_, .body = {}})));
+  }
 
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) override {
     const auto report = report_of(asked, effort, progress);
@@ -34,11 +37,13 @@ class UnfoldDocument : public Document {
     return shape;
   }
 
-  Result<MadeFile> file(const Asked& asked, const std::string& format, const Progress& progress) override {
+  Result<MadeFile> file(const Asked& asked, const std::string& format,
+                        const Progress& progress) override {
     const auto report = report_of(asked, job::Effort::full, progress);
     if (!report) return tl::unexpected(report.error());
     if (format == "json") return MadeFile{kJsonType, report_json(*report)};
-    if (auto common = common_file(*report, asked, format == "step" ? "flat.step" : format)) return std::move(*common);
+    if (auto common = common_file(*report, asked, format == "step" ? "flat.step" : format))
+      return std::move(*common);
     if (format != "stl") return tl::unexpected(no_such_format(format));
     const auto mesh = body_mesh(file_.bodies[static_cast<std::size_t>(asked.body) - 1]);
     if (!mesh) return tl::unexpected(mesh.error());
@@ -50,9 +55,12 @@ class UnfoldDocument : public Document {
     const auto make = [&]() -> Result<UnfoldReport> {
       const int count = static_cast<int>(file_.bodies.size());
       if (asked.body > count)
-        return fail(ErrorCode::no_such_body, fmt::format("there is no body {}; the file has {}", asked.body, count), "/options/body");
+        return fail(ErrorCode::no_such_body,
+                    fmt::format("there is no body {}; the file has {}", asked.body, count),
+                    "/options/body");
       const Body& body = file_.bodies[static_cast<std::size_t>(asked.body) - 1];
-      auto report = job::unfold_recognized(body, sheet_of(asked.body, progress), request_of(asked, effort), progress);
+      auto report = job::unfold_recognized(body, sheet_of(asked.body, progress),
+                                           request_of(asked, effort), progress);
       if (!report) return report;
       report->input = name_;
       report->number = asked.body;
@@ -80,7 +88,8 @@ class UnfoldDocument : public Document {
     const auto known = found_.find(body);
     if (known != found_.end()) return known->second;
     progress.at("finding the sheet", 0.2);
-    return found_.emplace(body, recognize(file_.bodies[static_cast<std::size_t>(body) - 1])).first->second;
+    return found_.emplace(body, recognize(file_.bodies[static_cast<std::size_t>(body) - 1]))
+        .first->second;
   }
 
   /// Whoever is refused wants to see of what; where the kernel has no mesh there is nothing to see.

@@ -9,7 +9,9 @@
 namespace planish::studio {
 namespace {
 
-Answer bad_request(const Error& error) { return failure(400, "bad_request", error.message, error.where); }
+Answer bad_request(const Error& error) {
+  return failure(400, "bad_request", error.message, error.where);
+}
 
 }  // namespace
 

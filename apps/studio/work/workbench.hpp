@@ -11,14 +11,15 @@
 
 namespace planish::studio {
 
-/// Where one document is worked on: requests become answers, without processes or sockets. Not thread-safe.
+/// Where one document is worked on: requests become answers, without processes or sockets. Not
+/// thread-safe.
 class Workbench {
  public:
   /// `attachments`: the folder of the files that were added to the document.
   explicit Workbench(std::filesystem::path attachments) : attachments_(std::move(attachments)) {}
 
-  /// Answers as docs/studio-api.md has them; what is opened has no "id" yet. Whatever a task throws becomes an answer:
-  /// 409 `out_of_memory`, else 500 `internal`.
+  /// Answers as docs/studio-api.md has them; what is opened has no "id" yet. Whatever a task throws
+  /// becomes an answer: 409 `out_of_memory`, else 500 `internal`.
   Answer perform(const Task& task, const Progress& progress = {});
 
  private:

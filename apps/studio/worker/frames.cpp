@@ -1,15 +1,15 @@
 #include "frames.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 namespace planish::studio {
 namespace {
@@ -31,11 +31,14 @@ bool send_bytes(int socket, const char* bytes, std::size_t count) {
 /// Milliseconds left, rounded up; −1 for ever.
 int patience(std::optional<Moment> until) {
   if (!until) return -1;
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(*until - std::chrono::steady_clock::now()).count();
+  const auto left =
+      std::chrono::ceil<std::chrono::milliseconds>(*until - std::chrono::steady_clock::now())
+          .count();
   return left > 0 ? static_cast<int>(left) : 0;
 }
 
-std::optional<FrameFailure> receive_bytes(int socket, char* bytes, std::size_t count, std::optional<Moment> until) {
+std::optional<FrameFailure> receive_bytes(int socket, char* bytes, std::size_t count,
+                                          std::optional<Moment> until) {
   while (count > 0) {
     pollfd ready{socket, POLLIN, 0};
     const int events = ::poll(&ready, 1, patience(until));
@@ -78,28 +81,34 @@ bool send_frame(int socket, const Frame& frame) {
   const auto length = static_cast<std::uint32_t>(frame.content.size());
   head[0] = static_cast<char>(frame.kind);
   std::memcpy(head.data() + 1, &length, sizeof length);
-  return send_bytes(socket, head.data(), kHead) && send_bytes(socket, frame.content.data(), frame.content.size());
+  return send_bytes(socket, head.data(), kHead) &&
+         send_bytes(socket, frame.content.data(), frame.content.size());
 }
 
 tl::expected<Frame, FrameFailure> receive_frame(int socket, std::optional<Moment> until) {
   std::array<char, kHead> head{};
-  if (const auto failure = receive_bytes(socket, head.data(), kHead, until)) return tl::unexpected(*failure);
+  if (const auto failure = receive_bytes(socket, head.data(), kHead, until))
+    return tl::unexpected(*failure);
   std::uint32_t length = 0;
   std::memcpy(&length, head.data() + 1, sizeof length);
   if (length > kLongest) return tl::unexpected(FrameFailure::ended);
   Frame frame{static_cast<FrameKind>(head[0]), std::string(length, '\0')};
-  if (const auto failure = receive_bytes(socket, frame.content.data(), length, until)) return tl::unexpected(*failure);
+  if (const auto failure = receive_bytes(socket, frame.content.data(), length, until))
+    return tl::unexpected(*failure);
   return frame;
 }
 
-Frame task_frame(const Task& task) { return {FrameKind::task, with_lines(task.verb, task.argument, task.body)}; }
+Frame task_frame(const Task& task) {
+  return {FrameKind::task, with_lines(task.verb, task.argument, task.body)};
+}
 
 Frame progress_frame(const Stage& stage) {
   return {FrameKind::progress, with_lines(fmt::format("{}", stage.share), "", stage.name)};
 }
 
 Frame answer_frame(const Answer& answer) {
-  return {FrameKind::answer, with_lines(fmt::format("{}", answer.status), answer.type, answer.body)};
+  return {FrameKind::answer,
+          with_lines(fmt::format("{}", answer.status), answer.type, answer.body)};
 }
 
 std::optional<Task> task_of(const Frame& frame) {

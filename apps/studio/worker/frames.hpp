@@ -9,8 +9,8 @@
 
 namespace planish::studio {
 
-/// What server and worker say to each other over a socket pair. A frame is its kind (one byte), the length of its content
-/// (four bytes, of this machine's order) and the content.
+/// What server and worker say to each other over a socket pair. A frame is its kind (one byte), the
+/// length of its content (four bytes, of this machine's order) and the content.
 enum class FrameKind : std::uint8_t { task = 1, progress = 2, answer = 3 };
 
 struct Frame {
@@ -31,8 +31,10 @@ using Moment = std::chrono::steady_clock::time_point;
 
 enum class FrameFailure { ended, late };
 
-/// The next frame. `ended`: the other side is gone, or sends what is no frame; `late`: it did not come before `until`.
-tl::expected<Frame, FrameFailure> receive_frame(int socket, std::optional<Moment> until = std::nullopt);
+/// The next frame. `ended`: the other side is gone, or sends what is no frame; `late`: it did not
+/// come before `until`.
+tl::expected<Frame, FrameFailure> receive_frame(int socket,
+                                                std::optional<Moment> until = std::nullopt);
 
 Frame task_frame(const Task& task);
 Frame progress_frame(const Stage& stage);

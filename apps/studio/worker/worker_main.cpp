@@ -3,12 +3,13 @@
 #include "frames.hpp"
 #include "worker_limits.hpp"
 
-#include <chrono>
-#include <csignal>
-#include <cstdlib>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
 
 namespace planish::studio {
 namespace {

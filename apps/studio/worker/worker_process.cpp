@@ -2,24 +2,26 @@
 
 #include "worker_limits.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
-#include <spawn.h>
 #include <string>
-#include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace planish::studio {
 namespace {
 
 Error not_started(int reason) {
-  return {ErrorCode::internal, fmt::format("no worker could be started: {}", std::strerror(reason)), {}};
+  return {ErrorCode::internal,
+          fmt::format("no worker could be started: {}", std::strerror(reason)),
+          {}};
 }
 
 /// What posix_spawn is told, given back at the end.
@@ -51,7 +53,8 @@ class SpawnPlan {
   int spawn(pid_t& process) const {
     std::string name = "planish", command = "studio-worker", server = std::to_string(getpid());
     std::array<char*, 4> arguments{name.data(), command.data(), server.data(), nullptr};
-    return posix_spawn(&process, "/proc/self/exe", &actions_, &attributes_, arguments.data(), environ);
+    return posix_spawn(&process, "/proc/self/exe", &actions_, &attributes_, arguments.data(),
+                       environ);
   }
 
  private:
@@ -63,7 +66,8 @@ class SpawnPlan {
 
 Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::filesystem::path& folder) {
   std::array<int, 2> sockets{};
-  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0) return tl::unexpected(not_started(errno));
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
+    return tl::unexpected(not_started(errno));
   pid_t process = 0;
   const int failed = SpawnPlan(folder, sockets[1]).spawn(process);
   close(sockets[1]);
@@ -81,19 +85,22 @@ WorkerProcess::~WorkerProcess() {
 
 bool WorkerProcess::is_alive() const {
   siginfo_t info{};
-  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0;
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+         info.si_pid == 0;
 }
 
 void WorkerProcess::kill() { ::kill(process_, SIGKILL); }
 
-tl::expected<Answer, WorkerEnd> WorkerProcess::ask(const Task& task, const std::function<void(Stage)>& report) {
+tl::expected<Answer, WorkerEnd> WorkerProcess::ask(const Task& task,
+                                                   const std::function<void(Stage)>& report) {
   const Moment until = std::chrono::steady_clock::now() + kMostTime;
   if (!send_frame(socket_, task_frame(task))) return tl::unexpected(WorkerEnd::died);
   for (;;) {
     const auto frame = receive_frame(socket_, until);
     if (!frame) {
       kill();
-      return tl::unexpected(frame.error() == FrameFailure::late ? WorkerEnd::late : WorkerEnd::died);
+      return tl::unexpected(frame.error() == FrameFailure::late ? WorkerEnd::late
+                                                                : WorkerEnd::died);
     }
     if (auto stage = stage_of(*frame)) {
       report(std::move(*stage));

@@ -3,18 +3,19 @@
 #include "../work/answer.hpp"
 #include "frames.hpp"
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <sys/types.h>
 
 namespace planish::studio {
 
 /// Why a worker gave no answer.
 enum class WorkerEnd { died, late };
 
-/// A process that works for one document: this program again, as `planish studio-worker`. It ends with this object, or with
-/// the server, whichever is first.
+/// A process that works for one document: this program again, as `planish studio-worker`. It ends
+/// with this object, or with the server, whichever is first.
 class WorkerProcess {
  public:
   /// Its working directory is `folder`. Error: `internal` with the reason of the system.
@@ -23,7 +24,8 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
   ~WorkerProcess();
 
-  /// Sends a task and waits for its answer. After `died` or `late` there is no more worker behind this object.
+  /// Sends a task and waits for its answer. After `died` or `late` there is no more worker behind
+  /// this object.
   tl::expected<Answer, WorkerEnd> ask(const Task& task, const std::function<void(Stage)>& report);
 
   bool is_alive() const;
