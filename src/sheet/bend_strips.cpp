@@ -115,19 +115,36 @@ Eigen::Isometry3d BendStrips::in_space(int strip, double depth) const {
   return placed;
 }
 
+/// Parameters between which chords leave a curve by no more than `chord_`.
+void BendStrips::add_stops(const Curve2& curve, std::vector<double>& stops) const {
+  if (std::holds_alternative<Arc>(curve)) {
+    constexpr int kParts = 64;
+    for (int i = 1; i < kParts; ++i)
+      stops.push_back(i / double(kParts));
+  }
+  const auto* spline = std::get_if<CubicSpline>(&curve);
+  if (!spline) return;
+  const size_t pieces = spline->poles.size() / 3;
+  for (size_t i = 0; i < pieces; ++i) {
+    double second = 0.0;  // difference of poles, as long as it is on the surface
+    for (size_t k = 3 * i; k < 3 * i + 2; ++k) {
+      const Vec2 d = spline->poles[k] - 2.0 * spline->poles[k + 1] + spline->poles[k + 2];
+      second = std::max(second, std::hypot(speed_ * d.x(), d.y()));
+    }
+    // A cubic's second derivative is at most six of them; a chord over h leaves it by h²/8 of that.
+    const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.75 * second / chord_))));
+    for (int k = 0; k < parts; ++k)
+      stops.push_back((static_cast<double>(i) + k / double(parts)) / static_cast<double>(pieces));
+  }
+  std::erase(stops, 0.0);
+}
+
 std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
   std::vector<double> stops;
   for (const double u : rulings_)
     for (const double t : crossings(curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
       if (t > 0.0 && t < 1.0) stops.push_back(t);
-  if (!std::holds_alternative<Segment>(curve)) {
-    // Evenly, as many as the longest image of the curve's steps asks for.
-    constexpr int kPieces = 16;
-    const auto* spline = std::get_if<CubicSpline>(&curve);
-    const int pieces = kPieces * (spline ? static_cast<int>(spline->poles.size() / 3) : kPieces);
-    for (int i = 1; i < pieces; ++i)
-      stops.push_back(i / double(pieces));
-  }
+  add_stops(curve, stops);
   std::sort(stops.begin(), stops.end());
   std::vector<Vec2> points{start_of(curve)};
   for (size_t i = 0; i < stops.size(); ++i) {

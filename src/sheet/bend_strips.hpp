@@ -40,6 +40,7 @@ class BendStrips {
   Vec2 image(const Vec2& uv) const { return placement_ * development_.develop(uv); }
   double u_of_strip(int strip) const { return 0.5 * (rulings_[static_cast<size_t>(strip)] + rulings_[static_cast<size_t>(strip) + 1]); }
   int strip_at(double u) const;
+  void add_stops(const Curve2& curve, std::vector<double>& stops) const;
   std::vector<Vec2> sampled_in_strips(const Curve2& curve) const;
   void place_rulings(const FacetOptions& options);
 

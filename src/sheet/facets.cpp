@@ -12,6 +12,8 @@ namespace {
 
 using Part = std::variant<FlangeId, BendId>;
 
+const Segment kNone{Vec2::Zero(), Vec2::Zero()};
+
 const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[static_cast<size_t>(index_of(id))]; }
 
 const Border& border_at(const Sheet& sheet, const BorderRef& ref) {
@@ -51,6 +53,12 @@ class FacetMaker {
     const Curve2& curve = image(ref.face, ref.loop)[static_cast<size_t>(ref.border)];
     return {start_of(curve), end_of(curve)};
   }
+  Segment longest_border(FaceId face) const {
+    Segment longest = kNone;
+    for (const Curve2& curve : image(face, 0))
+      if ((end_of(curve) - start_of(curve)).norm() > (longest.b - longest.a).norm()) longest = {start_of(curve), end_of(curve)};
+    return longest;
+  }
   std::vector<bool>& joined(FaceId face, int loop) {
     joined_.resize(sheet_.faces.size());
     auto& of_face = joined_[static_cast<size_t>(index_of(face))];
@@ -68,13 +76,13 @@ class FacetMaker {
     return static_cast<int>(made_.facets.size()) - 1;
   }
 
-  /// Of a flange's face; its other faces are hinged to it without an angle.
+  /// Of a flange's face; its other faces lie in its plane, hinged to it without an angle.
   void add_flange(FaceId first, int parent, const Segment& hinge, double angle) {
     const FlangeId flange = std::get<FlangeId>(face_at(sheet_, first).part_of);
     add_flange_face(first, parent, hinge, angle);
     const int facet = facet_of_face_[static_cast<size_t>(index_of(first))];
     for (const FaceId face : sheet_.flanges[static_cast<size_t>(index_of(flange))].faces)
-      if (face != first) add_flange_face(face, facet, made_.facets[static_cast<size_t>(facet)].hinge, 0.0);
+      if (face != first) add_flange_face(face, facet, longest_border(face), 0.0);
   }
 
   void add_flange_face(FaceId face, int parent, const Segment& hinge, double angle) {
@@ -158,7 +166,7 @@ class FacetMaker {
     placed_.resize(sheet_.flanges.size() + sheet_.bends.size());
     if (root) {
       made_.root = flange_in_space(*root);
-      add_flange(*root, -1, {}, 0.0);
+      add_flange(*root, -1, kNone, 0.0);
       enter(node_of(*root));
       return;
     }
@@ -166,7 +174,7 @@ class FacetMaker {
     const BendStrips& strips = strips_of(bend);
     const int middle = strips.count() / 2;
     made_.root = strips.in_space(middle, middle_depth());
-    add_bend(bend, middle, -1, {}, 0.0);
+    add_bend(bend, middle, -1, kNone, 0.0);
     enter(node_of(FaceId{0}));
   }
 

@@ -105,6 +105,19 @@ TEST(Facets, LieInThePlaneOfTheRootUntilTheyAreFolded) {
     EXPECT_LT((motion.matrix() - facets.root.matrix()).norm(), 1e-9);
 }
 
+TEST(Facets, AreHingedWhereTheSheetIs) {
+  for (const auto& [name, sheet] : samples()) {
+    const FlatPattern pattern = laid(sheet);
+    const Box2 box = bounds(pattern.outer.loop);
+    for (const Facet& facet : facets_of(sheet, pattern).facets) {
+      if (facet.parent < 0) continue;
+      for (const Vec2& p : {facet.hinge.a, facet.hinge.b})
+        EXPECT_TRUE(((p - box.lo).array() > -1e-6).all() && ((box.hi - p).array() > -1e-6).all()) << name;
+      EXPECT_GT((facet.hinge.b - facet.hinge.a).norm(), 0.0) << name;
+    }
+  }
+}
+
 TEST(Facets, OfATubeCloseToItsCircle) {
   const Sheet sheet = rolled();
   const FlatPattern pattern = laid(sheet);

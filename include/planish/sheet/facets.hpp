@@ -13,7 +13,7 @@ namespace planish {
 struct Facet {
   std::variant<FlangeId, BendId> part;
   int parent = -1;                ///< the facet it is hinged to, earlier in the list; −1: the root
-  Segment hinge;                  ///< in the flat pattern
+  Segment hinge = {Vec2::Zero(), Vec2::Zero()};  ///< in the flat pattern; of the root none
   Angle angle;                    ///< of the folded sheet: turn about the hinge's direction by the right hand, +z up
   std::vector<Polygon> polygons;  ///< outer rings counter-clockwise, holes clockwise
 };
