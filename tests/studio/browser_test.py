@@ -51,6 +51,9 @@ class Browser(StudioTest):
         self.assertEqual(layers.count("OUTER_PROFILE"), 1)
         self.assertIn("BEND_UP", layers)
 
+    def test_the_page_works_under_its_policy(self):
+        self.flow("policy")
+
     def test_rubbish_is_answered_with_the_programs_sentence(self):
         said, _ = self.flow("rubbish")
         self.assertIn("STEP", said)
