@@ -215,7 +215,8 @@ export class FlatView {
           if (i === first) c.moveTo(x, y);
           else c.lineTo(x, y);
         }
-        c.closePath();
+        // Closed by a line: closePath goes over the whole path, which is long, each time.
+        if (end > first) c.lineTo(...this.at(shape.points[2 * first]!, shape.points[2 * first + 1]!));
       }
   }
 
