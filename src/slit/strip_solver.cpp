@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <optional>
 
 namespace planish::slit_detail {
 namespace {
@@ -56,6 +57,16 @@ StripParameters shared_out(const StripBase& base, const StripParameters& p) {
   return shared;
 }
 
+/// Folds evened out between neighbours, none lost.
+StripParameters smoothed(const StripBase& base, const StripParameters& p) {
+  StripParameters even = p;
+  for (int ridge = 0; ridge < base.quads; ++ridge) {
+    const double before = p[std::max(ridge - 1, 0)], after = p[std::min(ridge + 1, base.quads - 1)];
+    even[ridge] = 0.25 * (before + 2.0 * p[ridge] + after);
+  }
+  return even;
+}
+
 class Solver {
  public:
   Solver(StripProblem problem, const DescentOptions& options, const PlanesBroken& planes_broken)
@@ -77,7 +88,22 @@ class Solver {
  private:
   bool reach_from_before(const StripParameters& from) {
     if (from.size() != problem_.parameters()) return false;
-    return (just_divided(problem_.base, from) && reach_from(shared_out(problem_.base, from))) || reach_from(from);
+    return (just_divided(problem_.base, from) && reach_divided(shared_out(problem_.base, from))) || reach_from(from);
+  }
+
+  /// Of the divided shape, evened out more and more, what is nearest to a minimum: of fine strips the least unevenness weighs
+  /// more than all else, and getting rid of it step by step would crease them.
+  bool reach_divided(StripParameters from) {
+    std::optional<StripSolution> best;
+    constexpr int kPasses = 6;
+    for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem_.base, from)) {
+      violation_ = std::numeric_limits<double>::infinity();
+      if (!reach_from(from)) continue;
+      solution_.objective = objective();
+      if (!best || solution_.objective < best->objective) best = solution_;
+    }
+    if (best) solution_ = *best;
+    return best.has_value();
   }
 
   bool reach_from(const StripParameters& from) {
