@@ -1,6 +1,7 @@
 #include <planish/sheet/facets.hpp>
 
 #include "bend_strips.hpp"
+#include "unfolding_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,6 @@ using Part = std::variant<FlangeId, BendId>;
 const Segment kNone{Vec2::Zero(), Vec2::Zero()};
 
 const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[static_cast<size_t>(index_of(id))]; }
-
-const Border& border_at(const Sheet& sheet, const BorderRef& ref) {
-  return face_at(sheet, ref.face).loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
-}
 
 std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
   if ((ring_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());

@@ -43,9 +43,12 @@ struct Indexed {
 
 }  // namespace
 
-struct NearestPoints::Tree {
-  Indexed all, surface;
-  explicit Tree(std::vector<Vec3> points) : all(std::move(points)), surface(thinned(all.cloud.points, kMostSurfacePoints)) {}
+struct NearestPoints::Tree : Indexed {
+  using Indexed::Indexed;
+};
+
+struct ScannedSurface::Tree : Indexed {
+  using Indexed::Indexed;
 };
 
 NearestPoints::NearestPoints(std::vector<Vec3> points) {
@@ -55,21 +58,28 @@ NearestPoints::NearestPoints(std::vector<Vec3> points) {
 
 NearestPoints::~NearestPoints() = default;
 
-const std::vector<Vec3>& NearestPoints::points() const { return tree_->all.cloud.points; }
+const std::vector<Vec3>& NearestPoints::points() const { return tree_->cloud.points; }
 
 const Vec3& NearestPoints::nearest(const Vec3& p) const {
   std::size_t found = 0;
   double distance = 0.0;
-  tree_->all.index.knnSearch(p.data(), 1, &found, &distance);
-  return tree_->all.cloud.points[found];
+  tree_->index.knnSearch(p.data(), 1, &found, &distance);
+  return tree_->cloud.points[found];
 }
 
-NearestPoints::Foot NearestPoints::on_surface(const Vec3& p) const {
-  const auto& points = tree_->surface.cloud.points;
+ScannedSurface::ScannedSurface(std::vector<Vec3> points) : points_(std::move(points)) {
+  PLANISH_ASSERT(!points_.empty());
+  tree_ = std::make_unique<const Tree>(thinned(points_, kMostSurfacePoints));
+}
+
+ScannedSurface::~ScannedSurface() = default;
+
+ScannedSurface::Foot ScannedSurface::nearest(const Vec3& p) const {
+  const auto& points = tree_->cloud.points;
   const std::size_t count = std::min(points.size(), std::max(kFewest, points.size() / kPatches));
   std::vector<std::size_t> found(count);
   std::vector<double> distances(count);
-  tree_->surface.index.knnSearch(p.data(), count, found.data(), distances.data());
+  tree_->index.knnSearch(p.data(), count, found.data(), distances.data());
   Vec3 middle = Vec3::Zero();
   for (const std::size_t i : found)
     middle += points[i] / static_cast<double>(count);

@@ -19,6 +19,20 @@ class NearestPoints {
 
   /// O(log n) for points near the cloud.
   const Vec3& nearest(const Vec3& p) const;
+  const std::vector<Vec3>& points() const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<const Tree> tree_;
+};
+
+/// Points measured on a strip, as the surface that they lie on; at least one.
+class ScannedSurface {
+ public:
+  explicit ScannedSurface(std::vector<Vec3> points);
+  ~ScannedSurface();
+  ScannedSurface(const ScannedSurface&) = delete;
+  ScannedSurface& operator=(const ScannedSurface&) = delete;
 
   /// The nearest point of the surface that was scanned: of a disc through the points about p, twice as large as they
   /// spread, in the plane that fits them best; of traced edges, of a line. So a point slides along the surface, and noise and the spacing of
@@ -27,12 +41,13 @@ class NearestPoints {
     Vec3 point = Vec3::Zero();
     Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();
   };
-  Foot on_surface(const Vec3& p) const;
-  const std::vector<Vec3>& points() const;
+  Foot nearest(const Vec3& p) const;
+  const std::vector<Vec3>& points() const { return points_; }
 
  private:
   struct Tree;
-  std::unique_ptr<const Tree> tree_;
+  std::vector<Vec3> points_;
+  std::unique_ptr<const Tree> tree_;  ///< over some of them
 };
 
 }  // namespace planish::slit_detail

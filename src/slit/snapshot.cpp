@@ -123,8 +123,8 @@ StripParameters subdivided(const StripBase& base, const StripParameters& p) {
   return fine;
 }
 
-std::shared_ptr<const NearestPoints> scan_of(std::vector<Vec3> points) {
-  return points.empty() ? nullptr : std::make_shared<const NearestPoints>(std::move(points));
+std::shared_ptr<const ScannedSurface> scan_of(std::vector<Vec3> points) {
+  return points.empty() ? nullptr : std::make_shared<const ScannedSurface>(std::move(points));
 }
 
 }  // namespace planish::slit_detail

@@ -14,7 +14,7 @@ namespace planish::slit_detail {
 struct Slot {
   StripParameters p;  ///< empty until it is solved for the first time
   std::vector<Inequality> inequalities;
-  std::shared_ptr<const NearestPoints> scan;
+  std::shared_ptr<const ScannedSurface> scan;
   StripState state;
   Eigen::AlignedBox3d box;  ///< of the folded strip
 };
@@ -55,6 +55,6 @@ void reopen_all(Snapshot& now);
 StripParameters subdivided(const StripBase& base, const StripParameters& p);
 
 /// Nothing for no points.
-std::shared_ptr<const NearestPoints> scan_of(std::vector<Vec3> points);
+std::shared_ptr<const ScannedSurface> scan_of(std::vector<Vec3> points);
 
 }  // namespace planish::slit_detail

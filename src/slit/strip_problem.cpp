@@ -152,7 +152,7 @@ class Rows {
   }
 
   void add_scanned(int side, int ridge, double scale) {
-    const NearestPoints::Foot foot = problem_.scan->on_surface(fold_.end(side, ridge));
+    const ScannedSurface::Foot foot = problem_.scan->nearest(fold_.end(side, ridge));
     residuals_.segment<3>(row_) = scale * (fold_.end(side, ridge) - foot.point);
     if (jacobian_)
       jacobian_->middleRows<3>(row_) =

@@ -58,7 +58,7 @@ struct StripProblem {
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;
   std::array<Vec2, 2> seat_places{};  ///< on the seat curve, of the end's corners
-  std::shared_ptr<const NearestPoints> scan;
+  std::shared_ptr<const ScannedSurface> scan;
   double min_radius = 0.0;
   std::vector<Inequality> inequalities;
   double penalty = 0.0;  ///< of violated inequalities, for the augmented Lagrangian

@@ -51,7 +51,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
     double sum = 0.0;
     for (int ridge = 1; ridge <= problem.base.quads; ++ridge)
       for (int side = 0; side < 2; ++side)
-        sum += (problem.scan->on_surface(fold.end(side, ridge)).point - fold.end(side, ridge)).squaredNorm();
+        sum += (problem.scan->nearest(fold.end(side, ridge)).point - fold.end(side, ridge)).squaredNorm();
     state.scan_distance = std::sqrt(sum / (2.0 * problem.base.quads));
   }
   state.iterations = solution.iterations;

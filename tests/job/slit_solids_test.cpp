@@ -1,3 +1,5 @@
+#include "slit/sample_sheets.hpp"
+
 #include <planish/brep/step.hpp>
 #include <planish/slit/mould.hpp>
 #include <planish/slit/session.hpp>
@@ -8,17 +10,6 @@
 
 namespace planish::test {
 namespace {
-
-SlitDesign chair() {
-  SlitDesign design;
-  design.sheet.thickness = 4.0;
-  design.sheet.panel_height = 420.0;
-  design.sheet.half_length = 464.0;
-  design.sheet.strips = equal_strips(6, 60.0);
-  design.leg_curve = {{{360, 0}, {360, 120}, {360, 240}, {360, 360}}};
-  design.seat_curve = BezierCurve{{{330, 0}, {300, 120}, {310, 240}, {640, 360}}};
-  return design;
-}
 
 FoldedSlitSheet folded_chair() {
   auto session = solved_slit_sheet(chair(), 0);

@@ -49,7 +49,7 @@ StripProblem problem_with_everything(int quads) {
   std::vector<Vec3> points;
   for (int i = 0; i < 5; ++i)
     points.emplace_back(300.0 * i, -200.0 * i, 100.0);
-  problem.scan = std::make_shared<const NearestPoints>(points);
+  problem.scan = std::make_shared<const ScannedSurface>(points);
   problem.min_radius = 150.0;
   problem.penalty = 10.0;
   problem.inequalities = {{RadiusLimit{1, 0, 0}, 0.5}, {RadiusLimit{1, 1, 1}, 3.0}, {RadiusLimit{0, 0, 0}, 3.0}, {HalfSpace{2, 1, Vec3(0.6, 0, 0.8), 1e4}, 0.0}, {HalfSpace{2, 0, Vec3::UnitX(), -1e5}, 0.0}};
