@@ -99,15 +99,19 @@ export class Computation {
     this.running = what;
     this.flight = new AbortController();
     this.started(document.id);
+    let ahead = false;
     try {
       const request: Request = { spec: input.spec ?? undefined, options: input.options };
       const shape = await (what === 'draft' ? this.api.draft(document.id, request, this.flight.signal) : this.api.result(document.id, request, this.flight.signal));
       if (what === 'result') this.resultTook = performance.now() - this.startedAt;
-      if (generation === this.generation) this.arrived(shape, what === 'draft', timing);
+      if (generation !== this.generation) return;
+      ahead = this.askAhead();
+      this.arrived(shape, what === 'draft', timing);
     } catch (error) {
       dropTiming(timing);
       if (generation === this.generation) await this.failed(error);
     }
+    if (ahead) return;
     await this.givenUp; // so that it cannot end the next request
     this.givenUp = null;
     this.superseded = false;
@@ -115,6 +119,15 @@ export class Computation {
     this.running = null;
     this.quiet();
     void this.next();
+  }
+
+  /** The next draft is asked for before this one is drawn: the server computes it meanwhile. */
+  private askAhead(): boolean {
+    if (!this.draftWanted || this.givenUp) return false;
+    this.running = null;
+    this.quiet();
+    void this.next();
+    return true;
   }
 
   private arrived(shape: Shape, draft: boolean, timing: Timing | null) {

@@ -3,6 +3,7 @@ import { drawDimensions } from './flat-dimensions.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
+import { distanceToSegment, type PickedLine } from './lines.ts';
 import { smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
@@ -13,6 +14,7 @@ export interface FlatScene {
   report: PieceReport | null; // of the piece that is shown
   findings: Finding[];
   selected: number | null; // row of parts
+  edge: number | null; // number of an edge
   finding: number | null;
   units: DisplayUnit;
   palette: Palette;
@@ -33,11 +35,11 @@ export class FlatView {
   private press: { x: number; y: number; moved: boolean } | null = null;
 
   private readonly box: HTMLElement;
-  private readonly pick: (part: number | null) => void;
-  constructor(box: HTMLElement, palette: Palette, pick: (part: number | null) => void) {
+  private readonly pick: (line: PickedLine | null) => void;
+  constructor(box: HTMLElement, palette: Palette, pick: (line: PickedLine | null) => void) {
     this.box = box;
     this.pick = pick;
-    this.scene = { shape: null, report: null, findings: [], selected: null, finding: null, units: 'mm', palette };
+    this.scene = { shape: null, report: null, findings: [], selected: null, edge: null, finding: null, units: 'mm', palette };
     this.c = this.canvas.getContext('2d', { willReadFrequently: drawnInSoftware })!;
     this.canvas.dataset.testid = 'flat-canvas';
     box.append(this.canvas);
@@ -104,7 +106,7 @@ export class FlatView {
       this.draw();
     });
     canvas.addEventListener('pointerup', (e) => {
-      if (this.press && !this.press.moved) this.pick(this.partUnder(e));
+      if (this.press && !this.press.moved) this.pick(this.under(e));
       this.press = null;
     });
     canvas.addEventListener('wheel', (e) => {
@@ -118,24 +120,25 @@ export class FlatView {
     canvas.addEventListener('dblclick', () => this.fit());
   }
 
-  private partUnder(e: PointerEvent): number | null {
+  /** Bends go before edges, and both before the flange they lie on. */
+  private under(e: PointerEvent): PickedLine | null {
     const { shape } = this.scene;
     if (!shape) return null;
     const r = this.canvas.getBoundingClientRect(), sx = e.clientX - r.left, sy = e.clientY - r.top;
-    const line = this.bendLineNear(shape, sx, sy);
-    if (line !== null) return line;
+    const bend = this.nearest(shape.bend_lines, sx, sy), edge = bend === null ? this.nearest(shape.edges, sx, sy) : null;
+    if (bend !== null) return { part: shape.bend_line_part[bend]! };
+    if (edge !== null) return { edge: shape.edge_number[edge]! };
     const x = (sx - this.offset[0]) / this.scale, y = (this.offset[1] - sy) / this.scale;
-    for (let f = 0; f < shape.facet_part.length; ++f) if (insideFacet(shape, f, x, y)) return shape.facet_part[f]!;
-    return null;
+    const facet = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
+    return facet < 0 ? null : { part: shape.facet_part[facet]! };
   }
 
-  private bendLineNear(shape: Shape, sx: number, sy: number): number | null {
-    const l = shape.bend_lines;
+  /** The line, of those given by four numbers each, that is nearest to a point of the screen, if it is near. */
+  private nearest(lines: Float32Array, sx: number, sy: number): number | null {
     let best: number | null = null, least = 5;
-    for (let i = 0; i < shape.bend_line_part.length; ++i) {
-      const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!);
-      const d = distanceToSegment(sx, sy, a, b);
-      if (d < least) { least = d; best = shape.bend_line_part[i]!; }
+    for (let i = 0; 4 * i + 3 < lines.length; ++i) {
+      const { distance } = distanceToSegment(sx, sy, ...this.at(lines[4 * i]!, lines[4 * i + 1]!), ...this.at(lines[4 * i + 2]!, lines[4 * i + 3]!));
+      if (distance < least) { least = distance; best = i; }
     }
     return best;
   }
@@ -164,9 +167,9 @@ export class FlatView {
     c.fillStyle = palette.background;
     c.fillRect(0, 0, this.canvas.width, this.canvas.height);
     if (!shape || shape.points.length === 0) return;
-    this.fill(shape, null, palette.fill);
-    this.fillBends(shape);
-    if (scene.selected !== null) this.fill(shape, scene.selected, palette.selected);
+    this.fill(shape, (part) => part < 0, palette.fill);
+    this.fill(shape, (part) => shape.parts[part]?.kind === 'bend', palette.bend, 0.28);
+    this.fill(shape, (part) => part === scene.selected, palette.selected);
     this.fillOverlaps(shape);
     this.strokeBendLines(shape);
     this.strokeOutline(shape);
@@ -183,41 +186,23 @@ export class FlatView {
     drawDimensions(this.c, box, r.size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
   }
 
-  private fill(shape: Shape, part: number | null, color: string) {
+  private fill(shape: Shape, whose: (part: number) => boolean, color: string, alpha = 1) {
     const { c } = this;
     c.beginPath();
-    for (let f = 0; f < shape.facet_part.length; ++f)
-      if (part === null || shape.facet_part[f] === part) this.trace(shape, f);
+    for (let i = 0; i < shape.contour_part.length; ++i) if (whose(shape.contour_part[i]!)) this.trace(shape, i);
+    c.globalAlpha = alpha;
     c.fillStyle = color;
-    c.strokeStyle = color;
-    c.lineWidth = 0.6; // closes the hairs between facets
-    c.fill('evenodd');
-    c.stroke();
-  }
-
-  private fillBends(shape: Shape) {
-    const { c } = this;
-    c.beginPath();
-    for (let f = 0; f < shape.facet_part.length; ++f) if (shape.parts[shape.facet_part[f]!]?.kind === 'bend') this.trace(shape, f);
-    c.globalAlpha = 0.28;
-    c.fillStyle = this.scene.palette.bend;
-    c.fill('evenodd');
+    c.fill();
     c.globalAlpha = 1;
   }
 
-  private trace(shape: Shape, f: number) {
-    const { c } = this;
-    for (let p = shape.facet_starts[f]!; p < shape.facet_starts[f + 1]!; ++p)
-      for (let r = shape.polygon_starts[p]!; r < shape.polygon_starts[p + 1]!; ++r) {
-        const first = shape.ring_starts[r]!, end = shape.ring_starts[r + 1]!;
-        for (let i = first; i < end; ++i) {
-          const [x, y] = this.at(shape.points[2 * i]!, shape.points[2 * i + 1]!);
-          if (i === first) c.moveTo(x, y);
-          else c.lineTo(x, y);
-        }
-        // Closed by a line: closePath goes over the whole path, which is long, each time.
-        if (end > first) c.lineTo(...this.at(shape.points[2 * first]!, shape.points[2 * first + 1]!));
-      }
+  private trace(shape: Shape, contour: number) {
+    const { c } = this, p = shape.contour_points, first = shape.contour_starts[contour]!, end = shape.contour_starts[contour + 1]!;
+    for (let i = first; i < end; ++i) {
+      const [x, y] = this.at(p[2 * i]!, p[2 * i + 1]!);
+      if (i === first) c.moveTo(x, y);
+      else c.lineTo(x, y);
+    }
   }
 
   private fillOverlaps(shape: Shape) {
@@ -235,15 +220,26 @@ export class FlatView {
   }
 
   private strokeOutline(shape: Shape) {
+    this.strokeEdges(shape, () => true, this.scene.palette.outline, 1.3);
+    const { edge } = this.scene;
+    if (edge !== null) this.strokeEdges(shape, (i) => shape.edge_number[i] === edge, this.scene.palette.selected, 4);
+  }
+
+  private strokeEdges(shape: Shape, whose: (edge: number) => boolean, color: string, width: number) {
     const { c } = this, e = shape.edges;
+    let last = -2;
     c.beginPath();
-    for (let i = 0; i + 3 < e.length; i += 4) {
-      c.moveTo(...this.at(e[i]!, e[i + 1]!));
-      c.lineTo(...this.at(e[i + 2]!, e[i + 3]!));
+    for (let i = 0; 4 * i + 3 < e.length; ++i) {
+      if (!whose(i)) continue;
+      const x = e[4 * i]!, y = e[4 * i + 1]!;
+      // What goes on where the last one ends is one line with it: ends cost more to draw than corners.
+      if (last !== i - 1 || x !== e[4 * i - 2] || y !== e[4 * i - 1]) c.moveTo(...this.at(x, y));
+      c.lineTo(...this.at(e[4 * i + 2]!, e[4 * i + 3]!));
+      last = i;
     }
-    c.strokeStyle = this.scene.palette.outline;
-    c.lineWidth = 1.3;
-    c.lineCap = 'round';
+    c.strokeStyle = color;
+    c.lineWidth = width;
+    c.lineCap = c.lineJoin = 'round';
     c.setLineDash([]);
     c.stroke();
   }
@@ -339,10 +335,4 @@ export class FlatView {
   }
 
   private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
-}
-
-function distanceToSegment(x: number, y: number, a: Vec2, b: Vec2): number {
-  const dx = b[0] - a[0], dy = b[1] - a[1], l = dx * dx + dy * dy;
-  const t = l === 0 ? 0 : Math.max(0, Math.min(1, ((x - a[0]) * dx + (y - a[1]) * dy) / l));
-  return Math.hypot(x - a[0] - t * dx, y - a[1] - t * dy);
 }

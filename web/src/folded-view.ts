@@ -5,6 +5,7 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { drawnInSoftware } from './graphics.ts';
+import { distanceToSegment, type PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
@@ -13,6 +14,8 @@ import type { AnchorSpec, Shape, Vec3 } from './types.ts';
 export type StandardView = 'front' | 'top' | 'right' | 'iso';
 
 export interface FoldedViewEvents {
+  /** Whether a line was wanted; else what lies behind it is picked. */
+  pickLine(line: PickedLine): boolean;
   pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
   pickAnchor(anchor: number): void;
   pickRidgeEnd(end: RidgeEnd): void;
@@ -31,6 +34,10 @@ export interface Overlay {
   ridges: number; // of a strip before it is subdivided
   handles: boolean; // whether handles fit what is shown: not while it is partly folded
 }
+
+/** What is marked: a row of parts, the number of an edge. */
+export interface Picked { part: number | null; edge: number | null }
+interface Point { x: number; y: number }
 
 /** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
 const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
@@ -61,7 +68,7 @@ export class FoldedView {
     this.events = events;
     this.palette = palette;
     this.renderer = new WebGLRenderer({ antialias: !drawnInSoftware });
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.setMoving(false);
     const canvas = this.renderer.domElement;
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
@@ -77,14 +84,22 @@ export class FoldedView {
     this.look('iso');
   }
 
-  setShape(shape: Shape | null, share: number, thickness: number, selected: number | null, held = 0) {
+  setShape(shape: Shape | null, share: number, thickness: number, picked: Picked, held = 0) {
     this.shape = shape;
     this.sheet.group.visible = shape !== null;
     if (shape) {
       this.sheet.setShape(shape, thickness, share, held);
-      this.sheet.paint(this.palette, selected);
+      this.sheet.paint(this.palette, picked.part, picked.edge);
     }
     this.showHandles();
+    this.draw();
+  }
+
+  /** Whether something is being dragged: a processor that draws has then more to do, and draws fewer pixels. */
+  setMoving(moving: boolean) {
+    const ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
+    if (ratio === this.renderer.getPixelRatio()) return;
+    this.renderer.setPixelRatio(ratio);
     this.draw();
   }
 
@@ -93,9 +108,9 @@ export class FoldedView {
     this.draw();
   }
 
-  paint(palette: Palette, selected: number | null) {
+  paint(palette: Palette, picked: Picked) {
     this.palette = palette;
-    this.sheet.paint(palette, selected);
+    this.sheet.paint(palette, picked.part, picked.edge);
     this.showHandles();
     this.draw();
   }
@@ -227,9 +242,27 @@ export class FoldedView {
       const ends = ridgeEnds(this.shape.handles, this.overlay.ridges), end = this.nearest(e, ends.map((r) => r.at), 7);
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
+    const line = this.lineUnder(e);
+    if (line && this.events.pickLine(line)) return;
     const hit = this.sheet.empty ? undefined : this.ray(e).intersectObject(this.sheet.skin, false)[0];
     const found = hit?.faceIndex === undefined || hit.faceIndex === null ? null : this.sheet.facetOf(hit.faceIndex);
     this.events.pickFacet(found?.facet ?? null, found?.upper ?? true, hit ? (hit.point.toArray() as Vec3) : null);
+  }
+
+  /** The line nearest to the pointer of those that are near and not hidden by the sheet. */
+  private lineUnder(e: PointerEvent): PickedLine | null {
+    const r = this.renderer.domElement.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top;
+    const near = this.sheet.lines().flatMap(({ line, ends }) => {
+      const [a, b] = ends.map((end) => this.toScreen(end)) as [Point, Point], { distance, along } = distanceToSegment(x, y, a.x, a.y, b.x, b.y);
+      return distance < 5 ? [{ line, distance, at: new Vector3(...ends[0]).lerp(new Vector3(...ends[1]), along) }] : [];
+    }).sort((a, b) => a.distance - b.distance);
+    return near.slice(0, 12).find(({ at }) => this.isSeen(at))?.line ?? null;
+  }
+
+  private isSeen(at: Vector3): boolean {
+    const direction = this.camera.getWorldDirection(new Vector3()), ray = new Raycaster(at.clone().addScaledVector(direction, -8 * this.radius), direction);
+    const hit = ray.intersectObject(this.sheet.skin, false)[0];
+    return !hit || hit.distance > 8 * this.radius - Math.max(this.sheet.depth, 0.004 * this.radius);
   }
 
   private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {

@@ -3,7 +3,8 @@ import type { ArrayPlace, Facets, Shape, ShapeHeader } from './types.ts';
 const empty: Facets = {
   points: new Float32Array(), ring_starts: new Uint32Array([0]), polygon_starts: new Uint32Array([0]),
   facet_starts: new Uint32Array([0]), facet_parent: new Int32Array(), facet_hinge: new Float32Array(),
-  facet_angle: new Float32Array(), facet_part: new Uint32Array(), edges: new Float32Array(), edge_facet: new Uint32Array(),
+  facet_angle: new Float32Array(), facet_part: new Uint32Array(), edges: new Float32Array(), edge_facet: new Uint32Array(), edge_number: new Uint32Array(),
+  contour_points: new Float32Array(), contour_starts: new Uint32Array([0]), contour_part: new Int32Array(),
   bend_lines: new Float32Array(), bend_line_part: new Uint32Array(), overlaps: new Float32Array(),
   space_points: new Float32Array(), space_triangles: new Uint32Array(),
 };

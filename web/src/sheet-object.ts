@@ -1,10 +1,20 @@
 import {
   BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3,
 } from 'three';
+import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
+import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
+import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+import type { PickedLine } from './lines.ts';
 import { sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
-import type { Shape } from './types.ts';
+import type { Shape, Vec3 } from './types.ts';
+
+/** Which line of the sheet, and where it is. */
+export interface SheetLine { line: PickedLine; ends: [Vec3, Vec3] }
+
+/** Two corners that a line runs between. */
+interface CornerLine { line: PickedLine; a: number; b: number }
 
 /** The sheet as three.js draws it: both skins, the cut rim, outline and tangent lines. */
 export class SheetObject {
@@ -14,10 +24,12 @@ export class SheetObject {
   private readonly outline: LineSegments;
   private readonly creases: LineSegments;
   private readonly solid: Mesh;
-  private readonly marked: LineSegments;
+  private readonly marked = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 3.5, depthTest: false }));
   private mesh: SheetMesh | null = null;
   private thickness = 1;
   private held = 0;
+  private known: CornerLine[] | null = null; // made when they are asked for
+  private picked: { part: number | null; edge: number | null } = { part: null, edge: null };
   private readonly rimTint = new Color();
 
   constructor() {
@@ -26,7 +38,6 @@ export class SheetObject {
     this.solid = new Mesh(new BufferGeometry(), sheetMaterial(true));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
-    this.marked = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ depthTest: false }));
     this.marked.renderOrder = 1;
     this.group.add(this.skin, this.rim, this.outline, this.creases, this.solid, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
@@ -36,13 +47,13 @@ export class SheetObject {
     this.thickness = thickness;
     this.held = held;
     this.mesh = makeSheetMesh(shape);
+    this.known = null;
     const { triangles, rim, creases, cornerFacet } = this.mesh;
     const n = cornerFacet.length;
     replaceGeometry(this.skin, bothSkins(triangles, n));
     this.skin.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(6 * n), 3));
     replaceGeometry(this.outline, doubled(rim, n));
     replaceGeometry(this.creases, doubled(creases, n));
-    replaceGeometry(this.marked, new BufferGeometry());
     replaceGeometry(this.rim, new BufferGeometry());
     replaceGeometry(this.solid, spaceGeometry(shape));
     this.solid.visible = triangles.length === 0;
@@ -57,21 +68,22 @@ export class SheetObject {
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
-    this.marked.geometry.setAttribute('position', position);
     setRim(this.rim.geometry, this.mesh.rim, positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count) setTint(this.rim.geometry, this.rimTint);
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
+    this.mark();
   }
 
-  paint(palette: Palette, selected: number | null) {
+  paint(palette: Palette, selected: number | null, edge: number | null) {
     this.rimTint.set(palette.rim);
     setTint(this.rim.geometry, this.rimTint);
     setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
-    (this.marked.material as LineBasicMaterial).color.set(palette.selected);
-    this.mark(selected);
+    this.marked.material.color.set(palette.selected);
+    this.picked = { part: selected, edge };
+    this.mark();
     const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh, n = cornerFacet.length;
@@ -86,13 +98,23 @@ export class SheetObject {
     color.needsUpdate = true;
   }
 
-  /** A sharp bend has no facets; its line is marked instead. */
-  private mark(selected: number | null) {
-    const { mesh } = this, pairs: number[] = [];
-    const sharp = mesh && selected !== null && mesh.shape.parts[selected]?.kind === 'bend' && !mesh.shape.facet_part.includes(selected);
-    if (sharp) for (let i = 0; i + 1 < mesh.hinges.length; i += 2) if (liesOn(mesh, mesh.hinges[i]!, mesh.hinges[i + 1]!, selected)) pairs.push(mesh.hinges[i]!, mesh.hinges[i + 1]!);
-    const index = doubled(Uint32Array.from(pairs), mesh?.cornerFacet.length ?? 0).getIndex();
-    this.marked.geometry.setIndex(index);
+  /** The lines of what is picked: an edge, or a sharp bend, which has no facets that could be painted. */
+  private mark() {
+    const { part, edge } = this.picked, on = part !== null || edge !== null;
+    const ends = !on ? [] : this.lines().filter(({ line }) => ('edge' in line ? line.edge === edge : line.part === part)).flatMap((l) => l.ends.flat());
+    this.marked.visible = ends.length > 0;
+    if (!ends.length) return;
+    this.marked.geometry.dispose();
+    this.marked.geometry = new LineSegmentsGeometry().setPositions(ends);
+  }
+
+  /** All lines that can be picked, on both skins, as the sheet stands. */
+  lines(): SheetLine[] {
+    const position = this.skin.geometry.getAttribute('position') as BufferAttribute | undefined;
+    if (!this.mesh || !position) return [];
+    const n = this.mesh.cornerFacet.length, at = (corner: number): Vec3 => [position.getX(corner), position.getY(corner), position.getZ(corner)];
+    this.known ??= cornerLines(this.mesh);
+    return this.known.flatMap(({ line, a, b }) => [{ line, ends: [at(a), at(b)] }, { line, ends: [at(n + a), at(n + b)] }] as SheetLine[]);
   }
 
   /** The facet under triangle `face` of the skin, and whether it is its upper side. */
@@ -102,6 +124,8 @@ export class SheetObject {
     const facet = this.mesh.triangleFacet[face % half];
     return facet === undefined ? null : { facet, upper: face < half };
   }
+
+  get depth() { return this.thickness; }
 
   get empty() { return !this.mesh || (this.mesh.triangles.length === 0 && this.mesh.shape.space_triangles.length === 0); }
 
@@ -113,6 +137,18 @@ export class SheetObject {
       box.union(mesh.geometry.boundingBox!);
     }
   }
+}
+
+/** Edges of the outline, and hinges that are sharp bends. */
+function cornerLines(mesh: SheetMesh): CornerLine[] {
+  const { shape, rim, hinges } = mesh, withFacets = new Set(shape.facet_part);
+  const sharp = shape.parts.flatMap((p, row) => (p.kind === 'bend' && !withFacets.has(row) ? [row] : []));
+  const out: CornerLine[] = Array.from(shape.edge_number, (edge, e) => ({ line: { edge }, a: rim[2 * e]!, b: rim[2 * e + 1]! }));
+  for (let i = 0; i + 1 < hinges.length; i += 2) {
+    const [a, b] = [hinges[i]!, hinges[i + 1]!], part = sharp.find((row) => liesOn(mesh, a, b, row));
+    if (part !== undefined) out.push({ line: { part }, a, b });
+  }
+  return out;
 }
 
 /** Whether the crease between two corners is a line of bend `part`. */

@@ -7,8 +7,8 @@ export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up' | 'anchor';
 export type GizmoMode = 'translate' | 'rotate';
 
-/** Names what is picked: a part of the shape (bends and flanges), a plate or an anchor of the input. */
-export interface Selection { part: string | null; plate: string | null; anchor: number | null; finding: number | null }
+/** What is picked: a part of the shape (bends and flanges), an edge of its outline, a plate or an anchor of the input, a finding. */
+export interface Selection { part: string | null; edge: number | null; plate: string | null; anchor: number | null; finding: number | null }
 
 export interface State {
   document: OpenDocument | null;
@@ -59,7 +59,7 @@ export type Action =
   | { type: 'theme'; theme: Theme }
   | { type: 'help'; help: boolean };
 
-export const nothing: Selection = { part: null, plate: null, anchor: null, finding: null };
+export const nothing: Selection = { part: null, edge: null, plate: null, anchor: null, finding: null };
 
 export function initialState(theme: Theme): State {
   return {
@@ -126,8 +126,10 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
   const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
+  // Edges are numbered anew where there are more or fewer of them.
+  const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
   return {
-    ...state, shape: shown, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
+    ...state, shape: shown, selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge }, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
   };
 }

@@ -70,6 +70,10 @@ export interface Facets {
   facet_part: Uint32Array;
   edges: Float32Array;
   edge_facet: Uint32Array;
+  edge_number: Uint32Array;
+  contour_points: Float32Array;
+  contour_starts: Uint32Array;
+  contour_part: Int32Array;
   bend_lines: Float32Array;
   bend_line_part: Uint32Array;
   overlaps: Float32Array;

@@ -5,6 +5,7 @@ import { addAnchor, moveAnchor } from './edits/slit.ts';
 import { FlatView } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
+import type { PickedLine } from './lines.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
 import { findingsOf } from './panels/tables.ts';
@@ -28,6 +29,7 @@ export class Views {
     this.ui = ui;
     this.dragged = dragged;
     this.folded = new FoldedView(folded, this.palette, {
+      pickLine: (line) => this.pickLine(line),
       pickFacet: (facet, upper) => this.pickFacet(facet, upper),
       pickAnchor: (anchor) => this.ui.dispatch({ type: 'select', selection: { anchor } }),
       pickRidgeEnd: (end) => this.addAnchorAt(end),
@@ -35,7 +37,7 @@ export class Views {
       dragPlate: (id, moved, event) => this.dragPlate(id, moved, event),
       dragEnd: () => { this.plateAtStart = null; this.ui.commit(); },
     });
-    this.flat = new FlatView(flat, this.palette, (part) => this.pickPart(part));
+    this.flat = new FlatView(flat, this.palette, (line) => (line && 'edge' in line ? this.pickLine(line) : this.pickPart(line?.part ?? null)));
   }
 
   /** New geometry, handed to the renderer at once. */
@@ -43,7 +45,7 @@ export class Views {
     const { state } = this.ui, id = state.document?.id ?? null, fresh = state.past.length === 0 && !state.pending;
     const first = this.documentShown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
-    this.folded.setShape(state.shape, state.fold, this.thickness(state), this.selectedRow(state), heldFacet(state));
+    this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
     this.showFlat(state);
     if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
@@ -56,15 +58,16 @@ export class Views {
   changed(state: State, before: State) {
     if (state.theme !== before.theme) {
       this.palette = readPalette();
-      this.folded.paint(this.palette, this.selectedRow(state));
+      this.folded.paint(this.palette, this.picked(state));
     }
     if (state.document !== before.document) {
       this.documentShown = null;
       this.folded.setUp(state.document?.kind === 'slit' ? 'y' : 'z');
-      if (!state.shape) this.folded.setShape(null, 1, 1, null);
+      if (!state.shape) this.folded.setShape(null, 1, 1, { part: null, edge: null });
     }
+    this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
-    if (state.selection !== before.selection) this.folded.paint(this.palette, this.selectedRow(state));
+    if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
     if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
       this.folded.setOverlay(this.overlay(state));
@@ -78,7 +81,7 @@ export class Views {
 
   private showFlat(state: State) {
     this.flat.set({
-      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state),
+      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state), edge: state.selection.edge,
       finding: state.selection.finding, units: state.units, palette: this.palette,
     });
   }
@@ -106,6 +109,15 @@ export class Views {
     const { part, plate } = state.selection, parts = state.shape?.parts ?? [];
     const row = parts.findIndex((p) => (part !== null ? p.name === part : plate !== null && p.plate === plate));
     return row < 0 ? null : row;
+  }
+
+  private picked = (state: State) => ({ part: this.selectedRow(state), edge: state.selection.edge });
+
+  private pickLine(line: PickedLine): boolean {
+    if (this.ui.state.pick !== 'none') return false;
+    if ('part' in line) this.pickPart(line.part);
+    else this.ui.dispatch({ type: 'select', selection: { edge: line.edge } });
+    return true;
   }
 
   private pickFacet(facet: number | null, upper: boolean) {

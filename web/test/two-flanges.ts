@@ -6,7 +6,7 @@ import type { Facets, Report, ShapeHeader } from '../src/types.ts';
 export function twoFlanges(n = 8, angle = Math.PI / 2, developed = 8, thickness = 2): { header: Omit<ShapeHeader, 'arrays'>; arrays: Partial<Facets> } {
   const xs = [0, 40, ...Array.from({ length: n }, (_, i) => 40 + (developed * (i + 1)) / n), 70 + developed];
   const points: number[] = [], rings = [0], polygons = [0], facets = [0], parent: number[] = [], hinge: number[] = [], turn: number[] = [], part: number[] = [];
-  const edges: number[] = [], edgeFacet: number[] = [];
+  const edges: number[] = [], edgeFacet: number[] = [], edgeNumber: number[] = [];
   for (let i = 0; i + 1 < xs.length; ++i) {
     const a = xs[i]!, b = xs[i + 1]!;
     points.push(a, 0, b, 0, b, 60, a, 60);
@@ -16,9 +16,11 @@ export function twoFlanges(n = 8, angle = Math.PI / 2, developed = 8, thickness 
     turn.push(i === 0 ? 0 : i === 1 || i === n + 1 ? angle / n / 2 : angle / n);
     part.push(i === 0 ? 0 : i === n + 1 ? 2 : 1);
     edges.push(a, 0, b, 0, b, 60, a, 60); edgeFacet.push(i, i);
+    const first = i === 0 ? 0 : i === n + 1 ? 4 : 2; // of a bend all pieces are one edge
+    edgeNumber.push(first, first + 1);
   }
   const last = xs.at(-1)!;
-  edges.push(0, 60, 0, 0, last, 0, last, 60); edgeFacet.push(0, n + 1);
+  edges.push(0, 60, 0, 0, last, 0, last, 60); edgeFacet.push(0, n + 1); edgeNumber.push(6, 7);
   const middle = 40 + developed / 2;
   const report = {
     command: 'connect', units: 'mm', status: 'warning', reason: null,
@@ -35,7 +37,7 @@ export function twoFlanges(n = 8, angle = Math.PI / 2, developed = 8, thickness 
     arrays: {
       points: Float32Array.from(points), ring_starts: Uint32Array.from(rings), polygon_starts: Uint32Array.from(polygons), facet_starts: Uint32Array.from(facets),
       facet_parent: Int32Array.from(parent), facet_hinge: Float32Array.from(hinge), facet_angle: Float32Array.from(turn), facet_part: Uint32Array.from(part),
-      edges: Float32Array.from(edges), edge_facet: Uint32Array.from(edgeFacet), bend_lines: Float32Array.from([middle, 0, middle, 60]), bend_line_part: Uint32Array.from([1]),
+      edges: Float32Array.from(edges), edge_facet: Uint32Array.from(edgeFacet), edge_number: Uint32Array.from(edgeNumber), bend_lines: Float32Array.from([middle, 0, middle, 60]), bend_line_part: Uint32Array.from([1]),
     },
   };
 }

@@ -104,6 +104,45 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   shape.root = facets.root;
 }
 
+/// Closed lines to be filled, counter-clockwise outside and clockwise about openings: filling all
+/// facets instead costs a browser twenty times as much.
+class Contours {
+ public:
+  void add(const Loop& loop, bool outside, std::int32_t part) {
+    const std::vector<Vec2> ring = sampled(loop, FacetOptions{}.chord);
+    const bool turned = (ring_area(ring) > 0.0) != outside;
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      append(points_, ring[turned ? ring.size() - 1 - i : i]);
+    starts_.push_back(count_of(points_.size() / 2));
+    parts_.push_back(part);
+  }
+  void add_to(Shape& shape) const {
+    shape.add("contour_points", points_);
+    shape.add("contour_starts", starts_);
+    shape.add("contour_part", parts_);
+  }
+
+ private:
+  std::vector<float> points_;
+  Numbers starts_{0};
+  std::vector<std::int32_t> parts_;
+};
+
+void add_contours(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
+  constexpr std::int32_t kWhole = -1;
+  Contours contours;
+  contours.add(flat.outer.loop, true, kWhole);
+  for (const Contour& opening : flat.openings)
+    contours.add(opening.loop, false, kWhole);
+  for (std::size_t f = 0; f < sheet.faces.size(); ++f) {
+    const auto row = std::visit([&](auto id) { return row_of(sheet, id); }, sheet.faces[f].part_of);
+    contours.add(flat.face_outlines[f], true, static_cast<std::int32_t>(row));
+    for (const Loop& opening : flat.face_openings[f])
+      contours.add(opening, false, static_cast<std::int32_t>(row));
+  }
+  contours.add_to(shape);
+}
+
 void add_bend_lines(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
   std::vector<float> lines;
   Numbers parts;
@@ -133,6 +172,7 @@ void add_sheet(Shape& shape, const job::Report& report) {
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
   add_facets(shape, sheet, facets_of(sheet, report.flat));
+  add_contours(shape, sheet, report.flat);
   add_bend_lines(shape, sheet, report.flat);
   add_overlaps(shape, report);
 }
