@@ -30,6 +30,15 @@ class Answer:
     def json(self):
         return json.loads(self.body)
 
+    @property
+    def is_problem(self):
+        """Whether it is what the program says of invalid input."""
+        return self.status == 200 and self.headers.get("content-type") == "application/problem+json"
+
+    @property
+    def is_good(self):
+        return self.status == 200 and not self.is_problem
+
 
 class Shape:
     """A shape's JSON, and its arrays as lists of numbers."""
@@ -108,7 +117,7 @@ class Studio:
         """Its id and its spec (None of STEP files)."""
         path = EXAMPLES / name
         opened = self.open(path.name, path.read_bytes())
-        assert opened.status == 200, opened.body
+        assert opened.is_good, opened.body
         document = opened.json()
         spec = None if document["text"] is None else json.loads(document["text"])
         for scan in (spec or {}).get("scan", []):
@@ -124,7 +133,7 @@ class Studio:
 
     def shape(self, document, verb, spec=None, **options):
         answer = self.post(document, verb, spec, **options)
-        assert answer.status == 200, (answer.status, answer.body[:400])
+        assert answer.is_good, (answer.status, answer.body[:400])
         return Shape(answer.body)
 
     def workers(self):
@@ -169,8 +178,17 @@ class StudioTest(unittest.TestCase):
         for document in self.studio.get("/api/documents").json():
             self.studio.ask("DELETE", f"/api/documents/{document['id']}")
 
+    def assert_problem(self, answer, code=None):
+        """What the program says of input is a good answer of a type of its own."""
+        self.assertTrue(answer.is_problem, (answer.status, answer.headers, answer.body[:400]))
+        return self.assert_said(answer, code)
+
     def assert_error(self, answer, status, code=None):
         self.assertEqual(answer.status, status, answer.body[:400])
+        self.assertEqual(answer.headers["content-type"], "application/json")
+        return self.assert_said(answer, code)
+
+    def assert_said(self, answer, code):
         error = answer.json()
         self.assertEqual(sorted(error), ["code", "message", "where"])
         if code:

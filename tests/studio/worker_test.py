@@ -76,13 +76,13 @@ class Workers(StudioTest):
         self.assert_error(long.wait(), 409, "cancelled")
         self.assertLess(time.monotonic() - begun, 2.0)
         self.assertIsNone(self.progress(document))
-        self.assertEqual(self.studio.post(document, "draft", spec).status, 200)
+        self.assertTrue(self.studio.post(document, "draft", spec).is_good)
 
     def test_nothing_to_give_up_is_no_error(self):
         document, spec = self.studio.open_example("slit/chair.json")
         self.assertIsNone(self.progress(document))
         self.assertEqual(self.studio.ask("POST", f"/api/documents/{document}/cancel").status, 204)
-        self.assertEqual(self.studio.post(document, "draft", spec).status, 200)
+        self.assertTrue(self.studio.post(document, "draft", spec).is_good)
 
     def test_progress_has_a_stage_and_a_share(self):
         document, _, long = self.begin_long()
@@ -110,12 +110,12 @@ class Workers(StudioTest):
         self.assertFalse(waiting.is_over() and not second.is_over() and not first[2].is_over())
         for given_up in (first[0], document):
             self.studio.ask("POST", f"/api/documents/{given_up}/cancel")
-        self.assertEqual(waiting.wait().status, 200)
+        self.assertTrue(waiting.wait().is_good)
 
     def test_many_drafts_at_once_are_answered_one_after_the_other(self):
         document, spec = self.studio.open_example("transition/a_square_to_round.json")
-        drafts = [InBackground(lambda: self.studio.post(document, "draft", spec).status) for _ in range(12)]
-        self.assertEqual([draft.wait() for draft in drafts], [200] * 12)
+        drafts = [InBackground(lambda: self.studio.post(document, "draft", spec).is_good) for _ in range(12)]
+        self.assertEqual([draft.wait() for draft in drafts], [True] * 12)
         self.assertEqual(len(self.studio.workers()), 1)
 
     def test_workers_are_limited(self):
@@ -135,8 +135,9 @@ class Workers(StudioTest):
             self.skipTest("built with sanitizers, whose workers have no limit of memory")
         huge = dict(spec, sheet=dict(spec["sheet"], strips=10000, strip_width=1), ridges=100000, leg_curve={"bezier": [[360, 0], [360, 10000]]},
                     seat_curve={"bezier": [[330, 0], [310, 10000]]})
-        self.assertEqual(self.studio.post(document, "draft", huge).status in (409, 422), True)
-        self.assertEqual(self.studio.post(document, "draft", spec).status, 200)
+        answer = self.studio.post(document, "draft", huge)
+        self.assertTrue(answer.is_problem or answer.status == 409, answer.body[:400])
+        self.assertTrue(self.studio.post(document, "draft", spec).is_good)
 
     def test_a_closed_document_leaves_no_worker_and_no_file(self):
         document, _ = self.studio.open_example("slit/scanned_chair.json")
