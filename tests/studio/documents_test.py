@@ -3,7 +3,9 @@
 
 import io
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -13,7 +15,7 @@ import ezdxf
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
-from planish_studio import CLI, EXAMPLES, Shape, Studio, StudioTest, main  # noqa: E402
+from planish_studio import CLI, EXAMPLES, Shape, Studio, StudioTest, main, until  # noqa: E402
 import step_files  # noqa: E402
 
 EXAMPLE = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "transition": "transition/a_square_to_round.json", "slit": "slit/chair.json"}
@@ -119,6 +121,63 @@ class Kinds(StudioTest):
         self.assertGreater(self.studio.shape(document, "draft", spec).report["flat"]["area"], 1.2 * low)
 
 
+class Opening(StudioTest):
+    CONTENT = (EXAMPLES / "transition/a_square_to_round.json").read_bytes()
+
+    def listed(self):
+        return self.studio.get("/api/documents").json()
+
+    def test_a_file_is_taken_before_it_is_read(self):
+        taken = self.studio.take("räumlich.json", self.CONTENT).json()
+        self.assertEqual(sorted(taken), ["id", "name"])
+        self.assertEqual(taken["name"], "räumlich.json")
+        self.assertEqual(self.listed(), [])
+        self.assertEqual(self.studio.workers(), [])
+        opened = self.studio.open_taken(taken["id"]).json()
+        self.assertEqual({**opened, "text": None},
+                         {"id": taken["id"], "given": False, "kind": "transition", "name": "räumlich.json", "info": None, "text": None})
+        self.assertEqual(opened["text"].encode(), self.CONTENT)
+        self.assertEqual(self.listed(), [opened])
+
+    def test_asked_again_it_answers_the_same(self):
+        document = self.studio.take("a.json", self.CONTENT).json()["id"]
+        first = self.studio.open_taken(document)
+        (worker,) = self.studio.workers()
+        os.kill(worker, signal.SIGKILL)
+        self.assertTrue(until(lambda: not self.studio.workers()))
+        self.assertEqual(self.studio.open_taken(document).body, first.body)
+        self.assertEqual(self.studio.workers(), [])
+
+    def test_what_was_not_opened_is_opened_when_it_is_asked_for(self):
+        for verb in ("draft", "result", "files/dxf"):
+            document = self.studio.take("a.json", self.CONTENT).json()["id"]
+            self.assertTrue(self.studio.post(document, verb, json.loads(self.CONTENT)).is_good)
+            self.assertIn(document, [row["id"] for row in self.listed()])
+
+    def test_what_cannot_be_read_stays_until_it_is_closed(self):
+        document = self.studio.take("a.json", b"{}").json()["id"]
+        for _ in range(2):
+            self.assert_problem(self.studio.open_taken(document), "invalid_input")
+        for verb in ("draft", "files/dxf"):
+            self.assert_problem(self.studio.post(document, verb, {}), "invalid_input")
+        self.assertEqual(self.listed(), [])
+        self.assertEqual(self.studio.workers(), [])
+        self.assertEqual(self.studio.ask("DELETE", f"/api/documents/{document}").status, 204)
+        self.assert_error(self.studio.open_taken(document), 404, "no_such_document")
+
+    def test_what_cannot_be_read_makes_room(self):
+        unread = [self.studio.take("a.json", self.CONTENT).json()["id"] for _ in range(6)]
+        unreadable = [self.studio.take("a.json", b"{}").json()["id"] for _ in range(2)]
+        self.assert_error(self.studio.take("a.json", self.CONTENT), 429, "too_many_documents")
+        for document in unreadable:
+            self.assert_problem(self.studio.open_taken(document))
+        for left in (unreadable[1:], []):
+            self.assertTrue(self.studio.open("a.json", self.CONTENT).is_good)
+            self.assertEqual([d for d in unreadable if self.studio.get(f"/api/documents/{d}/progress").status == 200], left)
+        self.assert_error(self.studio.take("a.json", self.CONTENT), 429, "too_many_documents")
+        self.assertTrue(self.studio.open_taken(unread[0]).is_good)
+
+
 class Rubbish(StudioTest):
     def test_files_that_are_none(self):
         step = (EXAMPLES / "bracket.step").read_bytes()
@@ -165,7 +224,7 @@ class Rubbish(StudioTest):
 
     def test_documents_that_are_not_there(self):
         for document in ("d99", "d", "x", "d-1", "d1x", "1"):
-            for method, what in (("POST", "draft"), ("POST", "result"), ("POST", "files/dxf"), ("POST", "cancel"), ("GET", "progress"), ("PUT", "attachments/a.xyz")):
+            for method, what in (("POST", "draft"), ("POST", "result"), ("POST", "open"), ("POST", "files/dxf"), ("POST", "cancel"), ("GET", "progress"), ("PUT", "attachments/a.xyz")):
                 self.assert_error(self.studio.ask(method, f"/api/documents/{document}/{what}", b"{}" if method != "GET" else None), 404)
             self.assert_error(self.studio.ask("DELETE", f"/api/documents/{document}"), 404)
 
@@ -215,7 +274,8 @@ class FirstDocument(StudioTest):
 
     def test_the_file_of_the_command_line_is_open_with_its_scans(self):
         (document,) = self.studio.get("/api/documents").json()
-        self.assertEqual((document["kind"], document["name"]), ("slit", "scanned_chair.json"))
+        self.assertEqual((document["given"], document["kind"], document["name"]), (True, "slit", "scanned_chair.json"))
+        self.assertEqual(self.studio.open_taken(document["id"]).json(), document)
         self.assertEqual(document["text"], (EXAMPLES / "slit/scanned_chair.json").read_text())
         shape = self.studio.shape(document["id"], "draft", json.loads(document["text"]))
         self.assertGreater(len(shape.json["handles"]["scan"]), 100)

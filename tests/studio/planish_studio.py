@@ -74,6 +74,7 @@ class Studio:
         if not match:
             raise AssertionError(f"no address: {self.line!r} {self.process.stderr.read()}")
         self.port, self.token = int(match[1]), match[2]
+        self.taken = []
 
     def __enter__(self):
         return self
@@ -110,8 +111,20 @@ class Studio:
     def get(self, path, **more):
         return self.ask("GET", path, **more)
 
+    def take(self, name, content):
+        """The answer to a file that is sent, before it is read."""
+        answer = self.ask("POST", "/api/documents?name=" + urllib.parse.quote(name), content)
+        if answer.is_good:
+            self.taken.append(answer.json()["id"])
+        return answer
+
+    def open_taken(self, document):
+        return self.ask("POST", f"/api/documents/{document}/open", b"")
+
     def open(self, name, content):
-        return self.ask("POST", "/api/documents?name=" + urllib.parse.quote(name), content)
+        """The answer that says what was opened, or why it was not."""
+        taken = self.take(name, content)
+        return self.open_taken(taken.json()["id"]) if taken.is_good else taken
 
     def open_example(self, name):
         """Its id and its spec (None of STEP files)."""
@@ -175,8 +188,8 @@ class StudioTest(unittest.TestCase):
         cls.addClassCleanup(cls.studio.__exit__)
 
     def tearDown(self):
-        for document in self.studio.get("/api/documents").json():
-            self.studio.ask("DELETE", f"/api/documents/{document['id']}")
+        while self.studio.taken:
+            self.studio.ask("DELETE", f"/api/documents/{self.studio.taken.pop()}")
 
     def assert_problem(self, answer, code=None):
         """What the program says of input is a good answer of a type of its own."""
