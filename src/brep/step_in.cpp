@@ -4,6 +4,7 @@
 #include "identical.hpp"
 #include "step_header.hpp"
 
+#include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -19,11 +20,11 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <algorithm>
-#include <cstdlib>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
-#include <unistd.h>
+#include <sstream>
 
 namespace planish {
 namespace {
@@ -40,6 +41,22 @@ std::string label_name(const TDF_Label& label) {
   text.ToUTF8CString(raw);
   return name;
 }
+
+// Shares of the time that reading takes, of parts of 2 to 4 MB.
+constexpr double kParsed = 0.3, kTranslated = 0.9;
+
+/// Tells the caller how far the kernel is with translating, and the kernel that it should stop.
+class Translating : public Message_ProgressIndicator {
+ public:
+  explicit Translating(const Progress& progress) : progress_(progress) {}
+  Standard_Boolean UserBreak() override { return progress_.should_stop(); }
+
+ private:
+  void Show(const Message_ProgressScope&, Standard_Boolean) override {
+    progress_.at("translating", std::lerp(kParsed, kTranslated, GetPosition()));
+  }
+  const Progress& progress_;
+};
 
 /// Collects the solids of a document: a TShape that returns is the same body once more.
 class BodyCollector {
@@ -60,8 +77,8 @@ class BodyCollector {
     add_shape(XCAFDoc_ShapeTool::GetShape(definition).Moved(here), label_name(definition));
   }
 
-  StepFile take() && {
-    merge_congruent();
+  StepFile take(const Progress& progress) && {
+    merge_congruent(progress);
     StepFile file;
     for (Row& row : rows_) {
       if (row.shape.name.empty()) row.shape.name = fmt::format("body-{}", file.bodies.size() + 1);
@@ -95,10 +112,13 @@ class BodyCollector {
     rows_.push_back({{solid, name, 1, faces.Extent()}, {}});
   }
 
-  void merge_congruent() {
+  void merge_congruent(const Progress& progress) {
     if (rows_.size() < 2) return;
     std::vector<Row> distinct;
     for (Row& row : rows_) {
+      if (progress.should_stop()) return;
+      const double share = static_cast<double>(&row - rows_.data()) / static_cast<double>(rows_.size());
+      progress.at("comparing bodies", std::lerp(kTranslated, 1.0, share));
       row.fingerprint = brep::fingerprint_of(row.shape.solid);
       const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Row& known) {
         return brep::identical(known.fingerprint, row.fingerprint);
@@ -115,11 +135,16 @@ class BodyCollector {
   int surface_bodies_ = 0;
 };
 
-Handle(TDocStd_Document) new_document() {
+/// A new document, closed with this object: the kernel's application would keep it.
+class OpenDocument {
+ public:
+  OpenDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document); }
+  OpenDocument(const OpenDocument&) = delete;
+  OpenDocument& operator=(const OpenDocument&) = delete;
+  ~OpenDocument() { XCAFApp_Application::GetApplication()->Close(document); }
+
   Handle(TDocStd_Document) document;
-  XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document);
-  return document;
-}
+};
 
 std::string file_unit(STEPControl_Reader& reader) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
@@ -131,7 +156,8 @@ std::string file_unit(STEPControl_Reader& reader) {
   return name;
 }
 
-Result<StepFile> transfer(const std::filesystem::path& file, const std::string& name, const Progress& progress) {
+/// `path` is where the file lies: others that it refers to are looked for beside it.
+Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name, const Progress& progress) {
   return guarded(
       [&]() -> Result<StepFile> {
         const auto lock = brep::exchange_lock();
@@ -143,20 +169,24 @@ Result<StepFile> transfer(const std::filesystem::path& file, const std::string& 
         reader.SetMatMode(false);
         reader.SetViewMode(false);
         progress.at("reading", 0.0);
-        if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
+        std::istringstream stream(text);
+        if (reader.ChangeReader().ReadStream(path.c_str(), stream) != IFSelect_RetDone)
           return fail(ErrorCode::invalid_input, fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name), name);
-        if (progress.should_stop()) return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
-        progress.at("translating", 0.4);
-        Handle(TDocStd_Document) document = new_document();
-        if (!reader.Transfer(document))
+        const auto stopped = [&] { return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name); };
+        if (progress.should_stop()) return stopped();
+        OpenDocument open;
+        const Handle(Translating) translating = new Translating(progress);
+        const bool whole = reader.Transfer(open.document, translating->Start());
+        if (progress.should_stop()) return stopped();
+        if (!whole)
           return fail(ErrorCode::no_solid, fmt::format("{} holds no shape that can be read; export a solid body.", name), name);
         BodyCollector collector;
         TDF_LabelSequence roots;
-        XCAFDoc_DocumentTool::ShapeTool(document->Main())->GetFreeShapes(roots);
+        XCAFDoc_DocumentTool::ShapeTool(open.document->Main())->GetFreeShapes(roots);
         for (int i = 1; i <= roots.Length(); ++i) collector.add_tree(roots.Value(i), {});
-        StepFile result = std::move(collector).take();
+        StepFile result = std::move(collector).take(progress);
         result.unit = file_unit(reader.ChangeReader());
-        XCAFApp_Application::GetApplication()->Close(document);
+        if (progress.should_stop()) return stopped();
         return result;
       },
       name);
@@ -171,38 +201,16 @@ Result<StepFile> check_bodies(StepFile file, const std::string& name) {
   return fail(ErrorCode::no_solid, fmt::format("{} holds no solid body; export the part as a solid.", name), name);
 }
 
-Result<StepFile> read_checked(const std::filesystem::path& file, const std::string& text, const std::string& name,
+Result<StepFile> read_checked(const std::string& text, const std::string& path, const std::string& name,
                               const Progress& progress) {
   auto header = brep::read_step_header(text, name);
   if (!header) return tl::unexpected(header.error());
-  auto content = transfer(file, name, progress);
+  auto content = transfer(text, path, name, progress);
   if (!content) return content;
   content->schema = header->schema;
   content->cad_system = header->cad_system;
   return check_bodies(std::move(*content), name);
 }
-
-/// A file that is gone when its owner is.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& content) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "planish-XXXXXX").string();
-    const int descriptor = mkstemp(pattern.data());
-    if (descriptor >= 0) close(descriptor);
-    path_ = pattern;
-    std::ofstream(path_, std::ios::binary) << content;
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace
 
@@ -218,13 +226,11 @@ Result<StepFile> read_step(const std::filesystem::path& file, const Progress& pr
                             std::filesystem::exists(file, status) ? "permission denied" : "there is no such file"),
                 file.string());
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return read_checked(file, text, name, progress);
+  return read_checked(text, file.string(), name, progress);
 }
 
 Result<StepFile> read_step_text(const std::string& text, const std::string& name, const Progress& progress) {
-  if (auto header = brep::read_step_header(text, name); !header) return tl::unexpected(header.error());
-  const TemporaryFile file(text);
-  return read_checked(file.path(), text, name, progress);
+  return read_checked(text, name, name, progress);
 }
 
 }  // namespace planish

@@ -1,5 +1,6 @@
 #include "input.hpp"
 
+#include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/geometry/curve.hpp>
 #include <planish/job/info.hpp>
@@ -62,9 +63,10 @@ BodyInfo body_info(const Body& body, int number) {
 
 Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
   progress.at("reading", 0.0);
-  const auto file = read_input(request.input, progress);
+  constexpr double kRead = 0.7;
+  const auto file = read_input(request.input, part_of(progress, 0.0, kRead));
   if (!file) return tl::unexpected(file.error());
-  return info_of(*file, request, progress);
+  return info_of(*file, request, part_of(progress, kRead, 1.0));
 }
 
 Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request, const Progress& progress) {

@@ -1,5 +1,6 @@
 #include "input.hpp"
 
+#include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -11,6 +12,8 @@
 namespace planish::job {
 namespace {
 
+constexpr double kRead = 0.2;  // share at which what follows reading begins
+
 struct TimedFile {
   StepFile file;
   double seconds = 0.0;
@@ -19,7 +22,7 @@ struct TimedFile {
 Result<TimedFile> timed_read(const UnfoldRequest& request, const Progress& progress) {
   progress.at("reading", 0.0);
   const auto start = std::chrono::steady_clock::now();
-  auto file = read_input(request.input, progress);
+  auto file = read_input(request.input, part_of(progress, 0.0, kRead));
   if (!file) return tl::unexpected(file.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return TimedFile{std::move(*file), taken.count()};
@@ -86,10 +89,11 @@ Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
   if (!read) return tl::unexpected(read.error());
   std::vector<UnfoldReport> reports;
   const int count = static_cast<int>(read->file.bodies.size());
+  const Progress unfolding = part_of(progress, kRead, 1.0);
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
     if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
-    auto report = unfold_carefully(body, request, share_of(progress, i, count, body.name()));
+    auto report = unfold_carefully(body, request, share_of(unfolding, i, count, body.name()));
     if (!report && report.error().code == ErrorCode::cancelled) {
       return tl::unexpected(report.error());
     }

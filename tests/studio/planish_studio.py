@@ -30,6 +30,15 @@ class Answer:
     def json(self):
         return json.loads(self.body)
 
+    @property
+    def is_problem(self):
+        """Whether it is what the program says of invalid input."""
+        return self.status == 200 and self.headers.get("content-type") == "application/problem+json"
+
+    @property
+    def is_good(self):
+        return self.status == 200 and not self.is_problem
+
 
 class Shape:
     """A shape's JSON, and its arrays as lists of numbers."""
@@ -65,6 +74,7 @@ class Studio:
         if not match:
             raise AssertionError(f"no address: {self.line!r} {self.process.stderr.read()}")
         self.port, self.token = int(match[1]), match[2]
+        self.taken = []
 
     def __enter__(self):
         return self
@@ -101,14 +111,26 @@ class Studio:
     def get(self, path, **more):
         return self.ask("GET", path, **more)
 
+    def take(self, name, content):
+        """The answer to a file that is sent, before it is read."""
+        answer = self.ask("POST", "/api/documents?name=" + urllib.parse.quote(name), content)
+        if answer.is_good:
+            self.taken.append(answer.json()["id"])
+        return answer
+
+    def open_taken(self, document):
+        return self.ask("POST", f"/api/documents/{document}/open", b"")
+
     def open(self, name, content):
-        return self.ask("POST", "/api/documents?name=" + urllib.parse.quote(name), content)
+        """The answer that says what was opened, or why it was not."""
+        taken = self.take(name, content)
+        return self.open_taken(taken.json()["id"]) if taken.is_good else taken
 
     def open_example(self, name):
         """Its id and its spec (None of STEP files)."""
         path = EXAMPLES / name
         opened = self.open(path.name, path.read_bytes())
-        assert opened.status == 200, opened.body
+        assert opened.is_good, opened.body
         document = opened.json()
         spec = None if document["text"] is None else json.loads(document["text"])
         for scan in (spec or {}).get("scan", []):
@@ -124,7 +146,7 @@ class Studio:
 
     def shape(self, document, verb, spec=None, **options):
         answer = self.post(document, verb, spec, **options)
-        assert answer.status == 200, (answer.status, answer.body[:400])
+        assert answer.is_good, (answer.status, answer.body[:400])
         return Shape(answer.body)
 
     def workers(self):
@@ -166,11 +188,20 @@ class StudioTest(unittest.TestCase):
         cls.addClassCleanup(cls.studio.__exit__)
 
     def tearDown(self):
-        for document in self.studio.get("/api/documents").json():
-            self.studio.ask("DELETE", f"/api/documents/{document['id']}")
+        while self.studio.taken:
+            self.studio.ask("DELETE", f"/api/documents/{self.studio.taken.pop()}")
+
+    def assert_problem(self, answer, code=None):
+        """What the program says of input is a good answer of a type of its own."""
+        self.assertTrue(answer.is_problem, (answer.status, answer.headers, answer.body[:400]))
+        return self.assert_said(answer, code)
 
     def assert_error(self, answer, status, code=None):
         self.assertEqual(answer.status, status, answer.body[:400])
+        self.assertEqual(answer.headers["content-type"], "application/json")
+        return self.assert_said(answer, code)
+
+    def assert_said(self, answer, code):
         error = answer.json()
         self.assertEqual(sorted(error), ["code", "message", "where"])
         if code:

@@ -71,11 +71,12 @@ Answer documents(DocumentStore& store, const ApiRequest& request,
                  const std::vector<std::string>& at, std::string body) {
   const std::string& method = request.method;
   const bool posted = method == "POST";
-  if (at.empty() && posted) return store.open(request.name, body);
+  if (at.empty() && posted) return store.take(request.name, body, Origin::page);
   if (at.empty() && method == "GET") return store.list();
   if (at.size() == 1 && method == "DELETE") return store.close(at[0]);
   if (at.size() == 2 && posted && (at[1] == "draft" || at[1] == "result"))
     return store.work(at[0], {at[1], "", std::move(body)});
+  if (at.size() == 2 && posted && at[1] == "open") return store.open(at[0]);
   if (at.size() == 2 && posted && at[1] == "cancel") return store.cancel(at[0]);
   if (at.size() == 2 && method == "GET" && at[1] == "progress") return store.progress(at[0]);
   if (at.size() == 3 && posted && at[1] == "files")

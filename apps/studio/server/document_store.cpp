@@ -3,6 +3,7 @@
 #include "../work/attachments.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -29,62 +30,68 @@ int number_of(const std::string& id) {
 
 }  // namespace
 
-Answer DocumentStore::open(const std::string& name, const std::string& bytes) {
+Answer DocumentStore::take(const std::string& name, const std::string& bytes, Origin origin) {
   if (!is_plain_name(name))
     return failure(422, "invalid_input",
                    "the file needs a name without folders, of at most 128 bytes", name);
-  std::string id;
-  {
-    const std::lock_guard lock(mutex_);
-    if (!make_room())
-      return failure(429, "too_many_documents",
-                     fmt::format("{} documents are open and in use; close one", kMostDocuments));
-    ++opening_;
-    id = fmt::format("d{}", ++last_);
-  }
-  Answer answer = opened(id, name, bytes);
+  const auto number = new_number();
+  if (!number)
+    return failure(429, "too_many_documents",
+                   fmt::format("{} documents are open and in use; close one", kMostDocuments));
+  const std::string id = fmt::format("d{}", *number);
+  auto document = ServedDocument::make(folder_ / id, {id, name, origin}, bytes);
   const std::lock_guard lock(mutex_);
-  --opening_;
-  return answer;
+  --taking_;
+  if (!document) return failure(document.error());
+  documents_[*number] = std::move(*document);
+  return {200, kJsonType, nlohmann::ordered_json{{"id", id}, {"name", name}}.dump()};
 }
 
-Answer DocumentStore::opened(const std::string& id, const std::string& name,
-                             const std::string& bytes) {
-  auto document = ServedDocument::make(folder_ / id, name, bytes);
-  if (!document) return failure(document.error());
-  Answer answer = (*document)->open(turns_);
-  if (answer.status != 200) return answer;
-  answer.body = fmt::format("{{\"id\":\"{}\",", id) + answer.body.substr(1);
+/// For a document that is about to be written. Empty where there is no room for one more.
+std::optional<int> DocumentStore::new_number() {
   const std::lock_guard lock(mutex_);
-  rows_[number_of(id)] = {std::move(*document), answer.body};
-  return answer;
+  if (!make_room()) return std::nullopt;
+  ++taking_;
+  return ++last_;
+}
+
+Answer DocumentStore::open(const std::string& id) {
+  const auto document = find(id);
+  return document ? document->open(turns_) : no_document(id);
 }
 
 bool DocumentStore::make_room() {
-  if (rows_.size() + static_cast<std::size_t>(opening_) < kMostDocuments) return true;
-  if (rows_.empty()) return false;
-  const auto oldest =
-      std::min_element(rows_.begin(), rows_.end(), [](const auto& a, const auto& b) {
-        return a.second.document->last_used() < b.second.document->last_used();
-      });
-  if (!oldest->second.document->is_idle_since(std::chrono::steady_clock::now() - kUnused))
+  if (documents_.size() + static_cast<std::size_t>(taking_) < kMostDocuments) return true;
+  if (documents_.empty()) return false;
+  const auto now = std::chrono::steady_clock::now();
+  const auto unreadable = std::find_if(documents_.begin(), documents_.end(), [&](const auto& row) {
+    return row.second->is_unreadable() && row.second->is_idle_since(now);
+  });
+  const auto oldest = std::min_element(
+      documents_.begin(), documents_.end(),
+      [](const auto& a, const auto& b) { return a.second->last_used() < b.second->last_used(); });
+  if (unreadable != documents_.end())
+    documents_.erase(unreadable);
+  else if (oldest->second->is_idle_since(now - kUnused))
+    documents_.erase(oldest);
+  else
     return false;
-  rows_.erase(oldest);
   return true;
 }
 
 Answer DocumentStore::list() const {
   const std::lock_guard lock(mutex_);
   std::string text;
-  for (const auto& [number, row] : rows_)
-    text += (text.empty() ? "" : ",") + row.answer;
+  for (const auto& [number, document] : documents_)
+    if (const auto answer = document->known(); answer && answer->status == 200)
+      text += (text.empty() ? "" : ",") + answer->body;
   return {200, kJsonType, "[" + text + "]"};
 }
 
 std::shared_ptr<ServedDocument> DocumentStore::find(const std::string& id) const {
   const std::lock_guard lock(mutex_);
-  const auto row = rows_.find(number_of(id));
-  return row == rows_.end() ? nullptr : row->second.document;
+  const auto row = documents_.find(number_of(id));
+  return row == documents_.end() ? nullptr : row->second;
 }
 
 Answer DocumentStore::close(const std::string& id) {
@@ -92,7 +99,7 @@ Answer DocumentStore::close(const std::string& id) {
   if (!document) return no_document(id);
   document->cancel();
   const std::lock_guard lock(mutex_);
-  rows_.erase(number_of(id));
+  documents_.erase(number_of(id));
   return {204, "", ""};
 }
 
@@ -124,13 +131,13 @@ Answer DocumentStore::cancel(const std::string& id) {
 }
 
 void DocumentStore::close_all() {
-  std::map<int, Row> rows;
+  std::map<int, std::shared_ptr<ServedDocument>> documents;
   {
     const std::lock_guard lock(mutex_);
-    rows.swap(rows_);
+    documents.swap(documents_);
   }
-  for (const auto& [number, row] : rows)
-    row.document->cancel();
+  for (const auto& [number, document] : documents)
+    document->cancel();
 }
 
 }  // namespace planish::studio

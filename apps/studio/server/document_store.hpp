@@ -10,14 +10,18 @@
 
 namespace planish::studio {
 
-/// The documents that are open, at most 8: beyond that the one longest unused is closed if nobody
-/// has used it for a minute, else none is opened (429). At most two of them compute at once.
-/// Thread-safe.
+/// The documents there are, at most 8: beyond that one that cannot be read is closed, or the one
+/// longest unused if nobody has used it for a minute, else none is taken (429). At most two of them
+/// compute at once. Thread-safe.
 class DocumentStore {
  public:
   explicit DocumentStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  Answer open(const std::string& name, const std::string& bytes);
+  /// Keeps a file under a new id, unread.
+  Answer take(const std::string& name, const std::string& bytes, Origin origin);
+  /// Has it read: what there is to know of it before anything is computed.
+  Answer open(const std::string& id);
+  /// Those that could be read.
   Answer list() const;
   Answer close(const std::string& id);
   Answer attach(const std::string& id, const std::string& name, const std::string& bytes);
@@ -28,20 +32,15 @@ class DocumentStore {
   void close_all();
 
  private:
-  struct Row {
-    std::shared_ptr<ServedDocument> document;
-    std::string answer;  ///< to the request that opened it
-  };
-
   std::shared_ptr<ServedDocument> find(const std::string& id) const;
   bool make_room();
-  Answer opened(const std::string& id, const std::string& name, const std::string& bytes);
+  std::optional<int> new_number();
 
   std::filesystem::path folder_;
   Turns turns_{2};
   mutable std::mutex mutex_;
-  std::map<int, Row> rows_;  ///< by number: "d7" is 7
-  int opening_ = 0, last_ = 0;
+  std::map<int, std::shared_ptr<ServedDocument>> documents_;  ///< by number: "d7" is 7
+  int taking_ = 0, last_ = 0;
 };
 
 }  // namespace planish::studio

@@ -57,9 +57,11 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
     return fail(ErrorCode::cannot_read,
                 fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
                 file.string());
-  const Answer opened = store.open(shown_name(file), *bytes);
+  const Answer taken = store.take(shown_name(file), *bytes, Origin::command_line);
+  if (taken.status != 200) return tl::unexpected(error_of(taken));
+  const std::string id = Json::parse(taken.body)["id"];
+  const Answer opened = store.open(id);
   if (opened.status != 200) return tl::unexpected(error_of(opened));
-  const std::string id = Json::parse(opened.body)["id"];
   for (const std::string& name : scans_of(*bytes)) {
     // What lies elsewhere is missed when it is asked for.
     const auto points = is_plain_name(name) ? job::read_text(file.parent_path() / name, "scan")

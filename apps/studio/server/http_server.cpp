@@ -49,9 +49,15 @@ ApiRequest api_request(const httplib::Request& request) {
            values_of(request, "X-Planish-Token")}};
 }
 
+// What the program says of invalid input. Somebody who drags passes such input all the time, and
+// browsers log every answer of a status like this one as a failure of the page.
+constexpr int kInvalidInput = 422;
+constexpr auto kProblemType = "application/problem+json";
+
 void send(httplib::Response& response, const Answer& answer) {
-  response.status = answer.status;
-  if (!answer.type.empty()) response.set_content(answer.body, answer.type);
+  const bool problem = answer.status == kInvalidInput;
+  response.status = problem ? 200 : answer.status;
+  if (!answer.type.empty()) response.set_content(answer.body, problem ? kProblemType : answer.type);
 }
 
 Answer too_large() {

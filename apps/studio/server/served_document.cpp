@@ -12,10 +12,15 @@
 
 namespace planish::studio {
 namespace fs = std::filesystem;
+namespace {
 
-Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, std::string name,
+constexpr int kUnreadable = 422;  // status of what the program says of a file
+
+}  // namespace
+
+Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, DocumentLabel label,
                                                              const std::string& bytes) {
-  std::shared_ptr<ServedDocument> document(new ServedDocument(std::move(folder), std::move(name)));
+  std::shared_ptr<ServedDocument> document(new ServedDocument(std::move(folder), std::move(label)));
   std::error_code error;
   fs::create_directories(document->attachments(), error);
   if (error)
@@ -32,7 +37,11 @@ ServedDocument::~ServedDocument() {
   fs::remove_all(folder_, ignored);
 }
 
-Answer ServedDocument::open(Turns& turns) { return work({"", "", ""}, turns); }
+Answer ServedDocument::open(Turns& turns) {
+  // At once, whatever else is being computed.
+  if (const auto answer = known()) return *answer;
+  return work({"", "", ""}, turns);
+}
 
 Answer ServedDocument::work(const Task& task, Turns& turns) {
   begin();
@@ -65,23 +74,47 @@ void ServedDocument::end() {
 Answer ServedDocument::computed(const Task& task, Turns& turns) {
   const auto turn = turns.take([this] { return is_cancelled(); });
   if (!turn) return worker_lost(WorkerEnd::died);
+  if (const auto answer = known(); answer && (task.verb.empty() || answer->status != 200))
+    return *answer;
   const Worker last = worker();
   if (!last || !last->is_alive()) {
-    Answer answer = opened();
+    Answer answer = read();
     if (answer.status != 200 || task.verb.empty()) return answer;
   }
   return asked(task);
 }
 
-Answer ServedDocument::opened() {
+Answer ServedDocument::read() {
   const auto bytes = job::read_text(file(), "document");
   if (!bytes) return failure(bytes.error());
   auto started = WorkerProcess::start(attachments());
   if (!started) return failure(started.error());
   replace_worker(std::move(*started));
-  Answer answer = asked({"open", name_, *bytes});
+  Answer answer = labelled(asked({"open", label_.name, *bytes}));
   if (answer.status != 200) replace_worker(nullptr);
+  const std::lock_guard lock(state_);
+  // Whatever else was answered may be otherwise the next time.
+  if (answer.status == 200 || answer.status == kUnreadable) known_ = answer;
   return answer;
+}
+
+/// What a worker says of a file does not hold whose it is.
+Answer ServedDocument::labelled(Answer answer) const {
+  if (answer.status != 200) return answer;
+  const bool given = label_.origin == Origin::command_line;
+  answer.body =
+      fmt::format("{{\"id\":\"{}\",\"given\":{},", label_.id, given) + answer.body.substr(1);
+  return answer;
+}
+
+std::optional<Answer> ServedDocument::known() const {
+  const std::lock_guard lock(state_);
+  return known_;
+}
+
+bool ServedDocument::is_unreadable() const {
+  const std::lock_guard lock(state_);
+  return known_ && known_->status == kUnreadable;
 }
 
 Answer ServedDocument::asked(const Task& task) {

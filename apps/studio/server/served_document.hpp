@@ -11,6 +11,14 @@
 
 namespace planish::studio {
 
+/// Who brought a document: the page, or the command line.
+enum class Origin { page, command_line };
+
+struct DocumentLabel {
+  std::string id, name;
+  Origin origin = Origin::page;
+};
+
 /// A document as the server keeps it: its file and attachments in a folder, and the worker that
 /// computes it, which may end at any time and is then replaced. One task at a time, the others
 /// wait. Thread-safe.
@@ -18,15 +26,19 @@ class ServedDocument {
  public:
   /// Writes the file into `folder`, which is made. Error: `cannot_write`.
   static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder,
-                                                      std::string name, const std::string& bytes);
+                                                      DocumentLabel label,
+                                                      const std::string& bytes);
   ServedDocument(const ServedDocument&) = delete;
   ServedDocument& operator=(const ServedDocument&) = delete;
   ~ServedDocument();
 
-  /// Has the worker open the file.
+  /// Has a worker read the file, once: what it said then is answered again.
   Answer open(Turns& turns);
-  /// Has the worker, who has opened the file, do a task. 409 with `cancelled`, `worker_ended`,
-  /// `worker_timeout`.
+  /// What reading it has come to, and whether that was that it cannot be read.
+  std::optional<Answer> known() const;
+  bool is_unreadable() const;
+  /// Has the worker, who reads the file first if it has not, do a task. 409 with `cancelled`,
+  /// `worker_ended`, `worker_timeout`.
   Answer work(const Task& task, Turns& turns);
   /// What is being computed is given up: its worker ends.
   void cancel();
@@ -39,8 +51,8 @@ class ServedDocument {
   Moment last_used() const;
 
  private:
-  ServedDocument(std::filesystem::path folder, std::string name)
-      : folder_(std::move(folder)), name_(std::move(name)) {}
+  ServedDocument(std::filesystem::path folder, DocumentLabel label)
+      : folder_(std::move(folder)), label_(std::move(label)) {}
 
   using Worker = std::shared_ptr<WorkerProcess>;
 
@@ -48,7 +60,8 @@ class ServedDocument {
   void end();
   Answer computed(const Task& task, Turns& turns);
   Answer asked(const Task& task);
-  Answer opened();
+  Answer read();
+  Answer labelled(Answer answer) const;
   Worker worker() const;
   void replace_worker(Worker worker);
   bool is_cancelled() const;
@@ -57,12 +70,13 @@ class ServedDocument {
   std::filesystem::path attachments() const { return folder_ / "attachments"; }
 
   const std::filesystem::path folder_;
-  const std::string name_;
+  const DocumentLabel label_;
   std::mutex turn_;  ///< held by who works, throughout
 
   mutable std::mutex state_;  ///< of all below, held for a moment only
   Worker worker_;
   Stage stage_;
+  std::optional<Answer> known_;
   int waiting_ = 0;
   bool computing_ = false, cancelled_ = false;
   Moment last_used_ = std::chrono::steady_clock::now();

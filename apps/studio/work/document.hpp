@@ -33,7 +33,7 @@ class Document {
 
   virtual std::string_view kind() const = 0;
   /// What `planish info` says of it; null where it says nothing.
-  virtual Json info() const { return nullptr; }
+  virtual Json info(const Progress&) const { return nullptr; }
   virtual Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) = 0;
   virtual Result<MadeFile> file(const Asked& asked, const std::string& format,
                                 const Progress& progress) = 0;
@@ -43,9 +43,11 @@ class Document {
 /// else its keys, say which. `attachments` is the folder of the files that it may name. Errors:
 /// those of `read_step` and of the parsers.
 Result<std::unique_ptr<Document>> open_document(const std::string& name, const std::string& bytes,
-                                                const std::filesystem::path& attachments);
+                                                const std::filesystem::path& attachments,
+                                                const Progress& progress);
 
-Result<std::unique_ptr<Document>> open_unfold(const std::string& name, const std::string& bytes);
+Result<std::unique_ptr<Document>> open_unfold(const std::string& name, const std::string& bytes,
+                                              const Progress& progress);
 Result<std::unique_ptr<Document>> open_connect(const std::string& name, const std::string& json);
 Result<std::unique_ptr<Document>> open_transition(const std::string& name, const std::string& json);
 Result<std::unique_ptr<Document>> open_slit(const std::string& name, const std::string& json,

@@ -39,7 +39,8 @@ Result<Kind> kind_of(const std::string& name, const std::string& bytes) {
 }  // namespace
 
 Result<std::unique_ptr<Document>> open_document(const std::string& name, const std::string& bytes,
-                                                const std::filesystem::path& attachments) {
+                                                const std::filesystem::path& attachments,
+                                                const Progress& progress) {
   const auto kind = kind_of(name, bytes);
   if (!kind) return tl::unexpected(kind.error());
   switch (*kind) {
@@ -52,7 +53,7 @@ Result<std::unique_ptr<Document>> open_document(const std::string& name, const s
     case Kind::unfold:
       break;
   }
-  return open_unfold(name, bytes);
+  return open_unfold(name, bytes, progress);
 }
 
 }  // namespace planish::studio

@@ -2,6 +2,7 @@
 #include "made_files.hpp"
 #include "remembered.hpp"
 
+#include <planish/base/progress_part.hpp>
 #include <planish/brep/step.hpp>
 #include <planish/io/mesh_writers.hpp>
 #include <planish/job/info.hpp>
@@ -16,6 +17,8 @@ namespace {
 
 using job::UnfoldReport;
 
+constexpr double kRead = 0.7;  // share of opening a file, the rest is measuring its bodies
+
 class UnfoldDocument : public Document {
  public:
   UnfoldDocument(std::string name, StepFile file)
@@ -23,8 +26,10 @@ class UnfoldDocument : public Document {
 
   std::string_view kind() const override { return "unfold"; }
 
-  Json info() const override {
-    return Json::parse(job::info_json(*job::info_of(file_, {.input = name_, .body = {}})));
+  Json info(const Progress& progress) const override {
+    const auto info =
+        job::info_of(file_, {.input = name_, .body = {}}, part_of(progress, kRead, 1.0));
+    return Json::parse(job::info_json(info.value()));
   }
 
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) override {
@@ -106,8 +111,9 @@ class UnfoldDocument : public Document {
 
 }  // namespace
 
-Result<std::unique_ptr<Document>> open_unfold(const std::string& name, const std::string& bytes) {
-  auto file = read_step_text(bytes, name);
+Result<std::unique_ptr<Document>> open_unfold(const std::string& name, const std::string& bytes,
+                                              const Progress& progress) {
+  auto file = read_step_text(bytes, name, part_of(progress, 0.0, kRead));
   if (!file) return tl::unexpected(file.error());
   return std::make_unique<UnfoldDocument>(name, std::move(*file));
 }

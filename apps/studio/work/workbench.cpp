@@ -15,11 +15,11 @@ Answer bad_request(const Error& error) {
 
 }  // namespace
 
-Answer Workbench::open(const Task& task) {
-  auto document = open_document(task.argument, task.body, attachments_);
+Answer Workbench::open(const Task& task, const Progress& progress) {
+  auto document = open_document(task.argument, task.body, attachments_, progress);
   if (!document) return failure(document.error());
   document_ = std::move(*document);
-  Json json{{"kind", document_->kind()}, {"name", task.argument}, {"info", document_->info()}};
+  Json json{{"kind", document_->kind()}, {"name", task.argument}, {"info", document_->info(progress)}};
   json["text"] = document_->kind() == "unfold" ? Json(nullptr) : Json(task.body);
   return {200, kJsonType, json_text(json)};
 }
@@ -47,7 +47,7 @@ Answer Workbench::file(const Task& task, const Progress& progress) {
 }
 
 Answer Workbench::dispatch(const Task& task, const Progress& progress) {
-  if (task.verb == "open") return open(task);
+  if (task.verb == "open") return open(task, progress);
   if (!document_) return failure(500, "internal", "nothing is open");
   if (task.verb == "draft") return shape(task, job::Effort::draft, progress);
   if (task.verb == "result") return shape(task, job::Effort::full, progress);

@@ -18,13 +18,13 @@ class Workbench {
   /// `attachments`: the folder of the files that were added to the document.
   explicit Workbench(std::filesystem::path attachments) : attachments_(std::move(attachments)) {}
 
-  /// Answers as docs/studio-api.md has them; what is opened has no "id" yet. Whatever a task throws
-  /// becomes an answer: 409 `out_of_memory`, else 500 `internal`.
+  /// Answers as docs/studio-api.md has them; what is opened has no "id" and no "given" yet.
+  /// Whatever a task throws becomes an answer: 409 `out_of_memory`, else 500 `internal`.
   Answer perform(const Task& task, const Progress& progress = {});
 
  private:
   Answer dispatch(const Task& task, const Progress& progress);
-  Answer open(const Task& task);
+  Answer open(const Task& task, const Progress& progress);
   Answer shape(const Task& task, job::Effort effort, const Progress& progress);
   Answer file(const Task& task, const Progress& progress);
 
