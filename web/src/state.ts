@@ -1,5 +1,5 @@
-import type { ApiProblem, Example, OpenDocument, Options, Progress, Report, Shape, Spec } from './types.ts';
-import type { DisplayUnit } from './units.ts';
+import type { ApiProblem, Example, OpenDocument, Options, PlatesSpec, Progress, Report, Shape, Spec, Vec2, Vec3 } from './types.ts';
+import { millimetres, type DisplayUnit } from './units.ts';
 
 export interface Input { spec: Spec | null; options: Options }
 export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
@@ -24,6 +24,7 @@ export interface State {
   fold: number;
   pick: PickMode;
   gizmo: GizmoMode;
+  plateSize: Vec2; // of the next plate that is added, in mm
   tab: Tab;
   units: DisplayUnit;
   theme: Theme;
@@ -54,6 +55,7 @@ export type Action =
   | { type: 'fold'; fold: number }
   | { type: 'pick'; pick: PickMode }
   | { type: 'gizmo'; gizmo: GizmoMode }
+  | { type: 'plate-size'; size: Vec2 }
   | { type: 'tab'; tab: Tab }
   | { type: 'units'; units: DisplayUnit }
   | { type: 'theme'; theme: Theme }
@@ -64,7 +66,7 @@ export const nothing: Selection = { part: null, plate: null, anchor: null, findi
 export function initialState(theme: Theme): State {
   return {
     document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
-    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
+    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', plateSize: [100, 100], tab: 'input', units: 'mm', theme,
     examples: [], problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
   };
 }
@@ -81,7 +83,7 @@ export function reduce(state: State, action: Action): State {
     case 'undo': return undone(state);
     case 'redo': return redone(state);
     case 'shape': return shaped(state, action.shape, action.draft);
-    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null };
+    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null, ...(action.ofInput ? { shape: withPlates(state) } : {}) };
     case 'note': return { ...state, note: action.note };
     case 'computing': return { ...state, computing: action.computing };
     case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
@@ -89,6 +91,7 @@ export function reduce(state: State, action: Action): State {
     case 'fold': return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
     case 'pick': return { ...state, pick: action.pick };
     case 'gizmo': return { ...state, gizmo: action.gizmo };
+    case 'plate-size': return { ...state, plateSize: action.size };
     case 'tab': return { ...state, tab: action.tab };
     case 'units': return { ...state, units: action.units };
     case 'theme': return { ...state, theme: action.theme };
@@ -125,11 +128,18 @@ function redone(state: State): State {
 function shaped(state: State, shape: Shape, draft: boolean): State {
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
-  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
+  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   return {
     ...state, shape: shown, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
   };
+}
+
+/** The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can. */
+function withPlates({ shape, document, input }: State): Shape | null {
+  if (!shape || document?.kind !== 'connect') return shape;
+  const { plates, units } = input.spec as PlatesSpec, scale = millimetres(units);
+  return { ...shape, handles: { ...shape.handles, plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })) } };
 }
 
 export type Listener = (state: State, before: State) => void;

@@ -64,6 +64,7 @@ export class Views {
       if (!state.shape) this.folded.setShape(null, 1, 1, null);
     }
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
+    if (state.stale && state.shape && state.shape !== before.shape) this.show(state.shape); // with the plates of an input that cannot be computed
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.selectedRow(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
     if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)

@@ -63,6 +63,11 @@ async function drag(page, from, by, steps = 12) {
   await page.mouse.up();
 }
 
+async function enter(page, testid, text) {
+  await page.fill(`[data-testid="${testid}"]`, text);
+  await page.keyboard.press('Enter');
+}
+
 async function slide(page, testid, share) {
   await page.locator(`[data-testid="${testid}"]`).scrollIntoViewIfNeeded();
   const box = await page.locator(`[data-testid="${testid}"]`).boundingBox(), at = await page.$eval(`[data-testid="${testid}"]`, (e) => (e.value - e.min) / (e.max - e.min));
@@ -121,6 +126,43 @@ const flows = {
     await rested(page);
     assert.ok((await state(page, 's.shape.report.flat.bends[0].inside_radius')) < 3, 'the radius followed');
     return download(page, 'dxf');
+  },
+  async plates({ page, said }) {
+    await example(page, 'connect/a_folded.json');
+    const before = await state(page, 's.input.spec'), plates = () => state(page, 's.shape.parts.flatMap((p) => p.plate ?? [])');
+    await page.click('[data-testid=plate-back]');
+    await page.click('[data-testid=plate-add]');
+    await rested(page);
+    assert.ok((await plates()).includes('P1'));
+    const found = await state(page, `s.shape.report.flat.bends.find((b) => b.between.includes('P1'))`);
+    await page.click(`[data-testid=bend-head-${found.id}]`);
+    await page.click('.block.open [data-testid^=bend-remove]');
+    await page.waitForFunction(() => window.planish.store.state.stale && !window.planish.store.state.computing);
+    assert.match(await page.textContent('[data-testid=message]'), /do not join plate "P1"/);
+    assert.ok(await state(page, `s.shape.handles.plates.some((p) => p.id === 'P1')`), 'what is not joined has its handle all the same');
+    said.length = 0; // the browser notes the status of the answer
+    await page.click('[data-testid=plate-P1]');
+    await page.click(`[data-testid=bend-add-${found.between.find((id) => id !== 'P1')}]`);
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+    await enter(page, 'plate-name', 'flap');
+    await page.click('[data-testid=plate-corners]');
+    const u = Number(await page.inputValue('[data-testid=corner-0-1-u]'));
+    await enter(page, 'corner-0-1-u', String(u + 20));
+    await rested(page);
+    assert.deepEqual(await state(page, `s.shape.handles.plates.at(-1)`), { id: 'flap', corners: await state(page, 's.input.spec.plates.at(-1).outline') });
+    await page.click('[data-testid=plate-copy]');
+    await rested(page);
+    assert.equal(await state(page, 's.input.spec.plates.at(-1).id'), 'flap-2');
+    await page.keyboard.press('Delete');
+    assert.equal(await state(page, 's.input.spec.plates.at(-1).id'), 'flap');
+    await rested(page);
+    const file = await download(page, 'dxf');
+    for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+    assert.deepEqual(await state(page, 's.input.spec'), before);
+    await rested(page);
+    said.length = 0; // the copy lay in one plane with its neighbour and was not joined
+    return file;
   },
   async transition({ page }) {
     await example(page, 'transition/a_square_to_round.json');
