@@ -4,7 +4,7 @@ import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { keepInput } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
-import { removeAnchor } from './edits/slit.ts';
+import { removeAnchor, removePoint } from './edits/slit.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
 import { sidePanel } from './panels/side-panel.ts';
@@ -161,8 +161,9 @@ function escape(target: HTMLElement) {
 }
 
 function removeChosen() {
-  const { anchor, plate } = store.state.selection, { spec } = store.state.input;
-  if (anchor !== null) ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
+  const { anchor, plate, point } = store.state.selection, { spec } = store.state.input;
+  if (point) ui.edit<SlitSpec>((s) => removePoint(s, point.curve, point.index));
+  else if (anchor !== null) ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
   else if (plate !== null && (spec as PlatesSpec).plates.length > 1) ui.edit<PlatesSpec>((s) => removePlate(s, plate));
   else return;
   store.dispatch({ type: 'select', selection: {} });

@@ -1,4 +1,4 @@
-import type { ApiProblem, Example, OpenDocument, Options, PlatesSpec, Progress, Report, Shape, Spec, Vec2, Vec3 } from './types.ts';
+import type { ApiProblem, CurveName, Example, OpenDocument, Options, PlatesSpec, Progress, Report, Shape, Spec, Vec2, Vec3 } from './types.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
 export interface Input { spec: Spec | null; options: Options }
@@ -7,8 +7,15 @@ export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up' | 'anchor';
 export type GizmoMode = 'translate' | 'rotate';
 
-/** Names what is picked: a part of the shape (bends and flanges), a plate or an anchor of the input. */
-export interface Selection { part: string | null; plate: string | null; anchor: number | null; finding: number | null }
+/** Names what is picked: a part of the shape (bends and flanges), or a plate, an anchor, a strip or a control point of the input. */
+export interface Selection {
+  part: string | null;
+  plate: string | null;
+  anchor: number | null;
+  strip: number | null;
+  point: { curve: CurveName; index: number } | null;
+  finding: number | null;
+}
 
 export interface State {
   document: OpenDocument | null;
@@ -61,7 +68,7 @@ export type Action =
   | { type: 'theme'; theme: Theme }
   | { type: 'help'; help: boolean };
 
-export const nothing: Selection = { part: null, plate: null, anchor: null, finding: null };
+export const nothing: Selection = { part: null, plate: null, anchor: null, strip: null, point: null, finding: null };
 
 export function initialState(theme: Theme): State {
   return {
@@ -116,13 +123,13 @@ function undone(state: State): State {
   const input = state.pending ?? state.past.at(-1);
   if (!input) return state;
   const past = state.pending ? state.past : state.past.slice(0, -1);
-  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null } };
+  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function redone(state: State): State {
   const [input, ...future] = state.future;
   if (!input || state.pending) return state;
-  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null } };
+  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {

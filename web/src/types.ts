@@ -242,16 +242,20 @@ export interface TransitionSpec {
 
 export interface AnchorSpec { strip: number; ridge: number; side?: 'left' | 'right'; at: Vec3 }
 export interface SlitWeights { smooth?: number; spacing?: number; anchors?: number; seat?: number; spread?: number; scan?: number }
+export type CurveName = 'leg' | 'seat';
+export interface StripSpec { width: number; gap?: number; left_start?: number; right_start?: number; end?: number }
+export interface StripEnd { strip: number; position?: Vec3; direction?: Vec3; across?: Vec3 }
 export interface SlitSpec {
   units?: LengthUnit;
   thickness: number;
-  sheet: { strips: number | object[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
+  sheet: { strips: number | StripSpec[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
   symmetric?: boolean;
   ridges?: number;
   subdivisions?: number;
   leg_curve: { bezier: Vec2[] };
   seat_curve?: { bezier: Vec2[] };
   end_angle?: 'right_angle' | 'level' | 'free';
+  ends?: StripEnd[];
   anchors?: AnchorSpec[];
   scan?: { strip: number; points: string | Vec3[] }[];
   align_scan?: boolean;

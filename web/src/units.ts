@@ -5,6 +5,9 @@ const inMm: Record<LengthUnit, number> = { mm: 1, inch: 25.4, m: 1000 };
 
 export const millimetres = (unit: LengthUnit | undefined) => inMm[unit ?? 'mm'];
 
+/** Decimals of a length that is placed by hand, in a file of this unit: thousandths of a millimetre and about as much. */
+export const fileDigits = (unit: LengthUnit | undefined) => ({ mm: 3, inch: 4, m: 6 })[unit ?? 'mm'];
+
 /** `value` given in `from`, in `to`. */
 export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) => (value * millimetres(from)) / inMm[to];
 

@@ -198,6 +198,44 @@ const flows = {
     assert.ok(Math.hypot(...at.map((v, k) => v - end.at[k])) > 3, 'the anchor moved');
     return download(page, 'dxf');
   },
+  async strips({ page }) {
+    await example(page, 'slit/plume.json');
+    const width = () => state(page, 's.shape.report.flat.size'), before = await width();
+    await page.click('[data-testid=strip-head-1]');
+    for (const key of ['direction', 'across']) {
+      await page.check(`[data-testid=end-${key}]`);
+      await rested(page);
+      assert.equal(await state(page, 's.problem'), null);
+    }
+    assert.deepEqual(Object.keys(await state(page, 's.input.spec.ends[1]')), ['strip', 'position', 'direction', 'across']);
+    await enter(page, 'strip-width', '230');
+    await rested(page);
+    const wider = await width();
+    assert.ok(wider.some((v, k) => Math.abs(v - before[k] - 10) < 1e-6), `${before} has become ${wider}`);
+    await page.selectOption('[data-testid=strip-kind]', 'one');
+    await rested(page);
+    assert.equal(await state(page, 's.input.spec.sheet.strips'), 7);
+    for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+    await rested(page);
+    assert.equal((await state(page, 's.input.spec.sheet.strips'))[1].width, 220);
+  },
+  async points({ page }) {
+    await example(page, 'slit/chair.json');
+    const at = () => state(page, 's.input.spec.seat_curve.bezier'), before = await at();
+    await page.click('[data-testid=curve-seat-1]');
+    await enter(page, 'curve-seat-y', '310');
+    await rested(page);
+    assert.deepEqual(await at(), before.map((p, i) => (i === 1 ? [310, p[1]] : p)));
+    await page.locator('[data-testid=curve-seat-y]').blur();
+    await page.keyboard.press('Delete');
+    assert.deepEqual(await at(), before.filter((_, i) => i !== 1));
+    await page.click('[data-testid=curve-seat-0]');
+    assert.ok(await page.isDisabled('[data-testid=curve-seat-remove]'), 'the ends stay');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await at(), before);
+    await rested(page);
+  },
   async policy({ said }) {
     const strict = await fresh(false);
     await strict.page.click('[data-testid=examples-menu]');
