@@ -108,10 +108,13 @@ export function reduce(state: State, action: Action): State {
 
 function opened(state: State, document: OpenDocument, spec: Spec | null): State {
   return {
-    ...initialState(state.theme), examples: state.examples, units: state.units, document, input: { spec, options: {} },
+    ...initialState(state.theme), examples: state.examples, units: unitsOf(document, spec), document, input: { spec, options: {} },
     tab: state.document?.kind === document.kind ? state.tab : 'input',
   };
 }
+
+/** The page speaks the unit of the file. */
+const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit => (spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm');
 
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;

@@ -17,6 +17,11 @@ export function lengthText(value: number | null | undefined, from: LengthUnit | 
   return clean(convert(value, from, to), to === 'inch' ? 3 : 2);
 }
 
+/** A residual length, of which only the size matters, with its unit. */
+export const residualText = (value: number, from: LengthUnit | undefined, to: DisplayUnit) => `${sizeText(convert(value, from, to))} ${unitName(to)}`;
+
+export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
+
 /** `value` with at most `digits` decimals, none that are zero, never −0. */
 export function clean(value: number, digits: number): string {
   const text = value.toFixed(digits);

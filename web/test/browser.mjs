@@ -40,8 +40,17 @@ async function example(page, name) {
   if (await page.locator(`[data-testid="example-${name}"]`).count()) {
     await page.click('[data-testid=examples-menu]');
     await page.click(`[data-testid="example-${name}"]`);
-  } else await page.setInputFiles('[data-testid=file-input]', new URL(`../../examples/${name}`, import.meta.url).pathname);
-  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, name.split('/').at(-1));
+    await opened(page, name);
+  } else await open(page, [new URL(`../../examples/${name}`, import.meta.url).pathname]);
+}
+
+async function open(page, paths) {
+  await page.setInputFiles('[data-testid=file-input]', paths);
+  await opened(page, paths[0]);
+}
+
+async function opened(page, path) {
+  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, path.split('/').at(-1));
   await rested(page);
 }
 
@@ -235,6 +244,37 @@ const flows = {
     await page.keyboard.press('Control+z');
     assert.deepEqual(await at(), before);
     await rested(page);
+  },
+  async inch({ page }) {
+    const file = `${out}/inch.step`, text = readFileSync(new URL('../../examples/bracket.step', import.meta.url), 'utf8');
+    writeFileSync(file, text.replace('( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )', `( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9003) )`)
+      .replace('DATA;', `DATA;\n#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9002);\n#9002 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n#9003 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);`));
+    await open(page, [file]);
+    assert.equal(await state(page, 's.units'), 'inch', 'the page speaks the unit of the part');
+    console.log(`   blank ${await page.textContent('[data-testid=blank-size]')} of ${file}`);
+    const noneLeft = async () => {
+      for (const tab of ['input', 'bends', 'certificate']) {
+        await page.click(`[data-testid=tab-${tab}]`);
+        assert.doesNotMatch(await page.evaluate(() => document.querySelector('aside').innerText), /\bmm\b/, `${await state(page, 's.document.name')}, ${tab}`);
+      }
+      await page.click('[data-testid=tab-input]');
+    };
+    await noneLeft();
+    for (const name of ['connect/a_folded.json', 'transition/a_square_to_round.json', 'slit/chair.json']) {
+      await example(page, name);
+      assert.equal(await state(page, 's.units'), 'mm');
+      await page.click('[data-testid=units-inch]');
+      await noneLeft();
+      await enter(page, 'thickness', '0.125');
+      await rested(page);
+      assert.equal(await state(page, 's.input.spec.thickness'), 3.175, name);
+      assert.equal(await page.textContent('[data-testid=sheet-thickness]'), '0.125');
+    }
+    const plates = JSON.parse(readFileSync(new URL('../../examples/connect/d_irregular.json', import.meta.url), 'utf8'));
+    writeFileSync(`${out}/inch.json`, JSON.stringify({ ...plates, units: 'inch' }));
+    await open(page, [`${out}/inch.json`]);
+    assert.equal(await state(page, 's.units'), 'inch');
+    assert.equal(await page.inputValue('[data-testid=thickness]'), String(plates.thickness));
   },
   async policy({ said }) {
     const strict = await fresh(false);

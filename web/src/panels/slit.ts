@@ -2,7 +2,7 @@ import { html, nothing } from 'lit-html';
 import { fitted, lengthOf, removeAnchor, moveAnchor } from '../edits/slit.ts';
 import { sheetWidth } from '../edits/strips.ts';
 import type { AnchorSpec, SlitSpec, SlitWeights, Vec3 } from '../types.ts';
-import { lengthText, sizeText } from '../units.ts';
+import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
 import { choice, lengthField, numberField, section, slider, toggle } from './fields.ts';
@@ -70,8 +70,8 @@ function stripTable(ui: Ui) {
   const strips = ui.state.shape?.report.slit?.strips ?? [], from = ui.state.shape?.report.units;
   if (!strips.length) return html`<p class="hint">Nothing is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th><th>Gap</th><th>Least radius</th><th>Off seat</th><th>Off anchors</th></tr></thead><tbody>
-    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${s.status}><td>${i}${s.crosses_next || s.crosses_plane ? ' ✕' : ''}</td><td>${sizeText(s.gap)}</td><td>${text(s.min_radius)}</td><td>${text(s.seat_distance)}</td><td>${text(s.anchor_distance)}</td></tr>`)}</tbody></table>`;
+  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th>${['Gap', 'Least radius', 'Off seat', 'Off anchors'].map((name) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}</tr></thead><tbody>
+    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${s.status}><td>${i}${s.crosses_next || s.crosses_plane ? ' ✕' : ''}</td><td>${sizeText(convert(s.gap, from, ui.state.units))}</td><td>${text(s.min_radius)}</td><td>${text(s.seat_distance)}</td><td>${text(s.anchor_distance)}</td></tr>`)}</tbody></table>`;
 }
 
 const weights: [keyof SlitWeights, string, number][] = [['smooth', 'Smooth', 0.04], ['spacing', 'Spacing', 0.01], ['anchors', 'Anchors', 0.03], ['seat', 'Seat curve', 0.03], ['spread', 'Spread', 0.003], ['scan', 'Scan', 0.03]];
