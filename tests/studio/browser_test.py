@@ -77,6 +77,9 @@ class Browser(StudioTest):
         said, _ = self.flow("rubbish")
         self.assertIn("STEP", said)
 
+    def test_a_file_that_is_being_opened_can_be_given_up(self):
+        self.flow("opening")
+
     def test_a_killed_worker_is_said_and_work_goes_on(self):
         self.flow("killed")
 

@@ -44,7 +44,7 @@ const ui: Ui = {
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
-  cancel: () => computation.cancel(),
+  cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
   fit: () => views.fit(),
   animate,

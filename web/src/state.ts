@@ -17,6 +17,9 @@ export interface Selection {
   finding: number | null;
 }
 
+/** A file that is being read; `long` once that takes more than half a second. */
+export interface Opening { name: string; long: boolean; progress: Progress | null }
+
 export interface State {
   document: OpenDocument | null;
   input: Input;
@@ -36,6 +39,7 @@ export interface State {
   units: DisplayUnit;
   theme: Theme;
   examples: Example[];
+  opening: Opening | null;
   problem: ApiProblem | null;
   stale: boolean; // what is shown is not of this input, which could not be computed
   note: string | null;
@@ -47,6 +51,7 @@ export interface State {
 
 export type Action =
   | { type: 'examples'; examples: Example[] }
+  | { type: 'opening'; opening: Opening | null }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null }
   | { type: 'reopened'; document: OpenDocument }
   | { type: 'edit'; input: Input; live?: boolean }
@@ -54,7 +59,7 @@ export type Action =
   | { type: 'undo' }
   | { type: 'redo' }
   | { type: 'shape'; shape: Shape; draft: boolean }
-  | { type: 'problem'; problem: ApiProblem | null; ofInput?: boolean }
+  | { type: 'problem'; problem: ApiProblem; ofInput?: boolean }
   | { type: 'note'; note: string | null }
   | { type: 'computing'; computing: boolean }
   | { type: 'busy'; busy: boolean; progress?: Progress | null }
@@ -74,7 +79,7 @@ export function initialState(theme: Theme): State {
   return {
     document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
     result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', plateSize: [100, 100], tab: 'input', units: 'mm', theme,
-    examples: [], problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
+    examples: [], opening: null, problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
   };
 }
 
@@ -83,6 +88,7 @@ const historyLength = 200;
 export function reduce(state: State, action: Action): State {
   switch (action.type) {
     case 'examples': return { ...state, examples: action.examples };
+    case 'opening': return { ...state, opening: action.opening };
     case 'opened': return opened(state, action.document, action.spec);
     case 'reopened': return { ...state, document: action.document, problem: null };
     case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input } : edited(state, action.input);
@@ -90,7 +96,7 @@ export function reduce(state: State, action: Action): State {
     case 'undo': return undone(state);
     case 'redo': return redone(state);
     case 'shape': return shaped(state, action.shape, action.draft);
-    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null, ...(action.ofInput ? { shape: withPlates(state) } : {}) };
+    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ? true : state.stale, note: null, ...(action.ofInput ? { shape: withPlates(state) } : {}) };
     case 'note': return { ...state, note: action.note };
     case 'computing': return { ...state, computing: action.computing };
     case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };

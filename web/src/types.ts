@@ -12,7 +12,8 @@ export interface Example { name: string; kind: Kind; title: string }
 export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
 export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
 
-export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
+/** `given`: the file of the command line. */
+export interface OpenDocument { id: string; given?: boolean; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
 
 export interface Options {
   body?: number;

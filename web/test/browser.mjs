@@ -54,6 +54,9 @@ async function opened(page, path) {
   await rested(page);
 }
 
+/** Names of the documents that are open at the server. */
+const openAtServer = (page) => page.evaluate(async () => (await (await fetch('/api/documents', { headers: { 'X-Planish-Token': location.hash.slice(1) } })).json()).map((d) => d.name));
+
 async function download(page, format) {
   await page.click('[data-testid=download-menu]');
   const [file] = await Promise.all([page.waitForEvent('download'), page.click(`[data-testid="download-${format}"]`)]);
@@ -136,7 +139,7 @@ const flows = {
     assert.ok((await state(page, 's.shape.report.flat.bends[0].inside_radius')) < 3, 'the radius followed');
     return download(page, 'dxf');
   },
-  async plates({ page, said }) {
+  async plates({ page }) {
     await example(page, 'connect/a_folded.json');
     const before = await state(page, 's.input.spec'), plates = () => state(page, 's.shape.parts.flatMap((p) => p.plate ?? [])');
     await page.click('[data-testid=plate-back]');
@@ -149,7 +152,6 @@ const flows = {
     await page.waitForFunction(() => window.planish.store.state.stale && !window.planish.store.state.computing);
     assert.match(await page.textContent('[data-testid=message]'), /do not join plate "P1"/);
     assert.ok(await state(page, `s.shape.handles.plates.some((p) => p.id === 'P1')`), 'what is not joined has its handle all the same');
-    said.length = 0; // the browser notes the status of the answer
     await page.click('[data-testid=plate-P1]');
     await page.click(`[data-testid=bend-add-${found.between.find((id) => id !== 'P1')}]`);
     await rested(page);
@@ -170,7 +172,6 @@ const flows = {
     for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
     assert.deepEqual(await state(page, 's.input.spec'), before);
     await rested(page);
-    said.length = 0; // the copy lay in one plane with its neighbour and was not joined
     return file;
   },
   async transition({ page }) {
@@ -284,14 +285,44 @@ const flows = {
     said.push(...strict.said);
     await strict.context.close();
   },
-  async rubbish({ page, said }) {
+  async rubbish({ page }) {
+    const others = await openAtServer(page);
     writeFileSync(`${out}/rubbish.step`, 'this is no STEP file');
-    await page.setInputFiles('[data-testid=file-input]', `${out}/rubbish.step`);
-    await page.waitForFunction(() => window.planish.store.state.problem);
+    const refused = async () => {
+      await page.setInputFiles('[data-testid=file-input]', `${out}/rubbish.step`);
+      await page.waitForFunction(() => window.planish.store.state.problem);
+    };
+    await refused();
     console.log(`   ${await page.textContent('[data-testid=message]')}`);
-    said.length = 0; // the browser notes the status of the answer
     await example(page, 'connect/a_folded.json');
     assert.equal(await state(page, 's.problem'), null);
+    await refused();
+    assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), ['a_folded.json', false, null, 9]);
+    assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
+  },
+  async opening({ page }) {
+    const others = await openAtServer(page);
+    await example(page, 'connect/a_folded.json');
+    await page.route('**/api/documents/*/open', async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 2000));
+      await route.continue().catch(() => undefined); // given up meanwhile
+    });
+    const slow = () => page.setInputFiles('[data-testid=file-input]', new URL('../../examples/transition/e_reducer.json', import.meta.url).pathname);
+    await slow();
+    await page.waitForSelector('[data-testid=progress]');
+    assert.match(await page.textContent('.messages'), /opening\s+Opening e_reducer.json …\s+reading\s+Cancel/);
+    await page.click('[data-testid=cancel]');
+    await page.waitForFunction(() => window.planish.store.state.note === 'cancelled');
+    assert.deepEqual(await state(page, '[s.document.name, s.opening, s.stale, s.problem]'), ['a_folded.json', null, false, null]);
+    assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
+    // The one that was asked for last is opened, even where another takes longer.
+    await slow();
+    await page.waitForSelector('[data-testid=progress]');
+    await page.unroute('**/api/documents/*/open');
+    await example(page, 'connect/c_ripped.json');
+    await page.waitForTimeout(2500);
+    assert.equal(await state(page, 's.document.name'), 'c_ripped.json');
+    assert.deepEqual(await openAtServer(page), [...others, 'c_ripped.json']);
   },
   async killed({ page, said }) {
     await example(page, 'slit/chair.json');
