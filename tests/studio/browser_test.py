@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 """The page in a browser without a window, from opening a file to a downloaded DXF (web/test/browser.mjs)."""
 
+import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -10,7 +12,7 @@ import tempfile
 import ezdxf
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from planish_studio import SOURCE, StudioTest, main  # noqa: E402
+from planish_studio import CLI, SOURCE, StudioTest, main  # noqa: E402
 
 
 class Browser(StudioTest):
@@ -51,12 +53,32 @@ class Browser(StudioTest):
         self.assertEqual(layers.count("OUTER_PROFILE"), 1)
         self.assertIn("BEND_UP", layers)
 
+    def test_plates_come_and_go(self):
+        layers = [entity.dxf.layer for entity in self.drawing("plates").modelspace()]
+        self.assertEqual(layers.count("OUTER_PROFILE"), 1)
+
+    def test_strips_of_their_own_widths(self):
+        self.flow("strips")
+
+    def test_control_points_by_number(self):
+        self.flow("points")
+
+    def test_inches_are_those_of_the_command_line(self):
+        said, folder = self.flow("inch")
+        blank = re.search(r"blank ([\d.]+) × ([\d.]+) of", said)
+        done = subprocess.run([CLI, "unfold", folder / "inch.step", "--units", "inch", "--check", "--json", "-", "--quiet"], capture_output=True, text=True, timeout=60)
+        for shown, size in zip(blank.groups(), json.loads(done.stdout)["flat"]["size"]):
+            self.assertAlmostEqual(float(shown), size, delta=5e-4)
+
     def test_the_page_works_under_its_policy(self):
         self.flow("policy")
 
     def test_rubbish_is_answered_with_the_programs_sentence(self):
         said, _ = self.flow("rubbish")
         self.assertIn("STEP", said)
+
+    def test_a_file_that_is_being_opened_can_be_given_up(self):
+        self.flow("opening")
 
     def test_a_killed_worker_is_said_and_work_goes_on(self):
         self.flow("killed")

@@ -12,6 +12,8 @@ export class ApiError extends Error {
   }
 }
 
+type More = Pick<RequestInit, 'keepalive' | 'signal'>;
+
 export class Api {
   private readonly token: string;
   constructor(token: string) {
@@ -21,8 +23,10 @@ export class Api {
   examples = () => this.json<Example[]>('GET', '/api/examples');
   example = async (name: string) => (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
   documents = () => this.json<OpenDocument[]>('GET', '/api/documents');
-  open = (name: string, bytes: ArrayBuffer | Blob) =>
-    this.json<OpenDocument>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
+  /** A document that is not read yet: `open` does that. */
+  create = (name: string, bytes: ArrayBuffer | Blob) =>
+    this.json<{ id: string; name: string }>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
+  open = (id: string, signal?: AbortSignal) => this.json<OpenDocument>('POST', `/api/documents/${id}/open`, undefined, { signal });
   attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
     this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
   close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
@@ -38,11 +42,11 @@ export class Api {
     return decodeShape(await answer.arrayBuffer());
   }
 
-  private async json<T>(method: string, path: string, body?: BodyInit): Promise<T> {
-    return (await (await this.call(method, path, body)).json()) as T;
+  private async json<T>(method: string, path: string, body?: BodyInit, more?: More): Promise<T> {
+    return (await (await this.call(method, path, body, more)).json()) as T;
   }
 
-  private async call(method: string, path: string, body?: BodyInit, more: Pick<RequestInit, 'keepalive' | 'signal'> = {}): Promise<Response> {
+  private async call(method: string, path: string, body?: BodyInit, more: More = {}): Promise<Response> {
     const headers: Record<string, string> = { 'X-Planish-Token': this.token };
     if (body !== undefined) headers['Content-Type'] = typeof body === 'string' ? 'application/json' : 'application/octet-stream';
     let answer: Response;
@@ -53,6 +57,8 @@ export class Api {
       throw new ApiError({ code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' }, 0);
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
+    // What the program says of invalid input is an answer to the browser, which would note a failure on its console.
+    if (answer.headers.get('Content-Type')?.startsWith('application/problem+json')) throw new ApiError(await problemOf(answer), 422);
     return answer;
   }
 }

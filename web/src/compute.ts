@@ -4,8 +4,8 @@ import type { Store } from './state.ts';
 import type { ApiProblem, Request, Shape } from './types.ts';
 
 const settle = 120; // ms without an edit before the whole result is asked for
-const patience = 500; // ms before a bar is shown
-const poll = 250;
+export const patience = 500; // ms before a bar is shown
+export const poll = 250;
 const restart = 120; // ms that a worker takes to be there again after a cancelled request
 
 /** Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and the

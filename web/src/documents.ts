@@ -1,6 +1,6 @@
 import { Api, ApiError } from './api.ts';
-import { problemOf } from './compute.ts';
-import { keepDocument, keptDocument, noteOpened, openedHere } from './kept.ts';
+import { patience, poll, problemOf } from './compute.ts';
+import { keepDocument, keptDocument } from './kept.ts';
 import type { Store } from './state.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
@@ -12,43 +12,42 @@ export class Documents {
   private readonly store: Store;
   private adopted: string | null = null;
   private file: Given | null = null;
-  private turn = 0;
   private beside: Record<string, ArrayBuffer> = {};
+  private flight = new AbortController(); // of the file that is being opened
   constructor(api: Api, store: Store) {
     this.api = api;
     this.store = store;
   }
 
   async openFiles(files: File[]) {
-    await this.attempt(async () => {
+    await this.attempt(files[0]?.name ?? '', async (signal) => {
       const given = await Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() })));
       const main = given.find((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
-      if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null);
+      if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
       else await this.addPoints(points);
-    }, `Opening ${files[0]?.name ?? ''} …`);
+    });
   }
 
   async openExample(name: string) {
-    await this.attempt(async () => {
+    await this.attempt(name, async (signal) => {
       const folder = name.includes('/') ? name.slice(0, name.lastIndexOf('/') + 1) : '';
-      await this.open({ name: name.slice(folder.length), bytes: await this.api.example(name) }, (file) => this.api.example(folder + file).catch(() => null));
-    }, `Opening ${name} …`);
+      await this.open({ name: name.slice(folder.length), bytes: await this.api.example(name) }, (file) => this.api.example(folder + file).catch(() => null), signal);
+    });
   }
 
   /** What was open here before the page was loaded again, else the file that was named on the command line. */
   async begin() {
-    await this.attempt(async () => {
-      const kept = keptDocument();
+    const kept = keptDocument();
+    await this.attempt(kept?.name ?? '', async (signal) => {
       if (kept) {
-        await this.open(kept, async (name) => kept.beside[name] ?? null);
+        await this.open(kept, async (name) => kept.beside[name] ?? null, signal);
         return this.store.dispatch({ type: 'edit', input: kept.input });
       }
-      const open = await this.api.documents().catch(() => []), named = open.find((d) => d.id === 'd1' && !openedHere(d.id)); // the first one; others belong to other pages
-      if (named) {
-        this.adopted = named.id;
-        this.file = named.text ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer } : null;
-        await this.take(named, async () => null);
-      }
+      const named = (await this.api.documents()).find((d) => d.given);
+      if (!named) return;
+      this.adopted = named.id;
+      this.file = named.text ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer } : null;
+      await this.take(named, async () => null, signal);
     });
   }
 
@@ -56,11 +55,15 @@ export class Documents {
   async reopen(): Promise<boolean> {
     const { file } = this;
     if (!file) return false;
-    const document = await this.api.open(file.name, file.bytes);
-    noteOpened(document.id);
+    const document = await this.read(file);
     for (const [name, bytes] of Object.entries(this.beside)) await this.api.attach(document.id, name, bytes);
     this.store.dispatch({ type: 'reopened', document });
     return true;
+  }
+
+  /** Gives up the file that is being opened: what was open before stays. */
+  cancel() {
+    this.flight.abort();
   }
 
   /** Documents that others opened are left to them. */
@@ -68,22 +71,46 @@ export class Documents {
     if (id && id !== this.adopted) void this.api.close(id).catch(() => undefined);
   }
 
-  private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>) {
-    const turn = ++this.turn, document = await this.api.open(main.name, main.bytes);
-    noteOpened(document.id);
-    if (turn !== this.turn) return this.leave(document.id); // another file was opened meanwhile
-    this.file = main;
-    const used: Record<string, ArrayBuffer> = {};
+  private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>, signal: AbortSignal) {
+    const document = await this.read(main, signal), used: Record<string, ArrayBuffer> = {};
     await this.take(document, async (name) => {
       const bytes = await beside(name);
       if (bytes) used[name] = bytes;
       return bytes;
-    });
+    }, signal);
+    this.file = main;
     this.beside = used;
     keepDocument(main, used);
   }
 
-  private async take(document: OpenDocument, beside: (name: string) => Promise<ArrayBuffer | null>) {
+  /** Has the server read a file. One that cannot be read, or that is given up, leaves no document behind. */
+  private async read({ name, bytes }: Given, signal?: AbortSignal): Promise<OpenDocument> {
+    const { id } = await this.api.create(name, bytes), watched = this.watch(id);
+    try {
+      return await this.api.open(id, signal);
+    } catch (error) {
+      if (signal?.aborted) await this.api.cancel(id).catch(() => undefined);
+      this.leave(id);
+      throw error;
+    } finally {
+      watched();
+    }
+  }
+
+  /** Says how far the reading of a file is, from when it has taken long; until it is called off. */
+  private watch(id: string): () => void {
+    let timer = 0;
+    const look = async () => {
+      const asked = timer, progress = await this.api.progress(id).catch(() => null), { opening } = this.store.state;
+      if (asked !== timer || !opening) return;
+      this.store.dispatch({ type: 'opening', opening: { ...opening, long: true, progress } });
+      timer = window.setTimeout(look, poll);
+    };
+    timer = window.setTimeout(look, patience);
+    return () => { clearTimeout(timer); timer = 0; };
+  }
+
+  private async take(document: OpenDocument, beside: (name: string) => Promise<ArrayBuffer | null>, signal: AbortSignal) {
     const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
     const missing: string[] = [];
     for (const file of pointFiles(document, spec)) {
@@ -91,6 +118,8 @@ export class Documents {
       if (bytes) await this.api.attach(document.id, file, bytes);
       else if (document.id !== this.adopted) missing.push(file);
     }
+    if (signal.aborted) this.leave(document.id);
+    signal.throwIfAborted();
     const before = this.store.state.document;
     this.store.dispatch({ type: 'opened', document, spec });
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
@@ -106,15 +135,18 @@ export class Documents {
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 
-  private async attempt(work: () => Promise<void>, note: string | null = null) {
-    this.store.dispatch({ type: 'problem', problem: null });
-    this.store.dispatch({ type: 'note', note });
+  /** Opens what was asked for last: what is still being opened is given up. */
+  private async attempt(name: string, work: (signal: AbortSignal) => Promise<void>) {
+    this.flight.abort();
+    const flight = new AbortController(), say: Store['dispatch'] = (action) => { if (flight === this.flight) this.store.dispatch(action); };
+    this.flight = flight;
+    say({ type: 'opening', opening: { name, long: false, progress: null } });
     try {
-      await work();
-      if (this.store.state.note === note) this.store.dispatch({ type: 'note', note: null });
+      await work(flight.signal);
     } catch (error) {
-      this.store.dispatch({ type: 'problem', problem: problemOf(error) });
+      say(flight.signal.aborted ? { type: 'note', note: 'cancelled' } : { type: 'problem', problem: problemOf(error) });
     }
+    say({ type: 'opening', opening: null });
   }
 }
 

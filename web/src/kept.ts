@@ -26,12 +26,6 @@ export function keptDocument(): Kept | null {
   }
 }
 
-const opened = () => `planish-opened-${location.hash.slice(1)}`;
-
-/** Documents that pages of this browser have opened at this server: the others come from its command line. */
-export const noteOpened = (id: string) => localStorage.setItem(opened(), `${localStorage.getItem(opened()) ?? ''} ${id}`);
-export const openedHere = (id: string) => (localStorage.getItem(opened()) ?? '').split(' ').includes(id);
-
 function write(key: string, value: unknown) {
   try {
     sessionStorage.setItem(key, JSON.stringify(value));

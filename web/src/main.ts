@@ -3,14 +3,15 @@ import { Api } from './api.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { keepInput } from './kept.ts';
-import { removeAnchor } from './edits/slit.ts';
+import { removePlate } from './edits/connect.ts';
+import { removeAnchor, removePoint } from './edits/slit.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
 import { initialState, Store, type Theme } from './state.ts';
 import './styles.css';
-import type { DxfProfile, FileFormat, Options, SlitSpec, Spec } from './types.ts';
+import type { DxfProfile, FileFormat, Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
@@ -43,7 +44,7 @@ const ui: Ui = {
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
-  cancel: () => computation.cancel(),
+  cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
   fit: () => views.fit(),
   animate,
@@ -148,7 +149,7 @@ window.addEventListener('keydown', (e) => {
   else if (key === '?') store.dispatch({ type: 'help', help: !store.state.help });
   else if (key === 'm') store.dispatch({ type: 'gizmo', gizmo: 'translate' });
   else if (key === 't') store.dispatch({ type: 'gizmo', gizmo: 'rotate' });
-  else if (key === 'delete' || key === 'backspace') dropAnchor();
+  else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
 function escape(target: HTMLElement) {
@@ -159,10 +160,12 @@ function escape(target: HTMLElement) {
   store.dispatch({ type: 'select', selection: {} });
 }
 
-function dropAnchor() {
-  const { anchor } = store.state.selection;
-  if (anchor === null) return;
-  ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
+function removeChosen() {
+  const { anchor, plate, point } = store.state.selection, { spec } = store.state.input;
+  if (point) ui.edit<SlitSpec>((s) => removePoint(s, point.curve, point.index));
+  else if (anchor !== null) ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
+  else if (plate !== null && (spec as PlatesSpec).plates.length > 1) ui.edit<PlatesSpec>((s) => removePlate(s, plate));
+  else return;
   store.dispatch({ type: 'select', selection: {} });
 }
 

@@ -1,5 +1,5 @@
-import type { ApiProblem, Example, OpenDocument, Options, Progress, Report, Shape, Spec } from './types.ts';
-import type { DisplayUnit } from './units.ts';
+import type { ApiProblem, CurveName, Example, OpenDocument, Options, PlatesSpec, Progress, Report, Shape, Spec, Vec2, Vec3 } from './types.ts';
+import { millimetres, type DisplayUnit } from './units.ts';
 
 export interface Input { spec: Spec | null; options: Options }
 export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
@@ -7,8 +7,20 @@ export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up' | 'anchor';
 export type GizmoMode = 'translate' | 'rotate';
 
-/** What is picked: a part of the shape (bends and flanges), an edge of its outline, a plate or an anchor of the input, a finding. */
-export interface Selection { part: string | null; edge: number | null; plate: string | null; anchor: number | null; finding: number | null }
+/** What is picked: a part of the shape (bends and flanges), an edge of its outline, or a plate, an anchor, a strip or a control point
+ * of the input. */
+export interface Selection {
+  part: string | null;
+  edge: number | null;
+  plate: string | null;
+  anchor: number | null;
+  strip: number | null;
+  point: { curve: CurveName; index: number } | null;
+  finding: number | null;
+}
+
+/** A file that is being read; `long` once that takes more than half a second. */
+export interface Opening { name: string; long: boolean; progress: Progress | null }
 
 export interface State {
   document: OpenDocument | null;
@@ -24,10 +36,12 @@ export interface State {
   fold: number;
   pick: PickMode;
   gizmo: GizmoMode;
+  plateSize: Vec2; // of the next plate that is added, in mm
   tab: Tab;
   units: DisplayUnit;
   theme: Theme;
   examples: Example[];
+  opening: Opening | null;
   problem: ApiProblem | null;
   stale: boolean; // what is shown is not of this input, which could not be computed
   note: string | null;
@@ -39,6 +53,7 @@ export interface State {
 
 export type Action =
   | { type: 'examples'; examples: Example[] }
+  | { type: 'opening'; opening: Opening | null }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null }
   | { type: 'reopened'; document: OpenDocument }
   | { type: 'edit'; input: Input; live?: boolean }
@@ -46,7 +61,7 @@ export type Action =
   | { type: 'undo' }
   | { type: 'redo' }
   | { type: 'shape'; shape: Shape; draft: boolean }
-  | { type: 'problem'; problem: ApiProblem | null; ofInput?: boolean }
+  | { type: 'problem'; problem: ApiProblem; ofInput?: boolean }
   | { type: 'note'; note: string | null }
   | { type: 'computing'; computing: boolean }
   | { type: 'busy'; busy: boolean; progress?: Progress | null }
@@ -54,18 +69,19 @@ export type Action =
   | { type: 'fold'; fold: number }
   | { type: 'pick'; pick: PickMode }
   | { type: 'gizmo'; gizmo: GizmoMode }
+  | { type: 'plate-size'; size: Vec2 }
   | { type: 'tab'; tab: Tab }
   | { type: 'units'; units: DisplayUnit }
   | { type: 'theme'; theme: Theme }
   | { type: 'help'; help: boolean };
 
-export const nothing: Selection = { part: null, edge: null, plate: null, anchor: null, finding: null };
+export const nothing: Selection = { part: null, edge: null, plate: null, anchor: null, strip: null, point: null, finding: null };
 
 export function initialState(theme: Theme): State {
   return {
     document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
-    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', tab: 'input', units: 'mm', theme,
-    examples: [], problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
+    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', plateSize: [100, 100], tab: 'input', units: 'mm', theme,
+    examples: [], opening: null, problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
   };
 }
 
@@ -74,6 +90,7 @@ const historyLength = 200;
 export function reduce(state: State, action: Action): State {
   switch (action.type) {
     case 'examples': return { ...state, examples: action.examples };
+    case 'opening': return { ...state, opening: action.opening };
     case 'opened': return opened(state, action.document, action.spec);
     case 'reopened': return { ...state, document: action.document, problem: null };
     case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input } : edited(state, action.input);
@@ -81,7 +98,7 @@ export function reduce(state: State, action: Action): State {
     case 'undo': return undone(state);
     case 'redo': return redone(state);
     case 'shape': return shaped(state, action.shape, action.draft);
-    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ?? false, note: null };
+    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ? true : state.stale, note: null, ...(action.ofInput ? { shape: withPlates(state) } : {}) };
     case 'note': return { ...state, note: action.note };
     case 'computing': return { ...state, computing: action.computing };
     case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
@@ -89,6 +106,7 @@ export function reduce(state: State, action: Action): State {
     case 'fold': return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
     case 'pick': return { ...state, pick: action.pick };
     case 'gizmo': return { ...state, gizmo: action.gizmo };
+    case 'plate-size': return { ...state, plateSize: action.size };
     case 'tab': return { ...state, tab: action.tab };
     case 'units': return { ...state, units: action.units };
     case 'theme': return { ...state, theme: action.theme };
@@ -98,10 +116,13 @@ export function reduce(state: State, action: Action): State {
 
 function opened(state: State, document: OpenDocument, spec: Spec | null): State {
   return {
-    ...initialState(state.theme), examples: state.examples, units: state.units, document, input: { spec, options: {} },
+    ...initialState(state.theme), examples: state.examples, units: unitsOf(document, spec), document, input: { spec, options: {} },
     tab: state.document?.kind === document.kind ? state.tab : 'input',
   };
 }
+
+/** The page speaks the unit of the file. */
+const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit => (spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm');
 
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;
@@ -113,25 +134,32 @@ function undone(state: State): State {
   const input = state.pending ?? state.past.at(-1);
   if (!input) return state;
   const past = state.pending ? state.past : state.past.slice(0, -1);
-  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null } };
+  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function redone(state: State): State {
   const [input, ...future] = state.future;
   if (!input || state.pending) return state;
-  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null } };
+  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
-  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report };
+  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are numbered anew where there are more or fewer of them.
   const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
   return {
     ...state, shape: shown, selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge }, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
   };
+}
+
+/** The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can. */
+function withPlates({ shape, document, input }: State): Shape | null {
+  if (!shape || document?.kind !== 'connect') return shape;
+  const { plates, units } = input.spec as PlatesSpec, scale = millimetres(units);
+  return { ...shape, handles: { ...shape.handles, plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })) } };
 }
 
 export type Listener = (state: State, before: State) => void;

@@ -12,7 +12,8 @@ export interface Example { name: string; kind: Kind; title: string }
 export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
 export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
 
-export interface OpenDocument { id: string; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
+/** `given`: the file of the command line. */
+export interface OpenDocument { id: string; given?: boolean; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
 
 export interface Options {
   body?: number;
@@ -246,16 +247,20 @@ export interface TransitionSpec {
 
 export interface AnchorSpec { strip: number; ridge: number; side?: 'left' | 'right'; at: Vec3 }
 export interface SlitWeights { smooth?: number; spacing?: number; anchors?: number; seat?: number; spread?: number; scan?: number }
+export type CurveName = 'leg' | 'seat';
+export interface StripSpec { width: number; gap?: number; left_start?: number; right_start?: number; end?: number }
+export interface StripEnd { strip: number; position?: Vec3; direction?: Vec3; across?: Vec3 }
 export interface SlitSpec {
   units?: LengthUnit;
   thickness: number;
-  sheet: { strips: number | object[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
+  sheet: { strips: number | StripSpec[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
   symmetric?: boolean;
   ridges?: number;
   subdivisions?: number;
   leg_curve: { bezier: Vec2[] };
   seat_curve?: { bezier: Vec2[] };
   end_angle?: 'right_angle' | 'level' | 'free';
+  ends?: StripEnd[];
   anchors?: AnchorSpec[];
   scan?: { strip: number; points: string | Vec3[] }[];
   align_scan?: boolean;

@@ -5,6 +5,9 @@ const inMm: Record<LengthUnit, number> = { mm: 1, inch: 25.4, m: 1000 };
 
 export const millimetres = (unit: LengthUnit | undefined) => inMm[unit ?? 'mm'];
 
+/** Decimals of a length that is placed by hand, in a file of this unit: thousandths of a millimetre and about as much. */
+export const fileDigits = (unit: LengthUnit | undefined) => ({ mm: 3, inch: 4, m: 6 })[unit ?? 'mm'];
+
 /** `value` given in `from`, in `to`. */
 export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) => (value * millimetres(from)) / inMm[to];
 
@@ -13,6 +16,11 @@ export function lengthText(value: number | null | undefined, from: LengthUnit | 
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   return clean(convert(value, from, to), to === 'inch' ? 3 : 2);
 }
+
+/** A residual length, of which only the size matters, with its unit. */
+export const residualText = (value: number, from: LengthUnit | undefined, to: DisplayUnit) => `${sizeText(convert(value, from, to))} ${unitName(to)}`;
+
+export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
 
 /** `value` with at most `digits` decimals, none that are zero, never −0. */
 export function clean(value: number, digits: number): string {

@@ -67,6 +67,7 @@ export class Views {
     }
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
+    if (state.stale && state.shape && state.shape !== before.shape) this.show(state.shape); // with the plates of an input that cannot be computed
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
     if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)

@@ -40,10 +40,22 @@ async function example(page, name) {
   if (await page.locator(`[data-testid="example-${name}"]`).count()) {
     await page.click('[data-testid=examples-menu]');
     await page.click(`[data-testid="example-${name}"]`);
-  } else await page.setInputFiles('[data-testid=file-input]', new URL(`../../examples/${name}`, import.meta.url).pathname);
-  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, name.split('/').at(-1));
+    await opened(page, name);
+  } else await open(page, [new URL(`../../examples/${name}`, import.meta.url).pathname]);
+}
+
+async function open(page, paths) {
+  await page.setInputFiles('[data-testid=file-input]', paths);
+  await opened(page, paths[0]);
+}
+
+async function opened(page, path) {
+  await page.waitForFunction((n) => window.planish.store.state.document?.name === n, path.split('/').at(-1));
   await rested(page);
 }
+
+/** Names of the documents that are open at the server. */
+const openAtServer = (page) => page.evaluate(async () => (await (await fetch('/api/documents', { headers: { 'X-Planish-Token': location.hash.slice(1) } })).json()).map((d) => d.name));
 
 async function download(page, format) {
   await page.click('[data-testid=download-menu]');
@@ -61,6 +73,11 @@ async function drag(page, from, by, steps = 12) {
     await page.waitForTimeout(20);
   }
   await page.mouse.up();
+}
+
+async function enter(page, testid, text) {
+  await page.fill(`[data-testid="${testid}"]`, text);
+  await page.keyboard.press('Enter');
 }
 
 async function slide(page, testid, share) {
@@ -122,6 +139,41 @@ const flows = {
     assert.ok((await state(page, 's.shape.report.flat.bends[0].inside_radius')) < 3, 'the radius followed');
     return download(page, 'dxf');
   },
+  async plates({ page }) {
+    await example(page, 'connect/a_folded.json');
+    const before = await state(page, 's.input.spec'), plates = () => state(page, 's.shape.parts.flatMap((p) => p.plate ?? [])');
+    await page.click('[data-testid=plate-back]');
+    await page.click('[data-testid=plate-add]');
+    await rested(page);
+    assert.ok((await plates()).includes('P1'));
+    const found = await state(page, `s.shape.report.flat.bends.find((b) => b.between.includes('P1'))`);
+    await page.click(`[data-testid=bend-head-${found.id}]`);
+    await page.click('.block.open [data-testid^=bend-remove]');
+    await page.waitForFunction(() => window.planish.store.state.stale && !window.planish.store.state.computing);
+    assert.match(await page.textContent('[data-testid=message]'), /do not join plate "P1"/);
+    assert.ok(await state(page, `s.shape.handles.plates.some((p) => p.id === 'P1')`), 'what is not joined has its handle all the same');
+    await page.click('[data-testid=plate-P1]');
+    await page.click(`[data-testid=bend-add-${found.between.find((id) => id !== 'P1')}]`);
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+    await enter(page, 'plate-name', 'flap');
+    await page.click('[data-testid=plate-corners]');
+    const u = Number(await page.inputValue('[data-testid=corner-0-1-u]'));
+    await enter(page, 'corner-0-1-u', String(u + 20));
+    await rested(page);
+    assert.deepEqual(await state(page, `s.shape.handles.plates.at(-1)`), { id: 'flap', corners: await state(page, 's.input.spec.plates.at(-1).outline') });
+    await page.click('[data-testid=plate-copy]');
+    await rested(page);
+    assert.equal(await state(page, 's.input.spec.plates.at(-1).id'), 'flap-2');
+    await page.keyboard.press('Delete');
+    assert.equal(await state(page, 's.input.spec.plates.at(-1).id'), 'flap');
+    await rested(page);
+    const file = await download(page, 'dxf');
+    for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+    assert.deepEqual(await state(page, 's.input.spec'), before);
+    await rested(page);
+    return file;
+  },
   async transition({ page }) {
     await example(page, 'transition/a_square_to_round.json');
     await page.evaluate(() => { window.planishTimings.length = 0; });
@@ -156,6 +208,75 @@ const flows = {
     assert.ok(Math.hypot(...at.map((v, k) => v - end.at[k])) > 3, 'the anchor moved');
     return download(page, 'dxf');
   },
+  async strips({ page }) {
+    await example(page, 'slit/plume.json');
+    const width = () => state(page, 's.shape.report.flat.size'), before = await width();
+    await page.click('[data-testid=strip-head-1]');
+    for (const key of ['direction', 'across']) {
+      await page.check(`[data-testid=end-${key}]`);
+      await rested(page);
+      assert.equal(await state(page, 's.problem'), null);
+    }
+    assert.deepEqual(Object.keys(await state(page, 's.input.spec.ends[1]')), ['strip', 'position', 'direction', 'across']);
+    await enter(page, 'strip-width', '230');
+    await rested(page);
+    const wider = await width();
+    assert.ok(wider.some((v, k) => Math.abs(v - before[k] - 10) < 1e-6), `${before} has become ${wider}`);
+    await page.selectOption('[data-testid=strip-kind]', 'one');
+    await rested(page);
+    assert.equal(await state(page, 's.input.spec.sheet.strips'), 7);
+    for (let n = await state(page, 's.past.length'); n > 0; --n) await page.keyboard.press('Control+z');
+    await rested(page);
+    assert.equal((await state(page, 's.input.spec.sheet.strips'))[1].width, 220);
+  },
+  async points({ page }) {
+    await example(page, 'slit/chair.json');
+    const at = () => state(page, 's.input.spec.seat_curve.bezier'), before = await at();
+    await page.click('[data-testid=curve-seat-1]');
+    await enter(page, 'curve-seat-y', '310');
+    await rested(page);
+    assert.deepEqual(await at(), before.map((p, i) => (i === 1 ? [310, p[1]] : p)));
+    await page.locator('[data-testid=curve-seat-y]').blur();
+    await page.keyboard.press('Delete');
+    assert.deepEqual(await at(), before.filter((_, i) => i !== 1));
+    await page.click('[data-testid=curve-seat-0]');
+    assert.ok(await page.isDisabled('[data-testid=curve-seat-remove]'), 'the ends stay');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await at(), before);
+    await rested(page);
+  },
+  async inch({ page }) {
+    const file = `${out}/inch.step`, text = readFileSync(new URL('../../examples/bracket.step', import.meta.url), 'utf8');
+    writeFileSync(file, text.replace('( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )', `( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9003) )`)
+      .replace('DATA;', `DATA;\n#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9002);\n#9002 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n#9003 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);`));
+    await open(page, [file]);
+    assert.equal(await state(page, 's.units'), 'inch', 'the page speaks the unit of the part');
+    console.log(`   blank ${await page.textContent('[data-testid=blank-size]')} of ${file}`);
+    const noneLeft = async () => {
+      for (const tab of ['input', 'bends', 'certificate']) {
+        await page.click(`[data-testid=tab-${tab}]`);
+        assert.doesNotMatch(await page.evaluate(() => document.querySelector('aside').innerText), /\bmm\b/, `${await state(page, 's.document.name')}, ${tab}`);
+      }
+      await page.click('[data-testid=tab-input]');
+    };
+    await noneLeft();
+    for (const name of ['connect/a_folded.json', 'transition/a_square_to_round.json', 'slit/chair.json']) {
+      await example(page, name);
+      assert.equal(await state(page, 's.units'), 'mm');
+      await page.click('[data-testid=units-inch]');
+      await noneLeft();
+      await enter(page, 'thickness', '0.125');
+      await rested(page);
+      assert.equal(await state(page, 's.input.spec.thickness'), 3.175, name);
+      assert.equal(await page.textContent('[data-testid=sheet-thickness]'), '0.125');
+    }
+    const plates = JSON.parse(readFileSync(new URL('../../examples/connect/d_irregular.json', import.meta.url), 'utf8'));
+    writeFileSync(`${out}/inch.json`, JSON.stringify({ ...plates, units: 'inch' }));
+    await open(page, [`${out}/inch.json`]);
+    assert.equal(await state(page, 's.units'), 'inch');
+    assert.equal(await page.inputValue('[data-testid=thickness]'), String(plates.thickness));
+  },
   async policy({ said }) {
     const strict = await fresh(false);
     await strict.page.click('[data-testid=examples-menu]');
@@ -164,14 +285,44 @@ const flows = {
     said.push(...strict.said);
     await strict.context.close();
   },
-  async rubbish({ page, said }) {
+  async rubbish({ page }) {
+    const others = await openAtServer(page);
     writeFileSync(`${out}/rubbish.step`, 'this is no STEP file');
-    await page.setInputFiles('[data-testid=file-input]', `${out}/rubbish.step`);
-    await page.waitForFunction(() => window.planish.store.state.problem);
+    const refused = async () => {
+      await page.setInputFiles('[data-testid=file-input]', `${out}/rubbish.step`);
+      await page.waitForFunction(() => window.planish.store.state.problem);
+    };
+    await refused();
     console.log(`   ${await page.textContent('[data-testid=message]')}`);
-    said.length = 0; // the browser notes the status of the answer
     await example(page, 'connect/a_folded.json');
     assert.equal(await state(page, 's.problem'), null);
+    await refused();
+    assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), ['a_folded.json', false, null, 9]);
+    assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
+  },
+  async opening({ page }) {
+    const others = await openAtServer(page);
+    await example(page, 'connect/a_folded.json');
+    await page.route('**/api/documents/*/open', async (route) => {
+      await new Promise((resolve) => setTimeout(resolve, 2000));
+      await route.continue().catch(() => undefined); // given up meanwhile
+    });
+    const slow = () => page.setInputFiles('[data-testid=file-input]', new URL('../../examples/transition/e_reducer.json', import.meta.url).pathname);
+    await slow();
+    await page.waitForSelector('[data-testid=progress]');
+    assert.match(await page.textContent('.messages'), /opening\s+Opening e_reducer.json …\s+reading\s+Cancel/);
+    await page.click('[data-testid=cancel]');
+    await page.waitForFunction(() => window.planish.store.state.note === 'cancelled');
+    assert.deepEqual(await state(page, '[s.document.name, s.opening, s.stale, s.problem]'), ['a_folded.json', null, false, null]);
+    assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
+    // The one that was asked for last is opened, even where another takes longer.
+    await slow();
+    await page.waitForSelector('[data-testid=progress]');
+    await page.unroute('**/api/documents/*/open');
+    await example(page, 'connect/c_ripped.json');
+    await page.waitForTimeout(2500);
+    assert.equal(await state(page, 's.document.name'), 'c_ripped.json');
+    assert.deepEqual(await openAtServer(page), [...others, 'c_ripped.json']);
   },
   async killed({ page, said }) {
     await example(page, 'slit/chair.json');

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { initialState, Store } from '../src/state.ts';
+import type { OpenDocument, Spec } from '../src/types.ts';
 
 const make = () => {
   const store = new Store(initialState('light'));
@@ -45,4 +46,17 @@ test('a drag that ends where it began is no step', () => {
   edit(store, 0.3, true);
   store.dispatch({ type: 'commit' });
   assert.equal(store.state.past.length, 1);
+});
+
+test('the page speaks the unit of what is opened', () => {
+  const store = make();
+  const open = (document: object, spec: object | null) => store.dispatch({ type: 'opened', document: { id: 'd2', kind: 'unfold', name: 'b', ...document } as OpenDocument, spec: spec as Spec | null });
+  open({ info: { file_units: 'INCH' } }, null);
+  assert.equal(store.state.units, 'inch');
+  open({ info: { file_units: 'mm' } }, null);
+  assert.equal(store.state.units, 'mm');
+  open({ kind: 'transition' }, { units: 'inch' });
+  assert.equal(store.state.units, 'inch');
+  open({ kind: 'transition' }, { units: 'm' });
+  assert.equal(store.state.units, 'mm');
 });

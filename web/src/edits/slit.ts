@@ -1,5 +1,5 @@
-import type { AnchorSpec, SlitSpec, Vec2, Vec3 } from '../types.ts';
-import { round } from '../units.ts';
+import type { AnchorSpec, CurveName, SlitSpec, Vec2, Vec3 } from '../types.ts';
+import { fileDigits, round } from '../units.ts';
 
 export function bezierPoints(control: Vec2[], count = 64): Vec2[] {
   return Array.from({ length: count + 1 }, (_, i) => bezierAt(control, i / count));
@@ -33,19 +33,23 @@ export function fitted(control: Vec2[], length: number): Vec2[] {
   return control.map((p) => [round(o[0] + s * (p[0] - o[0]), 4), round(o[1] + s * (p[1] - o[1]), 4)]);
 }
 
-export const stripCount = (spec: SlitSpec) => (typeof spec.sheet.strips === 'number' ? spec.sheet.strips : spec.sheet.strips.length);
+/** Without an inner control point: the ends of the curve stay. */
+export const lowered = (control: Vec2[], index: number): Vec2[] => (index > 0 && index < control.length - 1 ? control.filter((_, i) => i !== index) : control);
 
-export function sheetWidth(spec: SlitSpec): number | null {
-  if (typeof spec.sheet.strips === 'number') return spec.sheet.strips * (spec.sheet.strip_width ?? 0);
-  return (spec.sheet.strips as { width?: number; gap?: number }[]).reduce((sum, s) => sum + (s.width ?? 0) + (s.gap ?? 0), 0) + (spec.sheet.margin ?? 0);
+/** The leg curve keeps its length, since the sheet keeps its width. */
+export function removePoint(spec: SlitSpec, curve: CurveName, index: number): SlitSpec {
+  if (curve === 'leg') return { ...spec, leg_curve: { bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)) } };
+  return spec.seat_curve ? { ...spec, seat_curve: { bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
 }
 
+const placed = (spec: SlitSpec, at: Vec3) => at.map((v) => round(v, fileDigits(spec.units))) as Vec3;
+
 export function addAnchor(spec: SlitSpec, anchor: AnchorSpec): SlitSpec {
-  return { ...spec, anchors: [...(spec.anchors ?? []), { ...anchor, at: anchor.at.map((v) => round(v, 3)) as Vec3 }] };
+  return { ...spec, anchors: [...(spec.anchors ?? []), { ...anchor, at: placed(spec, anchor.at) }] };
 }
 
 export function moveAnchor(spec: SlitSpec, index: number, at: Vec3): SlitSpec {
-  return { ...spec, anchors: spec.anchors?.map((a, i) => (i === index ? { ...a, at: at.map((v) => round(v, 3)) as Vec3 } : a)) };
+  return { ...spec, anchors: spec.anchors?.map((a, i) => (i === index ? { ...a, at: placed(spec, at) } : a)) };
 }
 
 export function removeAnchor(spec: SlitSpec, index: number): SlitSpec {

@@ -1,5 +1,6 @@
 import type { Frame, Profile, Vec2, Vec3 } from '../types.ts';
 import { round } from '../units.ts';
+import { cross, dot, normalised, plus, scaled } from '../vectors.ts';
 
 export type ProfileKind = 'polygon' | 'circle' | 'ellipse' | 'rounded_rectangle' | 'obround' | 'spline';
 export const profileKind = (p: Profile) => Object.keys(p)[0] as ProfileKind;
@@ -46,11 +47,6 @@ export function resized(polygon: Vec2[], width: number, height: number): Vec2[] 
 export interface Attitude { tiltX: number; tiltY: number; twist: number }
 
 const rad = Math.PI / 180;
-const dot = (a: Vec3, b: Vec3) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vec3, b: Vec3): Vec3 => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-const scaled = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
-const plus = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const normalised = (a: Vec3): Vec3 => scaled(a, 1 / (Math.hypot(...a) || 1));
 
 export function attitudeOf(frame: Frame | undefined): Attitude {
   const n = normalised(frame?.normal ?? [0, 0, 1]), tiltX = Math.atan2(n[0], n[2]), tiltY = Math.asin(Math.max(-1, Math.min(1, n[1])));

@@ -1,47 +1,34 @@
 import { html, nothing } from 'lit-html';
-import { bendSpecOf, middleOf, movePlate, parseEdges, setBend, turned } from '../edits/connect.ts';
+import { bendSpecOf, bendsOf, parseEdges, removeBend, setBend } from '../edits/connect.ts';
 import { knownPiece } from '../report.ts';
-import type { Alternative, BendRow, BendSpec, PlatesSpec, Vec3 } from '../types.ts';
+import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
 import { platesOf, type Ui } from '../ui.ts';
 import { choice, lengthField, lengthSlider, niceAbove, numberField, section } from './fields.ts';
+import { platesPart } from './plates.ts';
 
 export function connectPanel(ui: Ui) {
   const spec = platesOf(ui), set = (patch: Partial<PlatesSpec>) => ui.edit<PlatesSpec>((s) => ({ ...s, ...patch }));
-  const rows = knownPiece(ui.state)?.flat?.bends ?? [];
+  const rows = knownPiece(ui.state)?.flat?.bends ?? [], bends = bendsOf(spec, rows);
   return html`
     ${section('Sheet', html`
       ${lengthField(ui, { label: 'Thickness', testid: 'thickness', value: spec.thickness, from: spec.units, min: 1e-6, on: (v) => v && set({ thickness: v }) })}
       ${numberField({ label: 'K-factor', testid: 'k-factor', value: spec.k_factor, min: 0, max: 1, placeholder: '0.44', on: (v) => set({ k_factor: v ?? undefined }) })}
       ${choice('Stays in place', 'root', spec.root ?? '', [['', 'the largest plate'], ...spec.plates.map((p) => [p.id, p.id] as const)] as [string, string][], (v) => set({ root: v || undefined }))}`)}
-    ${section('Plates', html`<div class="chips">${spec.plates.map((p) => html`<button data-testid="plate-${p.id}" class=${ui.state.selection.plate === p.id ? 'on' : ''}
-        @click=${() => ui.dispatch({ type: 'select', selection: { plate: ui.state.selection.plate === p.id ? null : p.id } })}>${p.id}</button>`)}</div>
-      ${plateFields(ui, spec)}`)}
-    ${section('Bends', rows.length ? rows.map((r) => bendBlock(ui, spec, rows, r)) : html`<p class="hint">No bends yet.</p>`,
+    ${section('Plates', platesPart(ui, spec, rows))}
+    ${section('Bends', bends.length ? bends.map((b, i) => bendBlock(ui, spec, rows, b, i)) : html`<p class="hint">No bends yet.</p>`,
       spec.bends?.length ? html`<button class="link" data-testid="bends-free" title="Forget all that is set and let the program choose" @click=${() => set({ bends: undefined })}>let the program choose</button>` : nothing)}`;
 }
 
-function plateFields(ui: Ui, spec: PlatesSpec) {
-  const plate = spec.plates.find((p) => p.id === ui.state.selection.plate);
-  if (!plate) return html`<p class="hint">Choose a plate here or click it, then drag its handle.</p>`;
-  const middle = middleOf(plate);
-  const move = (k: number, v: number | null) => v !== null && ui.edit<PlatesSpec>((s) => movePlate(s, plate.id, (p) => p.map((x, i) => (i === k ? x + v - middle[k]! : x)) as Vec3));
-  const turn = (axis: 0 | 1 | 2, v: number | null) => v && ui.edit<PlatesSpec>((s) => movePlate(s, plate.id, (p) => turned(p, middle, axis, v)));
-  const mode = ui.state.gizmo;
-  return html`<div class="segments"><button data-testid="gizmo-translate" class=${mode === 'translate' ? 'on' : ''} @click=${() => ui.dispatch({ type: 'gizmo', gizmo: 'translate' })}>Move</button
-    ><button data-testid="gizmo-rotate" class=${mode === 'rotate' ? 'on' : ''} @click=${() => ui.dispatch({ type: 'gizmo', gizmo: 'rotate' })}>Turn</button></div>
-    <div class="triple">${(['x', 'y', 'z'] as const).map((axis, k) => mode === 'translate'
-      ? lengthField(ui, { label: axis, testid: `plate-${axis}`, value: middle[k]!, from: spec.units, on: (v) => move(k, v) })
-      : numberField({ label: `by ${axis}`, testid: `plate-turn-${axis}`, value: 0, unit: '°', momentary: true, on: (v) => turn(k as 0 | 1 | 2, v) }))}</div>`;
-}
-
-function bendBlock(ui: Ui, spec: PlatesSpec, rows: BendRow[], row: BendRow) {
-  const open = ui.state.selection.part === row.id, own = bendSpecOf(spec, row);
+function bendBlock(ui: Ui, spec: PlatesSpec, rows: BendRow[], { between, row }: ReturnType<typeof bendsOf>[number], index: number) {
+  const remove = html`<button class="link" data-testid="bend-remove-${index}" @click=${() => ui.edit<PlatesSpec>((s) => removeBend(s, rows, index))}>Remove</button>`;
+  if (!row) return html`<div class="block missing" data-testid="bend-missing-${index}"><span>${between.join(' – ')}</span><em>not fitted</em>${remove}</div>`;
+  const open = ui.state.selection.part === row.id, own = bendSpecOf(spec, rows, row);
   const set = (patch: Partial<BendSpec>, live = false) => ui.edit<PlatesSpec>((s) => setBend(s, rows, row, patch), live);
   return html`<div class="block ${open ? 'open' : ''}">
     <button class="head" data-testid="bend-head-${row.id}" aria-expanded=${open} @click=${() => ui.dispatch({ type: 'select', selection: { part: open ? null : row.id } })}>
-      <b>${row.id}</b><span>${row.between?.join(' – ') ?? ''}</span><em>${row.surface ?? row.kind}, R ${lengthText(row.inside_radius, knownPiece(ui.state)?.units, ui.state.units)}</em></button>
-    ${open ? bendFields(ui, spec, row, own, set) : nothing}</div>`;
+      <b>${row.id}</b><span>${between.join(' – ')}</span><em>${row.surface ?? row.kind}, R ${lengthText(row.inside_radius, knownPiece(ui.state)?.units, ui.state.units)}</em></button>
+    ${open ? html`${bendFields(ui, spec, row, own, set)}<p class="row">${remove}</p>` : nothing}</div>`;
 }
 
 function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | undefined, set: (patch: Partial<BendSpec>, live?: boolean) => void) {
@@ -64,7 +51,7 @@ function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | unde
 
 /** The range of the slider as it was when the drag began. */
 function mostOf(ui: Ui, row: BendRow, otherwise: number): number {
-  const before = ui.state.pending?.spec as PlatesSpec | undefined, own = before && bendSpecOf(before, row);
+  const before = ui.state.pending?.spec as PlatesSpec | undefined, own = before && bendSpecOf(before, knownPiece(ui.state)?.flat?.bends ?? [], row);
   const radius = own?.inside_radius ?? ui.state.result?.report.flat?.bends.find((b) => b.id === row.id)?.inside_radius;
   return radius === undefined ? otherwise : niceAbove(2.5 * Math.max(radius, before!.thickness));
 }

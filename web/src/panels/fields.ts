@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { LengthUnit } from '../types.ts';
-import { clean, convert, round } from '../units.ts';
+import { clean, convert, round, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 
 export interface NumberOptions {
@@ -39,7 +39,7 @@ export function lengthField(ui: Ui, o: LengthOptions): TemplateResult {
   const to = ui.state.units, own = o.from ?? 'mm';
   const there = (v: number | undefined) => (v === undefined ? undefined : convert(v, own, to));
   return numberField({
-    ...o, unit: to === 'mm' ? 'mm' : 'in', digits: to === 'mm' ? 3 : 4, value: o.value === null || o.value === undefined ? o.value : convert(o.value, own, to),
+    ...o, unit: unitName(to), digits: to === 'mm' ? 3 : 4, value: o.value === null || o.value === undefined ? o.value : convert(o.value, own, to),
     min: there(o.min), max: there(o.max), on: (v) => o.on(v === null ? null : round(convert(v, to, own))),
   });
 }
@@ -76,7 +76,7 @@ export function slider(o: SliderOptions): TemplateResult {
 export function lengthSlider(ui: Ui, from: LengthUnit | undefined, o: Omit<SliderOptions, 'unit' | 'digits'>): TemplateResult {
   const to = ui.state.units, own = from ?? 'mm', there = (v: number) => convert(v, own, to);
   return slider({
-    ...o, value: there(o.value), min: there(o.min), max: there(o.max), step: to === 'mm' ? there(o.step) : 0.001, unit: to === 'mm' ? 'mm' : 'in',
+    ...o, value: there(o.value), min: there(o.min), max: there(o.max), step: to === 'mm' ? there(o.step) : 0.001, unit: unitName(to),
     digits: to === 'mm' ? 2 : 3, on: (v, live) => o.on(round(convert(v, to, own)), live),
   });
 }

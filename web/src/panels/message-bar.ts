@@ -1,20 +1,26 @@
 import { html, nothing } from 'lit-html';
 import type { State } from '../state.ts';
+import type { Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
 /** One line that is always there, so that nothing moves when it has something to say. */
 export function messageBar(ui: Ui) {
-  const { problem, note, busy, progress } = ui.state;
+  const { problem, note, opening, busy, progress } = ui.state, shown = opening?.name ? null : problem;
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
-    <span class="message ${problem ? 'error' : ''}" role="status" data-testid="message" title=${problem?.message ?? ''}>${problem
-      ? html`${problem.message}<small>[${problem.code}]${problem.where ? ` ${problem.where}` : ''}</small>` : note ?? hint(ui.state)}</span>
-    <span class="work">${busy ? html`<span>${progress?.stage ?? 'computing'}</span><progress data-testid="progress" max="1" .value=${progress ? progress.share : 0}></progress>
-      <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>` : nothing}</span>`;
+    <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}>${shown
+      ? html`${shown.message}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>` : opening?.name ? `Opening ${opening.name} …` : note ?? hint(ui.state)}</span>
+    <span class="work">${opening?.long ? bar(ui, opening.progress, 'reading') : busy ? bar(ui, progress, 'computing') : nothing}</span>`;
+}
+
+function bar(ui: Ui, progress: Progress | null, otherwise: string) {
+  return html`<span>${progress?.stage ?? otherwise}</span><progress data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>
+    <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>`;
 }
 
 function statusOf(s: State): string {
-  if (!s.document) return s.computing ? 'opening' : 'ready';
+  if (s.opening) return 'opening';
   if (s.problem) return s.shape?.report.status === 'refused' ? 'refused' : 'error';
+  if (!s.document) return 'ready';
   if (!s.shape) return 'computing';
   if (s.shapeIsDraft) return 'draft';
   return s.shape.report.status === 'warning' ? 'warning' : 'ok';

@@ -13,7 +13,7 @@ export function startScreen(ui: Ui) {
 
 const keys: [string, string][] = [
   ['Ctrl O', 'open a file'], ['Ctrl Z', 'undo'], ['Ctrl Shift Z, Ctrl Y', 'redo'], ['F', 'fit both views'], ['1 2 3 4', 'front, top, right, iso'],
-  ['Space', 'fold and unfold'], ['Delete', 'remove the anchor that is chosen'], ['M, T', 'move, turn the plate that is chosen'], ['Esc', 'choose nothing'], ['?', 'this list'],
+  ['Space', 'fold and unfold'], ['Delete', 'remove the plate, anchor or control point that is chosen'], ['M, T', 'move, turn the plate that is chosen'], ['Esc', 'choose nothing'], ['?', 'this list'],
 ];
 
 export function helpDialog(ui: Ui) {

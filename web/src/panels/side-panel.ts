@@ -1,7 +1,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { pieceOf } from '../report.ts';
 import type { Tab } from '../state.ts';
-import { lengthText } from '../units.ts';
+import { lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { connectPanel } from './connect.ts';
 import { slitPanel } from './slit.ts';
@@ -28,11 +28,11 @@ function content(ui: Ui, tab: Tab) {
 }
 
 function summary(ui: Ui) {
-  const report = pieceOf(ui.state), text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units);
+  const report = pieceOf(ui.state), unit = unitName(ui.state.units), text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units);
   const rows: [string, string, string][] = [
-    ['Blank', report?.flat ? `${text(report.flat.size[0])} × ${text(report.flat.size[1])}` : '–', 'blank-size'],
-    ['Thickness', text(report?.sheet?.thickness), 'sheet-thickness'],
-    ['Cut length', report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
+    [`Blank, ${unit}`, report?.flat ? `${text(report.flat.size[0])} × ${text(report.flat.size[1])}` : '–', 'blank-size'],
+    [`Thickness, ${unit}`, text(report?.sheet?.thickness), 'sheet-thickness'],
+    [`Cut length, ${unit}`, report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
     ['Bends', report?.sheet ? String(report.sheet.bends) : '–', 'bend-count'],
   ];
   return html`<dl class="summary">${rows.map(([name, value, id]) => html`<div><dt>${name}</dt><dd data-testid=${id}>${value}</dd></div>`)}</dl>`;

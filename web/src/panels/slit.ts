@@ -1,10 +1,12 @@
 import { html, nothing } from 'lit-html';
-import { fitted, lengthOf, removeAnchor, moveAnchor, sheetWidth, stripCount } from '../edits/slit.ts';
+import { fitted, lengthOf, removeAnchor, moveAnchor } from '../edits/slit.ts';
+import { sheetWidth } from '../edits/strips.ts';
 import type { AnchorSpec, SlitSpec, SlitWeights, Vec3 } from '../types.ts';
-import { lengthText, sizeText } from '../units.ts';
+import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
 import { choice, lengthField, numberField, section, slider, toggle } from './fields.ts';
+import { stripFields } from './strips.ts';
 
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
 
@@ -31,19 +33,21 @@ function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
   const resting = restingSpec<SlitSpec>(ui).leg_curve.bezier, width = sheetWidth(spec);
   return curveEditor(ui, {
     name: 'leg', axes: ['x', 'z'], control: spec.leg_curve.bezier, resting, units: spec.units,
-    note: width ? `; the sheet is ${lengthText(width, spec.units, ui.state.units)} wide` : '',
+    note: html`, the sheet ${lengthText(width, spec.units, ui.state.units)} wide
+      <button class="link" data-testid="curve-leg-fit" title="As long as the sheet is wide" @click=${() => set({ leg_curve: { bezier: fitted(spec.leg_curve.bezier, width) } })}>Fit</button>`,
     on: (bezier, live) => set({ leg_curve: { bezier: fitted(bezier, lengthOf(resting)) } }, live), // the sheet does not grow
+    enter: (bezier) => set({ leg_curve: { bezier } }),
   });
 }
 
 function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
   const resting = restingSpec<SlitSpec>(ui).seat_curve?.bezier;
   if (!spec.seat_curve || !resting) {
-    const width = sheetWidth(spec) ?? 100, high = spec.sheet.panel_height;
+    const width = sheetWidth(spec), high = spec.sheet.panel_height;
     return html`<p class="hint">None is asked for.${spec.symmetric === false ? ' Seat curves belong to symmetric sheets.' : html`
       <button class="link" data-testid="seat-add" @click=${() => set({ seat_curve: { bezier: [[0.8 * high, 0], [0.75 * high, width / 3], [0.75 * high, (2 * width) / 3], [1.2 * high, width]] } })}>Ask for one</button>`}</p>`;
   }
-  return html`${curveEditor(ui, { name: 'seat', axes: ['y', 'z'], control: spec.seat_curve.bezier, resting, units: spec.units, on: (bezier, live) => set({ seat_curve: { bezier } }, live) })}
+  return html`${curveEditor(ui, { name: 'seat', axes: ['y', 'z'], control: spec.seat_curve.bezier, resting, units: spec.units, on: (bezier, live) => set({ seat_curve: { bezier } }, live), enter: (bezier) => set({ seat_curve: { bezier } }) })}
     <p class="row"><button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>Ask for none</button></p>`;
 }
 
@@ -66,8 +70,8 @@ function stripTable(ui: Ui) {
   const strips = ui.state.shape?.report.slit?.strips ?? [], from = ui.state.shape?.report.units;
   if (!strips.length) return html`<p class="hint">Nothing is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th><th>Gap</th><th>Least radius</th><th>Off seat</th><th>Off anchors</th></tr></thead><tbody>
-    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${s.status}><td>${i}${s.crosses_next || s.crosses_plane ? ' ✕' : ''}</td><td>${sizeText(s.gap)}</td><td>${text(s.min_radius)}</td><td>${text(s.seat_distance)}</td><td>${text(s.anchor_distance)}</td></tr>`)}</tbody></table>`;
+  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th>${['Gap', 'Least radius', 'Off seat', 'Off anchors'].map((name) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}</tr></thead><tbody>
+    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${s.status}><td>${i}${s.crosses_next || s.crosses_plane ? ' ✕' : ''}</td><td>${sizeText(convert(s.gap, from, ui.state.units))}</td><td>${text(s.min_radius)}</td><td>${text(s.seat_distance)}</td><td>${text(s.anchor_distance)}</td></tr>`)}</tbody></table>`;
 }
 
 const weights: [keyof SlitWeights, string, number][] = [['smooth', 'Smooth', 0.04], ['spacing', 'Spacing', 0.01], ['anchors', 'Anchors', 0.03], ['seat', 'Seat curve', 0.03], ['spread', 'Spread', 0.003], ['scan', 'Scan', 0.03]];
@@ -86,11 +90,10 @@ function scanFields(ui: Ui, spec: SlitSpec, set: Set) {
 }
 
 function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
-  const { sheet } = spec, uniform = typeof sheet.strips === 'number', change = (patch: object) => set({ sheet: { ...sheet, ...patch } });
+  const { sheet } = spec, change = (patch: object) => set({ sheet: { ...sheet, ...patch } });
   return html`
     ${lengthField(ui, { label: 'Thickness', testid: 'thickness', value: spec.thickness, from: spec.units, min: 1e-6, on: (v) => v && set({ thickness: v }) })}
-    ${uniform ? html`${numberField({ label: 'Strips', testid: 'strips', value: stripCount(spec), min: 1, max: 200, on: (v) => v && change({ strips: Math.round(v) }) })}
-      ${lengthField(ui, { label: 'Strip width', testid: 'strip-width', value: sheet.strip_width, from: spec.units, min: 1e-6, on: (v) => v && change({ strip_width: v }) })}` : html`<p class="hint">${stripCount(spec)} strips of their own widths.</p>`}
+    ${stripFields(ui, spec)}
     ${lengthField(ui, { label: 'Panel height', testid: 'panel-height', value: sheet.panel_height, from: spec.units, min: 0, on: (v) => v && change({ panel_height: v }) })}
     ${sheet.half_length !== undefined ? lengthField(ui, { label: 'Half length', testid: 'half-length', value: sheet.half_length, from: spec.units, min: 0, on: (v) => v && change({ half_length: v }) }) : nothing}
     ${choice('Strips end', 'end-angle', spec.end_angle ?? 'right_angle', [['right_angle', 'square to the middle'], ['level', 'level'], ['free', 'free']] as const, (v) => set({ end_angle: v }))}

@@ -1,6 +1,6 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { knownPiece, pieceOf } from '../report.ts';
-import { clean, lengthText, sizeText } from '../units.ts';
+import { clean, lengthText, millimetres, residualText, sizeText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import type { BendRow, Finding } from '../types.ts';
 
@@ -9,7 +9,7 @@ const most = 120;
 export function bendTable(ui: Ui): TemplateResult {
   const report = knownPiece(ui.state), rows = report?.flat?.bends ?? [];
   if (rows.length === 0) return html`<p class="hint">No bends.</p>`;
-  const { selection } = ui.state, units = ui.state.units === 'mm' ? 'mm' : 'in';
+  const { selection } = ui.state, units = unitName(ui.state.units);
   const at = rows.findIndex((r) => r.id === selection.part), first = at >= most ? at - 10 : 0;
   return html`<table class="bends ${pieceOf(ui.state)?.flat ? '' : 'old'}" data-testid="bend-table">
     <thead><tr><th>Bend</th><th>Angle<br />°</th><th>Radius<br />${units}</th><th>K</th><th title="Bend allowance">Allow.<br />${units}</th><th>Dir.</th><th>Length<br />${units}</th></tr></thead>
@@ -55,22 +55,23 @@ export function findingsOf(ui: Ui): Finding[] {
   return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
 }
 
+const least = 1e-3; // mm: what a certificate may be off by
+
 export function certificate(ui: Ui): TemplateResult {
   const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null, v = report?.verification;
   if (!report || !v) return html`<p class="hint">${ui.state.computing ? 'Being verified …' : 'There is no certificate for this.'}</p>`;
-  const unit = report.units, said: [string, string, boolean][] = [];
+  const length = (value: number) => residualText(value, report.units, ui.state.units), small = (value: number) => value * millimetres(report.units) < least;
+  const said: [string, string, boolean][] = [];
   const ratio = v.explained_ratio ?? v.volume_ratio;
   if (ratio !== null && ratio !== undefined)
     said.push([`Volume agrees to ${sizeText(Math.abs(ratio - 1))}.`, 'The area of the pattern, times the thickness, against the volume of the folded solid (K = ½).', Math.abs(ratio - 1) < 1e-4]);
   if (v.volume_ratio !== null && v.explained_ratio !== null && v.explained_ratio !== undefined && Math.abs(v.volume_ratio - v.explained_ratio) > 1e-9)
     said.push([`${sizeText(Math.abs(v.volume_ratio - 1))} of the volume is explained.`, 'By what the folded solid cannot have: corners that are cut off, seams that stand open.', true]);
-  if (v.length_error !== null) said.push([`Edges keep their lengths to ${sizeText(v.length_error)}${unitOf(unit)}.`, 'Every edge of the pattern against the same edge of the folded part.', v.length_error < 1e-3]);
+  if (v.length_error !== null) said.push([`Edges keep their lengths to ${length(v.length_error)}.`, 'Every edge of the pattern against the same edge of the folded part.', small(v.length_error)]);
   if (v.refold_deviation !== null && v.refold_deviation !== undefined)
-    said.push([`Folded up again, the pattern meets the part within ${sizeText(v.refold_deviation)}${unitOf(unit)}.`, 'The pattern is folded by its bends alone and compared with what it came from.', v.refold_deviation < 1e-3]);
-  if (v.closure !== null && v.closure !== undefined) said.push([`Loops of faces close within ${sizeText(v.closure)}${unitOf(unit)}.`, 'Where faces meet again around a hole or a corner.', v.closure < 1e-3]);
+    said.push([`Folded up again, the pattern meets the part within ${length(v.refold_deviation)}.`, 'The pattern is folded by its bends alone and compared with what it came from.', small(v.refold_deviation)]);
+  if (v.closure !== null && v.closure !== undefined) said.push([`Loops of faces close within ${length(v.closure)}.`, 'Where faces meet again around a hole or a corner.', small(v.closure)]);
   return html`<ul class="certificate ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="certificate">${said.map(([text, why, good]) =>
     html`<li class=${good ? 'good' : 'bad'}><b>${text}</b><small>${why}</small></li>`)}</ul>
     ${(report.notes ?? []).map((n) => html`<p class="hint">${n}</p>`)}`;
 }
-
-const unitOf = (unit: string) => (unit === 'inch' ? ' in' : ` ${unit}`);
