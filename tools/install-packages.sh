@@ -14,7 +14,7 @@ build=(
   libceres-dev libnanoflann-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
-  libcpp-httplib-dev pkg-config
+  libcpp-httplib-dev libboost-dev pkg-config
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)

@@ -1,3 +1,4 @@
+import { DraftSocket } from './draft-socket.ts';
 import { decodeShape } from './shape.ts';
 import type { ApiProblem, Example, FileFormat, OpenDocument, Progress, Request, Shape } from './types.ts';
 
@@ -16,6 +17,7 @@ type More = Pick<RequestInit, 'keepalive' | 'signal'>;
 
 export class Api {
   private readonly token: string;
+  private readonly drafts = new DraftSocket(async () => `ws://${location.hostname}:${(await this.json<{ port: number }>('GET', '/api/socket')).port}/${this.token}`);
   constructor(token: string) {
     this.token = token;
   }
@@ -30,7 +32,12 @@ export class Api {
   attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
     this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
   close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
-  draft = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'draft', request, signal);
+  draft = async (id: string, request: Request, signal?: AbortSignal): Promise<Shape> => {
+    const asked = this.drafts.ask(id, JSON.stringify(request)), answer = asked && (await Promise.race([asked, cancelledBy(signal)]));
+    if (!answer) return this.shape(id, 'draft', request, signal);
+    if (answer instanceof ArrayBuffer) return decodeShape(answer);
+    throw new ApiError(answer, answer.status);
+  };
   result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
   file = async (id: string, format: FileFormat, request: Request) =>
     (await this.call('POST', `/api/documents/${id}/files/${format}`, JSON.stringify(request))).blob();
@@ -53,7 +60,7 @@ export class Api {
     try {
       answer = await fetch(path, { method, headers, body, cache: 'no-store', ...more });
     } catch {
-      if (more.signal?.aborted) throw new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
+      if (more.signal?.aborted) throw cancelled();
       throw new ApiError({ code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' }, 0);
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
@@ -62,6 +69,10 @@ export class Api {
     return answer;
   }
 }
+
+const cancelled = () => new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
+
+const cancelledBy = (signal?: AbortSignal) => new Promise<never>((_, end) => signal?.addEventListener('abort', () => end(cancelled()), { once: true }));
 
 async function problemOf(answer: Response): Promise<ApiProblem> {
   try {

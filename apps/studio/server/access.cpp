@@ -8,6 +8,11 @@
 #include <cstddef>
 
 namespace planish::studio {
+namespace {
+
+constexpr auto kOtherPages = "requests of other pages are not answered";
+
+}  // namespace
 
 Result<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
@@ -31,24 +36,37 @@ Access::Access(int port, std::string token)
     : hosts_{fmt::format("127.0.0.1:{}", port), fmt::format("localhost:{}", port)},
       token_(std::move(token)) {}
 
-std::optional<std::string> Access::host_refusal(const Caller& caller) const {
-  const auto known = [&](const std::string& host) {
-    return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
-  };
-  // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
-  if (caller.hosts.size() != 1 || !known(caller.hosts.front()))
-    return "this server answers 127.0.0.1 and localhost only";
+bool Access::is_own_host(const std::string& host) const {
+  return std::find(hosts_.begin(), hosts_.end(), host) != hosts_.end();
+}
+
+bool Access::is_own_origin(const std::string& origin) const {
   constexpr std::string_view kScheme = "http://";
+  return origin.starts_with(kScheme) && is_own_host(origin.substr(kScheme.size()));
+}
+
+std::optional<std::string> Access::host_refusal(const Caller& caller) const {
+  // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
+  if (caller.hosts.size() != 1 || !is_own_host(caller.hosts.front()))
+    return "this server answers 127.0.0.1 and localhost only";
   for (const std::string& origin : caller.origins)
-    if (!origin.starts_with(kScheme) || !known(origin.substr(kScheme.size())))
-      return "requests of other pages are not answered";
+    if (!is_own_origin(origin)) return kOtherPages;
   return std::nullopt;
 }
 
-std::optional<std::string> Access::refusal(const Caller& caller) const {
-  if (auto why = host_refusal(caller)) return why;
+std::optional<std::string> Access::token_refusal(const Caller& caller) const {
   if (caller.tokens.size() == 1 && same_secret(caller.tokens.front(), token_)) return std::nullopt;
   return "the token is missing or wrong: open the address that planish studio printed";
+}
+
+std::optional<std::string> Access::refusal(const Caller& caller) const {
+  const auto why = host_refusal(caller);
+  return why ? why : token_refusal(caller);
+}
+
+std::optional<std::string> Access::socket_refusal(const Caller& caller) const {
+  if (caller.origins.size() != 1 || !is_own_origin(caller.origins.front())) return kOtherPages;
+  return token_refusal(caller);
 }
 
 }  // namespace planish::studio

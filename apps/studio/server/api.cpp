@@ -101,6 +101,8 @@ Answer Api::answer(const ApiRequest& request, std::string body) {
   auto at = segments(std::string_view(request.path).substr(kApi.size()));
   const std::string first = at.empty() ? "" : at.front();
   if (first == "examples" && request.method == "GET") return examples(request);
+  if (first == "socket" && at.size() == 1 && request.method == "GET")
+    return {200, kJsonType, fmt::format("{{\"port\":{}}}", draft_port_)};
   if (first != "documents") return nothing_there(request.path);
   at.erase(at.begin());
   return documents(store_, request, at, std::move(body));
