@@ -34,8 +34,9 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 int run_info(const InfoArguments& arguments);
 
 struct StudioArguments {
-  std::string input;  ///< empty: none
-  int port = 0;       ///< 0: any that is free
+  std::string input;              ///< empty: none
+  int port = 0;                   ///< 0: any that is free
+  std::optional<int> time_limit;  ///< s
   bool no_browser = false;
 };
 

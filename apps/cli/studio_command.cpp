@@ -28,6 +28,12 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
                    "port of the page's address; default: any that is free")
       ->check(CLI::Range(1, kLastPort))
       ->type_name("N");
+  constexpr int kDay = 86400;
+  command
+      ->add_option("--time-limit", arguments.time_limit,
+                   "longest time for what is asked once; default 120")
+      ->check(CLI::Range(1, kDay))
+      ->type_name("SECONDS");
   command->add_flag("--no-browser", arguments.no_browser, "print the address, open no browser");
   command->footer(kExamples);
   return command;
@@ -45,6 +51,7 @@ int run_studio(const StudioArguments& arguments) {
   studio::StudioOptions options;
   if (!arguments.input.empty()) options.file = arguments.input;
   options.port = arguments.port;
+  if (arguments.time_limit) options.time_limit = std::chrono::seconds(*arguments.time_limit);
   options.open_browser = !arguments.no_browser;
   const auto done = studio::run_studio(options);
   return done ? 0 : complain(done.error());

@@ -32,7 +32,7 @@ Result<void> run_studio(const StudioOptions& options) {
   const sigset_t signals = held_signals();
   auto folder = TempFolder::make();
   if (!folder) return tl::unexpected(folder.error());
-  DocumentStore store(folder->path());
+  DocumentStore store(folder->path(), options.time_limit);
   if (options.file)
     if (auto opened = open_first(store, *options.file); !opened) return opened;
   auto token = random_token();

@@ -2,6 +2,7 @@
 
 #include <planish/base/result.hpp>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@ namespace planish::studio {
 struct StudioOptions {
   std::optional<std::filesystem::path> file;  ///< opened as the first document
   int port = 0;                               ///< 0: any that is free
+  std::chrono::seconds time_limit{120};       ///< of what a worker is asked once
   bool open_browser = true;
 };
 

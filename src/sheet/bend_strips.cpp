@@ -167,9 +167,10 @@ void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
     for (size_t k = 1; k < points.size(); ++k) {
       const Vec2 &a = points[k - 1], &b = points[k];
       const int strip = strip_at(0.5 * (a.x() + b.x()));
-      if (!joined[i]) edges_[static_cast<size_t>(strip)].push_back({image(a), image(b)});
+      if (!joined[i]) edges_[static_cast<size_t>(strip)].push_back({{image(a), image(b)}, border_count_});
       if (a.x() != b.x()) sides_[static_cast<size_t>(strip)].push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
     }
+    if (!joined[i]) ++border_count_;
   }
 }
 

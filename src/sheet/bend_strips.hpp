@@ -31,7 +31,13 @@ class BendStrips {
   Eigen::Isometry3d in_space(int strip, double depth) const;
 
   const std::vector<Polygon>& polygons(int strip) const { return polygons_[static_cast<size_t>(strip)]; }
-  const std::vector<Segment>& edges(int strip) const { return edges_[static_cast<size_t>(strip)]; }
+  /// What of it is edge of the sheet; borders are numbered from 0.
+  struct Edge {
+    Segment line;
+    int border;
+  };
+  const std::vector<Edge>& edges(int strip) const { return edges_[static_cast<size_t>(strip)]; }
+  int border_count() const { return border_count_; }
 
  private:
   struct Side {
@@ -55,7 +61,8 @@ class BendStrips {
   std::vector<Vec3> normals_;
   std::vector<std::vector<Side>> sides_;
   std::vector<std::vector<Polygon>> polygons_;
-  std::vector<std::vector<Segment>> edges_;
+  std::vector<std::vector<Edge>> edges_;
+  int border_count_ = 0;
 };
 
 }  // namespace planish

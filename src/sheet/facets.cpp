@@ -100,7 +100,8 @@ class FacetMaker {
         if (joined(face, loop)[i]) continue;
         const auto points = sampled(curves[i], options_.chord);
         for (size_t k = 1; k < points.size(); ++k)
-          made_.edges.push_back({facet, {points[k - 1], points[k]}});
+          made_.edges.push_back({facet, {points[k - 1], points[k]}, borders_});
+        ++borders_;
       }
     }
   }
@@ -128,14 +129,15 @@ class FacetMaker {
       const double turn = first ? angle : strips.turn(from, strip);
       const int facet = add(bend, first ? parent : facets[static_cast<size_t>(from)], between, turn, strips.polygons(strip));
       facets[static_cast<size_t>(strip)] = facet;
-      for (const Segment& edge : strips.edges(strip))
-        made_.edges.push_back({facet, edge});
+      for (const BendStrips::Edge& edge : strips.edges(strip))
+        made_.edges.push_back({facet, edge.line, borders_ + edge.border});
     };
     add_strip(entry, entry);
     for (int strip = entry + 1; strip < strips.count(); ++strip)
       add_strip(strip, strip - 1);
     for (int strip = entry - 1; strip >= 0; --strip)
       add_strip(strip, strip + 1);
+    borders_ += strips.border_count();
     bend_facets_.resize(sheet_.bends.size());
     bend_facets_[static_cast<size_t>(index_of(bend))] = std::move(facets);
   }
@@ -265,8 +267,8 @@ class FacetMaker {
     // What a sharp bend takes of the sheet, turned in two halves.
     const std::vector<Vec2> ring = oriented({hinge.a, hinge.b, across.b, across.a}, true);
     parent = add(*joint.sharp, parent, hinge, 0.5 * turn, {Polygon{ring, {}}});
-    made_.edges.push_back({parent, {hinge.a, across.a}});
-    made_.edges.push_back({parent, {hinge.b, across.b}});
+    made_.edges.push_back({parent, {hinge.a, across.a}, borders_++});
+    made_.edges.push_back({parent, {hinge.b, across.b}, borders_++});
     add_node(joint.b, parent, across, 0.5 * turn);
   }
 
@@ -286,6 +288,7 @@ class FacetMaker {
   std::vector<std::vector<std::vector<bool>>> joined_;
   std::vector<bool> placed_;
   std::priority_queue<std::pair<double, int>> front_;
+  int borders_ = 0;  ///< of which there are edges
   Facets made_;
 };
 

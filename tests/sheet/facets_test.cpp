@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <set>
 
 // The folded facets against the sheet they stand for, whose place in space is known.
 
@@ -95,6 +98,53 @@ TEST(Facets, EdgesAreTheContours) {
       sum += (edge.line.b - edge.line.a).norm();
     EXPECT_NEAR(sum / pattern.perimeter, 1.0, 1e-3) << name;
   }
+}
+
+/// By border, the length of its pieces; in ascending order.
+std::vector<double> border_lengths(const Facets& facets) {
+  std::vector<double> lengths;
+  for (const FacetEdge& edge : facets.edges) {
+    lengths.resize(std::max(lengths.size(), static_cast<std::size_t>(edge.border) + 1));
+    lengths[static_cast<std::size_t>(edge.border)] += (edge.line.b - edge.line.a).norm();
+  }
+  std::sort(lengths.begin(), lengths.end());
+  return lengths;
+}
+
+void expect_border_lengths(const Sheet& sheet, std::vector<double> wanted) {
+  const auto lengths = border_lengths(facets_of(sheet, laid(sheet), {.chord = 1e-3}));
+  std::sort(wanted.begin(), wanted.end());
+  ASSERT_EQ(lengths.size(), wanted.size());
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    EXPECT_NEAR(lengths[i] / wanted[i], 1.0, 1e-3);
+}
+
+TEST(Facets, EdgesOfOneBorderHaveOneNumber) {
+  const double pi = std::numbers::pi;
+  expect_border_lengths(plate_with_holes(), {100, 60, 100, 60, 2 * pi * 5, 2 * pi * 3.3, 12, 4 * pi, 12, 4 * pi});
+  const double bend = 0.5 * pi * (3.0 + 0.5 * 2.0);
+  expect_border_lengths(l_bracket(), {50, 40, 50, bend, bend, 30, 40, 30});
+}
+
+TEST(Facets, AHoleInABendHasTheLengthOfItsCircleAcrossTheStrips) {
+  constexpr double kDiameter = 4.0;
+  const Sheet sheet = hole_in_bend(kDiameter, 0.5);
+  const FlatPattern pattern = laid(sheet);
+  const Facets facets = facets_of(sheet, pattern, {.chord = 1e-3});
+  const Box2 hole = bounds(pattern.openings.front().loop);
+  const Vec2 middle = 0.5 * (hole.lo + hole.hi);
+  std::set<int> borders, strips;
+  double length = 0.0;
+  for (const FacetEdge& edge : facets.edges) {
+    if ((edge.line.a - middle).norm() > 0.6 * kDiameter) continue;
+    borders.insert(edge.border);
+    strips.insert(edge.facet);
+    length += (edge.line.b - edge.line.a).norm();
+  }
+  EXPECT_NEAR(length / (std::numbers::pi * kDiameter), 1.0, 2e-3);
+  EXPECT_GT(strips.size(), 3U);
+  EXPECT_EQ(borders.size(), 1U);
+  EXPECT_EQ(border_lengths(facets).size(), 9U);
 }
 
 TEST(Facets, LieInThePlaneOfTheRootUntilTheyAreFolded) {

@@ -296,10 +296,12 @@ class CommandLine(StudioTest):
             self.assertIn("[not_step]", self.run_cli(str(rubbish), status=3))
         self.assertIn("--port", self.run_cli("--port", "0", status=2))
         self.assertIn("--port", self.run_cli("--port", "70000", status=2))
+        for seconds in ("0", "86401", "1.5", "long"):
+            self.assertIn("--time-limit", self.run_cli("--time-limit", seconds, status=2))
 
     def test_help_names_what_there_is(self):
         done = subprocess.run([CLI, "studio", "--help"], capture_output=True, text=True, timeout=60, check=True)
-        for word in ("--port", "--no-browser", "FILE"):
+        for word in ("--port", "--no-browser", "--time-limit", "FILE"):
             self.assertIn(word, done.stdout)
         self.assertNotIn("studio-worker", subprocess.run([CLI, "--help"], capture_output=True, text=True, timeout=60, check=True).stdout)
 

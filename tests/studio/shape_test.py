@@ -73,7 +73,7 @@ class Shapes(StudioTest):
             self.assertEqual(a[starts][-1], count, starts)
             self.assertTrue(all(x <= y for x, y in itertools.pairwise(a[starts])), starts)
         for name, count in (("facet_starts", facets + 1), ("facet_hinge", 4 * facets), ("facet_angle", facets), ("facet_part", facets),
-                            ("edge_facet", len(a["edges"]) // 4), ("bend_line_part", len(a["bend_lines"]) // 4)):
+                            ("edge_facet", len(a["edges"]) // 4), ("edge_number", len(a["edges"]) // 4), ("bend_line_part", len(a["bend_lines"]) // 4)):
             self.assertEqual(len(a[name]), count, name)
         self.assertEqual(a["facet_parent"][0], -1)
         for i, parent in enumerate(a["facet_parent"]):
@@ -82,6 +82,7 @@ class Shapes(StudioTest):
         for name in ("facet_part", "bend_line_part"):
             self.assertLess(max(a[name], default=0), len(shape.json["parts"]))
         self.assertLess(max(a["edge_facet"]), facets)
+        self.assertEqual(sorted(set(a["edge_number"])), list(range(max(a["edge_number"]) + 1)))
         self.assertTrue(all(math.isfinite(x) for name in ("points", "facet_hinge", "facet_angle", "edges") for x in a[name]))
 
     def check_rings(self, shape):

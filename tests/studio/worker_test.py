@@ -175,7 +175,21 @@ class Workers(StudioTest):
         self.assertTrue((folder / document).exists())
         self.studio.ask("DELETE", f"/api/documents/{document}")
         self.assertTrue(until(lambda: not self.studio.workers()))
-        self.assertEqual(list(folder.iterdir()), [])
+        self.assertEqual([entry.name for entry in folder.iterdir()], ["lock"])
+
+
+class TimeLimit(StudioTest):
+    arguments = ("--time-limit", 1)
+
+    def test_what_takes_longer_is_given_up_and_the_document_goes_on(self):
+        document, spec = self.studio.open_example("transition/a_square_to_round.json")
+        slit, chair = self.studio.open_example("slit/chair.json")
+        begun = time.monotonic()
+        error = self.assert_error(self.studio.post(slit, "result", dict(long_work(chair), subdivisions=6)), 409, "worker_timeout")
+        self.assertIn("longer than 1 s", error["message"])
+        self.assertLess(time.monotonic() - begun, 5.0)
+        self.assertTrue(self.studio.post(slit, "draft", chair).is_good)
+        self.assertTrue(self.studio.post(document, "draft", spec).is_good)
 
 
 class Ends(StudioTest):
@@ -223,6 +237,33 @@ class Ends(StudioTest):
     def test_a_killed_studio_leaves_no_process(self):
         for work in (False, True):
             self.check_end(signal.SIGKILL, work)
+
+    def test_the_next_studio_removes_what_a_killed_one_left(self):
+        with tempfile.TemporaryDirectory(prefix="planish-test-") as folder:
+            place = pathlib.Path(folder)
+            killed = Studio(folder=folder)
+            killed.open_example("slit/chair.json")
+            (left,) = place.iterdir()
+            killed.stop(signal.SIGKILL)
+            with Studio(folder=folder) as living:
+                self.assertFalse(left.exists())
+                (used,) = place.iterdir()
+                (place / "planish-studio-mine12").mkdir()
+                (place / "elsewhere").mkdir()
+                (place / "elsewhere/lock").touch()
+                (place / "planish-studio-link12").symlink_to(place / "elsewhere")
+                others = place / "planish-studio-other1"
+                others.mkdir()
+                (others / "lock").touch()
+                if os.geteuid() == 0:
+                    os.chown(others / "lock", 65534, 65534)
+                Studio(folder=folder).stop()
+                self.assertTrue((place / "elsewhere/lock").exists() and (place / "planish-studio-link12").is_symlink())
+                self.assertTrue((place / "planish-studio-mine12").exists())
+                self.assertEqual(others.exists(), os.geteuid() == 0)
+                self.assertTrue(used.exists())
+                document, spec = living.open_example("transition/a_square_to_round.json")
+                self.assertTrue(living.post(document, "draft", spec).is_good)
 
     def test_two_studios_know_nothing_of_each_other(self):
         with Studio() as one, Studio() as other:

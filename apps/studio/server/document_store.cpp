@@ -39,7 +39,7 @@ Answer DocumentStore::take(const std::string& name, const std::string& bytes, Or
     return failure(429, "too_many_documents",
                    fmt::format("{} documents are open and in use; close one", kMostDocuments));
   const std::string id = fmt::format("d{}", *number);
-  auto document = ServedDocument::make(folder_ / id, {id, name, origin}, bytes);
+  auto document = ServedDocument::make(folder_ / id, {id, name, origin}, limit_, bytes);
   const std::lock_guard lock(mutex_);
   --taking_;
   if (!document) return failure(document.error());

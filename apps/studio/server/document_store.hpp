@@ -15,7 +15,9 @@ namespace planish::studio {
 /// compute at once. Thread-safe.
 class DocumentStore {
  public:
-  explicit DocumentStore(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// `limit`: the time for one task of a worker.
+  DocumentStore(std::filesystem::path folder, std::chrono::seconds limit)
+      : folder_(std::move(folder)), limit_(limit) {}
 
   /// Keeps a file under a new id, unread.
   Answer take(const std::string& name, const std::string& bytes, Origin origin);
@@ -37,6 +39,7 @@ class DocumentStore {
   std::optional<int> new_number();
 
   std::filesystem::path folder_;
+  std::chrono::seconds limit_;
   Turns turns_{2};
   mutable std::mutex mutex_;
   std::map<int, std::shared_ptr<ServedDocument>> documents_;  ///< by number: "d7" is 7

@@ -1,7 +1,5 @@
 #include "served_document.hpp"
 
-#include "../worker/worker_limits.hpp"
-
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/text_file.hpp>
 
@@ -19,8 +17,10 @@ constexpr int kUnreadable = 422;  // status of what the program says of a file
 }  // namespace
 
 Result<std::shared_ptr<ServedDocument>> ServedDocument::make(fs::path folder, DocumentLabel label,
+                                                             std::chrono::seconds limit,
                                                              const std::string& bytes) {
-  std::shared_ptr<ServedDocument> document(new ServedDocument(std::move(folder), std::move(label)));
+  std::shared_ptr<ServedDocument> document(
+      new ServedDocument(std::move(folder), std::move(label), limit));
   std::error_code error;
   fs::create_directories(document->attachments(), error);
   if (error)
@@ -120,7 +120,7 @@ bool ServedDocument::is_unreadable() const {
 Answer ServedDocument::asked(const Task& task) {
   if (is_cancelled()) return worker_lost(WorkerEnd::died);
   const Worker asked_worker = worker();
-  auto answer = asked_worker->ask(task, [this](Stage stage) {
+  auto answer = asked_worker->ask(task, limit_, [this](Stage stage) {
     const std::lock_guard lock(state_);
     stage_ = std::move(stage);
   });
@@ -136,7 +136,7 @@ Answer ServedDocument::worker_lost(WorkerEnd end) {
   if (end == WorkerEnd::late)
     return failure(
         409, "worker_timeout",
-        fmt::format("the request took longer than {} s and was given up", kMostTime.count()));
+        fmt::format("the request took longer than {} s and was given up", limit_.count()));
   return failure(
       409, "worker_ended",
       "the worker that computed the request ended unexpectedly; the document is as it was");

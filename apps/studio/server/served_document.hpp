@@ -24,9 +24,11 @@ struct DocumentLabel {
 /// wait. Thread-safe.
 class ServedDocument {
  public:
-  /// Writes the file into `folder`, which is made. Error: `cannot_write`.
+  /// Writes the file into `folder`, which is made. A task that takes longer than `limit` is given
+  /// up. Error: `cannot_write`.
   static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder,
                                                       DocumentLabel label,
+                                                      std::chrono::seconds limit,
                                                       const std::string& bytes);
   ServedDocument(const ServedDocument&) = delete;
   ServedDocument& operator=(const ServedDocument&) = delete;
@@ -51,8 +53,8 @@ class ServedDocument {
   Moment last_used() const;
 
  private:
-  ServedDocument(std::filesystem::path folder, DocumentLabel label)
-      : folder_(std::move(folder)), label_(std::move(label)) {}
+  ServedDocument(std::filesystem::path folder, DocumentLabel label, std::chrono::seconds limit)
+      : folder_(std::move(folder)), label_(std::move(label)), limit_(limit) {}
 
   using Worker = std::shared_ptr<WorkerProcess>;
 
@@ -71,7 +73,8 @@ class ServedDocument {
 
   const std::filesystem::path folder_;
   const DocumentLabel label_;
-  std::mutex turn_;  ///< held by who works, throughout
+  const std::chrono::seconds limit_;  ///< of one task
+  std::mutex turn_;                   ///< held by who works, throughout
 
   mutable std::mutex state_;  ///< of all below, held for a moment only
   Worker worker_;

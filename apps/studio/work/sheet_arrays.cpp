@@ -79,7 +79,7 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   PolygonArrays polygons;
   std::vector<std::int32_t> parents;
   std::vector<float> hinges, angles, edges;
-  Numbers parts, edge_facets;
+  Numbers parts, edge_facets, edge_numbers;
   for (const Facet& facet : facets.facets) {
     polygons.add_facet(facet.polygons);
     parents.push_back(facet.parent);
@@ -90,6 +90,7 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   for (const FacetEdge& edge : facets.edges) {
     append(edges, edge.line);
     edge_facets.push_back(static_cast<std::uint32_t>(edge.facet));
+    edge_numbers.push_back(static_cast<std::uint32_t>(edge.border));
   }
   shape.add("points", polygons.points);
   shape.add("ring_starts", polygons.ring_starts);
@@ -101,6 +102,7 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   shape.add("facet_part", parts);
   shape.add("edges", edges);
   shape.add("edge_facet", edge_facets);
+  shape.add("edge_number", edge_numbers);
   shape.root = facets.root;
 }
 

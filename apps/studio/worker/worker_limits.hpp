@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 
 namespace planish::studio {
@@ -14,8 +13,5 @@ constexpr std::uint64_t kMostMemory = 0;
 #else
 constexpr std::uint64_t kMostMemory = std::uint64_t{4} << 30;
 #endif
-
-/// Longest time for one task; then the worker is ended.
-constexpr std::chrono::seconds kMostTime(120);
 
 }  // namespace planish::studio

@@ -91,9 +91,9 @@ bool WorkerProcess::is_alive() const {
 
 void WorkerProcess::kill() { ::kill(process_, SIGKILL); }
 
-tl::expected<Answer, WorkerEnd> WorkerProcess::ask(const Task& task,
+tl::expected<Answer, WorkerEnd> WorkerProcess::ask(const Task& task, std::chrono::seconds limit,
                                                    const std::function<void(Stage)>& report) {
-  const Moment until = std::chrono::steady_clock::now() + kMostTime;
+  const Moment until = std::chrono::steady_clock::now() + limit;
   if (!send_frame(socket_, task_frame(task))) return tl::unexpected(WorkerEnd::died);
   for (;;) {
     const auto frame = receive_frame(socket_, until);

@@ -24,9 +24,10 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
   ~WorkerProcess();
 
-  /// Sends a task and waits for its answer. After `died` or `late` there is no more worker behind
-  /// this object.
-  tl::expected<Answer, WorkerEnd> ask(const Task& task, const std::function<void(Stage)>& report);
+  /// Sends a task and waits for its answer, for `limit` at the most. After `died` or `late` there
+  /// is no more worker behind this object.
+  tl::expected<Answer, WorkerEnd> ask(const Task& task, std::chrono::seconds limit,
+                                      const std::function<void(Stage)>& report);
 
   bool is_alive() const;
 

@@ -22,6 +22,7 @@ struct Facet {
 struct FacetEdge {
   int facet = 0;
   Segment line;
+  int border = 0;  ///< which border of a face it is a piece of: a line, an arc or a spline, of bends across their strips; from 0, without gaps
 };
 
 /// A sheet as flat facets hinged to each other, to be shown between flat and folded: with every angle at the same
