@@ -67,6 +67,8 @@ store.subscribe((state, before) => {
   });
 });
 
+let pickedBefore = store.state.selection;
+
 function draw() {
   root.classList.toggle('stale', store.state.stale);
   render(topBar(ui), part('header'));
@@ -76,6 +78,8 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
+  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside')?.scrollIntoView({ block: 'nearest' });
+  pickedBefore = store.state.selection;
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
   render(startScreen(ui), part('.over'));

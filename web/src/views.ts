@@ -6,6 +6,7 @@ import { FlatView } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
+import { pickedRow } from './picked.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
 import { findingsOf } from './panels/tables.ts';
@@ -82,7 +83,7 @@ export class Views {
 
   private showFlat(state: State) {
     this.flat.set({
-      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: this.selectedRow(state), edge: state.selection.edge,
+      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: pickedRow(state), edge: state.selection.edge,
       finding: state.selection.finding, units: state.units, palette: this.palette,
     });
   }
@@ -106,13 +107,7 @@ export class Views {
     return thickness * millimetres(report?.units);
   }
 
-  private selectedRow(state: State): number | null {
-    const { part, plate } = state.selection, parts = state.shape?.parts ?? [];
-    const row = parts.findIndex((p) => (part !== null ? p.name === part : plate !== null && p.plate === plate));
-    return row < 0 ? null : row;
-  }
-
-  private picked = (state: State) => ({ part: this.selectedRow(state), edge: state.selection.edge });
+  private picked = (state: State) => ({ part: pickedRow(state), edge: state.selection.edge });
 
   private pickLine(line: PickedLine): boolean {
     if (this.ui.state.pick !== 'none') return false;

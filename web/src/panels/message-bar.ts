@@ -1,4 +1,5 @@
 import { html, nothing } from 'lit-html';
+import { pickedEdgeText } from '../picked.ts';
 import type { State } from '../state.ts';
 import type { Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
@@ -31,6 +32,8 @@ const tone = (s: State) => ({ ok: 'good', warning: 'warning', refused: 'error', 
 function hint(s: State): string {
   if (s.pick === 'root') return 'Click the flange that stays where it is. Esc ends it.';
   if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc ends it.';
+  const edge = pickedEdgeText(s);
+  if (edge) return edge;
   const count = s.result && !s.shapeIsDraft ? s.result.report.checks.length : 0;
   return count ? `${count} finding${count > 1 ? 's' : ''}; see “Findings”.` : '';
 }

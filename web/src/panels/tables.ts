@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
+import { bendsToMark } from '../picked.ts';
 import { knownPiece, pieceOf } from '../report.ts';
 import { clean, lengthText, millimetres, residualText, sizeText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
@@ -9,17 +10,17 @@ const most = 120;
 export function bendTable(ui: Ui): TemplateResult {
   const report = knownPiece(ui.state), rows = report?.flat?.bends ?? [];
   if (rows.length === 0) return html`<p class="hint">No bends.</p>`;
-  const { selection } = ui.state, units = unitName(ui.state.units);
-  const at = rows.findIndex((r) => r.id === selection.part), first = at >= most ? at - 10 : 0;
+  const marked = bendsToMark(ui.state), units = unitName(ui.state.units);
+  const at = rows.findIndex((r) => r.id === marked.picked), first = at >= most ? at - 10 : 0;
   return html`<table class="bends ${pieceOf(ui.state)?.flat ? '' : 'old'}" data-testid="bend-table">
     <thead><tr><th>Bend</th><th>Angle<br />°</th><th>Radius<br />${units}</th><th>K</th><th title="Bend allowance">Allow.<br />${units}</th><th>Dir.</th><th>Length<br />${units}</th></tr></thead>
-    <tbody>${rows.slice(first, first + most).map((r) => bendRow(ui, r, r.id === selection.part))}</tbody></table>
+    <tbody>${rows.slice(first, first + most).map((r) => bendRow(ui, r, r.id === marked.picked, marked.beside.has(r.id)))}</tbody></table>
     ${rows.length > most ? html`<p class="hint">${rows.length} bends, of which ${most} are shown; the report has all.</p>` : nothing}`;
 }
 
-function bendRow(ui: Ui, r: BendRow, selected: boolean) {
+function bendRow(ui: Ui, r: BendRow, selected: boolean, beside: boolean) {
   const from = knownPiece(ui.state)?.units, text = (v: number | null) => lengthText(v, from, ui.state.units);
-  return html`<tr class=${selected ? 'selected' : ''} data-testid="bend-${r.id}" aria-selected=${selected} @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}>
+  return html`<tr class=${selected ? 'selected' : beside ? 'beside' : ''} data-testid="bend-${r.id}" aria-selected=${selected} @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}>
     <td>${r.id}</td><td>${clean(r.angle, 2)}</td><td>${text(r.inside_radius)}</td><td>${kCell(ui, r)}</td><td>${text(r.allowance)}</td>
     <td class=${r.direction}>${r.direction}</td><td>${text(r.length)}</td></tr>`;
 }
