@@ -30,6 +30,7 @@ set(PLANISH_WALLED_LIBS
   CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp
   Ceres::ceres=ceres/ceres.h,ceres/problem.h,ceres/solver.h,ceres/cost_function.h,ceres/manifold.h,ceres/jet.h,ceres/tiny_solver.h
   nanoflann::nanoflann=nanoflann.hpp
+  Httplib::httplib=httplib.h
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 
 # Hides the headers of every walled library that is not among the given ones from `target`.

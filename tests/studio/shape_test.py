@@ -11,7 +11,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_studio import EXAMPLES, StudioTest, main  # noqa: E402
 
-ALL = ["bracket.step", "connect/a_folded.json", "connect/b_lofted.json", "transition/a_square_to_round.json",
+ALL = ["bracket.step", "connect/a_folded.json", "connect/b_lofted.json", "connect/ten_plates.json", "transition/a_square_to_round.json",
        "transition/h_hexagon_to_round.json", "slit/chair.json"]
 
 
@@ -162,6 +162,13 @@ class Shapes(StudioTest):
         handles = self.studio.shape(document, "draft", spec).json["handles"]
         self.assertEqual(handles["profiles"][0]["points"][0], [-150, -150, 0])
         self.assertTrue(all(abs(math.hypot(x, y) - 100) < 1e-9 and z == 250 for x, y, z in handles["profiles"][1]["points"]))
+
+    def test_ten_plates_are_one_sheet(self):
+        document, spec = self.studio.open_example("connect/ten_plates.json")
+        shape = self.studio.shape(document, "result", spec)
+        self.assertEqual((shape.report["status"], shape.report["checks"]), ("ok", []))
+        self.assertEqual([p["plate"] for p in shape.json["parts"] if p["kind"] == "flange"], [p["id"] for p in spec["plates"]])
+        self.assertEqual(sorted(len(b["between"]) for b in shape.report["flat"]["bends"]), [2] * 9)
 
     def test_a_draft_says_what_it_has_not_computed(self):
         document, spec = self.studio.open_example("connect/a_folded.json")

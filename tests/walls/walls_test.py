@@ -34,6 +34,7 @@ LIBRARIES = {
     "nlohmann/json.hpp": {"io", "job"},
     "gp_Pnt.hxx": {"brep"},
     "CLI/CLI.hpp": set(),
+    "httplib.h": set(),
 }
 
 
