@@ -1,8 +1,8 @@
 // Screenshots of the page: node dev/shoot.mjs ADDRESS OUT STEP… ; a step is `example:NAME`, `tab:NAME`, `wait:MS`, `shot:NAME`, `click:TESTID`, `key:KEY`, `dark`, `eval:CODE`.
-import { chromium } from 'playwright-core';
+import { launch } from '../test/launch.mjs';
 import { serveDist } from '../test/serve-dist.mjs';
 const [address, out, ...steps] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
+const browser = await launch();
 const page = await browser.newPage({ viewport: { width: 1280, height: 720 }, bypassCSP: true });
 page.on('console', (m) => { if (['error', 'warning'].includes(m.type())) console.log('console', m.type(), m.text()); });
 page.on('pageerror', (e) => console.log('pageerror', e.message));
