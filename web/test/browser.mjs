@@ -479,7 +479,7 @@ const flows = {
     assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), ['a_folded.json', false, null, 9]);
     assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
   },
-  async opening({ page }) {
+  async opening({ page, said }) {
     const others = await openAtServer(page);
     await example(page, 'connect/a_folded.json');
     await page.route('**/api/documents/*/open', async (route) => {
@@ -502,6 +502,14 @@ const flows = {
     await page.waitForTimeout(2500);
     assert.equal(await state(page, 's.document.name'), 'c_ripped.json');
     assert.deepEqual(await openAtServer(page), [...others, 'c_ripped.json']);
+    // One that the server has let go is opened again, with the edits.
+    const id = await state(page, 's.document.id');
+    await page.evaluate((gone) => fetch(`/api/documents/${gone}`, { method: 'DELETE', headers: { 'X-Planish-Token': location.hash.slice(1) } }), id);
+    await enter(page, 'thickness', '1.5');
+    await page.waitForFunction((gone) => window.planish.store.state.document.id !== gone, id);
+    await rested(page);
+    assert.deepEqual(await state(page, '[s.problem, s.shape.report.sheet.thickness, s.opening]'), [null, 1.5, null]);
+    said.length = 0; // the browser notes that the document was gone
   },
   async killed({ page, said }) {
     await example(page, 'slit/chair.json');
