@@ -93,7 +93,7 @@ export function reduce(state: State, action: Action): State {
     case 'opening': return { ...state, opening: action.opening };
     case 'opened': return opened(state, action.document, action.spec);
     case 'reopened': return { ...state, document: action.document, problem: null };
-    case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input } : edited(state, action.input);
+    case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null } : edited(state, action.input);
     case 'commit': return state.pending ? edited(state, state.input) : state;
     case 'undo': return undone(state);
     case 'redo': return redone(state);
@@ -127,20 +127,20 @@ const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit => (spe
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;
   if (before === input || JSON.stringify(before) === JSON.stringify(input)) return { ...state, input, pending: null };
-  return { ...state, input, pending: null, past: [...state.past, before].slice(-historyLength), future: [] };
+  return { ...state, input, pending: null, note: null, past: [...state.past, before].slice(-historyLength), future: [] };
 }
 
 function undone(state: State): State {
   const input = state.pending ?? state.past.at(-1);
   if (!input) return state;
   const past = state.pending ? state.past : state.past.slice(0, -1);
-  return { ...state, input, pending: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null, strip: null, point: null } };
+  return { ...state, input, pending: null, note: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function redone(state: State): State {
   const [input, ...future] = state.future;
   if (!input || state.pending) return state;
-  return { ...state, input, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null, strip: null, point: null } };
+  return { ...state, input, note: null, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null, strip: null, point: null } };
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {

@@ -164,7 +164,7 @@ export interface StripRow {
   seat_distance?: number;
   anchor_distance?: number;
   scan_distance?: number;
-  crosses_next?: boolean;
+  crosses?: number[]; // strips of higher numbers
   crosses_plane?: boolean;
 }
 

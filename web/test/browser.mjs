@@ -1,4 +1,4 @@
-// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. Downloads are written to the folder STUDIO_FILES;
+// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. What a flow downloads is written to a folder of its name in STUDIO_FILES;
 // STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -6,8 +6,8 @@ import { chromium } from 'playwright-core';
 import { serveDist } from './serve-dist.mjs';
 
 const [address, ...wanted] = process.argv.slice(2);
-const out = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
-mkdirSync(out, { recursive: true });
+const files = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
+let out = files; // of the flow that runs
 const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
 
 function killWorkers() {
@@ -92,6 +92,23 @@ function timings(name, list) {
   console.log(`   ${name}: ${list.length} drafts; to geometry ${of('toGeometry')}, to the frame ${of('toFrame')} (median / 95 %)`);
 }
 
+/** Evaluated in the page: what is cut off, or covers its neighbour, outside of the views. */
+function untidy() {
+  const said = [], name = (e) => `${e.tagName.toLowerCase()} ${e.dataset.testid ?? e.className} “${(e.value ?? e.textContent).trim().slice(0, 30)}”`;
+  const shown = [...document.querySelectorAll('header *, .messages *, .fold *, .buttons *, aside *')].filter((e) => e.getClientRects().length && !(e instanceof SVGElement));
+  for (const e of shown) {
+    const r = e.getBoundingClientRect(), area = e.closest('header, .messages, .fold, .buttons, aside').getBoundingClientRect();
+    if (r.left < area.left - 1 || r.right > area.right + 1) said.push(`${name(e)} leaves its area`);
+    if (e.matches('button, dt, dd, td, th, input[type=text], h3, h4, summary, label > span') && e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0) said.push(`${name(e)} is cut off`);
+  }
+  for (const row of document.querySelectorAll('header, .messages, .fold, .buttons, .summary, .tabs, .field, .slider, .double, .triple, .row, .chips, .named, .new-plate, .point, .head')) {
+    const boxes = [...row.children].map((e) => [e, e.getBoundingClientRect()]).filter(([, r]) => r.width && r.height);
+    for (const [i, [a, p]] of boxes.entries()) for (const [b, q] of boxes.slice(i + 1))
+      if (p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1) said.push(`${name(a)} covers ${name(b)}`);
+  }
+  return said;
+}
+
 const flows = {
   async unfold({ page }) {
     await example(page, 'bracket.step');
@@ -150,7 +167,7 @@ const flows = {
     await page.click(`[data-testid=bend-head-${found.id}]`);
     await page.click('.block.open [data-testid^=bend-remove]');
     await page.waitForFunction(() => window.planish.store.state.stale && !window.planish.store.state.computing);
-    assert.match(await page.textContent('[data-testid=message]'), /do not join plate "P1"/);
+    await page.waitForSelector('.message.error:has-text("do not join plate")');
     assert.ok(await state(page, `s.shape.handles.plates.some((p) => p.id === 'P1')`), 'what is not joined has its handle all the same');
     await page.click('[data-testid=plate-P1]');
     await page.click(`[data-testid=bend-add-${found.between.find((id) => id !== 'P1')}]`);
@@ -277,6 +294,168 @@ const flows = {
     assert.equal(await state(page, 's.units'), 'inch');
     assert.equal(await page.inputValue('[data-testid=thickness]'), String(plates.thickness));
   },
+  // A file let fall on the window; its pattern covers itself.
+  async drop({ page }) {
+    const square = (id, points) => ({ id, outline: points }), walls = {
+      format: 'planish/plates', version: 1, thickness: 2, plates: [
+        square('floor', [[0, 0, 0], [100, 0, 0], [100, 100, 0], [0, 100, 0]]), square('up', [[106, 0, 6], [106, 200, 6], [106, 200, 100], [106, 0, 100]]),
+        square('down', [[0, 106, -6], [200, 106, -6], [200, 106, -100], [0, 106, -100]])] };
+    await page.evaluate((text) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([text], 'walls.json', { type: 'application/json' }));
+      for (const type of ['dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    }, JSON.stringify(walls));
+    await opened(page, 'walls.json');
+    await page.waitForSelector('.message.error:has-text("overlap by")');
+    for (const theme of ['light', 'dark']) {
+      assert.equal(await state(page, 's.theme'), theme);
+      await page.waitForTimeout(200);
+      const { red, inside, outside } = await page.evaluate(() => {
+        const s = window.planish.store.state, { flat } = window.planish.views, o = s.shape.overlaps, canvas = document.querySelector('[data-testid=flat-canvas]');
+        const pixel = (at) => {
+          const p = flat.project(at), r = canvas.getBoundingClientRect();
+          return [...canvas.getContext('2d').getImageData(Math.round(p.x - r.left), Math.round(p.y - r.top), 1, 1).data].slice(0, 3);
+        };
+        const [, red, alpha] = getComputedStyle(document.documentElement).getPropertyValue('--overlap').match(/(\d+), .*, ([\d.]+)\)/).map(Number);
+        return { red: { red, alpha }, inside: pixel([0, 1].map((k) => (o[k] + o[2 + k] + o[4 + k]) / 3)), outside: pixel([10, 10]) };
+      });
+      const shown = Math.round(red.alpha * red.red + (1 - red.alpha) * outside[0]);
+      assert.ok(Math.abs(inside[0] - shown) < 10 && inside[0] > inside[1] + 90, `${theme}: ${inside} is not the red of overlaps`);
+      await page.click('[data-testid=theme]');
+    }
+  },
+  async turn({ page }) {
+    await example(page, 'connect/a_folded.json');
+    const outline = () => state(page, `s.input.spec.plates.find((p) => p.id === 'right').outline`), before = await outline();
+    await page.click('[data-testid=plate-right]');
+    await page.keyboard.press('t');
+    await page.waitForTimeout(200);
+    // The ring about z, where it is seen best: its radius is half a unit of the gizmo.
+    const { from, to } = await state(page, `(() => {
+      const c = s.shape.handles.plates.find((p) => p.id === 'right').corners, m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length);
+      const { camera, gizmo } = views.folded, r = 0.5 * (camera.top - camera.bottom) / camera.zoom * gizmo.size / 4;
+      const at = (a) => views.folded.project([m[0] + r * Math.cos(a), m[1] + r * Math.sin(a), m[2]]);
+      return { from: at(-0.9), to: at(-0.5) }; })()`);
+    await drag(page, from, { x: to.x - from.x, y: to.y - from.y }, 10);
+    await rested(page);
+    const turned = await outline();
+    before.forEach((p, i) => assert.ok(Math.abs(turned[i][2] - p[2]) < 1e-6 && Math.hypot(turned[i][0] - p[0], turned[i][1] - p[1]) > 1, `corner ${i} went from ${p} to ${turned[i]}`));
+    await page.keyboard.press('Control+z');
+    assert.deepEqual(await outline(), before);
+    await page.keyboard.press('Control+Shift+z');
+    assert.deepEqual(await outline(), turned);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+y');
+    assert.deepEqual(await outline(), turned);
+    await rested(page);
+  },
+  // By a drag and by a number: the sentence is shown, the last shape stays, greyed, and so does the handle.
+  async invalid({ page }) {
+    await example(page, 'connect/a_folded.json');
+    const parts = await state(page, 's.shape.parts.length'), greyed = async (wanted) => {
+      await page.waitForFunction((w) => { const s = window.planish.store.state; return s.stale === w && !s.computing; }, wanted);
+      await page.waitForTimeout(100);
+      assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('[data-testid=folded-canvas]')).opacity), wanted ? '0.4' : '1');
+      assert.equal(await state(page, 's.shape.parts.length'), parts);
+      if (wanted) assert.match(await page.textContent('.message.error'), /\[\w+\]/);
+    };
+    await page.click('[data-testid=plate-left]');
+    await enter(page, 'plate-x', '94');
+    await rested(page);
+    // By the arrow down through the floor.
+    const arrow = await state(page, `(() => {
+      const c = s.shape.handles.plates.find((p) => p.id === 'left').corners, m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length);
+      const { camera, gizmo } = views.folded, r = 0.4 * (camera.top - camera.bottom) / camera.zoom * gizmo.size / 4, at = (z) => views.folded.project([m[0], m[1], m[2] + z]);
+      return { from: at(r), to: at(r - 40) }; })()`);
+    await drag(page, arrow.from, { x: arrow.to.x - arrow.from.x, y: arrow.to.y - arrow.from.y }, 10);
+    await greyed(true);
+    assert.match(await page.textContent('[data-testid=message]'), /pass through each other/);
+    assert.ok(await state(page, `s.shape.handles.plates.find((p) => p.id === 'left').corners.some((c) => c[2] < 0)`), 'the handle is where the plate is');
+    await page.keyboard.press('Control+z');
+    await greyed(false);
+    await enter(page, 'thickness', '90');
+    await greyed(true);
+    await enter(page, 'thickness', 'four');
+    assert.equal(await page.inputValue('[data-testid=thickness]'), '90', 'what is no number is put back');
+    await enter(page, 'thickness', '4');
+    await greyed(false);
+  },
+  async scan({ page }) {
+    const folder = new URL('../../examples/slit/', import.meta.url).pathname;
+    await open(page, ['scanned_chair.json', ...[0, 1, 2, 3, 4, 5].map((i) => `low_chair_scan${i}.xyz`)].map((name) => folder + name));
+    assert.match(await page.textContent('[data-testid=scan-state]'), /6 strips are scanned; [1-9]\d* points are drawn/);
+    const distance = () => state(page, 's.shape.report.slit.strips.map((t) => t.scan_distance)'), before = await distance();
+    await page.check('[data-testid=align-scan]');
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+    const after = await distance();
+    assert.notDeepEqual(after, before);
+    after.forEach((d) => assert.ok(d < 2, `the scans lie ${after} mm from their strips`));
+  },
+  // What takes long is given up, and nothing jumps meanwhile.
+  async long({ page }) {
+    await example(page, 'slit/chair.json');
+    const boxes = () => page.evaluate(() => Object.fromEntries(['header', '.messages', '.folded', '.flat', 'aside', '.tabs', '.content', '.fold', '[data-testid=undo]', '[data-testid=download-menu]']
+      .map((q) => { const r = document.querySelector(q).getBoundingClientRect(); return [q, [r.x, r.y, r.width, r.height]]; })));
+    const first = await boxes(), same = async (when) => assert.deepEqual(await boxes(), first, `something moved: ${when}`);
+    await page.click('[data-testid=curve-seat-1]');
+    await same('selected');
+    while ((await state(page, 's.input.spec.subdivisions')) < 4) await page.click('[data-testid=subdivide]');
+    await page.waitForSelector('[data-testid=cancel]');
+    await same('busy');
+    await page.click('[data-testid=cancel]');
+    await page.waitForFunction(() => { const s = window.planish.store.state; return !s.computing && s.note === 'cancelled'; });
+    await same('cancelled');
+    while ((await state(page, 's.input.spec.subdivisions')) > 0) await page.click('[data-testid=coarser]');
+    await rested(page);
+    assert.equal(await state(page, 's.note'), null);
+    await page.click('[data-testid=curve-leg-3]');
+    await enter(page, 'curve-leg-z', '900');
+    await page.waitForFunction(() => window.planish.store.state.problem);
+    await same('refused');
+    await page.click('[data-testid=undo]');
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null);
+    await page.click('[data-testid=tab-certificate]');
+    await page.click('[data-testid=units-inch]');
+    await same('other tab and unit');
+  },
+  async layout({ page }) {
+    const tidy = async (what) => {
+      await page.waitForTimeout(100);
+      assert.deepEqual(await page.evaluate(untidy), [], what);
+    };
+    const openFolds = () => page.evaluate(() => document.querySelectorAll('aside details').forEach((d) => { d.open = true; }));
+    await tidy('empty');
+    await example(page, 'bracket.step');
+    for (const tab of ['input', 'bends', 'findings', 'certificate']) {
+      await page.click(`[data-testid=tab-${tab}]`);
+      await tidy(`bracket, ${tab}`);
+    }
+    await example(page, 'connect/a_folded.json');
+    await page.click('[data-testid=plate-right]');
+    await openFolds();
+    for (const unit of ['inch', 'mm']) {
+      await page.click(`[data-testid=units-${unit}]`);
+      await tidy(`plate in ${unit}`);
+    }
+    await page.click('[data-testid=gizmo-rotate]');
+    await tidy('plate that is turned');
+    await page.click('[data-testid=bend-head-B4]');
+    await tidy('bend');
+    await example(page, 'transition/b_rectangle_to_ellipse_inclined.json');
+    await openFolds();
+    await tidy('transition');
+    await example(page, 'slit/plume.json');
+    await page.click('[data-testid=strip-head-1]');
+    await page.click('[data-testid=curve-leg-1]');
+    await tidy('curve');
+    await page.click('[data-testid=strip-head-1]');
+    for (const unit of ['inch', 'mm']) {
+      await page.click(`[data-testid=units-${unit}]`);
+      await tidy(`strip in ${unit}`);
+    }
+  },
   async policy({ said }) {
     const strict = await fresh(false);
     await strict.page.click('[data-testid=examples-menu]');
@@ -300,7 +479,7 @@ const flows = {
     assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), ['a_folded.json', false, null, 9]);
     assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
   },
-  async opening({ page }) {
+  async opening({ page, said }) {
     const others = await openAtServer(page);
     await example(page, 'connect/a_folded.json');
     await page.route('**/api/documents/*/open', async (route) => {
@@ -323,6 +502,14 @@ const flows = {
     await page.waitForTimeout(2500);
     assert.equal(await state(page, 's.document.name'), 'c_ripped.json');
     assert.deepEqual(await openAtServer(page), [...others, 'c_ripped.json']);
+    // One that the server has let go is opened again, with the edits.
+    const id = await state(page, 's.document.id');
+    await page.evaluate((gone) => fetch(`/api/documents/${gone}`, { method: 'DELETE', headers: { 'X-Planish-Token': location.hash.slice(1) } }), id);
+    await enter(page, 'thickness', '1.5');
+    await page.waitForFunction((gone) => window.planish.store.state.document.id !== gone, id);
+    await rested(page);
+    assert.deepEqual(await state(page, '[s.problem, s.shape.report.sheet.thickness, s.opening]'), [null, 1.5, null]);
+    said.length = 0; // the browser notes that the document was gone
   },
   async killed({ page, said }) {
     await example(page, 'slit/chair.json');
@@ -365,14 +552,17 @@ const flows = {
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
   if (wanted.length && !wanted.includes(name)) continue;
-  const given = await fresh();
+  const begun = performance.now(), given = await fresh();
+  out = `${files}/${name}`;
+  mkdirSync(out, { recursive: true });
   try {
     const file = await flow(given);
+    await given.page.goto('about:blank'); // the page lets its document go
     assert.deepEqual(given.said, [], 'nothing on the console');
-    console.log(`ok ${name}${file ? ` (${file})` : ''}`);
+    console.log(`ok ${name}${file ? ` (${file})` : ''} ${((performance.now() - begun) / 1000).toFixed(1)} s`);
   } catch (error) {
     ++failed;
-    await given.page.screenshot({ path: `${out}/failed-${name}.png` });
+    await given.page.screenshot({ path: `${out}/failed.png` });
     console.log(`not ok ${name}: ${error.message}\n   ${given.said.join('\n   ')}`);
   }
   await given.context.close();

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addBend, addPlate, bendsOf, copyPlate, notJoined, removeBend, removePlate, renamePlate, setBend } from '../src/edits/connect.ts';
+import { addBend, addPlate, bendsOf, copyPlate, notJoined, parseEdges, edgesText, removeBend, removePlate, renamePlate, setBend } from '../src/edits/connect.ts';
 import { addCorner, addHole, along, directionsOf, moveCorner, removeCorner, removeHole } from '../src/edits/outline.ts';
 import type { BendRow, PlatesSpec, Vec3 } from '../src/types.ts';
 
@@ -108,4 +108,12 @@ test('a bend that could not be fitted is shown without its row', () => {
 test('of two sections on one plate each is edited by itself', () => {
   const s: PlatesSpec = { ...spec(), bends: [{ between: ['A'], angle: 90 }, { between: ['A'], angle: 45 }] }, both = [row('B1', 'A'), row('B2', 'A')];
   assert.deepEqual(setBend(s, both, both[1]!, { angle: 30 }).bends, [{ between: ['A'], angle: 90 }, { between: ['A'], angle: 30 }]);
+});
+
+test('lists of edges are read as they are written', () => {
+  for (const edges of [[2], [2, 3], [0, 1, 2, 3, 7], [5, 6, 7]]) assert.deepEqual(parseEdges(edgesText(edges)), edges);
+  assert.equal(edgesText([0, 1, 2, 3, 7, 8]), '0…3 7 8');
+  assert.deepEqual(parseEdges('1-3, 7; 9 .. 10'), [1, 2, 3, 7, 9, 10]);
+  assert.equal(parseEdges(' '), undefined);
+  for (const text of ['a', '1.5', '3-1', '-1', '1-2-3', '0-999999999']) assert.equal(parseEdges(text), null, text);
 });

@@ -117,10 +117,26 @@ export function turned(p: Vec3, middle: Vec3, axis: 0 | 1 | 2, degrees: number):
   return out;
 }
 
-/** "2 3" or "2, 3"; empty: chosen by the program. Null where it is no list. */
+/** "2 3", "2, 3" or "2…9"; empty: chosen by the program. Null where it is no list. */
 export function parseEdges(text: string): number[] | undefined | null {
-  const words = text.split(/[\s,;]+/).filter(Boolean);
+  const words = text.replace(/\s*(?:…|–|-|\.\.+)\s*/g, '…').split(/[\s,;]+/).filter(Boolean);
   if (words.length === 0) return undefined;
-  const numbers = words.map(Number);
+  const numbers = words.flatMap((word) => {
+    const [from, to = from, ...more] = word.split('…').map((n) => (n === '' ? NaN : Number(n)));
+    return more.length || !(from! <= to!) || to! - from! > mostEdges ? [NaN] : Array.from({ length: to! - from! + 1 }, (_, i) => from! + i);
+  });
   return numbers.every((n) => Number.isInteger(n) && n >= 0) ? numbers : null;
+}
+
+const mostEdges = 10000;
+
+/** The other way round; three and more in a row are named by the first and the last. */
+export function edgesText(edges: number[]): string {
+  const runs: [number, number][] = [];
+  for (const e of edges) {
+    const last = runs.at(-1);
+    if (last && e === last[1] + 1) last[1] = e;
+    else runs.push([e, e]);
+  }
+  return runs.map(([a, b]) => (a === b ? `${a}` : b === a + 1 ? `${a} ${b}` : `${a}…${b}`)).join(' ');
 }

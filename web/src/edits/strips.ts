@@ -21,6 +21,8 @@ function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
 
 export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec => withSheet(spec, { ...spec.sheet, strip_width });
 
+export const setMargin = (spec: SlitSpec, margin: number): SlitSpec => withSheet(spec, { ...spec.sheet, margin });
+
 /** So many strips of one width. */
 export function setStripCount(spec: SlitSpec, strips: number): SlitSpec {
   return renumbered(withSheet(spec, { ...spec.sheet, strips }), (i) => (i < strips ? i : null));

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit-html';
-import { bendSpecOf, bendsOf, parseEdges, removeBend, setBend } from '../edits/connect.ts';
+import { bendSpecOf, bendsOf, edgesText, parseEdges, removeBend, setBend } from '../edits/connect.ts';
 import { knownPiece } from '../report.ts';
 import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
@@ -45,7 +45,7 @@ function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | unde
     ${numberField({ label: 'Trade-off γ', testid: 'bend-trade-off', value: own?.trade_off, min: 0, placeholder: '1', on: (v) => set({ trade_off: v ?? undefined }) })}
     ${(row.between ?? []).map((id) => edgesField(row, own, id, set))}
     ${row.alternatives?.length ? html`<h4>Alternatives</h4><ul class="alternatives">${row.alternatives.map((a, i) => html`<li>
-      <span>${edgesText(a)}<small>${a.surface}, ${a.facing}; ${lengthText(a.width, knownPiece(ui.state)?.units, ui.state.units)} wide, ${lengthText(a.span, knownPiece(ui.state)?.units, ui.state.units)} long</small></span>
+      <span>${bothEdges(a)}<small>${a.surface}, ${a.facing}; ${lengthText(a.width, knownPiece(ui.state)?.units, ui.state.units)} wide, ${lengthText(a.span, knownPiece(ui.state)?.units, ui.state.units)} long</small></span>
       <button data-testid="alternative-${i}" @click=${() => set({ edges: chosenEdges(a) })}>Use</button></li>`)}</ul>` : nothing}`;
 }
 
@@ -57,7 +57,7 @@ function mostOf(ui: Ui, row: BendRow, otherwise: number): number {
 }
 
 function edgesField(row: BendRow, own: BendSpec | undefined, id: string, set: (patch: Partial<BendSpec>) => void) {
-  const fixed = own?.edges?.[id], text = fixed?.join(' ') ?? '';
+  const fixed = own?.edges?.[id], text = edgesText(fixed ?? []);
   const change = (e: Event) => {
     const input = e.target as HTMLInputElement, edges = parseEdges(input.value);
     if (edges === null) { input.value = text; return; }
@@ -66,11 +66,11 @@ function edgesField(row: BendRow, own: BendSpec | undefined, id: string, set: (p
     else delete all[id];
     set({ edges: Object.keys(all).length ? all : undefined });
   };
-  return html`<label class="field"><span>Edges of ${id}</span><input type="text" data-testid="bend-edges-${id}" .value=${text} placeholder=${row.edges?.[id]?.join(' ') ?? 'chosen'} @change=${change} /><em></em></label>`;
+  return html`<label class="field"><span>Edges of ${id}</span><input type="text" data-testid="bend-edges-${id}" .value=${text} placeholder=${edgesText(row.edges?.[id] ?? []) || 'chosen'} @change=${change} /><em></em></label>`;
 }
 
 const chosenEdges = (a: Alternative) => {
   const edges = Object.fromEntries(Object.entries(a.edges).filter((e): e is [string, number[]] => e[1] !== null));
   return Object.keys(edges).length ? edges : undefined;
 };
-const edgesText = (a: Alternative) => Object.entries(a.edges).map(([id, e]) => `${id} ${e?.join(' ') ?? '…'}`).join(' – ');
+const bothEdges = (a: Alternative) => Object.entries(a.edges).map(([id, e]) => `${id} ${edgesText(e ?? [])}`).join(' – ');

@@ -31,8 +31,8 @@ function summary(ui: Ui) {
   const report = pieceOf(ui.state), unit = unitName(ui.state.units), text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units);
   const rows: [string, string, string][] = [
     [`Blank, ${unit}`, report?.flat ? `${text(report.flat.size[0])} × ${text(report.flat.size[1])}` : '–', 'blank-size'],
-    [`Thickness, ${unit}`, text(report?.sheet?.thickness), 'sheet-thickness'],
-    [`Cut length, ${unit}`, report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
+    ['Thickness', text(report?.sheet?.thickness), 'sheet-thickness'],
+    ['Cut length', report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–', 'cut-length'],
     ['Bends', report?.sheet ? String(report.sheet.bends) : '–', 'bend-count'],
   ];
   return html`<dl class="summary">${rows.map(([name, value, id]) => html`<div><dt>${name}</dt><dd data-testid=${id}>${value}</dd></div>`)}</dl>`;

@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit-html';
 import { fitted, lengthOf, removeAnchor, moveAnchor } from '../edits/slit.ts';
 import { sheetWidth } from '../edits/strips.ts';
-import type { AnchorSpec, SlitSpec, SlitWeights, Vec3 } from '../types.ts';
+import type { AnchorSpec, SlitSpec, SlitWeights, StripRow, Vec3 } from '../types.ts';
 import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
@@ -16,7 +16,7 @@ export function slitPanel(ui: Ui) {
     ${section('Leg curve, on the ground', legEditor(ui, spec, set))}
     ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
     ${section('Anchors', anchorFields(ui, spec))}
-    ${section('Strips', stripTable(ui))}
+    ${section('Strips', stripTable(ui, spec))}
     ${section('Fineness', html`
       ${numberField({ label: 'Ridges at the start', testid: 'ridges', value: spec.ridges ?? 10, min: 3, max: 200, on: (v) => v && set({ ridges: Math.round(v) }) })}
       <div class="field"><span>Halved ${spec.subdivisions ?? 0} ×</span><span class="segments">
@@ -66,13 +66,20 @@ function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
       <p class="row"><button class="link" data-testid="anchor-remove" @click=${() => { ui.edit<SlitSpec>((s) => removeAnchor(s, i)); ui.dispatch({ type: 'select', selection: {} }); }}>Remove</button></p>` : nothing}</div>`;
 }
 
-function stripTable(ui: Ui) {
+/** How far each strip is from what was asked for. */
+function stripTable(ui: Ui, spec: SlitSpec) {
   const strips = ui.state.shape?.report.slit?.strips ?? [], from = ui.state.shape?.report.units;
   if (!strips.length) return html`<p class="hint">Nothing is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th>${['Gap', 'Least radius', 'Off seat', 'Off anchors'].map((name) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}</tr></thead><tbody>
-    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${s.status}><td>${i}${s.crosses_next || s.crosses_plane ? ' ✕' : ''}</td><td>${sizeText(convert(s.gap, from, ui.state.units))}</td><td>${text(s.min_radius)}</td><td>${text(s.seat_distance)}</td><td>${text(s.anchor_distance)}</td></tr>`)}</tbody></table>`;
+  const columns: [string, (s: StripRow) => string][] = [['Gap', (s) => sizeText(convert(s.gap, from, ui.state.units))], ['Least radius', (s) => text(s.min_radius)]];
+  if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);
+  if (spec.anchors?.length) columns.push(['Off anchors', (s) => text(s.anchor_distance)]);
+  if (spec.scan?.length) columns.push(['Off scan', (s) => text(s.scan_distance)]);
+  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th>${columns.map(([name]) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}</tr></thead><tbody>
+    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${stateOf(s)}><td>${i}${s.crosses?.length || s.crosses_plane ? ' ✕' : ''}</td>${columns.map(([, value]) => html`<td>${value(s)}</td>`)}</tr>`)}</tbody></table>`;
 }
+
+const stateOf = (s: StripRow) => [s.status, ...(s.crosses?.length ? [`runs through ${s.crosses.join(', ')}`] : []), ...(s.crosses_plane ? ['runs through its mirror image'] : [])].join(', ');
 
 const weights: [keyof SlitWeights, string, number][] = [['smooth', 'Smooth', 0.04], ['spacing', 'Spacing', 0.01], ['anchors', 'Anchors', 0.03], ['seat', 'Seat curve', 0.03], ['spread', 'Spread', 0.003], ['scan', 'Scan', 0.03]];
 
@@ -95,8 +102,8 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
     ${lengthField(ui, { label: 'Thickness', testid: 'thickness', value: spec.thickness, from: spec.units, min: 1e-6, on: (v) => v && set({ thickness: v }) })}
     ${stripFields(ui, spec)}
     ${lengthField(ui, { label: 'Panel height', testid: 'panel-height', value: sheet.panel_height, from: spec.units, min: 0, on: (v) => v && change({ panel_height: v }) })}
-    ${sheet.half_length !== undefined ? lengthField(ui, { label: 'Half length', testid: 'half-length', value: sheet.half_length, from: spec.units, min: 0, on: (v) => v && change({ half_length: v }) }) : nothing}
-    ${choice('Strips end', 'end-angle', spec.end_angle ?? 'right_angle', [['right_angle', 'square to the middle'], ['level', 'level'], ['free', 'free']] as const, (v) => set({ end_angle: v }))}
+    ${sheet.half_length !== undefined ? lengthField(ui, { label: spec.symmetric === false ? 'Length of the strips' : 'Half length', testid: 'half-length', value: sheet.half_length, from: spec.units, min: 0, on: (v) => v && change({ half_length: v }) }) : nothing}
+    ${spec.symmetric === false ? nothing : choice('Strips end', 'end-angle', spec.end_angle ?? 'right_angle', [['right_angle', 'square to the middle'], ['level', 'level'], ['free', 'free']] as const, (v) => set({ end_angle: v }))}
     ${lengthField(ui, { label: 'Least inside radius', testid: 'min-radius', value: spec.min_inside_radius, from: spec.units, min: 0, placeholder: 'any', on: (v) => set({ min_inside_radius: v ?? undefined }) })}
     ${lengthField(ui, { label: 'Kerf', testid: 'kerf', value: spec.kerf, from: spec.units, min: 0, placeholder: '0', on: (v) => set({ kerf: v ?? undefined }) })}
     ${lengthField(ui, { label: 'Stop hole', testid: 'stop-hole', value: spec.stop_hole, from: spec.units, min: 0, placeholder: '0', on: (v) => set({ stop_hole: v ?? undefined }) })}`;

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit-html';
-import { addStrip, endAsItIs, endOf, ownWidths, removeStrip, setEnd, setStrip, setStripCount, setStripWidth, stripsOf, uniform } from '../edits/strips.ts';
+import { addStrip, endAsItIs, endOf, ownWidths, removeStrip, setEnd, setMargin, setStrip, setStripCount, setStripWidth, stripsOf, uniform } from '../edits/strips.ts';
 import type { LengthUnit, SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
 import { lengthText, millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
@@ -15,7 +15,8 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
     ${own ? nothing : html`
       ${numberField({ label: 'Strips', testid: 'strips', value: strips.length, min: 1, max: 200, on: (v) => v && edit((s) => setStripCount(s, Math.max(1, Math.round(v)))) })}
       ${lengthField(ui, { label: 'Strip width', testid: 'strip-width', value: spec.sheet.strip_width, from: spec.units, min: 1e-6, on: (v) => v && edit((s) => setStripWidth(s, v)) })}`}
-    ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}`;
+    ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
+    ${lengthField(ui, { label: 'Margin behind the last', testid: 'margin', value: spec.sheet.margin, from: spec.units, min: 0, placeholder: '0', on: (v) => edit((s) => setMargin(s, v ?? 0)) })}`;
 }
 
 function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: boolean) {
