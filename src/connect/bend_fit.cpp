@@ -220,7 +220,9 @@ Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) 
 }
 
 std::optional<Nearness> nearness(const FitTask& task, const ConnectOptions& options) {
-  const auto choice = search_pair(task, options);
+  ConnectOptions best_alone = options;
+  best_alone.alternatives = 0;
+  const auto choice = search_pair(task, best_alone);
   if (!choice) return std::nullopt;
   const EdgeChoice& best = choice->search.best;
   const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm() : 0.0;

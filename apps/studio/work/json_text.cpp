@@ -41,6 +41,18 @@ Result<Json> parse_json(const std::string& text, const std::string& what) {
   }
 }
 
+std::string without_indents(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  // Strings hold no line break: there it is written as an escape.
+  for (std::size_t at = 0; at < json.size();) {
+    const std::size_t end = std::min(json.find('\n', at), json.size());
+    text.append(json, at, end - at);
+    at = std::min(json.find_first_not_of(' ', end + 1), json.size());
+  }
+  return text;
+}
+
 std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }

@@ -15,6 +15,9 @@ using Json = nlohmann::ordered_json;
 /// in messages.
 Result<Json> parse_json(const std::string& text, const std::string& what);
 
+/// The same JSON without line breaks and what indents lines.
+std::string without_indents(const std::string& json);
+
 /// Bytes that are not UTF-8 become U+FFFD. `indent` −1: one line.
 std::string json_text(const Json& json, int indent = -1);
 

@@ -38,8 +38,9 @@ Json arrays_json(const Shape& shape) {
 
 std::string header(const Shape& shape, double seconds) {
   // The report is text already; reading it again only to write it would cost more than all the
-  // rest.
-  std::string text = "{\"report\": " + (shape.report.empty() ? "null" : shape.report);
+  // rest. Half of it may be indents, which the browser would read.
+  std::string text =
+      "{\"report\": " + (shape.report.empty() ? "null" : without_indents(shape.report));
   const auto add = [&](const char* key, const Json& value) {
     text += std::string(",\"") + key + "\": " + json_text(value);
   };
@@ -81,7 +82,12 @@ void add_space(Shape& shape, const Mesh& mesh) {
 std::string encoded(const Shape& shape, double seconds) {
   const std::string head = header(shape, seconds);
   const auto length = static_cast<std::uint32_t>(head.size());
-  std::string bytes = "PLN1";
+  std::size_t size = 8 + head.size();
+  for (const ShapeArray& array : shape.arrays)
+    size += array.bytes.size();
+  std::string bytes;
+  bytes.reserve(size);
+  bytes = "PLN1";
   bytes.append(reinterpret_cast<const char*>(&length), sizeof length);
   bytes += head;
   for (const ShapeArray& array : shape.arrays)

@@ -3,6 +3,7 @@
 #include "frames.hpp"
 #include "worker_limits.hpp"
 
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -25,6 +26,14 @@ bool bound_to_server(long server) {
   return getppid() == server;  // it may have ended before the line above
 }
 
+/// What one draft gives back the next one takes again. If the system had it in between, each page
+/// of it would be a fault.
+void keep_memory() {
+  constexpr int kMost = 256 << 20;
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that is allowed
+  mallopt(M_TRIM_THRESHOLD, kMost);
+}
+
 /// Stages go to the server, but not more of them than anybody reads.
 Progress reported_to(int socket) {
   static constexpr std::chrono::milliseconds kPace(50);
@@ -45,6 +54,7 @@ int run_worker(const std::string& server) {
   std::signal(SIGINT, SIG_IGN);
   limit(RLIMIT_CORE, 0);
   if (kMostMemory > 0) limit(RLIMIT_AS, kMostMemory);
+  keep_memory();
   Workbench bench(".");
   while (const auto frame = receive_frame(kWorkerSocket)) {
     const auto task = task_of(*frame);
