@@ -1,5 +1,5 @@
 import { Api, ApiError } from './api.ts';
-import { beginTiming, dropTiming, type Timing } from './timings.ts';
+import { geometryShown } from './timings.ts';
 import type { Store } from './state.ts';
 import type { ApiProblem, Request, Shape } from './types.ts';
 
@@ -94,7 +94,7 @@ export class Computation {
     if (what === 'draft') this.draftWanted = false;
     else this.resultWanted = false;
     const generation = this.generation;
-    const timing = this.dragAt === null ? null : beginTiming(this.dragAt);
+    const draggedAt = this.dragAt;
     this.dragAt = null;
     this.running = what;
     this.flight = new AbortController();
@@ -106,9 +106,9 @@ export class Computation {
       if (what === 'result') this.resultTook = performance.now() - this.startedAt;
       if (generation !== this.generation) return;
       ahead = this.askAhead();
-      this.arrived(shape, what === 'draft', timing);
+      this.arrived(shape, what === 'draft');
+      if (draggedAt !== null) geometryShown(draggedAt);
     } catch (error) {
-      dropTiming(timing);
       if (generation === this.generation) await this.failed(error);
     }
     if (ahead) return;
@@ -130,10 +130,9 @@ export class Computation {
     return true;
   }
 
-  private arrived(shape: Shape, draft: boolean, timing: Timing | null) {
+  private arrived(shape: Shape, draft: boolean) {
     this.store.dispatch({ type: 'shape', shape, draft });
     this.show(shape, draft);
-    timing?.geometry();
   }
 
   private async failed(error: unknown) {

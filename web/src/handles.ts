@@ -14,7 +14,7 @@ export class HandleObjects {
   set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null; numbered: string[] }, scale: number, ridges: number) {
     this.clear();
     for (const plate of handles.plates ?? [])
-      if (plate.id === selected.plate) this.group.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
+      if (plate.id === selected.plate) this.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
     for (const plate of handles.plates ?? []) if (selected.numbered.includes(plate.id)) this.numbers(plate.corners, palette);
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
@@ -23,6 +23,12 @@ export class HandleObjects {
     const at = anchors.map((a) => a.at.map((v) => v * scale) as Vec3);
     this.points(at, palette.anchor, 13);
     if (selected.anchor !== null && at[selected.anchor]) this.points([at[selected.anchor]!], palette.selected, 17);
+  }
+
+  /** Never culled: for that three.js would look at each point of what lives as long as a frame. */
+  private add(object: Line | Points) {
+    object.frustumCulled = false;
+    this.group.add(object);
   }
 
   private clear() {
@@ -43,7 +49,7 @@ export class HandleObjects {
   }
 
   private curve(points: Vec3[], color: string, closed: boolean) {
-    if (points.length > 1) this.group.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
+    if (points.length > 1) this.add(new (closed ? LineLoop : Line)(through(points), this.line(color)));
   }
 
   /** The numbers of a plate's edges, as files name them, in the middle of each. */
@@ -54,7 +60,7 @@ export class HandleObjects {
         size: 20, sizeAttenuation: false, map: numberTexture(i, palette), transparent: true, depthTest: false }));
       const point = new Points(through([middle]), material);
       point.renderOrder = 3;
-      this.group.add(point);
+      this.add(point);
     });
   }
 
@@ -64,7 +70,7 @@ export class HandleObjects {
       () => new PointsMaterial({ color, size, sizeAttenuation: false, map: this.disc, alphaTest: 0.5, depthTest: size < 10 }));
     const points = new Points(through(at), material);
     if (size >= 10) points.renderOrder = 2;
-    this.group.add(points);
+    this.add(points);
   }
 }
 

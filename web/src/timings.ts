@@ -8,33 +8,18 @@ declare global {
 const most = 2000;
 let waiting: { entry: DragTiming; from: number }[] = [];
 
-export interface Timing { geometry(): void }
-
-export function beginTiming(from: number): Timing {
-  performance.mark('planish:drag');
-  return {
-    geometry() {
-      const now = performance.now();
-      performance.measure('planish:drag', { start: from, end: now });
-      const entry: DragTiming = { toGeometry: now - from, toFrame: null };
-      window.planishTimings.push(entry);
-      if (window.planishTimings.length > most) window.planishTimings.shift();
-      waiting.push({ entry, from });
-    },
-  };
-}
-
-export function dropTiming(timing: Timing | null) {
-  if (timing) performance.clearMarks('planish:drag');
+/** To be called when the geometry of a drag event at `from` is in the renderer's hands. */
+export function geometryShown(from: number) {
+  const entry: DragTiming = { toGeometry: performance.now() - from, toFrame: null };
+  window.planishTimings.push(entry);
+  if (window.planishTimings.length > most) window.planishTimings.shift();
+  waiting.push({ entry, from });
 }
 
 /** To be called when a frame has been drawn. */
 export function frameDrawn() {
   if (waiting.length === 0) return;
   const now = performance.now();
-  for (const { entry, from } of waiting) {
-    entry.toFrame = now - from;
-    performance.measure('planish:drag-frame', { start: from, end: now });
-  }
+  for (const { entry, from } of waiting) entry.toFrame = now - from;
   waiting = [];
 }

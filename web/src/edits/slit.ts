@@ -6,14 +6,23 @@ export function bezierPoints(control: Vec2[], count = 64): Vec2[] {
 }
 
 function bezierAt(control: Vec2[], t: number): Vec2 {
-  let level = control;
-  while (level.length > 1) level = level.slice(1).map((b, i) => [level[i]![0] + t * (b[0] - level[i]![0]), level[i]![1] + t * (b[1] - level[i]![1])]);
-  return level[0] ?? [0, 0];
+  const x = control.map((p) => p[0]), y = control.map((p) => p[1]);
+  for (let last = control.length - 1; last > 0; --last)
+    for (let i = 0; i < last; ++i) {
+      x[i]! += t * (x[i + 1]! - x[i]!);
+      y[i]! += t * (y[i + 1]! - y[i]!);
+    }
+  return [x[0] ?? 0, y[0] ?? 0];
 }
 
+const lengths = new WeakMap<Vec2[], number>(); // of curves that stand while another one is dragged
+
 export function lengthOf(control: Vec2[]): number {
-  const p = bezierPoints(control, 400);
-  return p.slice(1).reduce((sum, b, i) => sum + Math.hypot(b[0] - p[i]![0], b[1] - p[i]![1]), 0);
+  const known = lengths.get(control);
+  if (known !== undefined) return known;
+  const p = bezierPoints(control, 400), length = p.reduce((sum, b, i) => (i ? sum + Math.hypot(b[0] - p[i - 1]![0], b[1] - p[i - 1]![1]) : 0), 0);
+  lengths.set(control, length);
+  return length;
 }
 
 /** The same curve with one control point more. */
