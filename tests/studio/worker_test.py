@@ -179,17 +179,17 @@ class Workers(StudioTest):
 
 
 class TimeLimit(StudioTest):
-    arguments = ("--time-limit", 1)
+    arguments = ("--time-limit", 3)  # a machine that has much else to do takes a second for a draft
 
     def test_what_takes_longer_is_given_up_and_the_document_goes_on(self):
         document, spec = self.studio.open_example("transition/a_square_to_round.json")
         slit, chair = self.studio.open_example("slit/chair.json")
         begun = time.monotonic()
         error = self.assert_error(self.studio.post(slit, "result", dict(long_work(chair), subdivisions=6)), 409, "worker_timeout")
-        self.assertIn("longer than 1 s", error["message"])
-        self.assertLess(time.monotonic() - begun, 5.0)
-        self.assertTrue(self.studio.post(slit, "draft", chair).is_good)
-        self.assertTrue(self.studio.post(document, "draft", spec).is_good)
+        self.assertIn("longer than 3 s", error["message"])
+        self.assertLess(time.monotonic() - begun, 10.0)
+        self.studio.shape(slit, "draft", chair)
+        self.studio.shape(document, "draft", spec)
 
 
 class Ends(StudioTest):
