@@ -261,9 +261,7 @@ export class FlatView {
     c.setLineDash([]);
   }
 
-  private isUp(shape: Shape, part: number): boolean {
-    return (shape.parts[part]?.angle ?? 1) >= 0 && this.bendRow(shape, part)?.direction !== 'down';
-  }
+  private isUp = (shape: Shape, part: number) => shape.parts[part]?.direction !== 'down';
 
   private bendRow(shape: Shape, part: number) {
     return this.rows(shape).get(shape.parts[part]?.name ?? '');

@@ -150,7 +150,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   // Edges are numbered anew where there are more or fewer of them.
   const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
   return {
-    ...state, shape: shown, selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge }, known: shape.report.flat || shape.report.pieces?.length ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
+    ...state, shape: shown, selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge }, known: tellsBends(state, shape.report, draft) ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
   };
 }
@@ -161,6 +161,10 @@ function withPlates({ shape, document, input }: State): Shape | null {
   const { plates, units } = input.spec as PlatesSpec, scale = millimetres(units);
   return { ...shape, handles: { ...shape.handles, plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })) } };
 }
+
+/** Drafts of slit sheets leave out what the bends are. */
+const tellsBends = (state: State, report: Report, draft: boolean) =>
+  draft && state.document?.kind === 'slit' ? false : report.flat !== null || Boolean(report.pieces?.length);
 
 export type Listener = (state: State, before: State) => void;
 

@@ -37,12 +37,11 @@ export interface Progress { stage: string; share: number }
 
 // ---- shapes -------------------------------------------------------------------------------------------------------
 
-export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; faces: number[]; plate?: string }
+export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; direction?: 'up' | 'down'; faces: number[]; plate?: string }
 
 export interface Handles {
   plates?: { id: string; corners: Vec3[] }[];
   profiles?: { points: Vec3[] }[];
-  rulings?: [Vec3, Vec3][];
   leg_curve?: Vec3[];
   seat_curve?: Vec3[];
   ridges?: [Vec3, Vec3][][];

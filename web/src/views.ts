@@ -83,7 +83,7 @@ export class Views {
 
   private showFlat(state: State) {
     this.flat.set({
-      shape: state.shape, report: knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: pickedRow(state), edge: state.selection.edge,
+      shape: state.shape, report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: pickedRow(state), edge: state.selection.edge,
       finding: state.selection.finding, units: state.units, palette: this.palette,
     });
   }

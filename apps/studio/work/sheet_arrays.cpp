@@ -55,6 +55,12 @@ void add_parts(Shape& shape, const Sheet& sheet) {
                            {"faces", faces_json(sheet, sheet.bends[i].faces)}});
 }
 
+void add_directions(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
+  for (const FlatBend& bend : flat.bends)
+    shape.parts[row_of(sheet, bend.bend)]["direction"] =
+        bend.direction == BendDirection::up ? "up" : "down";
+}
+
 struct PolygonArrays {
   std::vector<float> points;
   Numbers ring_starts{0}, polygon_starts{0}, facet_starts{0};
@@ -174,6 +180,7 @@ void add_sheet(Shape& shape, const job::Report& report) {
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
   add_facets(shape, sheet, facets_of(sheet, report.flat));
+  add_directions(shape, sheet, report.flat);
   add_contours(shape, sheet, report.flat);
   add_bend_lines(shape, sheet, report.flat);
   add_overlaps(shape, report);

@@ -70,13 +70,15 @@ class SlitDocument : public Document {
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) override {
     const auto file = spec_of(asked);
     if (!file) return tl::unexpected(file.error());
-    const auto report = effort == job::Effort::draft ? draft(*file, asked, progress)
-                                                     : result(*file, asked, progress);
+    const bool is_draft = effort == job::Effort::draft;
+    auto report = is_draft ? draft(*file, asked, progress) : result(*file, asked, progress);
     if (!report) return tl::unexpected(report.error());
     Shape shape;
-    shape.report = report_json(*report);
     shape.handles = handles_of(file->design, *report);
     add_sheet(shape, *report);
+    // Ridges are drawn; while somebody drags they are too many to be told of one by one.
+    if (is_draft) report->flat.bends.clear();
+    shape.report = report_json(*report);
     return shape;
   }
 

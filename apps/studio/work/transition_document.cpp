@@ -18,9 +18,6 @@ Json handles_of(const TransitionSpec& spec, const Transition& transition) {
   for (const PlacedProfile* profile : {&spec.from, &spec.to})
     json["profiles"].push_back(
         {{"points", points_json(profile_points(*profile, transition.mesh))}});
-  json["rulings"] = Json::array();
-  for (const TrueLength& line : transition.true_lengths)
-    json["rulings"].push_back({point_json(line.points[0]), point_json(line.points[1])});
   return json;
 }
 
@@ -31,10 +28,12 @@ class TransitionDocument : public Document {
   std::string_view kind() const override { return "transition"; }
 
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) override {
-    const auto report = report_of(asked, effort, progress);
+    auto report = report_of(asked, effort, progress);
     if (!report) return tl::unexpected(report.error());
     const auto piece = piece_of(*report, asked);
     if (!piece) return tl::unexpected(piece.error());
+    // Nobody reads them while he drags, and they are half of what would be sent.
+    if (effort == job::Effort::draft) report->transition.true_lengths.clear();
     Shape shape;
     shape.report = report_json(*report);
     shape.handles = handles_of(report->spec, report->transition);
