@@ -28,7 +28,9 @@ class Browser(StudioTest):
 
     def flow(self, name):
         """What the flows say, once this one went well."""
-        self.assertRegex(self.said, f"(?m)^ok {name}\\b")
+        if not re.search(rf"(?m)^ok {name}\b", self.said):
+            failed = re.search(rf"(?ms)^not ok {name}:.*?(?=^(?:not )?ok |\Z)", self.said)
+            self.fail(failed[0] if failed else self.said)
         return self.said
 
     def drawing(self, name):

@@ -2,13 +2,13 @@
 // STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { chromium } from 'playwright-core';
+import { launch } from './launch.mjs';
 import { serveDist } from './serve-dist.mjs';
 
 const [address, ...wanted] = process.argv.slice(2);
 const files = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
 let out = files; // of the flow that runs
-const browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'] });
+const browser = await launch();
 
 function killWorkers() {
   for (const entry of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
@@ -47,6 +47,13 @@ async function example(page, name) {
 async function open(page, paths) {
   await page.setInputFiles('[data-testid=file-input]', paths);
   await opened(page, paths[0]);
+}
+
+/** A slit file without its subdivisions, which take most of the time. */
+function coarse(name) {
+  const path = `${out}/${name}`;
+  writeFileSync(path, JSON.stringify({ ...JSON.parse(readFileSync(new URL(`../../examples/slit/${name}`, import.meta.url), 'utf8')), subdivisions: 0 }));
+  return path;
 }
 
 async function opened(page, path) {
@@ -141,7 +148,7 @@ const flows = {
     await page.waitForTimeout(200);
     const middle = await state(page, `(() => { const c = s.shape.handles.plates.find((p) => p.id === 'right').corners, m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length); return { m, at: views.folded.project(m) }; })()`);
     await page.evaluate(() => { window.planishTimings.length = 0; });
-    await drag(page, middle.at, { x: 40, y: 12 }, 30);
+    await drag(page, middle.at, { x: 40, y: 12 }, 20);
     await rested(page);
     const moved = await state(page, `s.shape.handles.plates.find((p) => p.id === 'right').corners[0]`);
     assert.ok(Math.hypot(moved[0] - 460, moved[1], moved[2] - 40) > 5, `the plate moved: ${moved}`);
@@ -210,7 +217,7 @@ const flows = {
     await example(page, 'slit/chair.json');
     await page.evaluate(() => { window.planishTimings.length = 0; });
     const circle = await page.locator('[data-testid=curve-seat-2]').boundingBox();
-    await drag(page, { x: circle.x + circle.width / 2, y: circle.y + circle.height / 2 }, { x: 12, y: -6 }, 30);
+    await drag(page, { x: circle.x + circle.width / 2, y: circle.y + circle.height / 2 }, { x: 12, y: -6 }, 20);
     await rested(page);
     timings('slit, seat curve', await page.evaluate(() => window.planishTimings));
     const end = await state(page, `(() => { const r = s.shape.handles.ridges[2], row = r[Math.floor(r.length / 2)]; return { at: row[0], on: views.folded.project(row[0]) }; })()`);
@@ -218,7 +225,7 @@ const flows = {
     await rested(page);
     assert.equal(await state(page, 's.input.spec.anchors.length'), 1);
     await page.evaluate(() => { window.planishTimings.length = 0; });
-    await drag(page, end.on, { x: 0, y: -25 }, 30);
+    await drag(page, end.on, { x: 0, y: -25 }, 20);
     await rested(page);
     timings('slit, anchor', await page.evaluate(() => window.planishTimings));
     const at = await state(page, 's.input.spec.anchors[0].at');
@@ -226,7 +233,7 @@ const flows = {
     return download(page, 'dxf');
   },
   async strips({ page }) {
-    await example(page, 'slit/plume.json');
+    await open(page, [coarse('plume.json')]);
     const width = () => state(page, 's.shape.report.flat.size'), before = await width();
     await page.click('[data-testid=strip-head-1]');
     for (const key of ['direction', 'across']) {
@@ -247,7 +254,7 @@ const flows = {
     assert.equal((await state(page, 's.input.spec.sheet.strips'))[1].width, 220);
   },
   async points({ page }) {
-    await example(page, 'slit/chair.json');
+    await open(page, [coarse('chair.json')]);
     const at = () => state(page, 's.input.spec.seat_curve.bezier'), before = await at();
     await page.click('[data-testid=curve-seat-1]');
     await enter(page, 'curve-seat-y', '310');
@@ -278,8 +285,9 @@ const flows = {
       await page.click('[data-testid=tab-input]');
     };
     await noneLeft();
-    for (const name of ['connect/a_folded.json', 'transition/a_square_to_round.json', 'slit/chair.json']) {
-      await example(page, name);
+    for (const name of ['connect/a_folded.json', 'transition/a_square_to_round.json', 'chair.json']) {
+      if (name === 'chair.json') await open(page, [coarse(name)]);
+      else await example(page, name);
       assert.equal(await state(page, 's.units'), 'mm');
       await page.click('[data-testid=units-inch]');
       await noneLeft();
@@ -382,7 +390,7 @@ const flows = {
   },
   async scan({ page }) {
     const folder = new URL('../../examples/slit/', import.meta.url).pathname;
-    await open(page, ['scanned_chair.json', ...[0, 1, 2, 3, 4, 5].map((i) => `low_chair_scan${i}.xyz`)].map((name) => folder + name));
+    await open(page, [coarse('scanned_chair.json'), ...[0, 1, 2, 3, 4, 5].map((i) => `${folder}low_chair_scan${i}.xyz`)]);
     assert.match(await page.textContent('[data-testid=scan-state]'), /6 strips are scanned; [1-9]\d* points are drawn/);
     const distance = () => state(page, 's.shape.report.slit.strips.map((t) => t.scan_distance)'), before = await distance();
     await page.check('[data-testid=align-scan]');
@@ -446,7 +454,7 @@ const flows = {
     await example(page, 'transition/b_rectangle_to_ellipse_inclined.json');
     await openFolds();
     await tidy('transition');
-    await example(page, 'slit/plume.json');
+    await open(page, [coarse('plume.json')]);
     await page.click('[data-testid=strip-head-1]');
     await page.click('[data-testid=curve-leg-1]');
     await tidy('curve');
