@@ -1,4 +1,4 @@
-import { DoubleSide, FrontSide, ShaderMaterial } from 'three';
+import { DoubleSide, ShaderMaterial } from 'three';
 
 // Light from above, from the upper left of the viewer and from the viewer, reckoned at corners: sheets are shaded by few
 // and large triangles, and a picture costs little even where a processor draws it.
@@ -24,7 +24,7 @@ const fragmentShader = /* glsl */ `
 /** For geometries with normals and an attribute `tint`, linear colours at corners. */
 export function sheetMaterial(twoSided: boolean): ShaderMaterial {
   return new ShaderMaterial({
-    vertexShader, fragmentShader, side: twoSided ? DoubleSide : FrontSide, uniforms: { twoSided: { value: twoSided } },
+    vertexShader, fragmentShader, side: DoubleSide, uniforms: { twoSided: { value: twoSided } },
     polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1,
   });
 }
