@@ -60,6 +60,12 @@ class Browser(StudioTest):
         self.assertEqual(layers.count("OUTER_PROFILE"), 1)
         self.assertIn("BEND_UP", layers)
 
+    def test_edges_are_picked(self):
+        self.flow("edges")
+
+    def test_one_of_ten_plates_is_dragged(self):
+        self.flow("ten")
+
     def test_plates_come_and_go(self):
         layers = [entity.dxf.layer for entity in self.drawing("plates").modelspace()]
         self.assertEqual(layers.count("OUTER_PROFILE"), 1)
