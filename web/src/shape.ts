@@ -9,6 +9,9 @@ const empty: Facets = {
   space_points: new Float32Array(), space_triangles: new Uint32Array(),
 };
 
+/** Names of the arrays that a shape may have. */
+export const arrayNames = Object.keys(empty);
+
 /** The shape of an answer of the server. Arrays are views into `data`; those left out are empty. Throws where it is none. */
 export function decodeShape(data: ArrayBuffer): Shape {
   const bytes = new DataView(data);

@@ -10,7 +10,20 @@ export interface ApiProblem { code: string; message: string; where?: string | nu
 export interface Example { name: string; kind: Kind; title: string }
 
 export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
-export interface FileInfo { bodies?: BodyInfo[]; cad_system?: string; file_units?: string; schema?: string }
+export interface FileInfo {
+  format: 'planish/info';
+  version: number;
+  command: 'info';
+  input: string;
+  units: LengthUnit;
+  status: 'ok' | 'refused';
+  reason: ApiProblem | null;
+  schema: string;
+  cad_system: string;
+  file_units: string;
+  bodies: BodyInfo[];
+  surface_bodies: number;
+}
 
 /** `given`: the file of the command line. */
 export interface OpenDocument { id: string; given?: boolean; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
@@ -101,6 +114,7 @@ export interface Alternative {
 
 export interface BendRow {
   id: string;
+  order?: number;
   kind: string;
   angle: number;
   inside_radius: number;
@@ -111,13 +125,18 @@ export interface BendRow {
   direction: 'up' | 'down';
   length: number;
   line: Vec2[];
+  lines?: Vec2[][];
   between?: string[];
   edges?: Record<string, number[]>;
   surface?: string;
   lateral?: string;
   facing?: string;
   slope?: number;
+  offset?: number;
   apex?: number | null;
+  half_angle?: number | null;
+  inside_radii?: number[];
+  frame?: { origin: Vec3; d: Vec3; e1: Vec3; e2: Vec3; beta: number; rise: number[] };
   width?: number;
   span?: number;
   extension_area?: number;
@@ -132,10 +151,13 @@ export interface Verification {
   length_error: number | null;
   refold_deviation?: number | null;
   closure?: number | null;
+  area_at_half?: number | null;
+  places?: Record<'length_error' | 'refold_deviation', Vec2 | null>;
 }
 
 export interface SheetRow {
   thickness: number;
+  thickness_spread?: number;
   k_factor: number | null;
   k_source?: string | null;
   flanges: number;
@@ -152,6 +174,7 @@ export interface FlatRow {
   cutting?: { outer: number; inner: number };
   bends: BendRow[];
   labels?: { text: string; at: Vec2 }[];
+  features?: { kind: string; at: Vec2 | null; size: Vec2 | null }[];
 }
 
 export interface StripRow {
@@ -165,6 +188,7 @@ export interface StripRow {
   scan_distance?: number;
   crosses?: number[]; // strips of higher numbers
   crosses_plane?: boolean;
+  ridges?: { flat: Vec2[]; folded: Vec3[]; fold: number | null }[];
 }
 
 export interface PieceReport {
@@ -177,20 +201,24 @@ export interface PieceReport {
   verification: Verification | null;
   checks: Finding[];
   notes?: string[];
+  files?: string[];
 }
 
 export interface Report extends PieceReport {
+  format: 'planish/report';
+  version: number;
   command: Kind;
+  input: string;
   body_number?: number;
   quantity?: number;
   pieces?: PieceReport[];
-  slit?: { gap: number; strips: StripRow[] };
+  slit?: { gap: number; flat_deviation: number | null; strips: StripRow[] };
   transition?: {
     area: number;
     perimeters: number[];
-    patches: { kind: string; area: number; turn: number }[];
-    press_lines: { id: string; angle: number; direction: string }[];
-    true_lengths: { from: string; to: string; length: number }[];
+    patches: { kind: string; area: number; borders: number[]; turn: number }[];
+    press_lines: { id: string; piece: string; angle: number; direction: 'up' | 'down'; line: Vec2[] }[];
+    true_lengths: { from: string; to: string; length: number; piece: string; press_line: string | null; points: Vec3[] }[];
   };
 }
 

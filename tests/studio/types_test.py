@@ -1,0 +1,118 @@
+#!/usr/bin/python3
+"""The page's types (web/src/types.ts) against what the server answers and takes.
+
+Answers are written down as TypeScript, each with the type that it should have, and compiled: a key that is missing,
+of another kind, or not in the types is an error of the compiler."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_studio import EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
+
+WEB = SOURCE / "web"
+SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitSpec"}
+# Every option, with a value that the kind takes.
+OPTIONS = {
+    "unfold": {"body": 1, "root": "largest", "up": "other", "k": "din6935", "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch"},
+    "transition": {"piece": 0, "k": 0.4},
+    "slit": {"align_scans": False},
+    "connect": {"profile": "onshape", "splines": "keep", "version": "r12"}}
+FORMATS = {"unfold": ["dxf", "svg", "flat.step", "json"], "connect": ["step", "stl", "spec"], "slit": ["mould.stl"]}
+
+
+class Types(StudioTest):
+    def setUp(self):
+        self.lines, self.names = [], set()
+
+    def expect(self, value, type_name):
+        self.names |= set(re.findall(r"[A-Z]\w+", type_name)) - {"Record", "Required"}
+        self.lines.append(f"export const a{len(self.lines)}: {type_name} = {json.dumps(value)};")
+
+    def shape(self, document, verb, spec, **options):
+        shape = self.studio.shape(document, verb, spec, **options)
+        self.expect(shape.json, "ShapeHeader")
+        return shape
+
+    def compiled(self):
+        """What the compiler has against the answers."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "answers.ts"
+            types = WEB / "src" / "types.ts"
+            path.write_text(f"import type {{ {', '.join(sorted(self.names))} }} from '{types}';\n" + "\n".join(self.lines) + "\n")
+            done = subprocess.run([WEB / "node_modules" / ".bin" / "tsc", "--noEmit", "--strict", "--skipLibCheck", "--target", "es2022", "--module", "esnext",
+                                   "--moduleResolution", "bundler", "--allowImportingTsExtensions", path],
+                                  cwd=WEB, capture_output=True, text=True, timeout=280)
+            return (done.stdout + done.stderr)[:3000]
+
+    def small(self, name):
+        """An example with its spec, of which slit sheets are not subdivided."""
+        document, spec = self.studio.open_example(name)
+        return document, {**spec, "subdivisions": 0} if name.startswith("slit/") else spec
+
+    def test_answers_are_of_their_types(self):
+        self.expect(self.studio.get("/api/examples").json(), "Example[]")
+        for name in ("bracket.step", "connect/a_folded.json", "connect/d_irregular.json", "transition/a_square_to_round.json",
+                     "transition/h_hexagon_to_round.json", "slit/chair.json", "slit/scanned_chair.json"):
+            document, spec = self.small(name)
+            for verb in ("draft", "result"):
+                self.shape(document, verb, spec)
+        self.expect(self.studio.get("/api/documents").json(), "OpenDocument[]")
+        self.expect(self.studio.get(f"/api/documents/{document}/progress").json(), "Progress | null")
+        self.expect(json.loads(self.studio.post(document, "result", {**spec, "thickness": "thick"}).body), "ApiProblem")
+        self.expect(self.studio.get("/api/documents/d999/progress").json(), "ApiProblem")
+        document, spec = self.small("transition/a_square_to_round.json")
+        self.shape(document, "result", {**spec, "pieces": 2}, piece=1)
+        self.assertEqual(self.compiled(), "")
+
+    def test_what_is_refused_is_of_its_type(self):
+        document, spec = self.studio.open_example("connect/a_folded.json")
+        corners = {"floor": [[0, 0, 0], [100, 0, 0], [100, 100, 0], [0, 100, 0]], "up": [[106, 0, 6], [106, 200, 6], [106, 200, 100], [106, 0, 100]],
+                   "down": [[0, 106, -6], [200, 106, -6], [200, 106, -100], [0, 106, -100]]}
+        overlapping = {"thickness": 2, "plates": [{"id": name, "outline": outline} for name, outline in corners.items()]}
+        self.assertEqual(self.shape(document, "result", overlapping).report["status"], "refused")
+        self.assertEqual(self.compiled(), "")
+
+    def test_examples_are_of_the_types_of_their_files(self):
+        for kind, type_name in SPECS.items():
+            for path in sorted((EXAMPLES / kind).glob("*.json")):
+                spec = json.loads(path.read_text())
+                # What says which file it is, and what its author says of it.
+                self.expect({key: value for key, value in spec.items() if key not in ("format", "version", "title", "notes")}, type_name)
+        self.assertEqual(self.compiled(), "")
+
+    def test_every_option_is_known_to_both(self):
+        every = {key: value for options in OPTIONS.values() for key, value in options.items()}
+        self.expect(every, "Required<Options>")
+        self.assertEqual(self.compiled(), "")
+        for kind, options in OPTIONS.items():
+            name = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "transition": "transition/a_square_to_round.json", "slit": "slit/chair.json"}[kind]
+            document, spec = self.small(name) if kind != "unfold" else self.studio.open_example(name)
+            for key, value in options.items():
+                answer = self.studio.post(document, "draft", spec, **{key: value})
+                self.assertTrue(answer.is_good, (kind, key, answer.body[:300]))
+        self.assertEqual(self.studio.post(document, "draft", spec, no_such_option=1).status, 400)
+
+    def test_every_format_is_known_to_both(self):
+        self.expect({name: True for names in FORMATS.values() for name in names}, "Record<FileFormat, true>")
+        self.assertEqual(self.compiled(), "")
+        for kind, formats in FORMATS.items():
+            name = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "slit": "slit/arch.json"}[kind]
+            document, spec = self.studio.open_example(name)
+            for name in formats:
+                answer = self.studio.post(document, f"files/{name}", spec)
+                self.assertTrue(answer.is_good, (kind, name, answer.body[:300]))
+
+    def test_arrays_are_those_that_the_page_knows(self):
+        known = subprocess.run(["npx", "tsx", "-e", f"import {{ arrayNames }} from '{WEB}/src/shape.ts'; console.log(arrayNames.join(' '))"],
+                               cwd=WEB, capture_output=True, text=True, timeout=60).stdout.split()
+        document, spec = self.studio.open_example("connect/a_folded.json")
+        self.assertLessEqual(set(self.studio.shape(document, "result", spec).arrays), set(known))
+
+
+if __name__ == "__main__":
+    main()
