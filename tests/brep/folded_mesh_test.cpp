@@ -1,3 +1,4 @@
+#include "support/closed_mesh.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/brep/step.hpp>
@@ -5,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <random>
 
@@ -19,24 +19,6 @@ Mesh mesh_of(const Sheet& sheet, double chord = 0.05) {
   auto mesh = folded_mesh(sheet, chord);
   if (!mesh) ADD_FAILURE() << mesh.error().message;
   return mesh.value_or(Mesh{});
-}
-
-/// How often each side is run from its first corner to its second.
-std::map<std::pair<int, int>, int> sides_of(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
-  for (const auto& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  return runs;
-}
-
-void expect_closed(const Mesh& mesh) {
-  const auto runs = sides_of(mesh);
-  ASSERT_FALSE(runs.empty());
-  for (const auto& [side, times] : runs) {
-    EXPECT_EQ(times, 1);
-    EXPECT_EQ(runs.count({side.second, side.first}), 1u);
-  }
 }
 
 /// Of the space inside: the divergence theorem, triangle by triangle.

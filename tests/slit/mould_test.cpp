@@ -1,10 +1,10 @@
 #include "sample_sheets.hpp"
+#include "support/closed_mesh.hpp"
 
 #include <planish/slit/mould.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace planish::test {
@@ -61,17 +61,6 @@ void expect_on_the_skin(const FoldedSlitSheet& folded, const Mould& mould, doubl
   for (const FoldedStrip& strip : folded.strips)
     all += strip.quads.size() * (folded.symmetric ? 2 : 1);
   EXPECT_EQ(seen.size(), all);
-}
-
-void expect_closed(const Mesh& mesh) {
-  std::map<std::pair<int, int>, int> runs;
-  for (const auto& t : mesh.triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      ++runs[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [side, times] : runs) {
-    EXPECT_EQ(times, 1);
-    EXPECT_EQ(runs.count({side.second, side.first}), 1u);
-  }
 }
 
 /// Of upright prisms below the facets, cut along a diagonal.

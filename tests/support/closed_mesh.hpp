@@ -1,0 +1,31 @@
+#pragma once
+
+#include <planish/geometry/mesh.hpp>
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <utility>
+
+namespace planish::test {
+
+/// How often each side is run from its first corner to its second.
+inline std::map<std::pair<int, int>, int> sides_of(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> runs;
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      ++runs[{t[i], t[(i + 1) % 3]}];
+  return runs;
+}
+
+/// Every side is run once in each direction: no hole, no flap, no triangle turned inside out.
+inline void expect_closed(const Mesh& mesh) {
+  const auto runs = sides_of(mesh);
+  ASSERT_FALSE(runs.empty());
+  for (const auto& [side, times] : runs) {
+    EXPECT_EQ(times, 1);
+    EXPECT_EQ(runs.count({side.second, side.first}), 1U);
+  }
+}
+
+}  // namespace planish::test
