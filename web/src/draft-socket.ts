@@ -3,7 +3,7 @@ import type { ApiProblem } from './types.ts';
 /** A shape's bytes, a problem, or null where the connection was lost. */
 export type DraftAnswer = ArrayBuffer | (ApiProblem & { status: number }) | null;
 
-const patience = 5000; // ms before a connection is tried again where none could be had
+const patience = 5000; // ms before a connection that was lost is tried again
 
 /** A WebSocket over which drafts are asked for: faster than HTTP, without which everything works as well. Answers come in the
  * order of what was asked. */
@@ -36,12 +36,15 @@ export class DraftSocket {
     const address = await this.address().catch(() => null);
     if (!address) return;
     const socket = new WebSocket(address);
+    let opened = false;
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.addEventListener('message', ({ data }: MessageEvent<ArrayBuffer | string>) =>
       this.waiting.shift()?.(typeof data === 'string' ? (JSON.parse(data) as DraftAnswer) : data));
+    socket.addEventListener('open', () => { opened = true; });
     socket.addEventListener('close', () => {
       this.socket = null;
+      if (!opened) this.triedAt = Infinity; // of another machine, say, of which one port alone is passed on: not again
       this.waiting.splice(0).forEach((answered) => answered(null));
     });
   }
