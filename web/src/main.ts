@@ -78,7 +78,7 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
-  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside')?.scrollIntoView({ block: 'nearest' });
+  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
