@@ -32,6 +32,7 @@ export class FlatView {
   private readonly c: CanvasRenderingContext2D;
   private scene: FlatScene;
   private scale = 1;
+  private fittedScale = 1;
   private offset: Vec2 = [0, 0];
   private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
   private rectangle: Rectangle | null = null;
@@ -67,6 +68,7 @@ export class FlatView {
     const { clientWidth: w, clientHeight: h } = this.box, [side, above, below] = [18, 30, 18];
     const [across, up] = [this.reach(0), this.reach(1)];
     this.scale = Math.min(scaleToFit(across, w - 2 * side), scaleToFit(up, h - above - below));
+    this.fittedScale = this.scale;
     const [x0, x1] = extentAt(across, this.scale), [y0, y1] = extentAt(up, this.scale);
     this.offset = [w / 2 - (x0 + x1) / 2, (h + above - below) / 2 + (y0 + y1) / 2];
     this.fitted = true;
@@ -125,7 +127,8 @@ export class FlatView {
     });
     canvas.addEventListener('wheel', (e) => {
       e.preventDefault();
-      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, factor = Math.exp(-e.deltaY * 0.0015);
+      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, wanted = this.scale * Math.exp(-e.deltaY * 0.0015);
+      const factor = Math.min(this.fittedScale * 2000, Math.max(this.fittedScale / 50, wanted)) / this.scale; // beyond there is nothing to be seen
       this.scale *= factor;
       this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
       this.fitted = false;

@@ -138,6 +138,7 @@ export class FoldedView {
     this.camera.zoom = 0.88 * this.fittingZoom(box, direction, sphere.center);
     this.camera.updateProjectionMatrix();
     this.orbit.update();
+    [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000]; // beyond there is nothing to be seen
     this.fitted = { target: this.orbit.target.clone(), zoom: this.camera.zoom, set: this.camera.zoom };
     this.draw();
   }

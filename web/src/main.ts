@@ -156,7 +156,14 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
+/** What stands in a field that is being edited, as it was: Escape takes back what was typed. */
+const before = new WeakMap<EventTarget, string>();
+for (const type of ['focusin', 'change'] as const)
+  window.addEventListener(type, ({ target }) => { if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value); });
+
 function escape(target: HTMLElement) {
+  const text = before.get(target);
+  if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
   root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
   store.dispatch({ type: 'help', help: false });
