@@ -22,9 +22,10 @@ export class Documents {
   async openFiles(files: File[]) {
     await this.attempt(files[0]?.name ?? '', async (signal) => {
       const given = await Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() })));
-      const main = given.find((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
+      const [main, ...others] = given.filter((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
       if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
       else await this.addPoints(points);
+      if (others.length) this.store.dispatch({ type: 'note', note: `One file at a time: ${others.map((g) => g.name).join(', ')} was left out.` });
     });
   }
 

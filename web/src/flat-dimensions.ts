@@ -18,11 +18,26 @@ export function drawDimensions(c: CanvasRenderingContext2D, box: [Vec2, Vec2, Ve
   dimension(c, box[0], box[3], box[1], text[1], palette, writer);
 }
 
+/** What a view must have room for: places of the pattern, and how far from them in pixels, x to the right and y up. */
+export function dimensionReach(box: [Vec2, Vec2, Vec2, Vec2]): { at: Vec2; by: Vec2 }[] {
+  return ([[box[0], box[1], box[2]], [box[0], box[3], box[1]]] as const).flatMap(([a, b, inner]) => {
+    const { along: [ux, uy], out: [nx, ny] } = sides(a, b, inner), middle: Vec2 = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+    const ends = [a, b].map((at) => ({ at, by: [reach * nx, reach * ny] as Vec2 }));
+    return [...ends, ...[-halfText, halfText].map((t) => ({ at: middle, by: [reach * nx + t * ux, reach * ny + t * uy] as Vec2 }))];
+  });
+}
+
+const reach = 29, halfText = 24; // pixels: how far out the text reaches, and how far along
+
+/** Along a side, and away from `inner`. */
+function sides(a: Vec2, b: Vec2, inner: Vec2): { along: Vec2; out: Vec2 } {
+  const l = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1, along: Vec2 = [(b[0] - a[0]) / l, (b[1] - a[1]) / l], out: Vec2 = [-along[1], along[0]];
+  return { along, out: out[0] * (inner[0] - a[0]) + out[1] * (inner[1] - a[1]) > 0 ? [-out[0], -out[1]] : out };
+}
+
 /** From `a` to `b`, on the side away from `inner`. */
 function dimension(c: CanvasRenderingContext2D, a: Vec2, b: Vec2, inner: Vec2, text: string, palette: Palette, writer: LabelWriter) {
-  const l = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-  let [nx, ny] = [-(b[1] - a[1]) / l, (b[0] - a[0]) / l];
-  if (nx * (inner[0] - a[0]) + ny * (inner[1] - a[1]) > 0) [nx, ny] = [-nx, -ny];
+  const [nx, ny] = sides(a, b, inner).out;
   const out = (p: Vec2, d: number): Vec2 => [p[0] + d * nx, p[1] + d * ny];
   line(c, out(a, 6), out(a, 27));
   line(c, out(b, 6), out(b, 27));

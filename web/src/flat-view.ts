@@ -1,10 +1,11 @@
 import { insideFacet } from './facet.ts';
-import { drawDimensions } from './flat-dimensions.ts';
+import { findingMarks, findingUnder, type FindingMark } from './finding-marks.ts';
+import { dimensionReach, drawDimensions } from './flat-dimensions.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
 import { distanceToSegment, type PickedLine } from './lines.ts';
-import { smallestRectangle, type Rectangle } from './rectangle.ts';
+import { sidesAsReported, smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
 import { clean, lengthText, millimetres, type DisplayUnit } from './units.ts';
@@ -20,23 +21,30 @@ export interface FlatScene {
   palette: Palette;
 }
 
+/** What is picked: a line, a flange, or a finding by its place in the list. */
+export type PickedInFlat = PickedLine | { finding: number };
+/** `facet`: what lies under all marks and lines. */
+export type PickInFlat = (picked: PickedInFlat | null, facet: number | null) => void;
+
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
 export class FlatView {
   private readonly canvas = document.createElement('canvas');
   private readonly c: CanvasRenderingContext2D;
   private scene: FlatScene;
   private scale = 1;
+  private fittedScale = 1;
   private offset: Vec2 = [0, 0];
   private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
   private rectangle: Rectangle | null = null;
   private places: Map<number, Place> | null = null;
+  private marks: FindingMark[] = [];
   private fitted = true;
   private frame = 0;
   private press: { x: number; y: number; moved: boolean } | null = null;
 
   private readonly box: HTMLElement;
-  private readonly pick: (line: PickedLine | null) => void;
-  constructor(box: HTMLElement, palette: Palette, pick: (line: PickedLine | null) => void) {
+  private readonly pick: PickInFlat;
+  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat) {
     this.box = box;
     this.pick = pick;
     this.scene = { shape: null, report: null, findings: [], selected: null, edge: null, finding: null, units: 'mm', palette };
@@ -57,10 +65,12 @@ export class FlatView {
   }
 
   fit() {
-    const { clientWidth: w, clientHeight: h } = this.box, { x0, y0, x1, y1 } = this.bounds;
-    const [left, below, right, above] = [54, 46, 26, 26];
-    this.scale = Math.min((w - left - right) / Math.max(x1 - x0, 1e-6), (h - below - above) / Math.max(y1 - y0, 1e-6));
-    this.offset = [left + (w - left - right) / 2 - (this.scale * (x0 + x1)) / 2, above + (h - below - above) / 2 + (this.scale * (y0 + y1)) / 2];
+    const { clientWidth: w, clientHeight: h } = this.box, [side, above, below] = [18, 30, 18];
+    const [across, up] = [this.reach(0), this.reach(1)];
+    this.scale = Math.min(scaleToFit(across, w - 2 * side), scaleToFit(up, h - above - below));
+    this.fittedScale = this.scale;
+    const [x0, x1] = extentAt(across, this.scale), [y0, y1] = extentAt(up, this.scale);
+    this.offset = [w / 2 - (x0 + x1) / 2, (h + above - below) / 2 + (y0 + y1) / 2];
     this.fitted = true;
     this.draw();
   }
@@ -69,6 +79,12 @@ export class FlatView {
   project(at: Vec2) {
     const r = this.canvas.getBoundingClientRect(), [x, y] = this.at(at[0], at[1]);
     return { x: r.left + x, y: r.top + y };
+  }
+
+  /** What must be in sight along an axis: corners of the pattern, and its dimension lines. */
+  private reach(axis: 0 | 1): Reach[] {
+    const { x0, y0, x1, y1 } = this.bounds, corners = axis ? [y0, y1] : [x0, x1];
+    return [...corners.map((at) => ({ at, by: 0 })), ...(this.rectangle ? dimensionReach(this.rectangle.corners) : []).map(({ at, by }) => ({ at: at[axis], by: by[axis] }))];
   }
 
   private at = (x: number, y: number): Vec2 => [this.offset[0] + this.scale * x, this.offset[1] - this.scale * y];
@@ -106,12 +122,13 @@ export class FlatView {
       this.draw();
     });
     canvas.addEventListener('pointerup', (e) => {
-      if (this.press && !this.press.moved) this.pick(this.under(e));
+      if (this.press && !this.press.moved) this.clicked(e);
       this.press = null;
     });
     canvas.addEventListener('wheel', (e) => {
       e.preventDefault();
-      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, factor = Math.exp(-e.deltaY * 0.0015);
+      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, wanted = this.scale * Math.exp(-e.deltaY * 0.0015);
+      const factor = Math.min(this.fittedScale * 2000, Math.max(this.fittedScale / 50, wanted)) / this.scale; // beyond there is nothing to be seen
       this.scale *= factor;
       this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
       this.fitted = false;
@@ -120,25 +137,33 @@ export class FlatView {
     canvas.addEventListener('dblclick', () => this.fit());
   }
 
-  /** Bends go before edges, and both before the flange they lie on. */
-  private under(e: PointerEvent): PickedLine | null {
+  private clicked(e: PointerEvent) {
     const { shape } = this.scene;
-    if (!shape) return null;
+    if (!shape) return this.pick(null, null);
     const r = this.canvas.getBoundingClientRect(), sx = e.clientX - r.left, sy = e.clientY - r.top;
-    const bend = this.nearest(shape.bend_lines, sx, sy), edge = bend === null ? this.nearest(shape.edges, sx, sy) : null;
-    if (bend !== null) return { part: shape.bend_line_part[bend]! };
-    if (edge !== null) return { edge: shape.edge_number[edge]! };
-    const x = (sx - this.offset[0]) / this.scale, y = (this.offset[1] - sy) / this.scale;
-    const facet = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
-    return facet < 0 ? null : { part: shape.facet_part[facet]! };
+    const x = (sx - this.offset[0]) / this.scale, y = (this.offset[1] - sy) / this.scale, found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
+    const facet = found < 0 ? null : found;
+    this.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
   }
 
-  /** The line, of those given by four numbers each, that is nearest to a point of the screen, if it is near. */
-  private nearest(lines: Float32Array, sx: number, sy: number): number | null {
-    let best: number | null = null, least = 5;
+  /** Lines go before the flange they lie on, the nearest first, and marks before lines; at its ends a bend leaves them to the edges. */
+  private lineUnder(shape: Shape, sx: number, sy: number): PickedInFlat | null {
+    const finding = findingUnder(this.marks, sx, sy);
+    if (finding !== null) return { finding };
+    const bend = this.nearest(shape.bend_lines, sx, sy, 6), edge = this.nearest(shape.edges, sx, sy);
+    if (bend && bend.distance <= (edge?.distance ?? Infinity)) return { part: shape.bend_line_part[bend.line]! };
+    return edge && { edge: shape.edge_number[edge.line]! };
+  }
+
+  /** The line, of those given by four numbers each, that is nearest to a point of the screen, if it is near; lines three times as long as
+   * `ends` count without so many pixels of their ends. */
+  private nearest(lines: Float32Array, sx: number, sy: number, ends = 0): { line: number; distance: number } | null {
+    let best: { line: number; distance: number } | null = null;
     for (let i = 0; 4 * i + 3 < lines.length; ++i) {
-      const { distance } = distanceToSegment(sx, sy, ...this.at(lines[4 * i]!, lines[4 * i + 1]!), ...this.at(lines[4 * i + 2]!, lines[4 * i + 3]!));
-      if (distance < least) { least = distance; best = i; }
+      const a = this.at(lines[4 * i]!, lines[4 * i + 1]!), b = this.at(lines[4 * i + 2]!, lines[4 * i + 3]!);
+      const { distance, along } = distanceToSegment(sx, sy, ...a, ...b), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      if (length > 3 * ends && Math.min(along, 1 - along) * length < ends) continue;
+      if (distance < (best?.distance ?? 5)) best = { line: i, distance };
     }
     return best;
   }
@@ -180,10 +205,11 @@ export class FlatView {
   }
 
   private dimension(writer: LabelWriter) {
-    const r = this.rectangle, { palette, units } = this.scene;
+    const r = this.rectangle, { palette, units, report } = this.scene, factor = millimetres(report?.units);
     if (!r) return;
     const box = r.corners.map((p) => this.at(...p)) as typeof r.corners;
-    drawDimensions(this.c, box, r.size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
+    const size = report?.flat ? sidesAsReported(r.size, report.flat.size.map((v) => v * factor) as Vec2) : r.size;
+    drawDimensions(this.c, box, size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
   }
 
   private fill(shape: Shape, whose: (part: number) => boolean, color: string, alpha = 1) {
@@ -279,26 +305,25 @@ export class FlatView {
 
   private markFindings(writer: LabelWriter) {
     const { c } = this, { palette, findings, finding, report } = this.scene, factor = millimetres(report?.units);
-    findings.forEach((f, i) => {
-      for (const at of f.at ?? []) {
-        const [x, y] = this.at(at[0] * factor, at[1] * factor), r = i === finding ? 10 : 7;
-        c.beginPath();
-        c.arc(x, y, r, 0, 2 * Math.PI);
-        c.fillStyle = palette[f.severity];
-        c.globalAlpha = 0.9;
-        c.fill();
-        c.globalAlpha = 1;
-        c.strokeStyle = palette.halo;
-        c.lineWidth = 1.5;
-        c.stroke();
-        c.fillStyle = palette.background;
-        c.font = 'bold 10px system-ui, sans-serif';
-        c.textAlign = 'center';
-        c.textBaseline = 'middle';
-        c.fillText(String(i + 1), x, y + 0.5);
-        writer.reserve({ x: x - r, y: y - r, w: 2 * r, h: 2 * r });
-      }
-    });
+    this.marks = findingMarks(findings, ([x, y]) => this.at(x * factor, y * factor), finding);
+    for (const { finding: i, at: [x, y], radius: r, numbered } of this.marks) {
+      c.beginPath();
+      c.arc(x, y, r, 0, 2 * Math.PI);
+      c.fillStyle = palette[findings[i]!.severity];
+      c.globalAlpha = 0.9;
+      c.fill();
+      c.globalAlpha = 1;
+      c.strokeStyle = palette.halo;
+      c.lineWidth = 1.5;
+      c.stroke();
+      writer.reserve({ x: x - r, y: y - r, w: 2 * r, h: 2 * r });
+      if (!numbered) continue;
+      c.fillStyle = palette.background;
+      c.font = 'bold 10px system-ui, sans-serif';
+      c.textAlign = 'center';
+      c.textBaseline = 'middle';
+      c.fillText(String(i + 1), x, y + 0.5);
+    }
   }
 
   private writeLabels(shape: Shape, writer: LabelWriter) {
@@ -333,4 +358,25 @@ export class FlatView {
   }
 
   private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
+}
+
+/** A place along an axis of the pattern, and how far from it in pixels. */
+interface Reach { at: number; by: number }
+
+const extentAt = (places: Reach[], scale: number): Vec2 => {
+  const all = places.map(({ at, by }) => scale * at + by);
+  return [Math.min(...all), Math.max(...all)];
+};
+
+/** The largest scale at which all places lie within `room` pixels; of too small a room a hundredth of what the pattern alone would have. */
+function scaleToFit(places: Reach[], room: number): number {
+  const own = places.map((p) => p.at), width = Math.max(Math.max(...own) - Math.min(...own), 1e-6);
+  const most = Math.max(room, 1) / width;
+  let [low, high] = [0, most];
+  for (let i = 0; i < 40; ++i) {
+    const middle = (low + high) / 2, [from, to] = extentAt(places, middle);
+    if (to - from <= room) low = middle;
+    else high = middle;
+  }
+  return Math.max(low, most / 100);
 }

@@ -60,6 +60,7 @@ export class FoldedView {
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
   private radius = 100;
+  private fitted: { target: Vector3; zoom: number; set: number } | null = null; // while nobody has zoomed or panned; `set`: the zoom that stands
 
   private readonly box: HTMLElement;
   private readonly events: FoldedViewEvents;
@@ -105,6 +106,7 @@ export class FoldedView {
 
   setShare(share: number) {
     this.sheet.setShare(share);
+    this.keepInSight();
     this.draw();
   }
 
@@ -133,10 +135,29 @@ export class FoldedView {
     this.camera.position.copy(sphere.center).addScaledVector(direction, 4 * this.radius);
     this.camera.near = -8 * this.radius;
     this.camera.far = 16 * this.radius;
-    this.camera.zoom = this.fittingZoom(box, direction);
+    this.camera.zoom = 0.88 * this.fittingZoom(box, direction, sphere.center);
     this.camera.updateProjectionMatrix();
     this.orbit.update();
+    [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000]; // beyond there is nothing to be seen
+    this.fitted = { target: this.orbit.target.clone(), zoom: this.camera.zoom, set: this.camera.zoom };
     this.draw();
+  }
+
+  /** Whether what is seen is as it was fitted, but for the direction. */
+  private get isFitted() {
+    return this.fitted !== null && this.fitted.set === this.camera.zoom && this.fitted.target.distanceTo(this.orbit.target) < 1e-6 * this.radius;
+  }
+
+  /** A sheet that unfolds grows: as far as it needs that, it is seen from farther away, and from as near as before once it is folded. */
+  private keepInSight() {
+    const box = new Box3();
+    this.sheet.boundsInto(box);
+    if (!this.fitted || !this.isFitted || box.isEmpty()) return;
+    const { target, zoom } = this.fitted, reach = Math.max(this.radius, box.getBoundingSphere(new Sphere()).radius + box.getCenter(new Vector3()).distanceTo(target));
+    this.camera.near = -8 * reach;
+    this.camera.far = 16 * reach;
+    this.camera.zoom = this.fitted.set = Math.min(zoom, 0.96 * this.fittingZoom(box, this.camera.position.clone().sub(target).normalize(), target));
+    this.camera.updateProjectionMatrix();
   }
 
   look(view: StandardView) {
@@ -171,16 +192,16 @@ export class FoldedView {
     return { x: r.left + p.x, y: r.top + p.y };
   }
 
-  private fittingZoom(box: Box3, direction: Vector3): number {
+  /** At which the box just fills the view whose middle is `center`. */
+  private fittingZoom(box: Box3, direction: Vector3, center: Vector3): number {
     const right = new Vector3().crossVectors(this.camera.up, direction).normalize(), top = new Vector3().crossVectors(direction, right);
-    const center = box.getCenter(new Vector3());
     let w = 1e-6, h = 1e-6;
     for (let i = 0; i < 8; ++i) {
       const corner = new Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).sub(center);
       w = Math.max(w, Math.abs(corner.dot(right)));
       h = Math.max(h, Math.abs(corner.dot(top)));
     }
-    return 0.88 * Math.min(this.camera.right / w, this.camera.top / h);
+    return Math.min(this.camera.right / w, this.camera.top / h);
   }
 
   private listen(canvas: HTMLCanvasElement) {
@@ -325,6 +346,7 @@ export class FoldedView {
     this.camera.top = h / 2;
     this.camera.bottom = -h / 2;
     this.camera.updateProjectionMatrix();
+    if (this.isFitted) this.fit();
     this.draw();
   }
 

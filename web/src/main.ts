@@ -78,7 +78,7 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
-  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside')?.scrollIntoView({ block: 'nearest' });
+  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
@@ -156,7 +156,14 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
+/** What stands in a field that is being edited, as it was: Escape takes back what was typed. */
+const before = new WeakMap<EventTarget, string>();
+for (const type of ['focusin', 'change'] as const)
+  window.addEventListener(type, ({ target }) => { if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value); });
+
 function escape(target: HTMLElement) {
+  const text = before.get(target);
+  if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
   root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
   store.dispatch({ type: 'help', help: false });

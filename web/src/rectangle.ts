@@ -21,6 +21,14 @@ export function smallestRectangle(points: ArrayLike<number>): Rectangle | null {
   return best;
 }
 
+/** How long the sides of a drawn rectangle are said to be: as in the report, whose arcs are arcs and not the lines that are drawn for
+ * them, wherever it means the same rectangle. */
+export function sidesAsReported(drawn: Vec2, reported: Vec2): Vec2 {
+  const off = (r: Vec2) => Math.max(...r.map((v, i) => Math.abs(v / drawn[i]! - 1)));
+  const best = [reported, [reported[1], reported[0]] as Vec2].reduce((a, b) => (off(b) < off(a) ? b : a));
+  return off(best) < 0.02 ? best : drawn;
+}
+
 function along(hull: Vec2[], ux: number, uy: number): Rectangle {
   let [u0, u1, v0, v1] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const [x, y] of hull) {

@@ -102,7 +102,7 @@ export function reduce(state: State, action: Action): State {
     case 'note': return { ...state, note: action.note };
     case 'computing': return { ...state, computing: action.computing };
     case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
-    case 'select': return { ...state, selection: { ...nothing, ...action.selection } };
+    case 'select': return { ...state, selection: { ...nothing, ...action.selection }, problem: isOfInput(state) ? state.problem : null };
     case 'fold': return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
     case 'pick': return { ...state, pick: action.pick };
     case 'gizmo': return { ...state, gizmo: action.gizmo };
@@ -113,6 +113,9 @@ export function reduce(state: State, action: Action): State {
     case 'help': return { ...state, help: action.help };
   }
 }
+
+/** Whether what went wrong is the matter with what is shown. Else, say of a file that could not be opened, it is over once it was read. */
+const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
 function opened(state: State, document: OpenDocument, spec: Spec | null): State {
   return {

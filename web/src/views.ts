@@ -2,7 +2,7 @@ import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
 import { addAnchor, moveAnchor } from './edits/slit.ts';
-import { FlatView } from './flat-view.ts';
+import { FlatView, type PickInFlat } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
@@ -22,7 +22,7 @@ export class Views {
   private readonly ui: Ui;
   private readonly dragged: (at: number) => void;
   private palette = readPalette();
-  private documentShown: string | null = null;
+  private shown: string | null = null;
   private resultShown: string | null = null; // of sheets that are solved step by step the first draft may be far off
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
@@ -38,19 +38,19 @@ export class Views {
       dragPlate: (id, moved, event) => this.dragPlate(id, moved, event),
       dragEnd: () => { this.plateAtStart = null; this.ui.commit(); },
     });
-    this.flat = new FlatView(flat, this.palette, (line) => (line && 'edge' in line ? this.pickLine(line) : this.pickPart(line?.part ?? null)));
+    this.flat = new FlatView(flat, this.palette, (picked, facet) => this.pickInFlat(picked, facet));
   }
 
   /** New geometry, handed to the renderer at once. */
   show(shape: Shape) {
-    const { state } = this.ui, id = state.document?.id ?? null, fresh = state.past.length === 0 && !state.pending;
-    const first = this.documentShown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
+    const { state } = this.ui, id = shownOf(state), fresh = state.past.length === 0 && !state.pending;
+    const first = this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
     this.showFlat(state);
     if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
-      this.documentShown = state.document?.id ?? null;
+      this.shown = id;
       this.folded.fit();
       this.flat.fit();
     }
@@ -62,9 +62,12 @@ export class Views {
       this.folded.paint(this.palette, this.picked(state));
     }
     if (state.document !== before.document) {
-      this.documentShown = null;
+      this.shown = null;
       this.folded.setUp(state.document?.kind === 'slit' ? 'y' : 'z');
-      if (!state.shape) this.folded.setShape(null, 1, 1, { part: null, edge: null });
+      if (!state.shape) {
+        this.folded.setShape(null, 1, 1, { part: null, edge: null });
+        this.folded.look('iso');
+      }
     }
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
@@ -129,6 +132,19 @@ export class Views {
     this.pickPart(row ?? null);
   }
 
+  /** The flange that stays can be shown here as well; of the sides only the one that faces up is seen. */
+  private pickInFlat(...[picked, facet]: Parameters<PickInFlat>) {
+    const { pick } = this.ui.state;
+    if (pick === 'up') return this.ui.dispatch({ type: 'note', note: 'This side faces up; click the other one in the folded view, or turn the part over.' });
+    if (pick === 'root') return this.pickFacet(facet, true);
+    if (picked && 'finding' in picked) {
+      this.ui.dispatch({ type: 'tab', tab: 'findings' });
+      return this.ui.dispatch({ type: 'select', selection: { finding: picked.finding } });
+    }
+    if (picked && 'edge' in picked) this.pickLine(picked);
+    else this.pickPart(picked?.part ?? null);
+  }
+
   private pickPart(row: number | null) {
     const part = row === null ? undefined : this.ui.state.shape?.parts[row];
     if (part?.plate) this.ui.dispatch({ type: 'select', selection: { plate: part.plate } });
@@ -158,6 +174,9 @@ export class Views {
     }).plates }), true);
   }
 }
+
+/** What is fitted into the views when it first is shown: a document, another body of it, another piece. */
+const shownOf = ({ document, input: { options } }: State) => (document ? [document.id, options.body ?? '', options.piece ?? ''].join(' ') : null);
 
 /** The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the root. */
 function heldFacet({ shape, input, document }: State): number {

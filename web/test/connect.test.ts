@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addBend, addPlate, bendsOf, copyPlate, notJoined, parseEdges, edgesText, removeBend, removePlate, renamePlate, setBend } from '../src/edits/connect.ts';
+import { addBend, addPlate, bendsOf, copyPlate, notJoined, parseEdges, edgesText, removeBend, removePlate, renamePlate, setBend, surfacePatch } from '../src/edits/connect.ts';
 import { addCorner, addHole, along, directionsOf, moveCorner, removeCorner, removeHole } from '../src/edits/outline.ts';
 import type { BendRow, PlatesSpec, Vec3 } from '../src/types.ts';
 
@@ -116,4 +116,12 @@ test('lists of edges are read as they are written', () => {
   assert.deepEqual(parseEdges('1-3, 7; 9 .. 10'), [1, 2, 3, 7, 9, 10]);
   assert.equal(parseEdges(' '), undefined);
   for (const text of ['a', '1.5', '3-1', '-1', '1-2-3', '0-999999999']) assert.equal(parseEdges(text), null, text);
+});
+
+test('a bend of another surface keeps nothing that this cannot have', () => {
+  const general = { ...spec(), bends: [{ between: ['A', 'B'], surface: 'general', tangent_point: [0, 0, 0] as Vec3, apex: 3 }] };
+  const bend = (surface: string, s: PlatesSpec = general) => setBend(s, rows, rows[0]!, surfacePatch(surface)).bends![0];
+  assert.deepEqual(bend('auto'), { between: ['A', 'B'], apex: 3 });
+  assert.deepEqual(bend('cylinder'), { between: ['A', 'B'], surface: 'cylinder' });
+  assert.deepEqual(bend('general', spec()), { between: ['A', 'B'], edges: { A: [2], B: [0] }, surface: 'general' }, 'its radius goes');
 });

@@ -60,3 +60,13 @@ test('the page speaks the unit of what is opened', () => {
   open({ kind: 'transition' }, { units: 'm' });
   assert.equal(store.state.units, 'mm');
 });
+
+test('what could not be opened is said until something is picked; what is the matter with the input stays', () => {
+  const store = make(), problem = { code: 'not_step', message: 'b.pdf is not a STEP file' };
+  store.dispatch({ type: 'problem', problem });
+  store.dispatch({ type: 'select', selection: { part: 'B1' } });
+  assert.equal(store.state.problem, null);
+  store.dispatch({ type: 'problem', problem, ofInput: true });
+  store.dispatch({ type: 'select', selection: {} });
+  assert.equal(store.state.problem, problem);
+});

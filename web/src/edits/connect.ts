@@ -31,6 +31,18 @@ export function setBend(spec: PlatesSpec, rows: BendRow[], row: BendRow, patch: 
   return { ...spec, bends: bends.map((b, i) => (i === at ? withoutHoles({ ...b, ...patch }) : b)) };
 }
 
+const notWith: Record<string, (keyof BendSpec)[]> = {
+  auto: ['tangent_point'], cylinder: ['slope', 'apex', 'aperture', 'inside_radii', 'tangent_point'], cone: ['tangent_point'],
+  general: ['slope', 'aperture', 'inside_radius', 'inside_radii'],
+};
+const without = (keys: (keyof BendSpec)[]): Partial<BendSpec> => Object.fromEntries(keys.map((key) => [key, undefined]));
+
+/** The patch that gives a bend another surface, or leaves that to the program, without what such a surface cannot have. */
+export const surfacePatch = (surface: string): Partial<BendSpec> => ({ ...without(notWith[surface] ?? []), surface: surface === 'auto' ? undefined : surface });
+
+/** The patch that gives a bend its radius, instead of what else would say it. */
+export const radiusPatch = (inside_radius: number): Partial<BendSpec> => ({ ...without(['inside_radii', 'aperture', 'apex']), inside_radius });
+
 export const addBend = (spec: PlatesSpec, rows: BendRow[], a: string, b: string): PlatesSpec => ({ ...spec, bends: [...named(spec, rows), { between: [a, b] }] });
 
 /** Without the bend at `index` of `bendsOf`; where none remains the program chooses again. */

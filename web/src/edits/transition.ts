@@ -1,4 +1,4 @@
-import type { Frame, Profile, Vec2, Vec3 } from '../types.ts';
+import type { Frame, Profile, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
 import { round } from '../units.ts';
 import { cross, dot, normalised, plus, scaled } from '../vectors.ts';
 
@@ -13,6 +13,28 @@ export function halfSize(p: Profile): Vec2 {
   if ('obround' in p) return [p.obround.length / 2, p.obround.width / 2];
   const points = 'polygon' in p ? p.polygon : p.spline;
   return [0, 1].map((k) => Math.max(...points.map((q) => Math.abs(q[k]!)))) as Vec2;
+}
+
+export type SeamKind = 'edge' | 'corner' | 'parameter';
+
+/** At how many straight edges or sharp corners of a profile a seam may lie; anywhere is one. */
+export function seamPlaces(p: Profile, kind: SeamKind): number {
+  if (kind === 'parameter') return 1;
+  if ('polygon' in p) return p.polygon.length;
+  return kind === 'corner' ? 0 : 'rounded_rectangle' in p ? 4 : 'obround' in p ? 2 : 0;
+}
+
+/** Another profile at one end. A seam at an edge or a corner that the first profile does not have any more is where it is shortest again. */
+export function withProfile(spec: TransitionSpec, end: 'from' | 'to', profile: Profile): TransitionSpec {
+  const out = { ...spec, [end]: { ...spec[end], profile } };
+  if (!out.seam || seamFits(out.seam, out.from.profile)) return out;
+  const { seam: _gone, ...rest } = out;
+  return rest;
+}
+
+function seamFits(seam: Seam, first: Profile): boolean {
+  const [kind, at] = Object.entries(seam)[0] as [SeamKind, number];
+  return kind === 'parameter' || at < seamPlaces(first, kind);
 }
 
 /** A profile of another kind about as large as `p`. */

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit-html';
-import { bendSpecOf, bendsOf, edgesText, parseEdges, removeBend, setBend } from '../edits/connect.ts';
+import { bendSpecOf, bendsOf, edgesText, parseEdges, radiusPatch, removeBend, setBend, surfacePatch } from '../edits/connect.ts';
 import { knownPiece } from '../report.ts';
 import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
@@ -36,9 +36,9 @@ function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | unde
   const most = niceAbove(2.5 * Math.max(radius, spec.thickness));
   return html`
     ${choice('Surface', 'bend-surface', own?.surface ?? 'auto', [['auto', 'chosen'], ['cylinder', 'cylinder'], ['cone', 'cone'], ['general', 'oblique cone']] as [string, string][],
-      (v) => set({ surface: v === 'auto' ? undefined : v }))}
-    ${lengthSlider(ui, spec.units, { label: 'Inside radius', testid: 'bend-radius', value: radius, min: 0, max: ui.state.pending ? mostOf(ui, row, most) : most, step: most / 500,
-      on: (v, live) => set({ inside_radius: Math.max(v, spec.thickness / 1000), inside_radii: undefined }, live), commit: ui.commit })}
+      (v) => set(surfacePatch(v)))}
+    ${own?.surface === 'general' ? nothing : lengthSlider(ui, spec.units, { label: 'Inside radius', testid: 'bend-radius', value: radius, min: 0, max: ui.state.pending ? mostOf(ui, row, most) : most, step: most / 500,
+      on: (v, live) => set(radiusPatch(Math.max(v, spec.thickness / 1000)), live), commit: ui.commit })}
     ${own?.inside_radius !== undefined ? html`<p class="row"><button class="link" data-testid="bend-radius-free" @click=${() => set({ inside_radius: undefined })}>as large as extends the plates least</button></p>` : nothing}
     ${choice('Sides end', 'bend-lateral', own?.lateral ?? 'auto', [['auto', 'chosen'], ['straight', 'straight'], ['arc', 'along an arc'], ['corner', 'at the corner']] as [string, string][],
       (v) => set({ lateral: v === 'auto' ? undefined : v }))}

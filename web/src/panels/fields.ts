@@ -16,6 +16,10 @@ export interface NumberOptions {
   placeholder?: string; // an empty field is allowed where there is one: the program chooses
 }
 
+const largest = 1e8; // what is beyond is no number of a workshop, in whatever unit, and beyond what its squares can be computed with
+
+const isSound = (value: number) => Number.isFinite(value) && Math.abs(value) <= largest;
+
 /** A number that is taken when it is entered; what is none, or outside of its range, is put back. */
 export function numberField(o: NumberOptions): TemplateResult {
   const text = o.value === null || o.value === undefined ? '' : clean(o.value, o.digits ?? 4);
@@ -23,7 +27,7 @@ export function numberField(o: NumberOptions): TemplateResult {
     const input = e.target as HTMLInputElement, entered = input.value.trim().replace(',', '.');
     const value = Number(entered);
     if (entered === '' && o.placeholder !== undefined) o.on(null);
-    else if (entered === '' || !Number.isFinite(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity)) input.value = text;
+    else if (entered === '' || !isSound(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity)) input.value = text;
     else if (entered !== text) o.on(value);
     if (o.momentary) input.value = text;
   };
@@ -62,7 +66,7 @@ export function slider(o: SliderOptions): TemplateResult {
   const text = clean(o.value, o.digits ?? 3);
   const enter = (e: Event) => {
     const input = e.target as HTMLInputElement, value = Number(input.value.replace(',', '.'));
-    if (input.value.trim() === '' || !Number.isFinite(value)) input.value = text;
+    if (input.value.trim() === '' || !isSound(value)) input.value = text;
     else if (input.value !== text) o.on(value, false);
   };
   return html`<label class="slider"><span>${o.label}</span>

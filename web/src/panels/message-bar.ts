@@ -1,7 +1,7 @@
 import { html, nothing } from 'lit-html';
 import { pickedEdgeText } from '../picked.ts';
 import type { State } from '../state.ts';
-import type { Progress } from '../types.ts';
+import type { ApiProblem, Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
 /** One line that is always there, so that nothing moves when it has something to say. */
@@ -9,9 +9,11 @@ export function messageBar(ui: Ui) {
   const { problem, note, opening, busy, progress } = ui.state, shown = opening?.name ? null : problem;
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
     <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}>${shown
-      ? html`${shown.message}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>` : opening?.name ? `Opening ${opening.name} …` : note ?? hint(ui.state)}</span>
+      ? html`${shown.message}${wantsScans(shown) ? '; drop the files of points on the page as well' : nothing}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>` : opening?.name ? `Opening ${opening.name} …` : note ?? hint(ui.state)}</span>
     <span class="work">${opening?.long ? bar(ui, opening.progress, 'reading') : busy ? bar(ui, progress, 'computing') : nothing}</span>`;
 }
+
+const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/points$/.test(p.where ?? '');
 
 function bar(ui: Ui, progress: Progress | null, otherwise: string) {
   return html`<span>${progress?.stage ?? otherwise}</span><progress data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>

@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit-html';
-import { asKind, attitudeOf, halfSize, profileKind, rectangleOf, resized, turnedTo, type Attitude, type ProfileKind } from '../edits/transition.ts';
+import { asKind, attitudeOf, halfSize, profileKind, rectangleOf, resized, seamPlaces, turnedTo, withProfile, type Attitude, type ProfileKind, type SeamKind } from '../edits/transition.ts';
 import type { PressLines, Profile, ProfileSpec, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
 import { restingSpec, transitionOf, type Ui } from '../ui.ts';
 import { choice, lengthField, lengthSlider, niceAbove, numberField, section, slider } from './fields.ts';
@@ -24,10 +24,11 @@ const clear = (s: TransitionSpec) => Object.fromEntries(Object.entries(s).filter
 
 function profileSection(ui: Ui, spec: TransitionSpec, end: End, title: string, set: Set) {
   const own = spec[end], change = (patch: Partial<ProfileSpec>, live = false) => set({ [end]: { ...own, ...patch } }, live);
+  const shape = (profile: Profile, live: boolean) => ui.edit<TransitionSpec>((s) => withProfile(s, end, profile), live);
   return section(title, html`
     ${choice('Kind', `${end}-kind`, profileKind(own.profile), [['polygon', 'polygon'], ['circle', 'circle'], ['ellipse', 'ellipse'], ['rounded_rectangle', 'rounded rectangle'], ['obround', 'obround'], ['spline', 'spline']] as [ProfileKind, string][],
-      (kind) => change({ profile: asKind(own.profile, kind) }))}
-    ${sizeFields(ui, spec, end, (profile, live) => change({ profile }, live))}
+      (kind) => shape(asKind(own.profile, kind), false))}
+    ${sizeFields(ui, spec, end, shape)}
     ${planeFields(ui, spec, end, change)}`);
 }
 
@@ -80,12 +81,12 @@ function planeFields(ui: Ui, spec: TransitionSpec, end: End, change: (patch: Par
 }
 
 function seamFields(ui: Ui, spec: TransitionSpec, set: Set) {
-  const seam = spec.seam, kind = seam ? (Object.keys(seam)[0] as 'edge' | 'corner' | 'parameter') : 'shortest';
+  const seam = spec.seam, first = spec.from.profile, kind: SeamKind | 'shortest' = seam ? (Object.keys(seam)[0] as SeamKind) : 'shortest';
   const make = (k: typeof kind): Seam | undefined => (k === 'edge' ? { edge: 0 } : k === 'corner' ? { corner: 0 } : k === 'parameter' ? { parameter: 0 } : undefined);
-  const polygon = 'polygon' in spec.from.profile ? spec.from.profile.polygon.length : 'rounded_rectangle' in spec.from.profile ? 4 : 'obround' in spec.from.profile ? 2 : 0;
-  const numbers = Array.from({ length: Math.max(polygon, 1) }, (_, i) => [String(i), String(i)] as const);
+  const numbers = kind === 'shortest' ? [] : Array.from({ length: seamPlaces(first, kind) }, (_, i) => [String(i), String(i)] as const);
+  const kinds = ([['shortest', 'where it is shortest'], ['edge', 'in the middle of an edge'], ['corner', 'at a corner'], ['parameter', 'anywhere']] as const).filter(([k]) => k === 'shortest' || k === kind || seamPlaces(first, k));
   return html`
-    ${choice('Seam', 'seam', kind, [['shortest', 'where it is shortest'], ['edge', 'in the middle of an edge'], ['corner', 'at a corner'], ['parameter', 'anywhere']] as const, (v) => set({ seam: make(v) }))}
+    ${choice('Seam', 'seam', kind, kinds, (v) => set({ seam: make(v) }))}
     ${kind === 'edge' || kind === 'corner' ? choice(kind === 'edge' ? 'Edge' : 'Corner', 'seam-number', String((seam as Record<string, number>)[kind]), numbers, (v) => set({ seam: { [kind]: Number(v) } as Seam })) : nothing}
     ${kind === 'parameter' ? slider({ label: 'Along the profile', testid: 'seam-parameter', value: (seam as { parameter: number }).parameter, min: 0, max: 1, step: 0.005, on: (v, live) => set({ seam: { parameter: v } }, live), commit: ui.commit }) : nothing}`;
 }

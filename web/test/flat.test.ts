@@ -1,0 +1,33 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { findingMarks, findingUnder } from '../src/finding-marks.ts';
+import { dimensionReach } from '../src/flat-dimensions.ts';
+import { sidesAsReported } from '../src/rectangle.ts';
+import type { Finding, Vec2 } from '../src/types.ts';
+
+const finding = (...at: Vec2[]): Finding => ({ code: 'opening_to_edge', severity: 'warning', message: '', at });
+
+test('the sides of the blank are as long as the report says, in whatever order it names them', () => {
+  assert.deepEqual(sidesAsReported([121.24, 130.64], [130.68, 121.27]), [121.27, 130.68]);
+  assert.deepEqual(sidesAsReported([300, 200], [300.01, 200]), [300.01, 200]);
+  assert.deepEqual(sidesAsReported([300, 200], [250, 240]), [300, 200], 'a report of something else says nothing');
+});
+
+test('dimension lines are on the sides away from the pattern', () => {
+  const reach = dimensionReach([[0, 0], [100, 0], [100, 50], [0, 50]]);
+  assert.ok(reach.some(({ at, by }) => at[0] === 0 && by[0] < -20) && reach.some(({ at, by }) => at[1] === 0 && by[1] < -20));
+  assert.ok(!reach.some(({ at, by }) => (at[0] === 100 && by[0] > 1) || (at[1] === 50 && by[1] > 1)));
+});
+
+test('marks of findings that would cover each other lose their numbers, never that of the chosen one', () => {
+  const findings = [finding([0, 0]), finding([5, 0], [100, 0]), finding([6, 0])], at = (p: Vec2) => p;
+  const numbered = (selected: number | null) => findingMarks(findings, at, selected).filter((m) => m.numbered).map((m) => [m.finding, m.at[0]]);
+  assert.deepEqual(numbered(null), [[1, 100], [0, 0]]);
+  assert.deepEqual(numbered(2), [[1, 100], [2, 6]]);
+  assert.equal(findingMarks(findings, at, null).length, 4, 'each place has a mark');
+});
+
+test('a click on a mark means its finding, the uppermost one', () => {
+  const marks = findingMarks([finding([0, 0]), finding([5, 0]), finding([40, 0])], (p) => p, null);
+  assert.deepEqual([findingUnder(marks, 5, 0), findingUnder(marks, 40, 6), findingUnder(marks, 20, 0)], [0, 2, null]);
+});
