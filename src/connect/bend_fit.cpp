@@ -109,16 +109,18 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
   report.inside_radii = {inside(turned ? high : low), inside(turned ? low : high)};
 }
 
-Result<void> check_radii(const FitTask& task, const BendFit& fit) {
-  const auto [low, high] = levels(fit);
-  for (const double level : {low, high}) {
-    const double radius = fit.surface.radius(level);
-    if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - 1e-9)) continue;
-    return fail(ErrorCode::radius_too_small,
+Result<void> check_radius(const FitTask& task, double radius) {
+  if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - 1e-9)) return {};
+  return fail(ErrorCode::radius_too_small,
                 fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of {:.4g} "
                             "mm at one end and needs more than {:.4g} mm",
                             task.thickness, radius, 0.5 * task.thickness));
-  }
+}
+
+Result<void> check_radii(const FitTask& task, const BendFit& fit) {
+  const auto [low, high] = levels(fit);
+  for (const double level : {low, high})
+    if (auto radius = check_radius(task, fit.surface.radius(level)); !radius) return radius;
   return {};
 }
 
@@ -187,6 +189,9 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const 
   auto surface = chosen_surface(task, choice, options, fit.report);
   if (!surface) return tl::unexpected(surface.error());
   fit.surface = std::move(*surface);
+  // Before it is laid flat, which a cylinder with no inside cannot be.
+  if (fit.surface.kind == BendKind::cylinder)
+    if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius) return tl::unexpected(radius.error());
   const Corners corners = choice.corners(best);
   const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
   LateralOptions lateral;

@@ -12,6 +12,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_cli import CliTest, main  # noqa: E402
 
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples" / "connect"
 BEND_KEYS = {"id", "kind", "angle", "inside_radius", "k_factor", "allowance", "deduction",
              "direction", "length", "line", "between", "edges", "slope", "apex", "width", "span",
              "extension_area", "surface", "facing", "frame", "half_angle", "inside_radii",
@@ -444,6 +445,10 @@ class WrongPlates(Refusal):
         # The tangent lines may lie 20 before the line in which the planes meet: 20 - 4 / 2.
         sentence = self.refusal("no_bend_fits", "/bends/0/inside_radius", wrong, "18", "mm", status=4)
         self.assertTrue(sentence.startswith("planish: refused: "))
+
+    def test_sheet_thicker_than_its_plates_are_wide(self):
+        folded = json.loads((EXAMPLES / "a_folded.json").read_text())
+        self.refusal("radius_too_small", "/plates/1", {**folded, "thickness": 2000}, "too large for the bend", status=4)
 
 
 class Usage(PlatesTest):
