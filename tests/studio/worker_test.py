@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Workers that end, are ended, or work beside each other; and what is left when the studio ends: nothing."""
 
+import json
 import os
 import pathlib
 import signal
@@ -13,6 +14,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
 from planish_studio import EXAMPLES, Studio, StudioTest, main, until  # noqa: E402
 import step_files  # noqa: E402
+from web_socket import BINARY, draft_socket  # noqa: E402
 
 
 def long_work(spec):
@@ -78,6 +80,29 @@ class Workers(StudioTest):
             self.assertTrue(until(lambda gone=worker: gone not in self.studio.workers()))
             self.assertNotEqual(self.studio.shape(document, "draft", spec).report["status"], "refused")
             (worker,) = self.studio.workers()
+
+    def test_a_worker_outlives_the_connection_that_started_it(self):
+        document, spec = self.studio.open_example("connect/a_folded.json")
+        (first,) = self.studio.workers()
+        os.kill(first, signal.SIGKILL)
+        self.assertTrue(until(lambda: first not in self.studio.workers()))
+        with draft_socket(self.studio) as connection:
+            connection.send(f"{document}\n{json.dumps({'spec': spec, 'options': {}})}")
+            kind, content = connection.receive()
+            self.assertEqual(kind, BINARY, content[:300])
+            (worker,) = self.studio.workers()
+        time.sleep(0.5)
+        self.assertEqual(self.studio.workers(), [worker])
+
+    def test_what_waits_for_a_document_that_is_closed_ends_with_it(self):
+        document, spec, long = self.begin_long()
+        others = [InBackground(lambda: self.studio.post(document, "result", long_work(spec))) for _ in range(2)]
+        time.sleep(0.5)
+        self.assertEqual(self.studio.ask("DELETE", f"/api/documents/{document}").status, 204)
+        begun = time.monotonic()
+        for request in (long, *others):
+            self.assert_error(request.wait(), 409, "cancelled")
+        self.assertLess(time.monotonic() - begun, 5.0)
 
     def test_what_is_computed_can_be_given_up(self):
         document, spec, long = self.begin_long()

@@ -51,7 +51,7 @@ Answer ServedDocument::work(const Task& task, Turns& turns) {
     {
       const std::lock_guard lock(state_);
       computing_ = true;
-      cancelled_ = false;
+      cancelled_ = closed_;
       stage_ = {};
     }
     answer = computed(task, turns);
@@ -73,7 +73,7 @@ void ServedDocument::end() {
 
 Answer ServedDocument::computed(const Task& task, Turns& turns) {
   const auto turn = turns.take([this] { return is_cancelled(); });
-  if (!turn) return worker_lost(WorkerEnd::died);
+  if (!turn || is_cancelled()) return worker_lost(WorkerEnd::died);
   if (const auto answer = known(); answer && (task.verb.empty() || answer->status != 200))
     return *answer;
   const Worker last = worker();
@@ -147,6 +147,14 @@ void ServedDocument::cancel() {
   if (!computing_) return;
   cancelled_ = true;
   if (worker_) worker_->kill();
+}
+
+void ServedDocument::close() {
+  {
+    const std::lock_guard lock(state_);
+    closed_ = true;
+  }
+  cancel();
 }
 
 Answer ServedDocument::progress() const {

@@ -44,6 +44,8 @@ class ServedDocument {
   Answer work(const Task& task, Turns& turns);
   /// What is being computed is given up: its worker ends.
   void cancel();
+  /// And so is all that waits, now and from now on.
+  void close();
   /// What is being computed, `{"stage", "share"}`, or `null`.
   Answer progress() const;
   /// Adds a file (plain name), in place of one of that name. 422 for too many.
@@ -81,7 +83,7 @@ class ServedDocument {
   Stage stage_;
   std::optional<Answer> known_;
   int waiting_ = 0;
-  bool computing_ = false, cancelled_ = false;
+  bool computing_ = false, cancelled_ = false, closed_ = false;
   Moment last_used_ = std::chrono::steady_clock::now();
 };
 

@@ -17,17 +17,6 @@ namespace {
 constexpr std::size_t kHead = 5;
 constexpr std::uint32_t kLongest = 1U << 30;  // bytes; no answer comes near it
 
-bool send_bytes(int socket, const char* bytes, std::size_t count) {
-  while (count > 0) {
-    const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    bytes += sent;
-    count -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
 /// Milliseconds left, rounded up; −1 for ever.
 int patience(std::optional<Moment> until) {
   if (!until) return -1;
@@ -37,21 +26,41 @@ int patience(std::optional<Moment> until) {
   return left > 0 ? static_cast<int>(left) : 0;
 }
 
-std::optional<FrameFailure> receive_bytes(int socket, char* bytes, std::size_t count,
-                                          std::optional<Moment> until) {
-  while (count > 0) {
-    pollfd ready{socket, POLLIN, 0};
+using Done = tl::expected<void, FrameFailure>;
+
+/// Until the socket is ready for `event`.
+Done wait_for(int socket, short event, std::optional<Moment> until) {
+  for (;;) {
+    pollfd ready{socket, event, 0};
     const int events = ::poll(&ready, 1, patience(until));
     if (events < 0 && errno == EINTR) continue;
-    if (events < 0) return FrameFailure::ended;
-    if (events == 0) return FrameFailure::late;
+    if (events > 0) return {};
+    return tl::unexpected(events < 0 ? FrameFailure::ended : FrameFailure::late);
+  }
+}
+
+Done send_bytes(int socket, const char* bytes, std::size_t count, std::optional<Moment> until) {
+  while (count > 0) {
+    if (auto ready = wait_for(socket, POLLOUT, until); !ready) return ready;
+    const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (sent <= 0) return tl::unexpected(FrameFailure::ended);
+    bytes += sent;
+    count -= static_cast<std::size_t>(sent);
+  }
+  return {};
+}
+
+Done receive_bytes(int socket, char* bytes, std::size_t count, std::optional<Moment> until) {
+  while (count > 0) {
+    if (auto ready = wait_for(socket, POLLIN, until); !ready) return ready;
     const ssize_t got = ::recv(socket, bytes, count, 0);
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return FrameFailure::ended;
+    if (got <= 0) return tl::unexpected(FrameFailure::ended);
     bytes += got;
     count -= static_cast<std::size_t>(got);
   }
-  return std::nullopt;
+  return {};
 }
 
 /// Lines before a content of any bytes.
@@ -76,25 +85,26 @@ std::optional<Lines> lines_of(const std::string& text) {
 
 }  // namespace
 
-bool send_frame(int socket, const Frame& frame) {
+tl::expected<void, FrameFailure> send_frame(int socket, const Frame& frame,
+                                            std::optional<Moment> until) {
   std::array<char, kHead> head{};
   const auto length = static_cast<std::uint32_t>(frame.content.size());
   head[0] = static_cast<char>(frame.kind);
   std::memcpy(head.data() + 1, &length, sizeof length);
-  return send_bytes(socket, head.data(), kHead) &&
-         send_bytes(socket, frame.content.data(), frame.content.size());
+  if (auto sent = send_bytes(socket, head.data(), kHead, until); !sent) return sent;
+  return send_bytes(socket, frame.content.data(), frame.content.size(), until);
 }
 
 tl::expected<Frame, FrameFailure> receive_frame(int socket, std::optional<Moment> until) {
   std::array<char, kHead> head{};
-  if (const auto failure = receive_bytes(socket, head.data(), kHead, until))
-    return tl::unexpected(*failure);
+  if (const auto got = receive_bytes(socket, head.data(), kHead, until); !got)
+    return tl::unexpected(got.error());
   std::uint32_t length = 0;
   std::memcpy(&length, head.data() + 1, sizeof length);
   if (length > kLongest) return tl::unexpected(FrameFailure::ended);
   Frame frame{static_cast<FrameKind>(head[0]), std::string(length, '\0')};
-  if (const auto failure = receive_bytes(socket, frame.content.data(), length, until))
-    return tl::unexpected(*failure);
+  if (const auto got = receive_bytes(socket, frame.content.data(), length, until); !got)
+    return tl::unexpected(got.error());
   return frame;
 }
 

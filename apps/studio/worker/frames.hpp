@@ -24,12 +24,13 @@ struct Stage {
   double share = 0.0;
 };
 
-/// Whether all of it could be sent; false when nobody listens any more.
-bool send_frame(int socket, const Frame& frame);
-
 using Moment = std::chrono::steady_clock::time_point;
 
 enum class FrameFailure { ended, late };
+
+/// `ended`: nobody listens any more; `late`: not all of it was taken before `until`.
+tl::expected<void, FrameFailure> send_frame(int socket, const Frame& frame,
+                                            std::optional<Moment> until = std::nullopt);
 
 /// The next frame. `ended`: the other side is gone, or sends what is no frame; `late`: it did not
 /// come before `until`.

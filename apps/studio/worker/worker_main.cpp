@@ -20,7 +20,7 @@ void limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource>(resource), &value);
 }
 
-/// Whether the server that started this worker is still there.
+/// Whether the server that started this worker is still there; it ends with it.
 bool bound_to_server(long server) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   return getppid() == server;  // it may have ended before the line above

@@ -1,5 +1,6 @@
 #include "worker_process.hpp"
 
+#include "lasting_thread.hpp"
 #include "worker_limits.hpp"
 
 #include <fcntl.h>
@@ -69,7 +70,8 @@ Result<std::unique_ptr<WorkerProcess>> WorkerProcess::start(const std::filesyste
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
     return tl::unexpected(not_started(errno));
   pid_t process = 0;
-  const int failed = SpawnPlan(folder, sockets[1]).spawn(process);
+  const SpawnPlan plan(folder, sockets[1]);
+  const int failed = LastingThread::of_process().run([&] { return plan.spawn(process); });
   close(sockets[1]);
   if (failed == 0) return std::unique_ptr<WorkerProcess>(new WorkerProcess(process, sockets[0]));
   close(sockets[0]);
@@ -94,21 +96,21 @@ void WorkerProcess::kill() { ::kill(process_, SIGKILL); }
 tl::expected<Answer, WorkerEnd> WorkerProcess::ask(const Task& task, std::chrono::seconds limit,
                                                    const std::function<void(Stage)>& report) {
   const Moment until = std::chrono::steady_clock::now() + limit;
-  if (!send_frame(socket_, task_frame(task))) return tl::unexpected(WorkerEnd::died);
+  const auto lost = [this](FrameFailure failure) {
+    kill();
+    return tl::unexpected(failure == FrameFailure::late ? WorkerEnd::late : WorkerEnd::died);
+  };
+  if (const auto sent = send_frame(socket_, task_frame(task), until); !sent)
+    return lost(sent.error());
   for (;;) {
     const auto frame = receive_frame(socket_, until);
-    if (!frame) {
-      kill();
-      return tl::unexpected(frame.error() == FrameFailure::late ? WorkerEnd::late
-                                                                : WorkerEnd::died);
-    }
+    if (!frame) return lost(frame.error());
     if (auto stage = stage_of(*frame)) {
       report(std::move(*stage));
       continue;
     }
     if (auto answer = answer_of(*frame)) return std::move(*answer);
-    kill();
-    return tl::unexpected(WorkerEnd::died);
+    return lost(FrameFailure::ended);
   }
 }
 
