@@ -1,10 +1,12 @@
 #!/usr/bin/python3
 """Who is answered, and what nobody gets: tokens, hosts, origins, sizes, paths."""
 
+import contextlib
 import http.client
 import pathlib
 import socket
 import sys
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_studio import EXAMPLES, Studio, StudioTest, main  # noqa: E402
@@ -55,6 +57,35 @@ class Callers(StudioTest):
             host = f"Host: 127.0.0.1:{self.studio.port}\r\n"
             connection.sendall(f"GET / HTTP/1.1\r\n{host}Host: evil.example\r\nConnection: close\r\n\r\n".encode())
             self.assertIn(b" 403 ", connection.recv(4096).split(b"\r\n")[0])
+
+    def test_what_a_request_leaves_unread_is_no_request(self):
+        document, _ = self.studio.open_example("connect/a_folded.json")
+        port, token = self.studio.port, self.studio.token
+        hidden = f"DELETE /api/documents/{document} HTTP/1.1\r\nX-Swallow: ".encode()
+        for kind in ("multipart/form-data; boundary=x", "text/plain", "application/x-www-form-urlencoded"):
+            with socket.create_connection(("127.0.0.1", port), timeout=10) as connection:
+                connection.sendall(f"POST /api/documents?name=a HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nOrigin: http://evil.example\r\n"
+                                   f"Content-Type: {kind}\r\nContent-Length: {len(hidden)}\r\n\r\n".encode())
+                time.sleep(0.2)
+                with contextlib.suppress(OSError):
+                    connection.sendall(hidden)
+                    time.sleep(0.2)
+                    connection.sendall(f"GET /api/documents HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\nX-Planish-Token: {token}\r\n\r\n".encode())
+                answer = b""
+                with contextlib.suppress(OSError):
+                    while part := connection.recv(4096):
+                        answer += part
+            self.assertEqual(answer.count(b"HTTP/1.1"), 1, answer)
+            self.assertIn(b" 403 ", answer.split(b"\r\n")[0])
+        self.assertEqual([d["id"] for d in self.studio.get("/api/documents").json()], [document])
+
+    def test_who_says_nothing_keeps_nobody_out_for_long(self):
+        silent = [socket.create_connection(("127.0.0.1", self.studio.port), timeout=30) for _ in range(64)]
+        begun = time.monotonic()
+        self.assertEqual(self.studio.get("/api/documents").status, 200)
+        self.assertLess(time.monotonic() - begun, 15.0)
+        for connection in silent:
+            connection.close()
 
     def test_it_listens_on_this_machine_alone(self):
         rows = pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]

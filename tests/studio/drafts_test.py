@@ -1,9 +1,7 @@
 #!/usr/bin/python3
 """Drafts over the WebSocket: the same answers as by HTTP, and to nobody but the page."""
 
-import base64
 import json
-import os
 import pathlib
 import socket
 import struct
@@ -12,60 +10,11 @@ import threading
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from planish_studio import Shape, StudioTest, main, until  # noqa: E402
-
-TEXT, BINARY, CLOSE = 1, 2, 8
-
-
-class WebSocket:
-    """As much of RFC 6455 as a page needs."""
-
-    def __init__(self, port, path, origin):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout=60)
-        fields = {"Host": f"127.0.0.1:{port}", "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
-                  "Sec-WebSocket-Key": base64.b64encode(os.urandom(16)).decode()}
-        if origin is not None:
-            fields["Origin"] = origin
-        head = f"GET {path} HTTP/1.1\r\n" + "".join(f"{key}: {value}\r\n" for key, value in fields.items())
-        self.socket.sendall((head + "\r\n").encode())
-        self.file = self.socket.makefile("rb")
-        try:
-            self.status = int(self.file.readline().split()[1])
-        except (OSError, IndexError):
-            self.__exit__()
-            raise ConnectionError("turned away") from None
-        self.headers = list(iter(self.file.readline, b"\r\n"))
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *unused):
-        self.file.close()
-        self.socket.close()
-
-    def send(self, text, kind=TEXT):
-        body, mask = text.encode() if isinstance(text, str) else text, os.urandom(4)
-        size = bytes([0x80 | len(body)]) if len(body) < 126 else b"\xfe" + struct.pack(">H", len(body)) if len(body) < 1 << 16 else b"\xff" + struct.pack(">Q", len(body))
-        self.socket.sendall(bytes([0x80 | kind]) + size + mask + bytes(b ^ mask[i % 4] for i, b in enumerate(body)))
-
-    def receive(self):
-        """Kind and content of the next message, of however many frames."""
-        content, kind = b"", None
-        while True:
-            first, length = self.file.read(2)
-            length &= 127
-            if length > 125:
-                (length,) = struct.unpack(">H", self.file.read(2)) if length == 126 else struct.unpack(">Q", self.file.read(8))
-            content += self.file.read(length)
-            kind = kind or first & 15
-            if first & 0x80:
-                return kind, content
-
+from web_socket import BINARY, CLOSE, TEXT, draft_socket  # noqa: E402
 
 class Drafts(StudioTest):
-    def socket(self, path=None, origin="own"):
-        port = self.studio.get("/api/socket").json()["port"]
-        own = f"http://127.0.0.1:{self.studio.port}"
-        return WebSocket(port, f"/{self.studio.token}" if path is None else path, own if origin == "own" else origin)
+    def socket(self, *arguments):
+        return draft_socket(self.studio, *arguments)
 
     def ask(self, connection, document, request):
         connection.send(f"{document}\n{json.dumps(request)}")
@@ -145,6 +94,15 @@ class Drafts(StudioTest):
             except ConnectionError:
                 return False
         self.assertTrue(until(free))
+
+    def test_who_says_nothing_keeps_nobody_out(self):
+        port = self.studio.get("/api/socket").json()["port"]
+        silent = [socket.create_connection(("127.0.0.1", port), timeout=30) for _ in range(16)]
+        self.assertTrue(until(lambda: all(s.recv(1) == b"" for s in silent[:1])))  # closed from there, after some seconds
+        for connection in silent:
+            connection.close()
+        with self.socket() as connection:
+            self.assertEqual(connection.status, 101)
 
     def test_pages_do_not_wait_for_each_other(self):
         documents = [self.studio.open_example("connect/a_folded.json") for _ in range(2)]

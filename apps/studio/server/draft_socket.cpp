@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <chrono>
+#include <optional>
 #include <thread>
 
 namespace planish::studio {
@@ -19,9 +21,16 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using asio::ip::tcp;
 using Request = http::request<http::empty_body>;
-using Stream = beast::websocket::stream<tcp::socket>;
+using Stream = beast::websocket::stream<beast::tcp_stream>;
 
 constexpr int kMostConnections = 16;  // each takes a thread; pages do without one, by HTTP
+constexpr std::chrono::seconds kPatience(5);         // with whoever does not say what he wants
+constexpr std::chrono::milliseconds kScarcity(100);  // where the system has no connection left
+
+struct Connection {
+  asio::io_context context;  // of its own, which outlives the socket
+  tcp::socket socket{context};
+};
 
 Caller caller_of(const Request& request) {
   Caller caller;
@@ -35,7 +44,7 @@ Caller caller_of(const Request& request) {
   return caller;
 }
 
-void turn_away(tcp::socket& socket, const std::string& why) {
+void turn_away(beast::tcp_stream& socket, const std::string& why) {
   http::response<http::string_body> response(http::status::forbidden, 11);
   response.set(http::field::content_type, kJsonType);
   response.body() = failure(403, "forbidden", why).body;
@@ -70,17 +79,29 @@ void converse(Stream& stream, DocumentStore& store) {
   }
 }
 
-void attend(tcp::socket socket, const Access& access, DocumentStore& store) {
-  beast::error_code error;
+/// The request that opens a connection, if it comes soon.
+std::optional<Request> first_request(beast::tcp_stream& socket, asio::io_context& context) {
   beast::flat_buffer buffer;
   Request request;
-  http::read(socket, buffer, request, error);
-  if (error) return;
-  if (const auto why = access.socket_refusal(caller_of(request))) return turn_away(socket, *why);
-  socket.set_option(tcp::no_delay(true), error);
+  beast::error_code failed = asio::error::timed_out;
+  socket.expires_after(kPatience);
+  http::async_read(socket, buffer, request,
+                   [&](beast::error_code error, std::size_t) { failed = error; });
+  context.run();
+  socket.expires_never();
+  return failed ? std::nullopt : std::optional(std::move(request));
+}
+
+void attend(Connection& connection, const Access& access, DocumentStore& store) {
+  beast::tcp_stream socket(std::move(connection.socket));
+  const auto request = first_request(socket, connection.context);
+  if (!request) return;
+  if (const auto why = access.socket_refusal(caller_of(*request))) return turn_away(socket, *why);
+  beast::error_code error;
+  socket.socket().set_option(tcp::no_delay(true), error);
   Stream stream(std::move(socket));
   stream.read_message_max(kLargestBody);
-  stream.accept(request, error);
+  stream.accept(*request, error);
   if (!error) converse(stream, store);
 }
 
@@ -93,12 +114,13 @@ struct DraftSocket::Content {
 
   void attend_next(const Access& access, DocumentStore& store) {
     beast::error_code error;
-    tcp::socket socket(context);
-    acceptor.accept(socket, error);
+    auto connection = std::make_unique<Connection>();
+    acceptor.accept(connection->socket, error);
+    if (error) std::this_thread::sleep_for(kScarcity);
     if (error || connections >= kMostConnections) return;
     ++connections;
-    std::thread([this, &access, &store, taken = std::move(socket)]() mutable {
-      attend(std::move(taken), access, store);
+    std::thread([this, &access, &store, taken = std::move(connection)] {
+      attend(*taken, access, store);
       --connections;
     }).detach();
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <thread>
 
 namespace planish::studio {
@@ -12,10 +13,11 @@ constexpr auto kHost = "127.0.0.1";
 constexpr auto kAnyPath = R"(/.*)";
 constexpr std::size_t kLongestTarget = 2048;
 
-// Browsers keep some six connections for each page, and each takes a thread while it is open.
+// A connection takes a thread while it is open. It carries one request: what of a request that is
+// turned away was not read would be taken for the next one.
 constexpr std::size_t kThreads = 64;
-constexpr std::size_t kRequestsOfAConnection = 1'000'000;
-constexpr time_t kIdleSeconds = 60;
+constexpr std::size_t kRequestsOfAConnection = 1;
+constexpr time_t kIdleSeconds = 5;
 
 // Styles may be set by scripts on elements; scripts come from this server alone.
 constexpr auto kContentPolicy =
@@ -65,12 +67,28 @@ Answer too_large() {
                  fmt::format("the body is larger than {} MiB", kLargestBody >> 20));
 }
 
+/// The rest of a request that is turned away: a connection that is closed with something unread
+/// loses the answer.
+void skip_body(const httplib::Request& request, const httplib::ContentReader& reader) {
+  std::size_t left = kLargestBody;
+  const auto skip = [&left](const char*, std::size_t count) {
+    left -= std::min(left, count);
+    return left > 0;
+  };
+  if (request.is_multipart_form_data())
+    reader([](const httplib::MultipartFormData&) { return true; }, skip);
+  else
+    reader(skip);
+}
+
 /// The body, or how it is answered that there is none.
 tl::expected<std::string, Answer> body_of(const httplib::Request& request,
                                           const httplib::Response& response,
                                           const httplib::ContentReader& reader) {
-  if (request.is_multipart_form_data())
+  if (request.is_multipart_form_data()) {
+    skip_body(request, reader);
     return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
+  }
   std::string body;
   bool fits = true;
   // What is compressed may be far larger than its length says.
@@ -82,11 +100,6 @@ tl::expected<std::string, Answer> body_of(const httplib::Request& request,
   if (read) return body;
   if (!fits || response.status == 413) return tl::unexpected(too_large());
   return tl::unexpected(failure(400, "bad_request", "the body could not be read"));
-}
-
-/// The rest of a request that is turned away: left unread it would be taken for the next request.
-void skip_body(const httplib::Request& request, const httplib::ContentReader& reader) {
-  if (!request.is_multipart_form_data()) reader([](const char*, std::size_t) { return true; });
 }
 
 void with_body(Api& api, const httplib::Request& request, httplib::Response& response,
