@@ -29,12 +29,13 @@ sigset_t held_signals() {
 }  // namespace
 
 Result<void> run_studio(const StudioOptions& options) {
-  const sigset_t signals = held_signals();
   auto folder = TempFolder::make();
   if (!folder) return tl::unexpected(folder.error());
   DocumentStore store(folder->path(), options.time_limit);
   if (options.file)
     if (auto opened = open_first(store, *options.file); !opened) return opened;
+  // From here on they are waited for; what was read until now they could end at once.
+  const sigset_t signals = held_signals();
   auto token = random_token();
   if (!token) return tl::unexpected(token.error());
   HttpServer server;

@@ -231,8 +231,10 @@ class Rubbish(StudioTest):
     def test_names_with_folders(self):
         for name in ("", "../a.step", "/etc/passwd", "a/b.step", ".hidden", "..", "a\\b", "a\nb", "x" * 200):
             self.assert_problem(self.studio.open(name, b"x"), "invalid_input")
+        for name in ("%ff.step", "%c3.step", "a%00b"):
+            self.assert_problem(self.studio.ask("POST", f"/api/documents?name={name}", b"x"), "invalid_input")
         document, _ = self.studio.open_example("slit/chair.json")
-        for name in ("..", "..%2Fa", "%2Fetc%2Fpasswd", "a%5Cb", ".a", "a%00b", "x" * 200, ""):
+        for name in ("%ff", "..", "..%2Fa", "%2Fetc%2Fpasswd", "a%5Cb", ".a", "a%00b", "x" * 200, ""):
             answer = self.studio.ask("PUT", f"/api/documents/{document}/attachments/{name}", b"0 0 0\n")
             self.assertTrue(answer.is_problem or answer.status in (400, 404), name)
 
@@ -294,10 +296,20 @@ class CommandLine(StudioTest):
             rubbish = pathlib.Path(folder, "a.step")
             rubbish.write_bytes(b"rubbish")
             self.assertIn("[not_step]", self.run_cli(str(rubbish), status=3))
+        self.assertIn("/dev/zero is a device, no file [cannot_read]", self.run_cli("/dev/zero", status=3))
         self.assertIn("--port", self.run_cli("--port", "0", status=2))
         self.assertIn("--port", self.run_cli("--port", "70000", status=2))
         for seconds in ("0", "86401", "1.5", "long"):
             self.assertIn("--time-limit", self.run_cli("--time-limit", seconds, status=2))
+
+    def test_a_file_has_any_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("ü" * 52 + ".json", b"st\xfcck.json", "a\nb.json"):
+                path = pathlib.Path(os.fsdecode(os.path.join(os.fsencode(folder), os.fsencode(name))))
+                path.write_bytes((EXAMPLES / "connect/a_folded.json").read_bytes())
+                with Studio(path) as studio:
+                    (document,) = studio.get("/api/documents").json()
+                    self.assertTrue(document["name"].endswith(".json"), document["name"])
 
     def test_help_names_what_there_is(self):
         done = subprocess.run([CLI, "studio", "--help"], capture_output=True, text=True, timeout=60, check=True)

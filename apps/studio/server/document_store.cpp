@@ -42,6 +42,7 @@ Answer DocumentStore::take(const std::string& name, const std::string& bytes, Or
   auto document = ServedDocument::make(folder_ / id, {id, name, origin}, limit_, bytes);
   const std::lock_guard lock(mutex_);
   --taking_;
+  taken_.notify_all();
   if (!document) return failure(document.error());
   documents_[*number] = std::move(*document);
   return {200, kJsonType, nlohmann::ordered_json{{"id", id}, {"name", name}}.dump()};
@@ -50,7 +51,7 @@ Answer DocumentStore::take(const std::string& name, const std::string& bytes, Or
 /// For a document that is about to be written. Empty where there is no room for one more.
 std::optional<int> DocumentStore::new_number() {
   const std::lock_guard lock(mutex_);
-  if (!make_room()) return std::nullopt;
+  if (closed_ || !make_room()) return std::nullopt;
   ++taking_;
   return ++last_;
 }
@@ -97,7 +98,7 @@ std::shared_ptr<ServedDocument> DocumentStore::find(const std::string& id) const
 Answer DocumentStore::close(const std::string& id) {
   const auto document = find(id);
   if (!document) return no_document(id);
-  document->cancel();
+  document->close();
   const std::lock_guard lock(mutex_);
   documents_.erase(number_of(id));
   return {204, "", ""};
@@ -133,11 +134,14 @@ Answer DocumentStore::cancel(const std::string& id) {
 void DocumentStore::close_all() {
   std::map<int, std::shared_ptr<ServedDocument>> documents;
   {
-    const std::lock_guard lock(mutex_);
+    // Those that are being written now would be written where nothing is any more.
+    std::unique_lock lock(mutex_);
+    closed_ = true;
+    taken_.wait(lock, [this] { return taking_ == 0; });
     documents.swap(documents_);
   }
   for (const auto& [number, document] : documents)
-    document->cancel();
+    document->close();
 }
 
 }  // namespace planish::studio

@@ -3,6 +3,7 @@
 #include "served_document.hpp"
 #include "temp_folder.hpp"
 
+#include <condition_variable>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -30,7 +31,7 @@ class DocumentStore {
   Answer work(const std::string& id, const Task& task);
   Answer progress(const std::string& id) const;
   Answer cancel(const std::string& id);
-  /// Ends all workers; what they compute ends with 409.
+  /// Ends all workers, what they compute ends with 409; from now on none is taken.
   void close_all();
 
  private:
@@ -43,7 +44,9 @@ class DocumentStore {
   Turns turns_{2};
   mutable std::mutex mutex_;
   std::map<int, std::shared_ptr<ServedDocument>> documents_;  ///< by number: "d7" is 7
+  std::condition_variable taken_;
   int taking_ = 0, last_ = 0;
+  bool closed_ = false;
 };
 
 }  // namespace planish::studio

@@ -28,6 +28,12 @@ Error error_of(const Answer& answer) {
   return {code_named(json.value("code", "")), json.value("message", ""), json.value("where", "")};
 }
 
+tl::unexpected<Error> too_large(const std::filesystem::path& file) {
+  return fail(ErrorCode::cannot_read,
+              fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
+              file.string());
+}
+
 /// A name that the page can show, whatever the file is called.
 std::string shown_name(const std::filesystem::path& file) {
   std::string name = file == "-" ? "stdin" : file.filename().string();
@@ -35,7 +41,26 @@ std::string shown_name(const std::filesystem::path& file) {
   std::replace_if(name.begin(), name.end(), unfit, '_');
   if (!name.empty() && name.front() == '.') name.front() = '_';
   constexpr std::size_t kLongest = 100;
-  return name.substr(name.size() > kLongest ? name.size() - kLongest : 0);
+  std::size_t from = name.size() > kLongest ? name.size() - kLongest : 0;
+  const auto within = [](unsigned char c) { return (c & 0xC0U) == 0x80U; };  // a UTF-8 character
+  while (from > 0 && from < name.size() && within(static_cast<unsigned char>(name[from])))
+    ++from;
+  name.erase(0, from);
+  const auto foreign = [](unsigned char c) { return c >= 0x80U; };
+  if (!is_plain_name(name)) std::replace_if(name.begin(), name.end(), foreign, '_');
+  return name;
+}
+
+/// What has no end, or none that a worker could bear, is not even begun to be read.
+Result<void> check_size(const std::filesystem::path& file) {
+  std::error_code unknown;
+  const auto type = std::filesystem::status(file, unknown).type();
+  if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
+    return fail(ErrorCode::cannot_read, fmt::format("{} is a device, no file", file.string()),
+                file.string());
+  const bool regular = type == std::filesystem::file_type::regular;
+  if (!regular || std::filesystem::file_size(file, unknown) <= kLargestBody) return {};
+  return too_large(file);
 }
 
 std::vector<std::string> scans_of(const std::string& text) {
@@ -51,12 +76,10 @@ std::vector<std::string> scans_of(const std::string& text) {
 }  // namespace
 
 Result<void> open_first(DocumentStore& store, const std::filesystem::path& file) {
+  if (auto bearable = check_size(file); !bearable) return bearable;
   const auto bytes = job::read_text(file, "file");
   if (!bytes) return tl::unexpected(bytes.error());
-  if (bytes->size() > kLargestBody)
-    return fail(ErrorCode::cannot_read,
-                fmt::format("{} is larger than {} MiB", file.string(), kLargestBody >> 20),
-                file.string());
+  if (bytes->size() > kLargestBody) return too_large(file);
   const Answer taken = store.take(shown_name(file), *bytes, Origin::command_line);
   if (taken.status != 200) return tl::unexpected(error_of(taken));
   const std::string id = Json::parse(taken.body)["id"];

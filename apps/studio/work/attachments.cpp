@@ -2,6 +2,8 @@
 
 #include "json_text.hpp"
 
+#include <planish/job/printable.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ bool is_plain_name(const std::string& name) {
   constexpr std::size_t kLongest = 128;
   const auto unfit = [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '/' || c == '\\'; };
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
-         std::none_of(name.begin(), name.end(), unfit);
+         std::none_of(name.begin(), name.end(), unfit) && job::printable(name) == name;
 }
 
 Result<void> check_attachments(const std::string& spec, const std::string& name,

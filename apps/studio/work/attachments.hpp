@@ -7,8 +7,8 @@
 
 namespace planish::studio {
 
-/// Whether a file may have this name: 1 to 128 bytes, no slash, no control character, no leading
-/// dot.
+/// Whether a file may have this name: 1 to 128 bytes of UTF-8, no slash, no control character, no
+/// leading dot.
 bool is_plain_name(const std::string& name);
 
 /// Looks at the files that a slit spec names before anything opens one. Errors: `invalid_input` for
