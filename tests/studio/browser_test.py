@@ -63,6 +63,15 @@ class Browser(StudioTest):
     def test_edges_are_picked(self):
         self.flow("edges")
 
+    def test_a_root_is_picked_in_the_flat_pattern(self):
+        self.flow("picks")
+
+    def test_surfaces_drop_what_does_not_go_with_them(self):
+        self.flow("surfaces")
+
+    def test_every_profile_can_take_the_place_of_another(self):
+        self.flow("profiles")
+
     def test_one_of_ten_plates_is_dragged(self):
         self.flow("ten")
 

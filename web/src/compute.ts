@@ -51,6 +51,11 @@ export class Computation {
     if (id && this.running) this.stop(id);
   }
 
+  finish() {
+    this.resultWanted = true;
+    void this.next();
+  }
+
   private restart() {
     ++this.generation;
     this.flight.abort();

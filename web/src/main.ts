@@ -44,6 +44,7 @@ const ui: Ui = {
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
+  finish: () => computation.finish(),
   cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
   fit: () => views.fit(),

@@ -15,6 +15,8 @@ export interface Ui {
   openExample(name: string): void;
   download(format: FileFormat, profile?: DxfProfile): void;
   cancel(): void;
+  /** Has the result computed that was given up. */
+  finish(): void;
   look(view: StandardView): void;
   fit(): void;
   animate(): void;

@@ -37,7 +37,7 @@ function bendFields(ui: Ui, spec: PlatesSpec, row: BendRow, own: BendSpec | unde
   return html`
     ${choice('Surface', 'bend-surface', own?.surface ?? 'auto', [['auto', 'chosen'], ['cylinder', 'cylinder'], ['cone', 'cone'], ['general', 'oblique cone']] as [string, string][],
       (v) => set(surfacePatch(v)))}
-    ${own?.surface === 'general' ? nothing : lengthSlider(ui, spec.units, { label: 'Inside radius', testid: 'bend-radius', value: radius, min: 0, max: ui.state.pending ? mostOf(ui, row, most) : most, step: most / 500,
+    ${own?.surface === 'general' ? nothing : lengthSlider(ui, spec.units, { label: 'Inside radius', testid: 'bend-radius', value: radius, least: 0, min: 0, max: ui.state.pending ? mostOf(ui, row, most) : most, step: most / 500,
       on: (v, live) => set(radiusPatch(Math.max(v, spec.thickness / 1000)), live), commit: ui.commit })}
     ${own?.inside_radius !== undefined ? html`<p class="row"><button class="link" data-testid="bend-radius-free" @click=${() => set({ inside_radius: undefined })}>as large as extends the plates least</button></p>` : nothing}
     ${choice('Sides end', 'bend-lateral', own?.lateral ?? 'auto', [['auto', 'chosen'], ['straight', 'straight'], ['arc', 'along an arc'], ['corner', 'at the corner']] as [string, string][],

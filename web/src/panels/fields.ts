@@ -53,6 +53,7 @@ export interface SliderOptions {
   value: number;
   min: number;
   max: number;
+  least?: number; // of what is entered, which may leave the slider's range otherwise
   step: number;
   testid: string;
   unit?: string;
@@ -66,7 +67,7 @@ export function slider(o: SliderOptions): TemplateResult {
   const text = clean(o.value, o.digits ?? 3);
   const enter = (e: Event) => {
     const input = e.target as HTMLInputElement, value = Number(input.value.replace(',', '.'));
-    if (input.value.trim() === '' || !isSound(value)) input.value = text;
+    if (input.value.trim() === '' || !isSound(value) || value < (o.least ?? -Infinity)) input.value = text;
     else if (input.value !== text) o.on(value, false);
   };
   return html`<label class="slider"><span>${o.label}</span>

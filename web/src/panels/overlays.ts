@@ -26,9 +26,9 @@ export function helpDialog(ui: Ui) {
 }
 
 export function foldBar(ui: Ui) {
-  const { fold } = ui.state;
-  return html`<button data-testid="animate" title="Fold and unfold (space)" @click=${ui.animate}>${fold > 0.5 ? 'Unfold' : 'Fold'}</button>
-    <label>flat<input type="range" data-testid="fold-slider" aria-label="Share of the fold" min="0" max="1" step="0.005" .value=${String(fold)} @input=${(e: Event) => ui.dispatch({ type: 'fold', fold: Number((e.target as HTMLInputElement).value) })} />folded</label>
+  const { fold, shape } = ui.state, rigid = !shape?.facet_parent.length;
+  return html`<button data-testid="animate" title="Fold and unfold (space)" ?disabled=${rigid} @click=${ui.animate}>${fold > 0.5 ? 'Unfold' : 'Fold'}</button>
+    <label>flat<input type="range" data-testid="fold-slider" aria-label="Share of the fold" ?disabled=${rigid} min="0" max="1" step="0.005" .value=${String(fold)} @input=${(e: Event) => ui.dispatch({ type: 'fold', fold: Number((e.target as HTMLInputElement).value) })} />folded</label>
     <output data-testid="fold-share">${Math.round(100 * fold)} %</output>`;
 }
 

@@ -98,3 +98,19 @@ export async function turn({ page }) {
   assert.deepEqual(await outline(), turned);
   await rested(page);
 }
+
+/** A surface that asks for other fields drops those of the one before. */
+export async function surfaces({ page }) {
+  await example(page, 'connect/b_lofted.json');
+  const [id] = await state(page, 's.shape.report.flat.bends.map((b) => b.id)');
+  await page.click(`[data-testid=bend-head-${id}]`);
+  await page.selectOption('[data-testid=bend-surface]', 'general');
+  await rested(page);
+  await page.selectOption('[data-testid=bend-surface]', 'cylinder');
+  await rested(page);
+  assert.equal(await state(page, 's.problem'), null);
+  const before = await page.inputValue('[data-testid=thickness]');
+  await page.fill('[data-testid=thickness]', '77');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.inputValue('[data-testid=thickness]'), before, 'Escape takes back what was typed');
+}

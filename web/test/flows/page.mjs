@@ -129,6 +129,8 @@ export async function long({ page }) {
   await page.click('[data-testid=cancel]');
   await page.waitForFunction(() => { const s = window.planish.store.state; return !s.computing && s.note === 'cancelled'; });
   await same('cancelled');
+  await page.click('[data-testid=finish]');
+  await page.waitForSelector('[data-testid=cancel]');
   while ((await state(page, 's.input.spec.subdivisions')) > 0) await page.click('[data-testid=coarser]');
   await rested(page);
   assert.equal(await state(page, 's.note'), null);

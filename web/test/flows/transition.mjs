@@ -16,3 +16,13 @@ export async function transition({ page }) {
   assert.equal(await state(page, 's.past.length'), 3);
   return download(page, 'dxf');
 }
+
+/** Another profile below frees the seam that it has no place for. */
+export async function profiles({ page }) {
+  await example(page, 'transition/a_square_to_round.json');
+  for (const kind of ['circle', 'ellipse', 'spline', 'obround', 'rounded_rectangle', 'polygon']) {
+    await page.selectOption('[data-testid=from-kind]', kind);
+    await rested(page);
+    assert.equal(await state(page, 's.problem'), null, kind);
+  }
+}

@@ -64,3 +64,12 @@ export async function edges({ page }) {
   await page.mouse.click(label.x, label.y);
   assert.equal(await state(page, 's.selection.part'), await state(page, 's.shape.parts[0].name'));
 }
+
+export async function picks({ page }) {
+  await example(page, 'bracket.step');
+  await page.click('[data-testid=pick-root]');
+  const [face, at] = await state(page, `(() => { const row = s.shape.parts.findIndex((p) => p.name === 'F3'); return [s.shape.parts[row].faces[0], views.flat.project(views.flat.places.get(row).at)]; })()`);
+  await page.mouse.click(at.x, at.y);
+  await rested(page);
+  assert.equal(await state(page, 's.input.options.root'), face, 'a root is picked in the flat pattern too');
+}
