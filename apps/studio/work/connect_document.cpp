@@ -39,7 +39,7 @@ class ConnectDocument : public Document {
     Shape shape;
     shape.report = report_json(*report);
     shape.handles = handles_of(file->structure);
-    add_sheet(shape, *report);
+    add_sheet(shape, *report, effort);
     name_plates(shape, file->structure);
     return shape;
   }

@@ -35,8 +35,8 @@ struct Shape {
 
 /// Flanges and bends as rows of `parts`: first the flanges, then the bends, each in the sheet's
 /// order. Then the facets with their outline, the lines at which it bends, and where the pattern
-/// covers itself. Nothing for a report that knows no pattern.
-void add_sheet(Shape& shape, const job::Report& report);
+/// covers itself. Nothing for a report that knows no pattern. Drafts have fewer facets.
+void add_sheet(Shape& shape, const job::Report& report, job::Effort effort);
 
 /// A solid to look at.
 void add_space(Shape& shape, const Mesh& mesh);

@@ -60,6 +60,13 @@ Json handles_of(const SlitDesign& design, const SlitReport& report) {
   return json;
 }
 
+/// They are drawn; while somebody drags they are too many to be told of one by one.
+void leave_out_ridges(SlitReport& report) {
+  report.flat.bends.clear();
+  for (FoldedStrip& strip : report.folded.strips)
+    strip.ridges.clear();
+}
+
 class SlitDocument : public Document {
  public:
   SlitDocument(std::string name, std::filesystem::path attachments)
@@ -75,9 +82,8 @@ class SlitDocument : public Document {
     if (!report) return tl::unexpected(report.error());
     Shape shape;
     shape.handles = handles_of(file->design, *report);
-    add_sheet(shape, *report);
-    // Ridges are drawn; while somebody drags they are too many to be told of one by one.
-    if (is_draft) report->flat.bends.clear();
+    add_sheet(shape, *report, effort);
+    if (is_draft) leave_out_ridges(*report);
     shape.report = report_json(*report);
     return shape;
   }

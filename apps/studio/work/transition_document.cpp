@@ -37,7 +37,7 @@ class TransitionDocument : public Document {
     Shape shape;
     shape.report = report_json(*report);
     shape.handles = handles_of(report->spec, report->transition);
-    add_sheet(shape, **piece);
+    add_sheet(shape, **piece, effort);
     return shape;
   }
 

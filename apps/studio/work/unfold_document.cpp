@@ -37,7 +37,7 @@ class UnfoldDocument : public Document {
     if (!report) return tl::unexpected(report.error());
     Shape shape;
     shape.report = report_json(*report);
-    add_sheet(shape, *report);
+    add_sheet(shape, *report, effort);
     if (report->refusal) add_solid(shape, file_.bodies[static_cast<std::size_t>(asked.body) - 1]);
     return shape;
   }
