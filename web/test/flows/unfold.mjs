@@ -45,9 +45,9 @@ export async function edges({ page }) {
   const [edge, inFlat] = await state(page, `(() => { const i = ${ofB1}, e = s.shape.edges; return [s.shape.edge_number[i], views.flat.project([(e[4 * i] + e[4 * i + 2]) / 2, (e[4 * i + 1] + e[4 * i + 3]) / 2])]; })()`);
   await page.mouse.click(inFlat.x, inFlat.y);
   assert.equal(await state(page, 's.selection.edge'), edge);
-  assert.match(await page.textContent('[data-testid=message]'), /Edge of B1, 5\.31 mm long/, 'the edge of a bend is its developed length');
+  await page.waitForSelector('[data-testid=message]:has-text("Edge of B1, 5.31 mm long")'); // the developed length
   assert.ok(await state(page, 'views.folded.sheet.marked.visible'), 'it is marked in the folded view');
-  assert.equal(await page.getAttribute('[data-testid=bend-B1]', 'class'), 'selected');
+  await page.waitForSelector('[data-testid=bend-B1].selected');
   await page.keyboard.press('Escape');
   assert.equal(await state(page, 'views.folded.sheet.marked.visible'), false);
   // In the folded view: a hole's rim, which is seen from above.
@@ -58,7 +58,7 @@ export async function edges({ page }) {
     const top = slot.reduce((a, b) => (a.ends[0][2] > b.ends[0][2] ? a : b)); return [top.line.edge, views.folded.project(top.ends[0].map((v, k) => (v + top.ends[1][k]) / 2))]; })()`);
   await page.mouse.click(inSpace.x, inSpace.y);
   assert.equal(await state(page, 's.selection.edge'), rim);
-  assert.equal(await page.getAttribute('[data-testid=bend-B1]', 'class'), 'beside', 'the bends of its flange are marked, more weakly');
+  await page.waitForSelector('[data-testid=bend-B1].beside'); // the bends of its flange are marked, more weakly
   // A flange in the flat pattern.
   const label = await state(page, `views.flat.project([...(views.flat.places.get(0)?.at ?? [0, 0])])`);
   await page.mouse.click(label.x, label.y);
