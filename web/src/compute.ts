@@ -1,7 +1,7 @@
 import { Api, ApiError } from './api.ts';
 import { geometryShown } from './timings.ts';
 import type { Store } from './state.ts';
-import type { ApiProblem, Request, Shape } from './types.ts';
+import type { ApiProblem, Request } from './types.ts';
 
 const settle = 120; // ms without an edit before the whole result is asked for
 export const patience = 500; // ms before a bar is shown
@@ -26,13 +26,11 @@ export class Computation {
 
   private readonly api: Api;
   private readonly store: Store;
-  private readonly show: (shape: Shape, draft: boolean) => void;
   private readonly reopen: () => Promise<boolean>;
-  constructor(api: Api, store: Store, show: (shape: Shape, draft: boolean) => void, reopen: () => Promise<boolean>) {
+  constructor(api: Api, store: Store, reopen: () => Promise<boolean>) {
     this.reopen = reopen;
     this.api = api;
     this.store = store;
-    this.show = show;
     store.subscribe((state, before) => {
       if (state.document?.id !== before.document?.id) this.restart();
       else if (state.input !== before.input || (before.pending && !state.pending)) this.edited(state.input !== before.input, state.pending !== null);
@@ -111,7 +109,7 @@ export class Computation {
       if (what === 'result') this.resultTook = performance.now() - this.startedAt;
       if (generation !== this.generation) return;
       ahead = this.askAhead();
-      this.arrived(shape, what === 'draft');
+      this.store.dispatch({ type: 'shape', shape, draft: what === 'draft' });
       if (draggedAt !== null) geometryShown(draggedAt);
     } catch (error) {
       if (generation === this.generation) await this.failed(error);
@@ -133,11 +131,6 @@ export class Computation {
     this.quiet();
     void this.next();
     return true;
-  }
-
-  private arrived(shape: Shape, draft: boolean) {
-    this.store.dispatch({ type: 'shape', shape, draft });
-    this.show(shape, draft);
   }
 
   private async failed(error: unknown) {

@@ -1,4 +1,5 @@
 import { insideFacet } from './facet.ts';
+import { distanceToSegment } from './lines.ts';
 import type { Shape, Vec2 } from './types.ts';
 
 /** Where the name of a flange stands, and how far material reaches about it. */
@@ -29,7 +30,7 @@ function placeIn(shape: Shape, f: number, least: number): Place | null {
   const middle: Vec2 = [(x0 + x1) / 2, (y0 + y1) / 2];
   const consider = (at: Vec2, gain: number) => {
     if (!insideFacet(shape, f, at[0], at[1])) return;
-    const room = Math.min(...segments.map((s) => distance(at, s)));
+    const room = Math.min(...segments.map((s) => distanceToSegment(...at, ...s).distance));
     if (room > least && room > (best?.room ?? 0) * gain) best = { at, room };
   };
   consider(middle, 1);
@@ -47,9 +48,4 @@ function segmentsOf(shape: Shape, f: number): Segment[] {
       for (let i = first, j = end - 1; i < end; j = i++) out.push([p[2 * i]!, p[2 * i + 1]!, p[2 * j]!, p[2 * j + 1]!]);
     }
   return out;
-}
-
-function distance([x, y]: Vec2, [ax, ay, bx, by]: Segment): number {
-  const dx = bx - ax, dy = by - ay, l = dx * dx + dy * dy, t = l === 0 ? 0 : Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / l));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
 }

@@ -55,7 +55,7 @@ const ui: Ui = {
   },
 };
 const views = new Views(ui, part('.folded .canvas'), part('.flat .canvas'), (at) => computation.dragged(at));
-const computation = new Computation(api, store, (shape) => views.show(shape), () => documents.reopen());
+const computation = new Computation(api, store, () => documents.reopen());
 const documents = new Documents(api, store);
 
 let waiting = 0;

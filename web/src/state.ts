@@ -4,7 +4,7 @@ import { millimetres, type DisplayUnit } from './units.ts';
 export interface Input { spec: Spec | null; options: Options }
 export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
 export type Theme = 'light' | 'dark';
-export type PickMode = 'none' | 'root' | 'up' | 'anchor';
+export type PickMode = 'none' | 'root' | 'up';
 export type GizmoMode = 'translate' | 'rotate';
 
 /** What is picked: a part of the shape (bends and flanges), an edge of its outline, or a plate, an anchor, a strip or a control point

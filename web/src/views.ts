@@ -42,7 +42,7 @@ export class Views {
   }
 
   /** New geometry, handed to the renderer at once. */
-  show(shape: Shape) {
+  private show(shape: Shape) {
     const { state } = this.ui, id = shownOf(state), fresh = state.past.length === 0 && !state.pending;
     const first = this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
@@ -71,12 +71,12 @@ export class Views {
     }
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
-    if (state.stale && state.shape && state.shape !== before.shape) this.show(state.shape); // with the plates of an input that cannot be computed
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
     if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
       this.folded.setOverlay(this.overlay(state));
-    if (state.selection !== before.selection || state.theme !== before.theme || state.units !== before.units || state.result !== before.result || state.shape !== before.shape) this.showFlat(state);
+    if (state.shape && state.shape !== before.shape) this.show(state.shape);
+    else if (state.selection !== before.selection || state.theme !== before.theme || state.units !== before.units || state.result !== before.result || state.shape !== before.shape) this.showFlat(state);
   }
 
   fit() {

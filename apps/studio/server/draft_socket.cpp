@@ -34,10 +34,8 @@ struct Connection {
 
 Caller caller_of(const Request& request) {
   Caller caller;
-  for (const auto& field : request) {
+  for (const auto& field : request)
     if (field.name() == http::field::origin) caller.origins.emplace_back(field.value());
-    if (field.name() == http::field::host) caller.hosts.emplace_back(field.value());
-  }
   // Pages cannot add a header here: the token is the path.
   const auto target = request.target();
   if (!target.empty()) caller.tokens.emplace_back(target.substr(1));
