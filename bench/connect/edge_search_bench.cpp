@@ -138,7 +138,7 @@ bool agree(const OracleRun& run, const EdgeSearch& found) {
 }
 
 void AgainstMixedIntegerPrograms(benchmark::State& state) {
-  const Case part = cases()[static_cast<std::size_t>(state.range(0))];
+  const Case part = cases()[state.range(0)];
   const Sides sides = part.sides();
   state.SetLabel(part.name);
   const auto once = search_edges(sides, part.angle(), options_of(part));
@@ -163,7 +163,7 @@ std::vector<Vec2> ragged_plate(int edges, unsigned seed) {
   std::uniform_real_distribution<double> rough(0.0, 10.0);
   std::vector<Vec2> outline = arc_plate(edges, 50, 30);
   for (int i = 0; i <= edges; ++i)
-    outline[static_cast<std::size_t>(i)].y() += rough(random);
+    outline[i].y() += rough(random);
   return outline;
 }
 

@@ -42,7 +42,7 @@ void WarmStrip(benchmark::State& state) {
   auto session = solved_slit_sheet(six_strips(), static_cast<int>(state.range(0)));
   if (!session) return state.SkipWithError("not solved");
   const int middle = session->design().ridges / 2;
-  const Vec3 at = session->folded().strips[1].ridges[static_cast<std::size_t>(middle)].folded[0];
+  const Vec3 at = session->folded().strips[1].ridges[middle].folded[0];
   if (!session->add_anchor({1, middle, Side::left, at}) || !session->solve()) return state.SkipWithError("no anchor");
   int step = 0, iterations = 0;
   for (auto _ : state) {

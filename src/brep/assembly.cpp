@@ -37,8 +37,8 @@ class Assembler {
   }
 
  private:
-  const SolidFace& solid_face(int f) const { return model_.faces[static_cast<size_t>(f)]; }
-  Face& face_of(int f) { return sheet_.faces[static_cast<size_t>(index_of(map_.face_id[static_cast<size_t>(f)]))]; }
+  const SolidFace& solid_face(int f) const { return model_.faces[f]; }
+  Face& face_of(int f) { return sheet_.faces[index_of(map_.face_id[f])]; }
 
   void number_groups() {
     for (const Group& group : groups_.rows) {
@@ -53,15 +53,15 @@ class Assembler {
   }
 
   void add_faces(int g) {
-    const Group& group = groups_.rows[static_cast<size_t>(g)];
+    const Group& group = groups_.rows[g];
     for (const int f : group.faces) {
       const FaceId id{static_cast<int>(sheet_.faces.size())};
-      map_.face_id[static_cast<size_t>(f)] = id;
+      map_.face_id[f] = id;
       sheet_.faces.push_back(read_face(f, group.leader, g));
       if (group.flange)
-        sheet_.flanges[static_cast<size_t>(index_of(std::get<FlangeId>(group_part_[static_cast<size_t>(g)])))].faces.push_back(id);
+        sheet_.flanges[index_of(std::get<FlangeId>(group_part_[g]))].faces.push_back(id);
       else
-        sheet_.bends[static_cast<size_t>(index_of(std::get<BendId>(group_part_[static_cast<size_t>(g)])))].faces.push_back(id);
+        sheet_.bends[index_of(std::get<BendId>(group_part_[g]))].faces.push_back(id);
     }
   }
 
@@ -71,13 +71,13 @@ class Assembler {
     face.source_face = f + 1;
     for (const int other : solid_face(f).merged) face.merged_faces.push_back(other + 1);
     face.sense = stands.sense;
-    face.part_of = group_part_[static_cast<size_t>(g)];
+    face.part_of = group_part_[g];
     if (const auto* plane = std::get_if<Frame>(&stands.surface))
       face.surface = *plane;
     else
       face.surface = std::get<Developable>(stands.surface);
-    const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
-    double u_near = outlines_[static_cast<size_t>(leader)].u_middle;
+    const int outer = outer_loop(outlines_[f]);
+    double u_near = outlines_[leader].u_middle;
     face.loops.push_back(read_loop(f, outer, stands.surface, u_near));
     Box2 box;
     for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
@@ -89,7 +89,7 @@ class Assembler {
   }
 
   BorderLoop read_loop(int f, int l, const SolidSurface& surface, double u_near) {
-    const auto& loop = solid_face(f).loops[static_cast<size_t>(l)];
+    const auto& loop = solid_face(f).loops[l];
     std::vector<CoEdge> widened;
     for (const CoEdge& use : loop) {
       widened.push_back(widest_edge(model_, of_.rim, of_.skins.thickness, f, use));
@@ -100,10 +100,10 @@ class Assembler {
     for (size_t i = 0; i < loop.size(); ++i) {
       if (widened[i].edge != loop[i].edge) set_depth(f, read[i]);
       if (map_.widened.count({f, l})) connect(borders, read[i]);
-      const int outer = outer_loop(outlines_[static_cast<size_t>(f)]);
+      const int outer = outer_loop(outlines_[f]);
       // The outer loop of every face comes first in the sheet.
       const int place = l == outer ? 0 : (l < outer ? l + 1 : l);
-      map_.borders[{f, loop[i].edge, loop[i].forward}] = {map_.face_id[static_cast<size_t>(f)], place, static_cast<int>(borders.size())};
+      map_.borders[{f, loop[i].edge, loop[i].forward}] = {map_.face_id[f], place, static_cast<int>(borders.size())};
       borders.push_back(std::move(read[i]));
     }
     if (map_.widened.count({f, l})) connect(borders, Border(borders.front()));
@@ -124,7 +124,7 @@ class Assembler {
 
   void set_depth(int f, Border& border) const {
     const SolidFace& face = solid_face(f);
-    const Vec3 point = model_.edges[static_cast<size_t>(border.edge)].curve.start;
+    const Vec3 point = model_.edges[border.edge].curve.start;
     if (const auto* plane = std::get_if<Frame>(&face.surface)) {
       border.edge_depth = -plane->local(point).z();
     } else {
@@ -148,11 +148,11 @@ class Assembler {
   }
 
   std::pair<BorderRef, BorderRef> refs_of(int e) const {
-    const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
+    const SolidEdge& edge = model_.edges[e];
     return {map_.borders.at({edge.faces[0], e, edge.forward[0]}), map_.borders.at({edge.faces[1], e, edge.forward[1]})};
   }
   const Border& border_at(const BorderRef& ref) const {
-    return sheet_.faces[static_cast<size_t>(index_of(ref.face))].loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+    return sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
   }
 
   /// Faces of one bend meet along seams: each follows the turn of its neighbour.
@@ -166,8 +166,8 @@ class Assembler {
       for (bool moved = true; moved;) {
         moved = false;
         for (const GroupJoint& joint : groups_.joints) {
-          if (joint.a != joint.b || groups_.of_face[static_cast<size_t>(group.leader)] != joint.a) continue;
-          const SolidEdge& edge = model_.edges[static_cast<size_t>(joint.edge)];
+          if (joint.a != joint.b || groups_.of_face[group.leader] != joint.a) continue;
+          const SolidEdge& edge = model_.edges[joint.edge];
           const bool has0 = settled.count(edge.faces[0]) > 0;
           if (has0 == (settled.count(edge.faces[1]) > 0)) continue;
           auto [known, loose] = refs_of(joint.edge);
@@ -178,7 +178,7 @@ class Assembler {
         }
       }
       for (const int f : group.faces)
-        if (!settled.count(f)) shift_face(map_.face_id[static_cast<size_t>(f)], middle_u(face_of(group.leader)) - middle_u(face_of(f)));
+        if (!settled.count(f)) shift_face(map_.face_id[f], middle_u(face_of(group.leader)) - middle_u(face_of(f)));
     }
   }
 
@@ -192,7 +192,7 @@ class Assembler {
     constexpr double kTurn = 2 * std::numbers::pi;
     const double turns = kTurn * std::round(by / kTurn);
     if (turns == 0.0) return;
-    for (BorderLoop& loop : sheet_.faces[static_cast<size_t>(index_of(id))].loops)
+    for (BorderLoop& loop : sheet_.faces[index_of(id)].loops)
       for (Border& border : loop) border.curve = shifted_u(border.curve, turns);
   }
 
@@ -221,16 +221,16 @@ class Assembler {
     constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off (RecognizeOptions::surface_tolerance)
     const double off = std::max(off_ruling(a), off_ruling(b));
     if (off > kCurved) {
-      const auto& faces = model_.edges[static_cast<size_t>(e)].faces;
+      const auto& faces = model_.edges[e].faces;
       return fail(ErrorCode::doubly_curved,
                   fmt::format("Faces {} and {} run into each other along a line that is curved by {:.3g} mm; no flat "
                               "shape bends to that.", faces[0] + 1, faces[1] + 1, off),
                   fmt::format("faces {} and {}", faces[0] + 1, faces[1] + 1));
     }
     for (const BorderRef& ref : {a, b}) {
-      Border& border = sheet_.faces[static_cast<size_t>(index_of(ref.face))].loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+      Border& border = sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
       Segment line{start_of(border.curve), end_of(border.curve)};
-      if (std::holds_alternative<Developable>(sheet_.faces[static_cast<size_t>(index_of(ref.face))].surface))
+      if (std::holds_alternative<Developable>(sheet_.faces[index_of(ref.face)].surface))
         line.a.x() = line.b.x() = (line.a.x() + line.b.x()) / 2;
       border.curve = line;
     }
@@ -239,7 +239,7 @@ class Assembler {
 
   /// How far a border is from the ruling, or the line, between its ends, mm.
   double off_ruling(const BorderRef& ref) const {
-    const Face& face = sheet_.faces[static_cast<size_t>(index_of(ref.face))];
+    const Face& face = sheet_.faces[index_of(ref.face)];
     const Curve2& curve = border_at(ref).curve;
     const Vec2 start = start_of(curve);
     const Vec2 end = end_of(curve);
@@ -262,7 +262,7 @@ class Assembler {
     if (rounded) return;
     const double half = std::abs(*dihedral(model_, e)) / 2;
     const double t = sheet_.thickness;
-    sheet_.mitres_volume += model_.edges[static_cast<size_t>(e)].curve.length() * t * t * (std::tan(half) - half);
+    sheet_.mitres_volume += model_.edges[e].curve.length() * t * t * (std::tan(half) - half);
   }
 
   BendId add_sharp_bend(int e) {
@@ -276,11 +276,11 @@ class Assembler {
   }
 
   void measure_bend(int g) {
-    Bend& bend = sheet_.bends[static_cast<size_t>(index_of(std::get<BendId>(group_part_[static_cast<size_t>(g)])))];
-    const Face& face = sheet_.faces[static_cast<size_t>(index_of(bend.faces.front()))];
+    Bend& bend = sheet_.bends[index_of(std::get<BendId>(group_part_[g]))];
+    const Face& face = sheet_.faces[index_of(bend.faces.front())];
     Box2 box;
     for (const FaceId id : bend.faces)
-      for (const Border& border : sheet_.faces[static_cast<size_t>(index_of(id))].loops.front()) box.add(bounds(border.curve));
+      for (const Border& border : sheet_.faces[index_of(id)].loops.front()) box.add(bounds(border.curve));
     const double turn = box.size().x();
     const double skin_to_inside = face.sense > 0 ? sheet_.thickness : 0.0;
     bend.reference_inside = face.sense < 0;

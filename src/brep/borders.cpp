@@ -94,7 +94,7 @@ class OnDevelopable {
     const std::vector<double> turns = unwrapped_u();
     const auto f = [&](double t) -> CurveSample {
       const double share = std::clamp((t - curve_.t0) / (curve_.t1 - curve_.t0), 0.0, 1.0);
-      const double u_near = turns[static_cast<size_t>(share * static_cast<double>(turns.size() - 1))];
+      const double u_near = turns[share * static_cast<double>(turns.size() - 1)];
       const Vec3 derivative = curve_.derivative(t);
       const Vec2 uv = parameters_of(surface_, curve_.point(t), u_near);
       const Tangents tangents = tangents_at(surface_, uv);
@@ -145,7 +145,7 @@ BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop
                         double u_near, double tolerance) {
   BorderLoop borders;
   for (const CoEdge& use : loop) {
-    const SpaceCurve& edge = model.edges[static_cast<size_t>(use.edge)].curve;
+    const SpaceCurve& edge = model.edges[use.edge].curve;
     Border border;
     border.edge = use.edge;
     border.edge_length = edge.length();

@@ -84,7 +84,7 @@ double volume_under(const SolidFace& face, const SolidModel& model) {
     double sum = 0.0;
     for (const auto& loop : face.loops)
       for (const CoEdge& use : loop) {
-        const double part = form(model.edges[static_cast<size_t>(use.edge)].curve);
+        const double part = form(model.edges[use.edge].curve);
         sum += use.forward ? part : -part;
       }
     return sum;

@@ -51,24 +51,24 @@ class FeatureFinder {
   }
 
  private:
-  const SolidFace& solid_face(int f) const { return model_.faces[static_cast<size_t>(f)]; }
-  FaceId face_id(int f) const { return map_.face_id[static_cast<size_t>(f)]; }
-  Face& face_of(int f) { return sheet_.faces[static_cast<size_t>(index_of(face_id(f)))]; }
+  const SolidFace& solid_face(int f) const { return model_.faces[f]; }
+  FaceId face_id(int f) const { return map_.face_id[f]; }
+  Face& face_of(int f) { return sheet_.faces[index_of(face_id(f))]; }
 
   void mark(int part, const std::vector<LoopRef>& loops, const char* kind, const Error& at_rim) {
     FormedFeature feature;
     feature.kind = kind;
-    feature.source_face = of_.rim.parts[static_cast<size_t>(part)].faces.front() + 1;
+    feature.source_face = of_.rim.parts[part].faces.front() + 1;
     feature.face = face_id(loops.front().face);
     feature.at_rim = at_rim;
     const int index = static_cast<int>(sheet_.features.size());
     for (const LoopRef& ref : loops)
-      for (const CoEdge& use : solid_face(ref.face).loops[static_cast<size_t>(ref.loop)]) {
-        const auto& faces = model_.edges[static_cast<size_t>(use.edge)].faces;
+      for (const CoEdge& use : solid_face(ref.face).loops[ref.loop]) {
+        const auto& faces = model_.edges[use.edge].faces;
         const int other = faces[0] == ref.face ? faces[1] : faces[0];
-        if (other < 0 || of_.rim.part_of[static_cast<size_t>(other)] != part) continue;
+        if (other < 0 || of_.rim.part_of[other] != part) continue;
         const BorderRef border = map_.borders.at({ref.face, use.edge, use.forward});
-        sheet_.faces[static_cast<size_t>(index_of(border.face))].loops[static_cast<size_t>(border.loop)][static_cast<size_t>(border.border)].feature = index;
+        sheet_.faces[index_of(border.face)].loops[border.loop][border.border].feature = index;
       }
     sheet_.features.push_back(std::move(feature));
   }
@@ -85,23 +85,23 @@ class FeatureFinder {
   }
 
   std::pair<Vec3, Vec3> box_of(const RimPart& part) const {
-    Vec3 lo = outlines_[static_cast<size_t>(part.faces.front())].lo;
-    Vec3 hi = outlines_[static_cast<size_t>(part.faces.front())].hi;
+    Vec3 lo = outlines_[part.faces.front()].lo;
+    Vec3 hi = outlines_[part.faces.front()].hi;
     for (const int f : part.faces) {
-      lo = lo.cwiseMin(outlines_[static_cast<size_t>(f)].lo);
-      hi = hi.cwiseMax(outlines_[static_cast<size_t>(f)].hi);
+      lo = lo.cwiseMin(outlines_[f].lo);
+      hi = hi.cwiseMax(outlines_[f].hi);
     }
     return {lo.array() - sheet_.thickness, hi.array() + sheet_.thickness};
   }
 
   /// A recess in, or a boss on, the other skin: drawn where it lies, seen through the sheet.
   void add_far_outline(const RimPart& part, const LoopRef& ref, const char* kind) {
-    const bool opening = outer_loop(outlines_[static_cast<size_t>(ref.face)]) != ref.loop;
+    const bool opening = outer_loop(outlines_[ref.face]) != ref.loop;
     if (!opening || !std::holds_alternative<Frame>(solid_face(ref.face).surface)) return;
-    const Vec3 first = outlines_[static_cast<size_t>(ref.face)].rings[static_cast<size_t>(ref.loop)].front();
-    for (const int partner : of_.skins.partners[static_cast<size_t>(ref.face)]) {
-      const Outline& outline = outlines_[static_cast<size_t>(partner)];
-      if (of_.skins.side[static_cast<size_t>(partner)] != of_.side || !std::holds_alternative<Frame>(solid_face(partner).surface)) continue;
+    const Vec3 first = outlines_[ref.face].rings[ref.loop].front();
+    for (const int partner : of_.skins.partners[ref.face]) {
+      const Outline& outline = outlines_[partner];
+      if (of_.skins.side[partner] != of_.side || !std::holds_alternative<Frame>(solid_face(partner).surface)) continue;
       const Face& face = face_of(partner);
       const double reach = sheet_.thickness;
       if (((outline.lo.array() - reach) > first.array()).any() || ((outline.hi.array() + reach) < first.array()).any()) continue;
@@ -120,12 +120,12 @@ class FeatureFinder {
   /// openings of planar faces.
   void compare_openings(const RimPart& part, const LoopRef& here, const LoopRef& there) {
     if (!opening_in_plane(here) || !opening_in_plane(there)) return;
-    const CoEdge& first_use = solid_face(here.face).loops[static_cast<size_t>(here.loop)].front();
+    const CoEdge& first_use = solid_face(here.face).loops[here.loop].front();
     const BorderRef first = map_.borders.at({here.face, first_use.edge, first_use.forward});
     Face& face = face_of(here.face);
     const auto& frame = std::get<Frame>(face.surface);
-    BorderLoop& own = face.loops[static_cast<size_t>(first.loop)];
-    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[static_cast<size_t>(here.loop)], frame, 0.0, of_.tolerance);
+    BorderLoop& own = face.loops[first.loop];
+    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[here.loop], frame, 0.0, of_.tolerance);
     BorderLoop theirs = projected_loop(there, frame);
     constexpr double kWider = 1.001;  // area ratio that drilling noise does not reach
     if (loop_area(theirs) * kWider < loop_area(own)) own = theirs;
@@ -156,7 +156,7 @@ class FeatureFinder {
 
   bool opening_in_plane(const LoopRef& ref) const {
     return std::holds_alternative<Frame>(solid_face(ref.face).surface) &&
-           outer_loop(outlines_[static_cast<size_t>(ref.face)]) != ref.loop;
+           outer_loop(outlines_[ref.face]) != ref.loop;
   }
 
   /// Plane of a skin and what a loop in it encloses.
@@ -167,7 +167,7 @@ class FeatureFinder {
   Cover cover(const LoopRef& ref) const {
     const auto& plane = std::get<Frame>(solid_face(ref.face).surface);
     return {(plane.origin - model_.centre).dot(plane.z),
-            loop_area(read_borders(model_, solid_face(ref.face).loops[static_cast<size_t>(ref.loop)], plane, 0.0, of_.tolerance))};
+            loop_area(read_borders(model_, solid_face(ref.face).loops[ref.loop], plane, 0.0, of_.tolerance))};
   }
 
   double volume_under(const RimPart& part) const {
@@ -214,14 +214,14 @@ class FeatureFinder {
       feature.kind = "chamfer";
       feature.source_face = f + 1;
       feature.face = face_id(f);
-      if (plane) feature.outlines.push_back(read_borders(model_, solid_face(f).loops[static_cast<size_t>(l)], *plane, 0.0, of_.tolerance));
+      if (plane) feature.outlines.push_back(read_borders(model_, solid_face(f).loops[l], *plane, 0.0, of_.tolerance));
       sheet_.features.push_back(std::move(feature));
     }
   }
 
   /// A loop of the other skin seen on this one: run the other way round, a thickness below.
   BorderLoop projected_loop(const LoopRef& ref, const Frame& plane) const {
-    std::vector<CoEdge> loop = solid_face(ref.face).loops[static_cast<size_t>(ref.loop)];
+    std::vector<CoEdge> loop = solid_face(ref.face).loops[ref.loop];
     std::reverse(loop.begin(), loop.end());
     for (CoEdge& use : loop) use.forward = !use.forward;
     BorderLoop borders = read_borders(model_, loop, plane, 0.0, of_.tolerance);

@@ -67,7 +67,7 @@ std::optional<SurfaceFit> fit_cylinder(const Samples& samples, double tolerance)
   Eigen::MatrixXd rows(2 * static_cast<Eigen::Index>(samples.size()), 3);
   Eigen::VectorXd right(rows.rows());
   for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(samples.size()); ++i) {
-    const SurfaceSample& sample = samples[static_cast<size_t>(i)];
+    const SurfaceSample& sample = samples[i];
     const Vec2 n(sample.normal.dot(frame.x), sample.normal.dot(frame.y));
     const Vec2 p = frame.local2(sample.point);
     rows.row(2 * i) << 1, 0, n.x();

@@ -48,10 +48,10 @@ class UnionFind {
  public:
   explicit UnionFind(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
   int root(int i) {
-    while (parent_[static_cast<size_t>(i)] != i) i = parent_[static_cast<size_t>(i)] = parent_[static_cast<size_t>(parent_[static_cast<size_t>(i)])];
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  void join(int a, int b) { parent_[static_cast<size_t>(root(a))] = root(b); }
+  void join(int a, int b) { parent_[root(a)] = root(b); }
 
  private:
   std::vector<int> parent_;
@@ -69,15 +69,15 @@ class Grouper {
     join_interrupted_bends();
     collect();
     for (GroupJoint& joint : groups_.joints) {
-      joint.a = groups_.of_face[static_cast<size_t>(joint.a)];
-      joint.b = groups_.of_face[static_cast<size_t>(joint.b)];
+      joint.a = groups_.of_face[joint.a];
+      joint.b = groups_.of_face[joint.b];
     }
     return std::move(groups_);
   }
 
  private:
-  const SolidFace& face(int f) const { return model_.faces[static_cast<size_t>(f)]; }
-  bool mine(int f) const { return f >= 0 && skins_.side[static_cast<size_t>(f)] == side_; }
+  const SolidFace& face(int f) const { return model_.faces[f]; }
+  bool mine(int f) const { return f >= 0 && skins_.side[f] == side_; }
 
   void find_joints() {
     std::set<int> sharp;
@@ -119,9 +119,9 @@ class Grouper {
       if (!mine(index)) continue;
       const auto [at, fresh] = row_of_root.emplace(sets_.root(index), static_cast<int>(groups_.rows.size()));
       if (fresh) groups_.rows.push_back({{}, std::holds_alternative<Frame>(face(index).surface), index});
-      Group& row = groups_.rows[static_cast<size_t>(at->second)];
+      Group& row = groups_.rows[at->second];
       row.faces.push_back(index);
-      if (outlines_[f].area > outlines_[static_cast<size_t>(row.leader)].area) row.leader = index;
+      if (outlines_[f].area > outlines_[row.leader].area) row.leader = index;
       groups_.of_face[f] = at->second;
     }
   }
@@ -141,7 +141,7 @@ std::set<int> reached_inside(const std::vector<std::vector<int>>& neighbours, in
   while (!stack.empty()) {
     const int at = stack.back();
     stack.pop_back();
-    for (const int next : neighbours[static_cast<size_t>(at)])
+    for (const int next : neighbours[at])
       if (next != flange && reached.insert(next).second) stack.push_back(next);
   }
   return reached;
@@ -169,21 +169,21 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
     const GroupJoint& joint = groups.joints[i];
     group_across[joint.edge] = static_cast<int>(i);
     if (joint.a == joint.b) continue;
-    neighbours[static_cast<size_t>(joint.a)].push_back(joint.b);
-    neighbours[static_cast<size_t>(joint.b)].push_back(joint.a);
+    neighbours[joint.a].push_back(joint.b);
+    neighbours[joint.b].push_back(joint.a);
   }
   std::set<int> taken;
   for (size_t g = 0; g < groups.rows.size(); ++g) {
     if (!groups.rows[g].flange) continue;
     for (const int f : groups.rows[g].faces) {
-      const int outer = outer_loop(outlines[static_cast<size_t>(f)]);
-      const auto& loops = model.faces[static_cast<size_t>(f)].loops;
+      const int outer = outer_loop(outlines[f]);
+      const auto& loops = model.faces[f].loops;
       for (size_t l = 0; l < loops.size(); ++l) {
         if (static_cast<int>(l) == outer) continue;
         std::set<int> seeds;
         for (const CoEdge& use : loops[l])
           if (const auto found = group_across.find(use.edge); found != group_across.end()) {
-            const GroupJoint& joint = groups.joints[static_cast<size_t>(found->second)];
+            const GroupJoint& joint = groups.joints[found->second];
             const int other = joint.a == static_cast<int>(g) ? joint.b : joint.a;
             if (other != static_cast<int>(g)) seeds.insert(other);
           }
@@ -195,7 +195,7 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
   }
   std::vector<int> faces;
   for (const int g : taken)
-    for (const int f : groups.rows[static_cast<size_t>(g)].faces) faces.push_back(f);
+    for (const int f : groups.rows[g].faces) faces.push_back(f);
   return faces;
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double kSliver = 1e-3;
 
 void replace_use(SolidModel& model, int face, int from, CoEdge to) {
-  for (auto& loop : model.faces[static_cast<size_t>(face)].loops)
+  for (auto& loop : model.faces[face].loops)
     for (CoEdge& use : loop)
       if (use.edge == from) use = to;
 }
@@ -28,10 +28,10 @@ std::optional<std::pair<int, int>> sliver_sides(const SolidModel& model, const S
   if (face.loops.size() != 1 || face.loops.front().size() < 3 || face.loops.front().size() > 4) return {};
   std::vector<std::pair<double, int>> lengths;
   for (const CoEdge& use : face.loops.front())
-    lengths.emplace_back(model.edges[static_cast<size_t>(use.edge)].curve.length(), use.edge);
+    lengths.emplace_back(model.edges[use.edge].curve.length(), use.edge);
   std::sort(lengths.rbegin(), lengths.rend());
-  const SpaceCurve& a = model.edges[static_cast<size_t>(lengths[0].second)].curve;
-  const SpaceCurve& b = model.edges[static_cast<size_t>(lengths[1].second)].curve;
+  const SpaceCurve& a = model.edges[lengths[0].second].curve;
+  const SpaceCurve& b = model.edges[lengths[1].second].curve;
   if (lengths[2].first > kSliver || lengths[1].first < 2 * kSliver) return {};
   for (const double share : {0.0, 0.5, 1.0})
     if (b.distance(a.point(a.t0 + share * (a.t1 - a.t0))) > kSliver) return {};
@@ -40,8 +40,8 @@ std::optional<std::pair<int, int>> sliver_sides(const SolidModel& model, const S
 
 /// Whether two faces head the same way at the middle of an edge: only then was the step no intent.
 bool continue_each_other(const SolidModel& model, int a, int b, const SpaceCurve& edge) {
-  const SolidFace& first = model.faces[static_cast<size_t>(a)];
-  const SolidFace& second = model.faces[static_cast<size_t>(b)];
+  const SolidFace& first = model.faces[a];
+  const SolidFace& second = model.faces[b];
   if (std::holds_alternative<DoublyCurved>(first.surface) || std::holds_alternative<DoublyCurved>(second.surface))
     return false;
   constexpr double kSameWay = 0.996;  // cosine of 5°
@@ -55,8 +55,8 @@ void close_slivers(SolidModel& model) {
     const auto sides = sliver_sides(model, model.faces[f]);
     if (!sides) continue;
     const int index = static_cast<int>(f);
-    SolidEdge& kept = model.edges[static_cast<size_t>(sides->first)];
-    SolidEdge& gone = model.edges[static_cast<size_t>(sides->second)];
+    SolidEdge& kept = model.edges[sides->first];
+    SolidEdge& gone = model.edges[sides->second];
     const int a = other_face(kept, index);
     const int b = other_face(gone, index);
     if (a < 0 || b < 0 || a == b || a == index || b == index || !continue_each_other(model, a, b, kept.curve)) continue;
@@ -84,7 +84,7 @@ class PlaneMerger {
       const SolidEdge& edge = model_.edges[e];
       if (!passed_both_ways(edge) || !plane(edge.faces[0]) || !plane(edge.faces[1])) continue;
       if (edge.faces[0] == edge.faces[1] || !smooth_edge(model_, static_cast<int>(e))) continue;
-      parent_[static_cast<size_t>(root(edge.faces[0]))] = root(edge.faces[1]);
+      parent_[root(edge.faces[0])] = root(edge.faces[1]);
       any = true;
     }
     if (!any) return;
@@ -97,9 +97,9 @@ class PlaneMerger {
  private:
   /// Damaged solids also hold edges that both faces run along the same way.
   static bool passed_both_ways(const SolidEdge& edge) { return edge.uses == 2 && edge.forward[0] != edge.forward[1]; }
-  bool plane(int f) const { return f >= 0 && std::holds_alternative<Frame>(model_.faces[static_cast<size_t>(f)].surface); }
+  bool plane(int f) const { return f >= 0 && std::holds_alternative<Frame>(model_.faces[f].surface); }
   int root(int f) const {
-    while (parent_[static_cast<size_t>(f)] != f) f = parent_[static_cast<size_t>(f)];
+    while (parent_[f] != f) f = parent_[f];
     return f;
   }
 
@@ -110,14 +110,14 @@ class PlaneMerger {
   void merge(const std::vector<int>& faces) {
     const std::set<int> members(faces.begin(), faces.end());
     const auto inner = [&](int e) {
-      const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
+      const SolidEdge& edge = model_.edges[e];
       return passed_both_ways(edge) && members.count(edge.faces[0]) && members.count(edge.faces[1]);
     };
     std::map<std::pair<int, bool>, Use> place;  // by edge and sense
     std::vector<Use> outline;
     for (const int f : faces)
-      for (size_t l = 0; l < model_.faces[static_cast<size_t>(f)].loops.size(); ++l)
-        for (size_t i = 0; i < model_.faces[static_cast<size_t>(f)].loops[l].size(); ++i) {
+      for (size_t l = 0; l < model_.faces[f].loops.size(); ++l)
+        for (size_t i = 0; i < model_.faces[f].loops[l].size(); ++i) {
           const Use use{f, static_cast<int>(l), static_cast<int>(i)};
           place[{at(use).edge, at(use).forward}] = use;
           if (!inner(at(use).edge)) outline.push_back(use);
@@ -140,10 +140,10 @@ class PlaneMerger {
     std::set<int> inside;
     for (const auto& [key, use] : place)
       if (inner(key.first)) inside.insert(key.first);
-    SolidFace& whole = model_.faces[static_cast<size_t>(leader)];
+    SolidFace& whole = model_.faces[leader];
     for (const int f : faces) {
       if (f == leader) continue;
-      SolidFace& part = model_.faces[static_cast<size_t>(f)];
+      SolidFace& part = model_.faces[f];
       whole.volume += part.volume;
       whole.merged.push_back(f);
       part = SolidFace{DoublyCurved{"merged"}, 1, {}, {}, 0.0, 0.0};
@@ -151,19 +151,19 @@ class PlaneMerger {
     whole.loops = std::move(loops);
     for (const auto& loop : whole.loops)
       for (const CoEdge& use : loop)
-        for (int& face : model_.edges[static_cast<size_t>(use.edge)].faces)
+        for (int& face : model_.edges[use.edge].faces)
           if (members.count(face)) face = leader;
     for (const int e : inside) {
-      model_.edges[static_cast<size_t>(e)].uses = 0;
-      model_.edges[static_cast<size_t>(e)].faces = {-1, -1};
+      model_.edges[e].uses = 0;
+      model_.edges[e].faces = {-1, -1};
     }
   }
 
   const CoEdge& at(const Use& use) const {
-    return model_.faces[static_cast<size_t>(use.face)].loops[static_cast<size_t>(use.loop)][static_cast<size_t>(use.index)];
+    return model_.faces[use.face].loops[use.loop][use.index];
   }
   Use next(const Use& use) const {
-    const auto& loop = model_.faces[static_cast<size_t>(use.face)].loops[static_cast<size_t>(use.loop)];
+    const auto& loop = model_.faces[use.face].loops[use.loop];
     return {use.face, use.loop, use.index + 1 < static_cast<int>(loop.size()) ? use.index + 1 : 0};
   }
 

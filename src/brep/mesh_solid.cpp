@@ -24,13 +24,13 @@ namespace {
 using Side = std::pair<int, int>;
 
 Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
-  const auto at = [&](int corner) -> const Vec3& { return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(corner)])]; };
+  const auto at = [&](int corner) -> const Vec3& { return mesh.points[t[corner]]; };
   return (at(1) - at(0)).cross(at(2) - at(0));
 }
 
 double volume_of(const Mesh& mesh) {
   const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
-  const auto at = [&](int point) -> Vec3 { return mesh.points[static_cast<std::size_t>(point)] - origin; };
+  const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
     sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
@@ -42,13 +42,13 @@ std::vector<Mesh> parts_of(const Mesh& mesh) {
   std::vector<int> root(mesh.points.size());
   std::iota(root.begin(), root.end(), 0);
   const auto root_of = [&](int point) {
-    while (root[static_cast<std::size_t>(point)] != point)
-      point = root[static_cast<std::size_t>(point)] = root[static_cast<std::size_t>(root[static_cast<std::size_t>(point)])];
+    while (root[point] != point)
+      point = root[point] = root[root[point]];
     return point;
   };
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 1; i < 3; ++i)
-      root[static_cast<std::size_t>(root_of(t[i]))] = root_of(t[0]);
+      root[root_of(t[i])] = root_of(t[0]);
   std::map<int, std::size_t> number;
   std::vector<Mesh> parts;
   for (const auto& t : mesh.triangles) {
@@ -96,7 +96,7 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   std::map<int, TopoDS_Vertex> vertices;
   for (const auto& t : mesh.triangles)
     for (const int corner : t)
-      if (!vertices.contains(corner)) vertices.emplace(corner, builder.vertex(mesh.points[static_cast<std::size_t>(corner)]));
+      if (!vertices.contains(corner)) vertices.emplace(corner, builder.vertex(mesh.points[corner]));
   std::map<Side, brep::BuiltEdge> edges;
   const auto use_of = [&](int from, int to) {
     const Side side = std::minmax(from, to);
@@ -108,7 +108,7 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   for (const auto& t : mesh.triangles) {
     const Vec3 normal = twice_area(mesh, t).normalized();
     const Handle(Geom_Surface) plane =
-        new Geom_Plane(brep::kernel_point(mesh.points[static_cast<std::size_t>(t[0])]), brep::kernel_direction(normal));
+        new Geom_Plane(brep::kernel_point(mesh.points[t[0]]), brep::kernel_direction(normal));
     builder.face(plane, 1, {{use_of(t[0], t[1]), use_of(t[1], t[2]), use_of(t[2], t[0])}});
   }
   return builder.shell();

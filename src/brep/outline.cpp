@@ -49,7 +49,7 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
   for (const auto& loop : face.loops) {
     std::vector<Vec3>& ring = outline.rings.emplace_back();
     for (const CoEdge& use : loop)
-      add_points(model.edges[static_cast<size_t>(use.edge)].curve, use.forward, ring);
+      add_points(model.edges[use.edge].curve, use.forward, ring);
   }
   if (outline.rings.empty() || outline.rings.front().empty()) return {};
   outline.lo = outline.hi = outline.rings.front().front();
@@ -153,10 +153,10 @@ std::vector<Outline> outlines_of(const SolidModel& model) {
 }
 
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines, int a, int b) {
-  const SolidFace& face = model.faces[static_cast<size_t>(a)];
-  const Outline& from = outlines[static_cast<size_t>(a)];
-  const Outline& to = outlines[static_cast<size_t>(b)];
-  if (from.flat.empty() || to.flat.empty() || !same_kind(face, model.faces[static_cast<size_t>(b)])) return {};
+  const SolidFace& face = model.faces[a];
+  const Outline& from = outlines[a];
+  const Outline& to = outlines[b];
+  if (from.flat.empty() || to.flat.empty() || !same_kind(face, model.faces[b])) return {};
   constexpr double kAntiparallel = -0.9995;  // cosine; 1.8°
   if (outward_normal_at(face, to.inner_point).dot(to.inner_normal) > kAntiparallel) return {};
   Opposite result;

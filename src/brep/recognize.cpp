@@ -34,7 +34,7 @@ double neutral_area(const SolidModel& model, const std::vector<Outline>& outline
 
 int outward_sharp_edges(const SolidModel& model, const Skins& skins, Side side) {
   return static_cast<int>(std::count_if(skins.sharp.begin(), skins.sharp.end(), [&](const SharpEdge& edge) {
-    return !edge.concave && skins.side[static_cast<size_t>(model.edges[static_cast<size_t>(edge.edge)].faces[0])] == side;
+    return !edge.concave && skins.side[model.edges[edge.edge].faces[0]] == side;
   }));
 }
 
@@ -62,12 +62,12 @@ bool drop_closed_forms(const SolidModel& model, const std::vector<Outline>& outl
     const Groups groups = group_faces(model, outlines, skins, side);
     const std::vector<int> faces = closed_forms(model, outlines, groups);
     double area = 0.0;
-    for (const int f : faces) area += outlines[static_cast<size_t>(f)].area;
+    for (const int f : faces) area += outlines[f].area;
     const double whole = side == Side::first ? skins.area_first : skins.area_second;
     if (faces.empty() || area > kLargestShare * whole) continue;
     for (const int f : faces) {
-      skins.side[static_cast<size_t>(f)] = Side::none;
-      for (const int partner : skins.partners[static_cast<size_t>(f)]) skins.side[static_cast<size_t>(partner)] = Side::none;
+      skins.side[f] = Side::none;
+      for (const int partner : skins.partners[f]) skins.side[partner] = Side::none;
     }
     dropped = true;
   }
@@ -145,7 +145,7 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model, cons
   Recognized result;
   result.sheet = std::move(*sheet);
   result.distance = [model](int edge, const Vec3& point) {
-    return model->edges[static_cast<size_t>(edge)].curve.distance(point);
+    return model->edges[edge].curve.distance(point);
   };
   return result;
 }

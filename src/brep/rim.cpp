@@ -14,7 +14,7 @@ class RimFinder {
       : model_(model), outlines_(outlines), skins_(skins), edges_of_(model.faces.size()) {
     for (size_t e = 0; e < model.edges.size(); ++e)
       for (const int f : model.edges[e].faces)
-        if (f >= 0) edges_of_[static_cast<size_t>(f)].push_back(static_cast<int>(e));
+        if (f >= 0) edges_of_[f].push_back(static_cast<int>(e));
     mark_skin_vertices();
   }
 
@@ -30,7 +30,7 @@ class RimFinder {
   }
 
  private:
-  Side side(int face) const { return skins_.side[static_cast<size_t>(face)]; }
+  Side side(int face) const { return skins_.side[face]; }
 
   void mark_skin_vertices() {
     for (const SolidEdge& edge : model_.edges) {
@@ -41,7 +41,7 @@ class RimFinder {
   }
 
   int across(int e, int face) const {
-    const auto& faces = model_.edges[static_cast<size_t>(e)].faces;
+    const auto& faces = model_.edges[e].faces;
     return faces[0] == face ? faces[1] : faces[0];
   }
 
@@ -49,15 +49,15 @@ class RimFinder {
     const int label = static_cast<int>(rim_.parts.size());
     RimPart& part = rim_.parts.emplace_back();
     std::vector<int> stack{seed};
-    rim_.part_of[static_cast<size_t>(seed)] = label;
+    rim_.part_of[seed] = label;
     while (!stack.empty()) {
       const int face = stack.back();
       stack.pop_back();
       part.faces.push_back(face);
-      for (const int e : edges_of_[static_cast<size_t>(face)]) {
+      for (const int e : edges_of_[face]) {
         const int next = across(e, face);
-        if (next < 0 || side(next) != Side::none || rim_.part_of[static_cast<size_t>(next)] >= 0) continue;
-        rim_.part_of[static_cast<size_t>(next)] = label;
+        if (next < 0 || side(next) != Side::none || rim_.part_of[next] >= 0) continue;
+        rim_.part_of[next] = label;
         stack.push_back(next);
       }
     }
@@ -70,9 +70,9 @@ class RimFinder {
         std::set<int> parts;
         for (const CoEdge& use : model_.faces[f].loops[l])
           if (const int next = across(use.edge, static_cast<int>(f)); next >= 0)
-            if (const int part = rim_.part_of[static_cast<size_t>(next)]; part >= 0) parts.insert(part);
+            if (const int part = rim_.part_of[next]; part >= 0) parts.insert(part);
         for (const int part : parts) {
-          RimPart& row = rim_.parts[static_cast<size_t>(part)];
+          RimPart& row = rim_.parts[part];
           (side(static_cast<int>(f)) == Side::first ? row.first : row.second)
               .push_back({static_cast<int>(f), static_cast<int>(l)});
         }
@@ -85,10 +85,10 @@ class RimFinder {
     const double t = skins_.thickness;
     const double slack = 0.05 * t + skins_.spread;  // fillets and chamfers touch the skins from inside
     return std::any_of(skin_faces.begin(), skin_faces.end(), [&](int f) {
-      const Outline& outline = outlines_[static_cast<size_t>(f)];
+      const Outline& outline = outlines_[f];
       const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() && (p.array() <= (outline.hi.array() + 2 * t)).all();
       if (!near) return false;
-      const SolidFace& face = model_.faces[static_cast<size_t>(f)];
+      const SolidFace& face = model_.faces[f];
       double depth = 0.0;
       if (const auto* plane = std::get_if<Frame>(&face.surface)) {
         depth = -plane->local(p).z();
@@ -106,8 +106,8 @@ class RimFinder {
     std::vector<Vec3> points;
     std::set<int> seen;
     for (const int f : part.faces)
-      for (const int e : edges_of_[static_cast<size_t>(f)]) {
-        const SolidEdge& edge = model_.edges[static_cast<size_t>(e)];
+      for (const int e : edges_of_[f]) {
+        const SolidEdge& edge = model_.edges[e];
         if (!seen.insert(e).second || edge.vertices[0] < 0) continue;
         const bool on_skin = std::any_of(edge.faces.begin(), edge.faces.end(),
                                          [&](int face) { return face >= 0 && side(face) != Side::none; });
@@ -139,10 +139,10 @@ class RimFinder {
     Error doubly{ErrorCode::internal, {}, {}};
     Error thickness = doubly;
     for (const int f : part.faces)
-      for (const int e : edges_of_[static_cast<size_t>(f)]) {
+      for (const int e : edges_of_[f]) {
         const int skin = across(e, f);
         if (skin < 0 || !skin_faces.count(skin)) continue;
-        const SolidFace& face = model_.faces[static_cast<size_t>(f)];
+        const SolidFace& face = model_.faces[f];
         if (const auto* curved = std::get_if<DoublyCurved>(&face.surface)) {
           if (doubly.message.empty())
             doubly = {ErrorCode::doubly_curved,

@@ -45,7 +45,7 @@ class ThicknessPoll {
   }
 
  private:
-  const Outline& outline(int face) const { return outlines_[static_cast<size_t>(face)]; }
+  const Outline& outline(int face) const { return outlines_[face]; }
 
   /// The faces that decide: large ones hold the vote, and their number bounds the cost.
   std::vector<int> largest_faces() const {
@@ -63,7 +63,7 @@ class ThicknessPoll {
 
   /// General surfaces are dear to compare, and most are walls of engraved letters: small ones are not asked.
   bool general(int f) const {
-    const auto* surface = std::get_if<Developable>(&model_.faces[static_cast<size_t>(f)].surface);
+    const auto* surface = std::get_if<Developable>(&model_.faces[f].surface);
     return surface && std::holds_alternative<Ruled>(*surface);
   }
 
@@ -127,8 +127,8 @@ class SkinFinder {
   }
 
  private:
-  const Outline& outline(int face) const { return outlines_[static_cast<size_t>(face)]; }
-  const SolidFace& face(int index) const { return model_.faces[static_cast<size_t>(index)]; }
+  const Outline& outline(int face) const { return outlines_[face]; }
+  const SolidFace& face(int index) const { return model_.faces[index]; }
 
   double slack() const { return tolerance_ * skins_.thickness; }
 
@@ -155,14 +155,14 @@ class SkinFinder {
     if (!seen || std::abs(seen->depth - skins_.thickness) > slack() || seen->spread > slack()) return;
     const auto back = opposite(model_, outlines_, b, a);
     if (!back) return;
-    skins_.partners[static_cast<size_t>(a)].push_back(b);
-    skins_.partners[static_cast<size_t>(b)].push_back(a);
-    covered_[static_cast<size_t>(a)] += seen->overlap / outline(a).area;
-    covered_[static_cast<size_t>(b)] += back->overlap / outline(b).area;
+    skins_.partners[a].push_back(b);
+    skins_.partners[b].push_back(a);
+    covered_[a] += seen->overlap / outline(a).area;
+    covered_[b] += back->overlap / outline(b).area;
     depths_.push_back({a, b, *seen});
   }
 
-  bool candidate(int f) const { return covered_[static_cast<size_t>(f)] >= kCovered; }
+  bool candidate(int f) const { return covered_[f] >= kCovered; }
 
   /// Concave edges of two candidates whose partners are bridged by a cylinder about that edge: the
   /// rounded outside of a bend with zero inside radius. It counts as skin although nothing faces it.
@@ -175,14 +175,14 @@ class SkinFinder {
       for (int c = 0; c < count_; ++c)
         if (!candidate(c) && rounds(c, static_cast<int>(e))) rounded_.emplace_back(static_cast<int>(e), c);
     }
-    for (const auto& [edge, c] : rounded_) covered_[static_cast<size_t>(c)] = 1.0;
+    for (const auto& [edge, c] : rounded_) covered_[c] = 1.0;
   }
 
   bool rounds(int c, int edge) const {
     const auto* surface = std::get_if<Developable>(&face(c).surface);
     const auto* cylinder = surface ? std::get_if<Cylinder>(surface) : nullptr;
     if (!cylinder || face(c).sense < 0 || std::abs(cylinder->radius - skins_.thickness) > slack()) return false;
-    const SpaceCurve& curve = model_.edges[static_cast<size_t>(edge)].curve;
+    const SpaceCurve& curve = model_.edges[edge].curve;
     const auto off_axis = [&](const Vec3& p) { return cylinder->frame.local(p).head<2>().norm(); };
     if (curve.kind != SpaceCurve::Kind::line || off_axis(curve.start) > slack() || off_axis(curve.end) > slack())
       return false;
@@ -213,16 +213,16 @@ class SkinFinder {
   }
 
   bool partnered(int a, int b) const {
-    const auto& row = skins_.partners[static_cast<size_t>(a)];
+    const auto& row = skins_.partners[a];
     return std::find(row.begin(), row.end(), b) != row.end();
   }
 
   bool opposite_edges(int e, int other) const {
-    const auto& [f, g] = model_.edges[static_cast<size_t>(e)].faces;
-    const auto& [p, q] = model_.edges[static_cast<size_t>(other)].faces;
+    const auto& [f, g] = model_.edges[e].faces;
+    const auto& [p, q] = model_.edges[other].faces;
     if (!(partnered(f, p) && partnered(g, q)) && !(partnered(f, q) && partnered(g, p))) return false;
-    const SpaceCurve& a = model_.edges[static_cast<size_t>(e)].curve;
-    const SpaceCurve& b = model_.edges[static_cast<size_t>(other)].curve;
+    const SpaceCurve& a = model_.edges[e].curve;
+    const SpaceCurve& b = model_.edges[other].curve;
     // The mitre's length grows with the angle; 150° of bend is 4 thicknesses.
     constexpr double kLongestMitre = 4.0;
     const Vec3 middle = (b.start + b.end) / 2;
@@ -235,9 +235,9 @@ class SkinFinder {
     component_.assign(static_cast<size_t>(count_), -1);
     std::vector<std::vector<int>> neighbours(static_cast<size_t>(count_));
     const auto join = [&](int e) {
-      const auto& [f, g] = model_.edges[static_cast<size_t>(e)].faces;
-      neighbours[static_cast<size_t>(f)].push_back(g);
-      neighbours[static_cast<size_t>(g)].push_back(f);
+      const auto& [f, g] = model_.edges[e].faces;
+      neighbours[f].push_back(g);
+      neighbours[g].push_back(f);
     };
     for (size_t e = 0; e < model_.edges.size(); ++e) {
       const auto angle = dihedral(model_, static_cast<int>(e));
@@ -247,18 +247,18 @@ class SkinFinder {
     }
     for (const SharpEdge& sharp : skins_.sharp) join(sharp.edge);
     for (int f = 0; f < count_; ++f) {
-      if (!candidate(f) || component_[static_cast<size_t>(f)] >= 0) continue;
+      if (!candidate(f) || component_[f] >= 0) continue;
       const int label = static_cast<int>(component_area_.size());
       component_area_.push_back(0.0);
       std::vector<int> stack{f};
-      component_[static_cast<size_t>(f)] = label;
+      component_[f] = label;
       while (!stack.empty()) {
         const int at = stack.back();
         stack.pop_back();
         component_area_.back() += outline(at).area;
-        for (const int next : neighbours[static_cast<size_t>(at)])
-          if (component_[static_cast<size_t>(next)] < 0) {
-            component_[static_cast<size_t>(next)] = label;
+        for (const int next : neighbours[at])
+          if (component_[next] < 0) {
+            component_[next] = label;
             stack.push_back(next);
           }
       }
@@ -272,14 +272,14 @@ class SkinFinder {
         std::max_element(component_area_.begin(), component_area_.end()) - component_area_.begin());
     std::vector<double> votes(component_area_.size(), 0.0);
     for (const Pair& pair : depths_) {
-      const int a = component_[static_cast<size_t>(pair.a)];
-      const int b = component_[static_cast<size_t>(pair.b)];
+      const int a = component_[pair.a];
+      const int b = component_[pair.b];
       if (a < 0 || b < 0) continue;
-      if (a == first) votes[static_cast<size_t>(b)] += pair.opposite.overlap;
-      if (b == first) votes[static_cast<size_t>(a)] += pair.opposite.overlap;
+      if (a == first) votes[b] += pair.opposite.overlap;
+      if (b == first) votes[a] += pair.opposite.overlap;
     }
     const int second = static_cast<int>(std::max_element(votes.begin(), votes.end()) - votes.begin());
-    if (votes[static_cast<size_t>(second)] <= 0.0)
+    if (votes[second] <= 0.0)
       return fail(ErrorCode::not_a_sheet, "The largest face has no opposite one at a common thickness; this is not a sheet.");
     if (second == first)
       return fail(ErrorCode::unsupported_shape, "Both skins of the sheet run into one another without a cut edge between them.");
@@ -290,19 +290,19 @@ class SkinFinder {
   void label(int first, int second) {
     skins_.side.assign(static_cast<size_t>(count_), Side::none);
     for (int f = 0; f < count_; ++f) {
-      const int label = component_[static_cast<size_t>(f)];
-      if (label == first) skins_.side[static_cast<size_t>(f)] = Side::first;
-      if (label == second) skins_.side[static_cast<size_t>(f)] = Side::second;
+      const int label = component_[f];
+      if (label == first) skins_.side[f] = Side::first;
+      if (label == second) skins_.side[f] = Side::second;
     }
     adopt_islands();
-    skins_.area_first = component_area_[static_cast<size_t>(first)];
-    skins_.area_second = component_area_[static_cast<size_t>(second)];
+    skins_.area_first = component_area_[first];
+    skins_.area_second = component_area_[second];
     double lo = std::numeric_limits<double>::infinity();
     double hi = 0.0;
     double weight = 0.0;
     double mean = 0.0;
     for (const Pair& pair : depths_) {
-      if (component_[static_cast<size_t>(pair.a)] != first && component_[static_cast<size_t>(pair.b)] != first) continue;
+      if (component_[pair.a] != first && component_[pair.b] != first) continue;
       lo = std::min(lo, pair.opposite.depth - pair.opposite.spread / 2);
       hi = std::max(hi, pair.opposite.depth + pair.opposite.spread / 2);
       weight += pair.opposite.overlap;
@@ -316,18 +316,18 @@ class SkinFinder {
   /// other skin.
   void adopt_islands() {
     for (int f = 0; f < count_; ++f) {
-      if (!candidate(f) || skins_.side[static_cast<size_t>(f)] != Side::none) continue;
-      const auto& partners = skins_.partners[static_cast<size_t>(f)];
+      if (!candidate(f) || skins_.side[f] != Side::none) continue;
+      const auto& partners = skins_.partners[f];
       const auto all_on = [&](Side side) {
         return !partners.empty() && std::all_of(partners.begin(), partners.end(), [&](int p) {
-          return component_[static_cast<size_t>(p)] >= 0 && skins_.side[static_cast<size_t>(p)] == side;
+          return component_[p] >= 0 && skins_.side[p] == side;
         });
       };
       if (all_on(Side::first)) islands_.emplace_back(f, Side::second);
       if (all_on(Side::second)) islands_.emplace_back(f, Side::first);
     }
     for (const auto& [f, side] : islands_) {
-      skins_.side[static_cast<size_t>(f)] = side;
+      skins_.side[f] = side;
       (side == Side::first ? skins_.islands_first : skins_.islands_second) += 1;
     }
   }
@@ -349,10 +349,10 @@ class SkinFinder {
 }  // namespace
 
 std::optional<double> dihedral(const SolidModel& model, int index) {
-  const SolidEdge& edge = model.edges[static_cast<size_t>(index)];
+  const SolidEdge& edge = model.edges[index];
   if (edge.uses != 2 || edge.faces[0] == edge.faces[1]) return {};
-  const SolidFace& f = model.faces[static_cast<size_t>(edge.faces[0])];
-  const SolidFace& g = model.faces[static_cast<size_t>(edge.faces[1])];
+  const SolidFace& f = model.faces[edge.faces[0]];
+  const SolidFace& g = model.faces[edge.faces[1]];
   if (std::holds_alternative<DoublyCurved>(f.surface) || std::holds_alternative<DoublyCurved>(g.surface)) return {};
   const double t = (edge.curve.t0 + edge.curve.t1) / 2;
   const Vec3 point = edge.curve.point(t);
@@ -376,8 +376,8 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
 bool smooth_edge(const SolidModel& model, int index) {
   const auto angle = dihedral(model, index);
   if (!angle) return false;
-  const SolidEdge& edge = model.edges[static_cast<size_t>(index)];
-  const auto flat = [&](int f) { return std::holds_alternative<Frame>(model.faces[static_cast<size_t>(f)].surface); };
+  const SolidEdge& edge = model.edges[index];
+  const auto flat = [&](int f) { return std::holds_alternative<Frame>(model.faces[f].surface); };
   return std::abs(*angle) < (flat(edge.faces[0]) && flat(edge.faces[1]) ? kSamePlane : kSmooth);
 }
 

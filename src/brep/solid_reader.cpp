@@ -156,10 +156,10 @@ class Reader {
   }
 
   void note_use(const CoEdge& use, int face) {
-    SolidEdge& row = model_.edges[static_cast<size_t>(use.edge)];
+    SolidEdge& row = model_.edges[use.edge];
     if (row.uses < 2) {
-      row.faces[static_cast<size_t>(row.uses)] = face;
-      row.forward[static_cast<size_t>(row.uses)] = use.forward;
+      row.faces[row.uses] = face;
+      row.forward[row.uses] = use.forward;
     }
     ++row.uses;
   }
@@ -185,7 +185,7 @@ class Reader {
   /// Every use starts at the vertex where the one before ends.
   bool in_order(const std::vector<CoEdge>& loop) const {
     const auto vertex = [&](const CoEdge& use, bool last) {
-      return model_.edges[static_cast<size_t>(use.edge)].vertices[use.forward == last ? 1 : 0];
+      return model_.edges[use.edge].vertices[use.forward == last ? 1 : 0];
     };
     for (size_t i = 0; i < loop.size(); ++i)
       if (vertex(loop[i], true) != vertex(loop[(i + 1) % loop.size()], false)) return false;
@@ -202,7 +202,7 @@ class Reader {
     std::vector<CoEdge> rest;
     for (TopoDS_Iterator edges(wire); edges.More(); edges.Next()) add_use(TopoDS::Edge(edges.Value()), rest);
     const auto end_point = [&](const CoEdge& use, bool last) {
-      const SpaceCurve& curve = model_.edges[static_cast<size_t>(use.edge)].curve;
+      const SpaceCurve& curve = model_.edges[use.edge].curve;
       return use.forward == last ? curve.end : curve.start;
     };
     std::vector<CoEdge> loop;

@@ -16,7 +16,7 @@ int across(const SolidEdge& edge, int face) { return edge.faces[0] == face ? edg
 
 /// Outward normal of a wall near a point of its border; empty where it cannot be told.
 std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
-  const SolidFace& face = model.faces[static_cast<size_t>(wall)];
+  const SolidFace& face = model.faces[wall];
   if (std::holds_alternative<DoublyCurved>(face.surface)) return {};
   return outward_normal_at(face, point);
 }
@@ -48,21 +48,21 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
   int from = skin_face;
   constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a wall
   for (int i = 0; i < kMostStrips; ++i) {
-    const SolidEdge& edge = model.edges[static_cast<size_t>(at.edge)];
+    const SolidEdge& edge = model.edges[at.edge];
     const int wall = across(edge, from);
-    if (edge.uses != 2 || wall < 0 || rim.part_of[static_cast<size_t>(wall)] < 0) break;
-    if (!rim.parts[static_cast<size_t>(rim.part_of[static_cast<size_t>(wall)])].within) break;
-    const auto next = opposite_edge(model.faces[static_cast<size_t>(wall)], at.edge);
+    if (edge.uses != 2 || wall < 0 || rim.part_of[wall] < 0) break;
+    if (!rim.parts[rim.part_of[wall]].within) break;
+    const auto next = opposite_edge(model.faces[wall], at.edge);
     if (!next) break;
     // A slanted wall from skin to skin is a slanted cut: the skin's own border stands for it.
-    if (const int beyond = across(model.edges[static_cast<size_t>(*next)], wall);
-        beyond < 0 || rim.part_of[static_cast<size_t>(beyond)] < 0)
+    if (const int beyond = across(model.edges[*next], wall);
+        beyond < 0 || rim.part_of[beyond] < 0)
       break;
     // A wall widens where its middle faces towards the skin's outside.
-    const SpaceCurve& far = model.edges[static_cast<size_t>(*next)].curve;
+    const SpaceCurve& far = model.edges[*next].curve;
     const Vec3 half_way = (middle(edge.curve) + middle(far)) / 2;
     const auto normal = wall_normal(model, wall, half_way);
-    const Vec3 outwards = outward_normal_at(model.faces[static_cast<size_t>(skin_face)], middle(edge.curve));
+    const Vec3 outwards = outward_normal_at(model.faces[skin_face], middle(edge.curve));
     const double slope = normal ? normal->dot(outwards) : 0.0;
     if (slope < kSlope || slope > kFlattest) break;
     const double depth = (middle(edge.curve) - middle(far)).dot(outwards);

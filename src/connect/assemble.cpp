@@ -59,21 +59,21 @@ class Assembler {
     for (std::size_t b = 0; b < parts_.fits.size(); ++b)
       add_bend(static_cast<int>(b));
     number_edges();
-    made_.root = parts_.plates.empty() ? FaceId{0} : made_.plate_faces[static_cast<std::size_t>(parts_.root)];
+    made_.root = parts_.plates.empty() ? FaceId{0} : made_.plate_faces[parts_.root];
     return std::move(made_);
   }
 
  private:
   int plate_of(int bend, int side) const {
-    const auto& plates = parts_.fits[static_cast<std::size_t>(bend)].report.plates;
-    return side < static_cast<int>(plates.size()) ? plates[static_cast<std::size_t>(side)] : -1;
+    const auto& plates = parts_.fits[bend].report.plates;
+    return side < static_cast<int>(plates.size()) ? plates[side] : -1;
   }
 
   // +1 where the bend's normal at a side is the plate's own, −1 where it is the opposite.
   double alignment(int bend, int side) const {
-    const BendSurface& surface = parts_.fits[static_cast<std::size_t>(bend)].surface;
+    const BendSurface& surface = parts_.fits[bend].surface;
     const Vec3 normal = normal_on(surface.mid, surface.azimuth(side));
-    return normal.dot(parts_.plates[static_cast<std::size_t>(plate_of(bend, side))].frame.z) > 0.0 ? 1.0 : -1.0;
+    return normal.dot(parts_.plates[plate_of(bend, side)].frame.z) > 0.0 ? 1.0 : -1.0;
   }
 
   // Which of its two sides each plate shows on the reference skin, from the root on.
@@ -82,7 +82,7 @@ class Assembler {
     bend_sense_.assign(parts_.fits.size(), 0);
     std::vector<int> open;
     if (!parts_.plates.empty()) {
-      plate_sign_[static_cast<std::size_t>(parts_.root)] = 1.0;
+      plate_sign_[parts_.root] = 1.0;
       open.push_back(parts_.root);
     }
     while (!open.empty()) {
@@ -98,11 +98,11 @@ class Assembler {
   void follow(int bend, int plate, std::vector<int>& open) {
     for (int side = 0; side < 2; ++side) {
       if (plate_of(bend, side) != plate) continue;
-      const double sense = plate_sign_[static_cast<std::size_t>(plate)] * alignment(bend, side);
-      bend_sense_[static_cast<std::size_t>(bend)] = sense > 0.0 ? 1 : -1;
+      const double sense = plate_sign_[plate] * alignment(bend, side);
+      bend_sense_[bend] = sense > 0.0 ? 1 : -1;
       const int other = plate_of(bend, 1 - side);
       if (other < 0) return;
-      plate_sign_[static_cast<std::size_t>(other)] = sense * alignment(bend, 1 - side);
+      plate_sign_[other] = sense * alignment(bend, 1 - side);
       open.push_back(other);
       return;
     }
@@ -110,8 +110,8 @@ class Assembler {
 
   // Frame of a plate's face: z is the outward normal of the reference skin.
   Frame skin_frame(int plate) const {
-    Frame frame = parts_.plates[static_cast<std::size_t>(plate)].frame;
-    const double sign = plate_sign_[static_cast<std::size_t>(plate)];
+    Frame frame = parts_.plates[plate].frame;
+    const double sign = plate_sign_[plate];
     frame.y *= sign;
     frame.z *= sign;
     frame.origin += 0.5 * parts_.thickness * frame.z;
@@ -124,8 +124,8 @@ class Assembler {
       for (int side = 0; side < 2; ++side)
         if (plate_of(static_cast<int>(b), side) == plate)
           bends.push_back({static_cast<int>(b), side, &parts_.fits[b]});
-    const PlacedPlate& placed = parts_.plates[static_cast<std::size_t>(plate)];
-    auto outline = extended_outline(placed, std::move(bends), parts_.ids[static_cast<std::size_t>(plate)]);
+    const PlacedPlate& placed = parts_.plates[plate];
+    auto outline = extended_outline(placed, std::move(bends), parts_.ids[plate]);
     if (!outline) return tl::unexpected(outline.error());
 
     const auto id = static_cast<FlangeId>(made_.sheet.flanges.size());
@@ -147,7 +147,7 @@ class Assembler {
   }
 
   BorderLoop border_loop(std::vector<ExtendedOutline::Piece> pieces, int plate, FaceId face) {
-    const double sign = plate_sign_[static_cast<std::size_t>(plate)];
+    const double sign = plate_sign_[plate];
     if (sign < 0.0) {
       std::reverse(pieces.begin(), pieces.end());
       for (auto& piece : pieces)
@@ -165,12 +165,12 @@ class Assembler {
 
   // The ruling at a side from lower to higher v, the joint in the middle.
   std::vector<TaggedCurve> ruling(int bend, int side) const {
-    const BendFit& fit = parts_.fits[static_cast<std::size_t>(bend)];
+    const BendFit& fit = parts_.fits[bend];
     const auto i = static_cast<std::size_t>(side);
     const double u = fit.surface.azimuth(side), low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
     const int plate = plate_of(bend, side);
     if (plate < 0) return {TaggedCurve{Segment{{u, low}, {u, high}}}};
-    JointRange joint = joint_range(fit, side, parts_.plates[static_cast<std::size_t>(plate)]);
+    JointRange joint = joint_range(fit, side, parts_.plates[plate]);
     const double none = kNoPiece * (high - low);
     if (joint.low - low <= none) joint.low = low;
     if (high - joint.high <= none) joint.high = high;
@@ -189,7 +189,7 @@ class Assembler {
 
   // Counter-clockwise in (u, v).
   std::vector<TaggedCurve> bend_loop(int bend) const {
-    const BendFit& fit = parts_.fits[static_cast<std::size_t>(bend)];
+    const BendFit& fit = parts_.fits[bend];
     std::vector<TaggedCurve> loop{TaggedCurve{fit.boundaries.low.curve}};
     for (TaggedCurve& piece : ruling(bend, 1 - fit.surface.first))
       loop.push_back(std::move(piece));
@@ -200,8 +200,8 @@ class Assembler {
 
   // The reference skin of a bend, and how much further its v begins than that of the mid-surface.
   std::pair<Developable, double> skin(int bend) const {
-    const BendSurface& surface = parts_.fits[static_cast<std::size_t>(bend)].surface;
-    const double offset = 0.5 * parts_.thickness * bend_sense_[static_cast<std::size_t>(bend)];
+    const BendSurface& surface = parts_.fits[bend].surface;
+    const double offset = 0.5 * parts_.thickness * bend_sense_[bend];
     if (const auto* cylinder = std::get_if<Cylinder>(&surface.mid))
       return {Cylinder{cylinder->frame, cylinder->radius + offset}, 0.0};
     if (surface.kind == BendKind::general) return {offset_surface(surface, offset), 0.0};
@@ -211,8 +211,8 @@ class Assembler {
   }
 
   void add_bend(int bend) {
-    const BendFit& fit = parts_.fits[static_cast<std::size_t>(bend)];
-    const int sense = bend_sense_[static_cast<std::size_t>(bend)];
+    const BendFit& fit = parts_.fits[bend];
+    const int sense = bend_sense_[bend];
     const auto id = static_cast<BendId>(made_.sheet.bends.size());
     const auto face_id = static_cast<FaceId>(made_.sheet.faces.size());
     const auto [surface, shift] = skin(bend);
@@ -253,8 +253,8 @@ class Assembler {
         for (Border& border : loop)
           border.edge = ++edge;
     const auto border = [&](const BorderRef& ref) -> Border& {
-      return made_.sheet.faces[static_cast<std::size_t>(index_of(ref.face))]
-          .loops[static_cast<std::size_t>(ref.loop)][static_cast<std::size_t>(ref.border)];
+      return made_.sheet.faces[index_of(ref.face)]
+          .loops[ref.loop][ref.border];
     };
     for (const Joint& joint : made_.sheet.joints)
       border(joint.b).edge = border(joint.a).edge;

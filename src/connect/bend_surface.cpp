@@ -42,10 +42,10 @@ BendSurface cylinder(const BendFrame& frame, EdgeKind edges, double distance) {
   BendSurface surface;
   std::array<Vec3, 2> radial;
   for (int side = 0; side < 2; ++side) {
-    const Vec3& e = frame.e[static_cast<std::size_t>(side)];
+    const Vec3& e = frame.e[side];
     const Vec3 tangent = frame.origin + distance * e;
-    surface.tangents[static_cast<std::size_t>(side)] = {tangent, frame.d, away * e};
-    radial[static_cast<std::size_t>(side)] = tangent - center;
+    surface.tangents[side] = {tangent, frame.d, away * e};
+    radial[side] = tangent - center;
   }
   const Turned turn = turned(center, frame.d, radial, -away * bisector);
   surface.mid = Cylinder{turn.frame, distance * std::tan(half)};
@@ -68,11 +68,11 @@ BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line
   surface.tan_half_angle = std::sin(phi) * std::tan(half);
   std::array<Vec3, 2> radial;
   for (int side = 0; side < 2; ++side) {
-    const Vec3& e = frame.e[static_cast<std::size_t>(side)];
+    const Vec3& e = frame.e[side];
     const Vec3 ruling = std::cos(phi) * along + std::sin(phi) * e;
-    surface.tangents[static_cast<std::size_t>(side)] = {
+    surface.tangents[side] = {
         apex, ruling, away * (std::cos(phi) * e - std::sin(phi) * along)};
-    radial[static_cast<std::size_t>(side)] = ruling - ruling.dot(axis) * axis;
+    radial[side] = ruling - ruling.dot(axis) * axis;
   }
   const Turned turn = turned(apex, axis, radial, -away * (bisector - bisector.dot(axis) * axis));
   surface.mid = Cone{turn.frame, std::atan(surface.tan_half_angle)};
@@ -84,11 +84,11 @@ BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line
 }  // namespace
 
 double BendSurface::level(int side, double v) const {
-  return kind == BendKind::general ? 1.0 + v / rails[static_cast<std::size_t>(side)] : v;
+  return kind == BendKind::general ? 1.0 + v / rails[side] : v;
 }
 
 double BendSurface::v_at(int side, double level) const {
-  return kind == BendKind::general ? (level - 1.0) * rails[static_cast<std::size_t>(side)] : level;
+  return kind == BendKind::general ? (level - 1.0) * rails[side] : level;
 }
 
 double BendSurface::radius(double level) const {
@@ -124,9 +124,9 @@ BendSurface half_turn(const BendFrame& frame, const TangentLine& line) {
   BendSurface surface;
   std::array<Vec3, 2> radial;
   for (int side = 0; side < 2; ++side) {
-    surface.tangents[static_cast<std::size_t>(side)] = {
+    surface.tangents[side] = {
         frame.side_origin(side) + distance * frame.e[0], frame.d, -frame.e[0]};
-    radial[static_cast<std::size_t>(side)] = (side == 0 ? -0.5 : 0.5) * frame.rise;
+    radial[side] = (side == 0 ? -0.5 : 0.5) * frame.rise;
   }
   const Turned turn = turned(surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial, frame.e[0]);
   surface.mid = Cylinder{turn.frame, 0.5 * frame.rise.norm()};

@@ -34,11 +34,11 @@ struct BendSurface {
   double azimuth(int side) const { return side == first ? 0.0 : sweep; }
   /// (v, h) of a point in the plane of a side: v along the tangent ruling, h away from the bend.
   Vec2 local(int side, const Vec3& p) const {
-    const Tangent& t = tangents[static_cast<std::size_t>(side)];
+    const Tangent& t = tangents[side];
     return {(p - t.origin).dot(t.along), (p - t.origin).dot(t.away)};
   }
   Vec3 point(int side, const Vec2& vh) const {
-    const Tangent& t = tangents[static_cast<std::size_t>(side)];
+    const Tangent& t = tangents[side];
     return t.origin + vh.x() * t.along + vh.y() * t.away;
   }
   /// What is the same along a circle about the axis: v of cylinders and cones, of general cones the share of

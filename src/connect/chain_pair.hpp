@@ -22,13 +22,13 @@ struct ChainPair {
   double size = 0.0;    ///< extent of the corners
   GivenLine line;
 
-  int edge_count(int side) const { return static_cast<int>(sides[static_cast<std::size_t>(side)]->edges.size()); }
+  int edge_count(int side) const { return static_cast<int>(sides[side]->edges.size()); }
   double x(int side, int corner) const {
-    return sides[static_cast<std::size_t>(side)]->corners[static_cast<std::size_t>(corner)].x();
+    return sides[side]->corners[corner].x();
   }
   /// Corners of the edges first … last.
   CornerRange corners(int side, int first, int last) const {
-    return {envelopes[static_cast<std::size_t>(side)], first, last + 1};
+    return {envelopes[side], first, last + 1};
   }
 };
 

@@ -19,14 +19,14 @@ class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
   int group(int i) {
-    while (parent_[static_cast<std::size_t>(i)] != i)
-      i = parent_[static_cast<std::size_t>(i)];
+    while (parent_[i] != i)
+      i = parent_[i];
     return i;
   }
   // False where they were one already.
   bool join(int a, int b) {
     const int ga = group(a), gb = group(b);
-    parent_[static_cast<std::size_t>(ga)] = gb;
+    parent_[ga] = gb;
     return ga != gb;
   }
 
@@ -114,7 +114,7 @@ Result<void> check_numbers(const BendRequest& r, const std::string& pointer) {
 
 void take(const BendFit& fit, std::vector<std::set<int>>& taken) {
   for (std::size_t side = 0; side < fit.report.plates.size(); ++side)
-    taken[static_cast<std::size_t>(fit.report.plates[side])].insert(fit.report.edges[side].begin(),
+    taken[fit.report.plates[side]].insert(fit.report.edges[side].begin(),
                                                                     fit.report.edges[side].end());
 }
 
@@ -124,8 +124,8 @@ FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>&
   task.request = request;
   task.thickness = structure.thickness;
   for (std::size_t side = 0; side < rows.size(); ++side) {
-    task.plates[side] = &plates[static_cast<std::size_t>(rows[side])];
-    task.taken[side] = taken[static_cast<std::size_t>(rows[side])];
+    task.plates[side] = &plates[rows[side]];
+    task.taken[side] = taken[rows[side]];
   }
   return task;
 }
@@ -189,8 +189,8 @@ class TreeSearch {
  private:
   BendRequest request(int a, int b) const {
     BendRequest request;
-    request.between = {structure_.plates[static_cast<std::size_t>(a)].id,
-                       structure_.plates[static_cast<std::size_t>(b)].id};
+    request.between = {structure_.plates[a].id,
+                       structure_.plates[b].id};
     return request;
   }
 
@@ -227,13 +227,13 @@ class TreeSearch {
   }
 
   Error alone(int p) const {
-    const std::string& id = structure_.plates[static_cast<std::size_t>(p)].id;
+    const std::string& id = structure_.plates[p].id;
     if (why_)
       return {why_->code, fmt::format("plate \"{}\" cannot be joined to the others: {}", id, why_->message),
               fmt::format("/plates/{}", p)};
     for (std::size_t other = 0; other < plates_.size(); ++other)
       if (static_cast<int>(other) != p &&
-          plane_pair(plates_[static_cast<std::size_t>(p)], plates_[other], options_.planarity) == PlanePair::coplanar)
+          plane_pair(plates_[p], plates_[other], options_.planarity) == PlanePair::coplanar)
         return {ErrorCode::plates_coplanar,
                 fmt::format("plates \"{}\" and \"{}\" lie in one plane, there is nothing to bend between them: make them one plate",
                             structure_.plates[other].id, id),

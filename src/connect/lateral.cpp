@@ -54,8 +54,8 @@ class Flat {
   // The curve in (u, v) whose image is the straight line between the rulings, from azimuth 0 on.
   Curve2 straight(const std::array<double, 2>& v, double tolerance) const {
     const int last = 1 - surface_.first;
-    const Vec2 start(0.0, v[static_cast<std::size_t>(surface_.first)]);
-    const Vec2 end(surface_.sweep, v[static_cast<std::size_t>(last)]);
+    const Vec2 start(0.0, v[surface_.first]);
+    const Vec2 end(surface_.sweep, v[last]);
     if (std::holds_alternative<Cylinder>(surface_.mid)) return Segment{start, end};
     const Vec2 a = development_.develop(start), b = development_.develop(end);
     const auto curve = [&](double t) -> CurveSample {

@@ -126,7 +126,7 @@ std::array<std::vector<Vec2>, 2> PairChoice::corners(const EdgeChoice& choice) c
   std::array<std::vector<Vec2>, 2> result;
   for (std::size_t side = 0; side < 2; ++side) {
     const Run& run = choice.runs[side];
-    const auto& all = chains[side][static_cast<std::size_t>(run.chain)].corners;
+    const auto& all = chains[side][run.chain].corners;
     result[side].assign(all.begin() + run.first, all.begin() + run.last + 2);
   }
   return result;
@@ -136,7 +136,7 @@ std::array<std::vector<int>, 2> PairChoice::edges(const EdgeChoice& choice) cons
   std::array<std::vector<int>, 2> result;
   for (std::size_t side = 0; side < 2; ++side) {
     const Run& run = choice.runs[side];
-    const auto& all = chains[side][static_cast<std::size_t>(run.chain)].edges;
+    const auto& all = chains[side][run.chain].edges;
     result[side].assign(all.begin() + run.first, all.begin() + run.last + 1);
   }
   return result;

@@ -18,7 +18,7 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
-  const OutlineRun& run = fit.runs[static_cast<std::size_t>(side)];
+  const OutlineRun& run = fit.runs[side];
   std::vector<Vec2> corners;
   for (int j = 0; j <= run.count; ++j)
     corners.push_back(fit.surface.local(side, plate.corner((run.first + j) % plate.edge_count())));
@@ -92,9 +92,9 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   for (const Vec2& vh : path.points)
     points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
   // The ends are corners of the plate, to the bit.
-  const OutlineRun& run = on.fit->runs[static_cast<std::size_t>(on.side)];
-  points.front() = plate.outline[static_cast<std::size_t>(run.first)];
-  points.back() = plate.outline[static_cast<std::size_t>((run.first + run.count) % plate.edge_count())];
+  const OutlineRun& run = on.fit->runs[on.side];
+  points.front() = plate.outline[run.first];
+  points.back() = plate.outline[(run.first + run.count) % plate.edge_count()];
   const double same = kSame * plate.extent;
   // Where the joint begins or ends at a corner of the plate, that corner is where.
   if (path.joint == 1 && (points[1] - points[0]).norm() <= same) points[1] = points[0];
@@ -145,7 +145,7 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id) {
-  const auto run_of = [](const BendOnPlate& on) { return on.fit->runs[static_cast<std::size_t>(on.side)]; };
+  const auto run_of = [](const BendOnPlate& on) { return on.fit->runs[on.side]; };
   std::sort(bends.begin(), bends.end(),
             [&](const BendOnPlate& a, const BendOnPlate& b) { return run_of(a).first < run_of(b).first; });
   ExtendedOutline outline;
@@ -160,8 +160,8 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
       done += run_of(bends[next]).count;
       ++next;
     } else {
-      append(outline, plate.outline[static_cast<std::size_t>(edge)],
-             plate.outline[static_cast<std::size_t>((edge + 1) % n)], -1, 0.0);
+      append(outline, plate.outline[edge],
+             plate.outline[(edge + 1) % n], -1, 0.0);
       ++done;
     }
   }

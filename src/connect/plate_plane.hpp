@@ -18,7 +18,7 @@ struct PlacedPlate {
   double extent = 0.0;  ///< diagonal of its bounding box, mm
   double area = 0.0;
 
-  Vec3 corner(int i) const { return frame.point(outline[static_cast<std::size_t>(i)]); }
+  Vec3 corner(int i) const { return frame.point(outline[i]); }
   int edge_count() const { return static_cast<int>(outline.size()); }
 };
 

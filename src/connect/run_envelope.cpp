@@ -25,10 +25,10 @@ void RunEnvelope::add_levels(std::vector<Level>& levels, double sign) const {
     for (int begin = 0; begin + size <= n; begin += size) {
       const auto base = level.corners.size();
       for (int i = begin; i < begin + size; ++i) {
-        const Vec2& p = corners_[static_cast<std::size_t>(i)];
+        const Vec2& p = corners_[i];
         while (level.corners.size() >= base + 2) {
-          const Vec2& a = corners_[static_cast<std::size_t>(level.corners[level.corners.size() - 2])];
-          const Vec2& b = corners_[static_cast<std::size_t>(level.corners.back())];
+          const Vec2& a = corners_[level.corners[level.corners.size() - 2]];
+          const Vec2& b = corners_[level.corners.back()];
           const double turn = (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
           if (sign * turn > 0.0) break;
           level.corners.pop_back();
@@ -42,10 +42,10 @@ void RunEnvelope::add_levels(std::vector<Level>& levels, double sign) const {
 }
 
 const Vec2& RunEnvelope::extreme(const std::vector<Level>& levels, int first, int last, double k, double sign) const {
-  const Vec2* best = &corners_[static_cast<std::size_t>(first)];
+  const Vec2* best = &corners_[first];
   double most = height(*best, k, sign);
   const auto look = [&](int i) {
-    const Vec2& p = corners_[static_cast<std::size_t>(i)];
+    const Vec2& p = corners_[i];
     const double h = height(p, k, sign);
     if (h > most) {
       most = h;
@@ -54,17 +54,17 @@ const Vec2& RunEnvelope::extreme(const std::vector<Level>& levels, int first, in
   };
   // Height along a hull rises and falls once.
   const auto look_in_hull = [&](const Level& level, int block) {
-    int low = level.starts[static_cast<std::size_t>(block)], high = level.starts[static_cast<std::size_t>(block) + 1] - 1;
+    int low = level.starts[block], high = level.starts[static_cast<std::size_t>(block) + 1] - 1;
     while (low < high) {
       const int middle = (low + high) / 2;
-      const Vec2& a = corners_[static_cast<std::size_t>(level.corners[static_cast<std::size_t>(middle)])];
-      const Vec2& b = corners_[static_cast<std::size_t>(level.corners[static_cast<std::size_t>(middle) + 1])];
+      const Vec2& a = corners_[level.corners[middle]];
+      const Vec2& b = corners_[level.corners[static_cast<std::size_t>(middle) + 1]];
       if (height(b, k, sign) > height(a, k, sign))
         low = middle + 1;
       else
         high = middle;
     }
-    look(level.corners[static_cast<std::size_t>(low)]);
+    look(level.corners[low]);
   };
   int i = first;
   while (i <= last) {
@@ -78,7 +78,7 @@ const Vec2& RunEnvelope::extreme(const std::vector<Level>& levels, int first, in
       look(i++);
     } else {
       size /= 2;
-      look_in_hull(levels[static_cast<std::size_t>(level)], i / size);
+      look_in_hull(levels[level], i / size);
       i += size;
     }
   }

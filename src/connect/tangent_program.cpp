@@ -153,7 +153,7 @@ double size_of(const std::array<CornerRange, 2>& sides) {
   double size = 0.0;
   for (const CornerRange& side : sides)
     for (int i = side.first; i <= side.last; ++i) {
-      const Vec2& p = side.chain->corners()[static_cast<std::size_t>(i)];
+      const Vec2& p = side.chain->corners()[i];
       size = std::max({size, std::abs(p.x() - middle), std::abs(p.y())});
     }
   return size;

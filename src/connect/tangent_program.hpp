@@ -14,8 +14,8 @@ struct CornerRange {
   const RunEnvelope* chain = nullptr;
   int first = 0, last = -1;
   bool empty() const { return last < first; }
-  double left() const { return chain->corners()[static_cast<std::size_t>(first)].x(); }
-  double right() const { return chain->corners()[static_cast<std::size_t>(last)].x(); }
+  double left() const { return chain->corners()[first].x(); }
+  double right() const { return chain->corners()[last].x(); }
 };
 
 /// What a tangent line costs: Σ over both sides of weights · (largest height of the line over the

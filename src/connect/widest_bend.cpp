@@ -80,11 +80,11 @@ class Search {
   }
 
   Range left_range(const Node& node, int side) const {
-    const RunSet& set = node.sides[static_cast<std::size_t>(side)];
+    const RunSet& set = node.sides[side];
     return {left(side, set.first.low), left(side, set.first.high)};
   }
   Range mirrored_right_range(const Node& node, int side) const {
-    const RunSet& set = node.sides[static_cast<std::size_t>(side)];
+    const RunSet& set = node.sides[side];
     return {-right(side, set.last.high), -right(side, set.last.low)};
   }
   static double distance(const Range& a, const Range& b) { return std::max({0.0, a.low - b.high, b.low - a.high}); }
@@ -94,9 +94,9 @@ class Search {
     std::array<CornerRange, 2> core;
     double apart = 0.0;
     for (int side = 0; side < 2; ++side) {
-      const RunSet& set = node.sides[static_cast<std::size_t>(side)];
+      const RunSet& set = node.sides[side];
       if (set.has_core())
-        core[static_cast<std::size_t>(side)] = pair_.corners(side, set.first.high, set.last.low);
+        core[side] = pair_.corners(side, set.first.high, set.last.low);
       else
         apart += least_alone(side, set);
     }
@@ -114,14 +114,14 @@ class Search {
   double least_alone(int side, const RunSet& set) const {
     double lowest = std::numeric_limits<double>::infinity();
     for (int c = set.first.low; c <= set.last.high + 1; ++c)
-      lowest = std::min(lowest, pair_.sides[static_cast<std::size_t>(side)]->corners[static_cast<std::size_t>(c)].y());
+      lowest = std::min(lowest, pair_.sides[side]->corners[c].y());
     return (pair_.kind == EdgeKind::facing ? std::min(0.5 * pair_.factor, 1.0) : 0.5 * pair_.factor) * lowest;
   }
 
   void open(Node node, const std::optional<Node>& parent) {
     node.widest = 0.0;
     for (int side = 0; side < 2; ++side) {
-      const RunSet& set = node.sides[static_cast<std::size_t>(side)];
+      const RunSet& set = node.sides[side];
       node.widest += 0.5 * (right(side, set.last.high) - left(side, set.first.low));
     }
     if (best_ && node.widest < best_->width - noise_) return;
@@ -165,12 +165,12 @@ class Search {
   // that hold their middle edge and those to its left and right.
   void split(const Node& node) {
     for (int side = 0; side < 2; ++side)
-      if (!node.sides[static_cast<std::size_t>(side)].has_core()) return split_by_middle(node, side);
+      if (!node.sides[side].has_core()) return split_by_middle(node, side);
     int side = 0;
     bool first = true;
     double widest = -1.0;
     for (int s = 0; s < 2; ++s) {
-      const RunSet& set = node.sides[static_cast<std::size_t>(s)];
+      const RunSet& set = node.sides[s];
       if (const double w = left(s, set.first.high) - left(s, set.first.low); !set.first.one() && w > widest) {
         widest = w;
         side = s;
@@ -183,8 +183,8 @@ class Search {
       }
     }
     Node low = node, high = node;
-    RunSet& a = low.sides[static_cast<std::size_t>(side)];
-    RunSet& b = high.sides[static_cast<std::size_t>(side)];
+    RunSet& a = low.sides[side];
+    RunSet& b = high.sides[side];
     RunSet::Interval& range_a = first ? a.first : a.last;
     RunSet::Interval& range_b = first ? b.first : b.last;
     const int middle = (range_a.low + range_a.high) / 2;
@@ -195,11 +195,11 @@ class Search {
   }
 
   void split_by_middle(const Node& node, int side) {
-    const RunSet& set = node.sides[static_cast<std::size_t>(side)];
+    const RunSet& set = node.sides[side];
     const int low = set.first.low, high = set.last.high, middle = (low + high) / 2;
     const auto with = [&](const RunSet& runs) {
       Node child = node;
-      child.sides[static_cast<std::size_t>(side)] = runs;
+      child.sides[side] = runs;
       open(child, node);
     };
     with({{low, middle}, {middle, high}});

@@ -109,7 +109,7 @@ Box2 arc_bounds(const Arc& arc) {
   for (double k = std::ceil(lo / (pi / 2.0)); k <= hi / (pi / 2.0); k += 1.0) {
     const auto quarter = static_cast<int>(k - 4.0 * std::floor(k / 4.0));
     const std::array<Vec2, 4> out{Vec2::UnitX(), Vec2::UnitY(), -Vec2::UnitX(), -Vec2::UnitY()};
-    box.add(arc.center + arc.radius * out[static_cast<std::size_t>(quarter)]);
+    box.add(arc.center + arc.radius * out[quarter]);
   }
   return box;
 }

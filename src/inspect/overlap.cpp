@@ -75,7 +75,7 @@ void add_sharp_bends(const Sheet& sheet, const FlatPattern& pattern, Pieces& pie
     const int face_a = index_of(joint.a.face);
     const int face_b = index_of(joint.b.face);
     // A face lies left of its borders, or right of them where the pattern shows the other side.
-    const double turn = signed_area(pattern.face_outlines[static_cast<size_t>(face_a)]);
+    const double turn = signed_area(pattern.face_outlines[face_a]);
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
       pieces.shared[std::minmax(face_a, face_b)] += std::abs(ring_area(strip));
     } else {

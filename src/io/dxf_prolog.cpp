@@ -69,7 +69,7 @@ void write_viewport(DxfWriter& w, const Box2& extents) {
     w.dxfReal(code, 0.0);
   constexpr std::array<int, 8> kModes{0, 100, 1, 3, 0, 0, 0, 0};  // no snap, no grid
   for (int i = 0; i < 8; ++i)
-    w.dxfInt(71 + i, kModes[static_cast<std::size_t>(i)]);
+    w.dxfInt(71 + i, kModes[i]);
   w.tableEnd();
 }
 

@@ -35,7 +35,7 @@ std::string stl_binary(const Mesh& mesh, const std::string& name) {
   std::uint32_t count = 0;
   const auto corner = [&](int i) -> Eigen::Vector3f {
     PLANISH_ASSERT(i >= 0 && i < static_cast<int>(mesh.points.size()));
-    return mesh.points[static_cast<std::size_t>(i)].cast<float>();
+    return mesh.points[i].cast<float>();
   };
   for (const auto& [i, j, k] : mesh.triangles) {
     const Eigen::Vector3f a = corner(i), b = corner(j), c = corner(k);

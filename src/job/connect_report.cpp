@@ -42,7 +42,7 @@ const FittedBend* fitted(const ConnectReport& report, BendId id) {
 std::vector<std::string> plate_ids(const FittedBend& bend, const PlateStructure& structure) {
   std::vector<std::string> ids;
   for (const int plate : bend.plates)
-    ids.push_back(structure.plates[static_cast<std::size_t>(plate)].id);
+    ids.push_back(structure.plates[plate].id);
   return ids;
 }
 

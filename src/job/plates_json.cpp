@@ -82,7 +82,7 @@ void read_edges(BendRequest& bend, const JsonPlace& place) {
                                    : fmt::format("{}", fmt::join(bend.between, " and "))));
       return;
     }
-    bend.edges[static_cast<std::size_t>(side - bend.between.begin())] = edges_at(list);
+    bend.edges[side - bend.between.begin()] = edges_at(list);
   }
 }
 

@@ -96,7 +96,7 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
 }
 
 Vec2 flat_middle(const FlatPattern& flat, const SlitReport& report, std::size_t strip, int ridge) {
-  const SlitRidge& at = report.folded.strips[strip].ridges[static_cast<std::size_t>(ridge)];
+  const SlitRidge& at = report.folded.strips[strip].ridges[ridge];
   return flat.placement.front() * Vec2(0.5 * (at.flat[0] + at.flat[1]));
 }
 

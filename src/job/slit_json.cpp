@@ -101,7 +101,7 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
       return ends;
     }
     ends.resize(std::max(ends.size(), static_cast<std::size_t>(strip) + 1));
-    StripEnd& end = ends[static_cast<std::size_t>(strip)];
+    StripEnd& end = ends[strip];
     if (item["position"].given()) end.position = item["position"].point();
     end.direction = item["direction"].direction();
     end.across = item["across"].direction();

@@ -14,7 +14,7 @@ struct Range {
 Range u_range(const Sheet& sheet, const Bend& bend) {
   Range range;
   for (const FaceId id : bend.faces)
-    for (const Border& border : sheet.faces[static_cast<size_t>(index_of(id))].loops.front()) {
+    for (const Border& border : sheet.faces[index_of(id)].loops.front()) {
       const Box2 box = bounds(border.curve);
       range.lo = std::min(range.lo, box.lo.x());
       range.hi = std::max(range.hi, box.hi.x());
@@ -64,7 +64,7 @@ bool alike(const Intervals& a, const Intervals& b) {
 Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
   Intervals intervals;
   for (const FaceId id : bend.faces)
-    add_material(sheet.faces[static_cast<size_t>(index_of(id))], u, intervals);
+    add_material(sheet.faces[index_of(id)], u, intervals);
   return joined(std::move(intervals));
 }
 

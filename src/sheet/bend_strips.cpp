@@ -7,14 +7,14 @@ namespace planish {
 namespace {
 
 const Face& first_face(const Sheet& sheet, BendId bend) {
-  const FaceId face = sheet.bends[static_cast<size_t>(index_of(bend))].faces.front();
-  return sheet.faces[static_cast<size_t>(index_of(face))];
+  const FaceId face = sheet.bends[index_of(bend)].faces.front();
+  return sheet.faces[index_of(face)];
 }
 
 Box2 range_of(const Sheet& sheet, BendId bend) {
   Box2 box;
-  for (const FaceId face : sheet.bends[static_cast<size_t>(index_of(bend))].faces)
-    for (const Border& border : sheet.faces[static_cast<size_t>(index_of(face))].loops.front())
+  for (const FaceId face : sheet.bends[index_of(bend)].faces)
+    for (const Border& border : sheet.faces[index_of(face)].loops.front())
       box.add(bounds(border.curve));
   return box;
 }
@@ -27,8 +27,8 @@ BendStrips::BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId be
     : sheet_(sheet),
       face_(first_face(sheet, bend)),
       development_(std::get<Developable>(face_.surface),
-                   pattern.neutral_offset[static_cast<size_t>(index_of(sheet.bends[static_cast<size_t>(index_of(bend))].faces.front()))]),
-      placement_(pattern.placement[static_cast<size_t>(index_of(sheet.bends[static_cast<size_t>(index_of(bend))].faces.front()))]),
+                   pattern.neutral_offset[index_of(sheet.bends[index_of(bend)].faces.front())]),
+      placement_(pattern.placement[index_of(sheet.bends[index_of(bend)].faces.front())]),
       chord_(options.chord) {
   const Box2 range = range_of(sheet, bend);
   lo_ = range.lo.x();
@@ -72,12 +72,12 @@ void BendStrips::place_rulings(const FacetOptions& options) {
 }
 
 Segment BendStrips::ruling(int i) const {
-  const double u = rulings_[static_cast<size_t>(i)];
+  const double u = rulings_[i];
   return {image({u, v_lo_}), image({u, v_hi_})};
 }
 
 double BendStrips::turn(int from, int to) const {
-  const Vec3 axis = ruling_on(std::get<Developable>(face_.surface), rulings_[static_cast<size_t>(std::max(from, to))]);
+  const Vec3 axis = ruling_on(std::get<Developable>(face_.surface), rulings_[std::max(from, to)]);
   const Vec3 a = normal(from), b = normal(to);
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
@@ -89,7 +89,7 @@ int BendStrips::strip_at(double u) const {
 
 int BendStrips::beside(FaceId id, double u) const {
   double middle = 0.0;
-  const BorderLoop& loop = sheet_.faces[static_cast<size_t>(index_of(id))].loops.front();
+  const BorderLoop& loop = sheet_.faces[index_of(id)].loops.front();
   for (const Border& border : loop)
     middle += start_of(border.curve).x() / static_cast<double>(loop.size());
   const double aside = 1e-6 * (hi_ - lo_);
@@ -160,15 +160,15 @@ std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
 }
 
 void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
-  const Face& face = sheet_.faces[static_cast<size_t>(index_of(id))];
-  const BorderLoop& borders = face.loops[static_cast<size_t>(loop)];
+  const Face& face = sheet_.faces[index_of(id)];
+  const BorderLoop& borders = face.loops[loop];
   for (size_t i = 0; i < borders.size(); ++i) {
     const std::vector<Vec2> points = sampled_in_strips(borders[i].curve);
     for (size_t k = 1; k < points.size(); ++k) {
       const Vec2 &a = points[k - 1], &b = points[k];
       const int strip = strip_at(0.5 * (a.x() + b.x()));
-      if (!joined[i]) edges_[static_cast<size_t>(strip)].push_back({{image(a), image(b)}, border_count_});
-      if (a.x() != b.x()) sides_[static_cast<size_t>(strip)].push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
+      if (!joined[i]) edges_[strip].push_back({{image(a), image(b)}, border_count_});
+      if (a.x() != b.x()) sides_[strip].push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
     }
     if (!joined[i]) ++border_count_;
   }
@@ -176,7 +176,7 @@ void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
 
 void BendStrips::close() {
   for (int strip = 0; strip < count(); ++strip) {
-    const std::vector<Side>& sides = sides_[static_cast<size_t>(strip)];
+    const std::vector<Side>& sides = sides_[strip];
     // Between neighbouring corners what lies between two sides, one above the other, is a trapezoid.
     std::vector<double> corners;
     for (const Side& side : sides) {
@@ -198,7 +198,7 @@ void BendStrips::close() {
         const auto &low = heights[k], &high = heights[k + 1];
         std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}), image({from, high[0]})};
         if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
-        polygons_[static_cast<size_t>(strip)].push_back({std::move(ring), {}});
+        polygons_[strip].push_back({std::move(ring), {}});
       }
     }
   }

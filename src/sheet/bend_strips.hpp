@@ -22,7 +22,7 @@ class BendStrips {
   /// Ruling i of count() + 1 in the pattern, towards growing v.
   Segment ruling(int i) const;
   /// Outward normal in the middle of a strip, in space.
-  Vec3 normal(int strip) const { return normals_[static_cast<size_t>(strip)]; }
+  Vec3 normal(int strip) const { return normals_[strip]; }
   /// Turn from a strip to the one beside it, about the ruling between them.
   double turn(int from, int to) const;
   /// The strip at u, of a ruling between two of them the one on which the face lies.
@@ -30,13 +30,13 @@ class BendStrips {
   /// From the pattern into space, for a strip; `depth` below the reference surface.
   Eigen::Isometry3d in_space(int strip, double depth) const;
 
-  const std::vector<Polygon>& polygons(int strip) const { return polygons_[static_cast<size_t>(strip)]; }
+  const std::vector<Polygon>& polygons(int strip) const { return polygons_[strip]; }
   /// What of it is edge of the sheet; borders are numbered from 0.
   struct Edge {
     Segment line;
     int border;
   };
-  const std::vector<Edge>& edges(int strip) const { return edges_[static_cast<size_t>(strip)]; }
+  const std::vector<Edge>& edges(int strip) const { return edges_[strip]; }
   int border_count() const { return border_count_; }
 
  private:
@@ -44,7 +44,7 @@ class BendStrips {
     Vec2 a, b;  ///< (u, v), a.x() <= b.x()
   };
   Vec2 image(const Vec2& uv) const { return placement_ * development_.develop(uv); }
-  double u_of_strip(int strip) const { return 0.5 * (rulings_[static_cast<size_t>(strip)] + rulings_[static_cast<size_t>(strip) + 1]); }
+  double u_of_strip(int strip) const { return 0.5 * (rulings_[strip] + rulings_[static_cast<size_t>(strip) + 1]); }
   int strip_at(double u) const;
   void add_stops(const Curve2& curve, std::vector<double>& stops) const;
   std::vector<Vec2> sampled_in_strips(const Curve2& curve) const;

@@ -34,8 +34,8 @@ class TableShape {
   /// Reads the header row. Errors: `invalid_input` when it does not name a bend and one value.
   static Result<TableShape> from(const CsvRecord& header, const std::string& name);
 
-  bool has(Column column) const { return headings_[static_cast<size_t>(column)].has_value(); }
-  const Heading& at(Column column) const { return *headings_[static_cast<size_t>(column)]; }
+  bool has(Column column) const { return headings_[column].has_value(); }
+  const Heading& at(Column column) const { return *headings_[column]; }
   bool by_ratio() const { return !(has(Column::radius) && has(Column::thickness)); }
   Column value() const {
     return has(Column::k)           ? Column::k

@@ -9,7 +9,7 @@ namespace planish {
 namespace {
 
 const Face& face_at(const Sheet& sheet, FaceId id) {
-  return sheet.faces[static_cast<size_t>(index_of(id))];
+  return sheet.faces[index_of(id)];
 }
 
 double middle_u(const Face& face) {

@@ -22,15 +22,15 @@ class BorderTable {
     for (const Joint& joint : sheet.joints) {
       const int a = row_of(joint.a);
       const int b = row_of(joint.b);
-      rows_[static_cast<size_t>(a)].twin = b;
-      rows_[static_cast<size_t>(b)].twin = a;
-      rows_[static_cast<size_t>(a)].sharp = rows_[static_cast<size_t>(b)].sharp = joint.sharp.has_value();
+      rows_[a].twin = b;
+      rows_[b].twin = a;
+      rows_[a].sharp = rows_[b].sharp = joint.sharp.has_value();
     }
   }
 
   int size() const { return static_cast<int>(rows_.size()); }
-  bool free(int row) const { return rows_[static_cast<size_t>(row)].twin < 0; }
-  const BorderRef& ref(int row) const { return rows_[static_cast<size_t>(row)].ref; }
+  bool free(int row) const { return rows_[row].twin < 0; }
+  const BorderRef& ref(int row) const { return rows_[row].ref; }
 
   /// The free border that follows a free border along the contour.
   struct Step {
@@ -40,8 +40,8 @@ class BorderTable {
   Step next(int row) const {
     Step step{after(row), false};
     for (int guard = 0; !free(step.row) && guard < size(); ++guard) {
-      step.across_sharp |= rows_[static_cast<size_t>(step.row)].sharp;
-      step.row = after(rows_[static_cast<size_t>(step.row)].twin);
+      step.across_sharp |= rows_[step.row].sharp;
+      step.row = after(rows_[step.row].twin);
     }
     return step;
   }
@@ -54,10 +54,10 @@ class BorderTable {
     bool sharp;
   };
   int row_of(const BorderRef& ref) const {
-    return offsets_[static_cast<size_t>(index_of(ref.face))][static_cast<size_t>(ref.loop)] + ref.border;
+    return offsets_[index_of(ref.face)][ref.loop] + ref.border;
   }
   int after(int row) const {
-    const Row& r = rows_[static_cast<size_t>(row)];
+    const Row& r = rows_[row];
     return r.ref.border + 1 < r.loop_size ? row + 1 : row + 1 - r.loop_size;
   }
   std::vector<Row> rows_;
@@ -79,7 +79,7 @@ RawContour walk(const UnfoldingTree& tree, const BorderTable& table, int start,
   RawContour contour;
   int row = start;
   do {
-    seen[static_cast<size_t>(row)] = true;
+    seen[row] = true;
     contour.add(tree.image(table.ref(row)), table.ref(row), false);
     const BorderTable::Step step = table.next(row);
     if (step.across_sharp) {
@@ -88,7 +88,7 @@ RawContour walk(const UnfoldingTree& tree, const BorderTable& table, int start,
       contour.add(Segment{from, to}, table.ref(row), true);
     }
     row = step.row;
-  } while (row != start && !seen[static_cast<size_t>(row)]);
+  } while (row != start && !seen[row]);
   return contour;
 }
 
@@ -123,11 +123,11 @@ Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, c
   Contours contours;
   double outer_area = 0.0;
   for (int row = 0; row < table.size(); ++row) {
-    if (seen[static_cast<size_t>(row)] || !table.free(row)) continue;
+    if (seen[row] || !table.free(row)) continue;
     RawContour raw = walk(tree, table, row, seen);
     const double area = signed_area(raw.loop);
     const int feature = feature_of(sheet, raw);
-    if (feature >= 0 && area > outer_area) return tl::unexpected(sheet.features[static_cast<size_t>(feature)].at_rim);
+    if (feature >= 0 && area > outer_area) return tl::unexpected(sheet.features[feature].at_rim);
     if (feature >= 0) {
       contours.formed.emplace_back(feature, merged(raw.loop, options.merge_tolerance).loop);
       continue;

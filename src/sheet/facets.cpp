@@ -15,7 +15,7 @@ using Part = std::variant<FlangeId, BendId>;
 
 const Segment kNone{Vec2::Zero(), Vec2::Zero()};
 
-const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[static_cast<size_t>(index_of(id))]; }
+const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[index_of(id)]; }
 
 std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
   if ((ring_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
@@ -47,7 +47,7 @@ class FacetMaker {
     return loop == 0 ? pattern_.face_outlines[f] : pattern_.face_openings[f][static_cast<size_t>(loop) - 1];
   }
   Segment image(const BorderRef& ref) const {
-    const Curve2& curve = image(ref.face, ref.loop)[static_cast<size_t>(ref.border)];
+    const Curve2& curve = image(ref.face, ref.loop)[ref.border];
     return {start_of(curve), end_of(curve)};
   }
   Segment longest_border(FaceId face) const {
@@ -58,13 +58,13 @@ class FacetMaker {
   }
   std::vector<bool>& joined(FaceId face, int loop) {
     joined_.resize(sheet_.faces.size());
-    auto& of_face = joined_[static_cast<size_t>(index_of(face))];
+    auto& of_face = joined_[index_of(face)];
     of_face.resize(face_at(sheet_, face).loops.size());
-    auto& of_loop = of_face[static_cast<size_t>(loop)];
-    of_loop.resize(face_at(sheet_, face).loops[static_cast<size_t>(loop)].size());
+    auto& of_loop = of_face[loop];
+    of_loop.resize(face_at(sheet_, face).loops[loop].size());
     return of_loop;
   }
-  void mark_joined(const BorderRef& ref) { joined(ref.face, ref.loop)[static_cast<size_t>(ref.border)] = true; }
+  void mark_joined(const BorderRef& ref) { joined(ref.face, ref.loop)[ref.border] = true; }
 
   // --- facets of a node ------------------------------------------------------------------------
 
@@ -77,8 +77,8 @@ class FacetMaker {
   void add_flange(FaceId first, int parent, const Segment& hinge, double angle) {
     const FlangeId flange = std::get<FlangeId>(face_at(sheet_, first).part_of);
     add_flange_face(first, parent, hinge, angle);
-    const int facet = facet_of_face_[static_cast<size_t>(index_of(first))];
-    for (const FaceId face : sheet_.flanges[static_cast<size_t>(index_of(flange))].faces)
+    const int facet = facet_of_face_[index_of(first)];
+    for (const FaceId face : sheet_.flanges[index_of(flange)].faces)
       if (face != first) add_flange_face(face, facet, longest_border(face), 0.0);
   }
 
@@ -93,7 +93,7 @@ class FacetMaker {
         polygon.holes.push_back(std::move(ring));
     }
     const int facet = add(face_at(sheet_, face).part_of, parent, hinge, angle, {std::move(polygon)});
-    facet_of_face_[static_cast<size_t>(index_of(face))] = facet;
+    facet_of_face_[index_of(face)] = facet;
     for (int loop = 0; loop < loops; ++loop) {
       const Loop& curves = image(face, loop);
       for (size_t i = 0; i < curves.size(); ++i) {
@@ -107,10 +107,10 @@ class FacetMaker {
   }
 
   BendStrips& strips_of(BendId bend) {
-    auto& strips = strips_[static_cast<size_t>(index_of(bend))];
+    auto& strips = strips_[index_of(bend)];
     if (!strips) {
       strips.emplace(sheet_, pattern_, bend, options_);
-      for (const FaceId face : sheet_.bends[static_cast<size_t>(index_of(bend))].faces)
+      for (const FaceId face : sheet_.bends[index_of(bend)].faces)
         for (size_t loop = 0; loop < face_at(sheet_, face).loops.size(); ++loop)
           strips->add_loop(face, static_cast<int>(loop), joined(face, static_cast<int>(loop)));
       strips->close();
@@ -127,8 +127,8 @@ class FacetMaker {
       const int up = strip > from ? strip : strip + 1;  // the ruling between both
       const Segment between = first ? hinge : strips.ruling(up);
       const double turn = first ? angle : strips.turn(from, strip);
-      const int facet = add(bend, first ? parent : facets[static_cast<size_t>(from)], between, turn, strips.polygons(strip));
-      facets[static_cast<size_t>(strip)] = facet;
+      const int facet = add(bend, first ? parent : facets[from], between, turn, strips.polygons(strip));
+      facets[strip] = facet;
       for (const BendStrips::Edge& edge : strips.edges(strip))
         made_.edges.push_back({facet, edge.line, borders_ + edge.border});
     };
@@ -139,7 +139,7 @@ class FacetMaker {
       add_strip(strip, strip + 1);
     borders_ += strips.border_count();
     bend_facets_.resize(sheet_.bends.size());
-    bend_facets_[static_cast<size_t>(index_of(bend))] = std::move(facets);
+    bend_facets_[index_of(bend)] = std::move(facets);
   }
 
   // --- the tree ----------------------------------------------------------------------------------
@@ -182,7 +182,7 @@ class FacetMaker {
 
   Eigen::Isometry3d flange_in_space(FaceId face) const {
     const Frame& frame = std::get<Frame>(face_at(sheet_, face).surface);
-    const Isometry2 from_pattern = pattern_.placement[static_cast<size_t>(index_of(face))].inverse();
+    const Isometry2 from_pattern = pattern_.placement[index_of(face)].inverse();
     Eigen::Isometry3d placed = Eigen::Isometry3d::Identity(), space = placed;
     placed.linear().topLeftCorner<2, 2>() = from_pattern.linear();
     placed.linear()(2, 2) = from_pattern.linear().determinant() < 0.0 ? -1.0 : 1.0;
@@ -193,7 +193,7 @@ class FacetMaker {
   }
 
   void enter(int node) {
-    placed_[static_cast<size_t>(node)] = true;
+    placed_[node] = true;
     for (size_t i = 0; i < sheet_.joints.size(); ++i) {
       const int a = node_of(sheet_.joints[i].a.face), b = node_of(sheet_.joints[i].b.face);
       if (a == b || (a != node && b != node)) continue;
@@ -205,9 +205,9 @@ class FacetMaker {
   /// Over the longest joints first, as the pattern was laid.
   void grow() {
     while (!front_.empty()) {
-      Joint joint = sheet_.joints[static_cast<size_t>(front_.top().second)];
+      Joint joint = sheet_.joints[front_.top().second];
       front_.pop();
-      const bool has_a = placed_[static_cast<size_t>(node_of(joint.a.face))], has_b = placed_[static_cast<size_t>(node_of(joint.b.face))];
+      const bool has_a = placed_[node_of(joint.a.face)], has_b = placed_[node_of(joint.b.face)];
       if (has_a && has_b) continue;
       if (!has_a) std::swap(joint.a, joint.b);
       hang(joint);
@@ -228,9 +228,9 @@ class FacetMaker {
 
   int facet_beside(const BorderRef& ref) {
     const Face& face = face_at(sheet_, ref.face);
-    if (std::holds_alternative<FlangeId>(face.part_of)) return facet_of_face_[static_cast<size_t>(index_of(ref.face))];
+    if (std::holds_alternative<FlangeId>(face.part_of)) return facet_of_face_[index_of(ref.face)];
     const auto bend = static_cast<size_t>(index_of(std::get<BendId>(face.part_of)));
-    return bend_facets_[bend][static_cast<size_t>(strip_beside(ref))];
+    return bend_facets_[bend][strip_beside(ref)];
   }
 
   /// By how much what lies beyond a placed border is turned about it.
@@ -241,7 +241,7 @@ class FacetMaker {
     const Vec3 line = (skin_point(face, end_of(curve)) - skin_point(face, start_of(curve))).normalized();
     constexpr double kFoldedOver = -0.98;  // cosine near which normals do not tell the way round
     if (joint.sharp && a.dot(b) < kFoldedOver) {
-      const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(*joint.sharp))];
+      const Bend& bend = sheet_.bends[index_of(*joint.sharp)];
       return bend.reference_inside ? -bend.angle.radians() : bend.angle.radians();
     }
     return std::atan2(line.dot(a.cross(b)), a.dot(b));
@@ -307,7 +307,7 @@ std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share) {
     }
     const Vec3 from(facet.hinge.a.x(), facet.hinge.a.y(), 0.0), to(facet.hinge.b.x(), facet.hinge.b.y(), 0.0);
     const Eigen::AngleAxisd turn(share * facet.angle.radians(), (to - from).normalized());
-    placed.push_back(placed[static_cast<size_t>(facet.parent)] * Eigen::Translation3d(from) * turn * Eigen::Translation3d(-from));
+    placed.push_back(placed[facet.parent] * Eigen::Translation3d(from) * turn * Eigen::Translation3d(-from));
   }
   return placed;
 }

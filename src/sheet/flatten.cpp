@@ -29,7 +29,7 @@ void add_features(const Sheet& sheet, const UnfoldingTree& tree, const Contours&
     for (const BorderLoop& outline : feature.outlines) {
       Loop loop;
       for (const Border& border : outline)
-        loop.push_back(transformed(border.curve, tree.placement[static_cast<size_t>(index_of(feature.face))]));
+        loop.push_back(transformed(border.curve, tree.placement[index_of(feature.face)]));
       flat.outlines.push_back(merged(loop, tolerance).loop);
     }
     pattern.features.push_back(std::move(flat));

@@ -31,7 +31,7 @@ class BorderMover {
  private:
   Border& at(int steps) {
     const int n = static_cast<int>(loop_.size());
-    return loop_[static_cast<size_t>(((border_ + steps) % n + n) % n)];
+    return loop_[((border_ + steps) % n + n) % n];
   }
 
   bool beyond(const Vec2& p) const { return (p - origin_).dot(inwards_) >= 0.0; }
@@ -65,7 +65,7 @@ class BorderMover {
 };
 
 bool outward(const Sheet& sheet, const Joint& joint) {
-  return joint.sharp && !sheet.bends[static_cast<size_t>(index_of(*joint.sharp))].reference_inside;
+  return joint.sharp && !sheet.bends[index_of(*joint.sharp)].reference_inside;
 }
 
 }  // namespace
@@ -78,12 +78,12 @@ Result<Sheet> with_setback(const Sheet& sheet) {
   Sheet moved = sheet;
   for (const Joint& joint : sheet.joints) {
     if (!outward(sheet, joint)) continue;
-    const double half_turn = sheet.bends[static_cast<size_t>(index_of(*joint.sharp))].angle.radians() / 2;
+    const double half_turn = sheet.bends[index_of(*joint.sharp)].angle.radians() / 2;
     const double setback = sheet.thickness * std::tan(half_turn);
     for (const BorderRef& ref : {joint.a, joint.b}) {
-      Face& face = moved.faces[static_cast<size_t>(index_of(ref.face))];
+      Face& face = moved.faces[index_of(ref.face)];
       const bool flat = std::holds_alternative<Frame>(face.surface);
-      if (flat && BorderMover(face.loops[static_cast<size_t>(ref.loop)], ref.border, setback).run()) continue;
+      if (flat && BorderMover(face.loops[ref.loop], ref.border, setback).run()) continue;
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("Face {} has no room for the setback of {:.4g} mm that its sharp bend of {:.1f}° needs; model "
                               "the bend with a radius.", face.source_face, setback, 2 * half_turn * 180 / std::numbers::pi),

@@ -126,7 +126,7 @@ Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double to
   std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.opens_at->at > b.opens_at->at; });
   const auto contours = contours_of(pattern);
   for (const Slot& slot : slots) {
-    Contour& contour = *contours[static_cast<std::size_t>(slot.opens_at->contour)];
+    Contour& contour = *contours[slot.opens_at->contour];
     auto opened = with_open_slot(contour, slot, tolerance);
     if (!opened) return tl::unexpected(opened.error());
     contour = std::move(*opened);

@@ -15,8 +15,8 @@ Eigen::Isometry3d isometry_of(const Frame& frame) {
 }  // namespace
 
 Frame border_trihedron(const Sheet& sheet, const BorderRef& ref) {
-  const Face& face = sheet.faces[static_cast<size_t>(index_of(ref.face))];
-  const Curve2& curve = face.loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)].curve;
+  const Face& face = sheet.faces[index_of(ref.face)];
+  const Curve2& curve = face.loops[ref.loop][ref.border].curve;
   const Vec3 start = skin_point(face, start_of(curve));
   return frame_from_axes(start, outward_normal(face, start_of(curve)), skin_point(face, end_of(curve)) - start);
 }

@@ -22,7 +22,7 @@ struct Nodes {
 };
 
 const Face& face_at(const Sheet& sheet, FaceId id) {
-  return sheet.faces[static_cast<size_t>(index_of(id))];
+  return sheet.faces[index_of(id)];
 }
 
 /// The border's trihedron in the developed plane of its face: a point and the direction X (MATH 4.2;
@@ -71,7 +71,7 @@ class Grower {
     grow();
     if (auto done = check_reached(); !done) return tl::unexpected(done.error());
     for (const Face& face : sheet_.faces) {
-      tree_.placement.push_back(*node_placement_[static_cast<size_t>(nodes_.of(face))] * mirror_of(face));
+      tree_.placement.push_back(*node_placement_[nodes_.of(face)] * mirror_of(face));
     }
     if (auto done = check_closure(); !done) return tl::unexpected(done.error());
     for (size_t f = 0; f < sheet_.faces.size(); ++f) tree_.images.push_back(images_of(sheet_.faces[f], tree_.placement[f]));
@@ -116,13 +116,13 @@ class Grower {
   }
 
   double offset_of(BendId id, const Face& face) const {
-    const Bend& bend = sheet_.bends[static_cast<size_t>(index_of(id))];
-    const double k = tree_.allowance[static_cast<size_t>(index_of(id))].k_factor;
+    const Bend& bend = sheet_.bends[index_of(id)];
+    const double k = tree_.allowance[index_of(id)].k_factor;
     return -face.sense * neutral_depth(bend, k);
   }
 
   /// What a sharp bend takes between its two borders.
-  double gap_of(BendId id) const { return tree_.allowance[static_cast<size_t>(index_of(id))].allowance; }
+  double gap_of(BendId id) const { return tree_.allowance[index_of(id)].allowance; }
 
   Development development_of(const Bend& bend, double k) const {
     if (bend.faces.empty()) return Development(Cylinder{{}, 1.0}, 0.0);
@@ -141,8 +141,8 @@ class Grower {
       const int a = nodes_.of(face_at(sheet_, sheet_.joints[i].a.face));
       const int b = nodes_.of(face_at(sheet_, sheet_.joints[i].b.face));
       if (a == b) continue;
-      joints_of_[static_cast<size_t>(a)].push_back(static_cast<int>(i));
-      joints_of_[static_cast<size_t>(b)].push_back(static_cast<int>(i));
+      joints_of_[a].push_back(static_cast<int>(i));
+      joints_of_[b].push_back(static_cast<int>(i));
     }
   }
 
@@ -164,7 +164,7 @@ class Grower {
   }
 
   double joint_length(int joint) const {
-    const BorderRef& ref = sheet_.joints[static_cast<size_t>(joint)].a;
+    const BorderRef& ref = sheet_.joints[joint].a;
     return chord_on(face_at(sheet_, ref.face), border_at(sheet_, ref)).norm();
   }
 
@@ -172,17 +172,17 @@ class Grower {
   void grow() {
     std::priority_queue<std::pair<double, int>> front;
     const auto enter = [&](int node, const Isometry2& placement) {
-      node_placement_[static_cast<size_t>(node)] = placement;
-      for (const int joint : joints_of_[static_cast<size_t>(node)]) front.emplace(joint_length(joint), joint);
+      node_placement_[node] = placement;
+      for (const int joint : joints_of_[node]) front.emplace(joint_length(joint), joint);
     };
     enter(nodes_.of(face_at(sheet_, root())), Isometry2::Identity());
     while (!front.empty()) {
-      Joint joint = sheet_.joints[static_cast<size_t>(front.top().second)];
+      Joint joint = sheet_.joints[front.top().second];
       front.pop();
       const int a = nodes_.of(face_at(sheet_, joint.a.face));
       const int b = nodes_.of(face_at(sheet_, joint.b.face));
-      const bool has_a = node_placement_[static_cast<size_t>(a)].has_value();
-      const bool has_b = node_placement_[static_cast<size_t>(b)].has_value();
+      const bool has_a = node_placement_[a].has_value();
+      const bool has_b = node_placement_[b].has_value();
       if (has_a && has_b) continue;
       if (!has_a) std::swap(joint.a, joint.b);
       enter(has_a ? b : a, child_placement(joint));
@@ -193,7 +193,7 @@ class Grower {
     const Face& face = face_at(sheet_, id);
     const auto* bend = std::get_if<BendId>(&face.part_of);
     if (!bend) return uv;
-    return mirror_of(face) * tree_.development[static_cast<size_t>(index_of(*bend))].develop(uv);
+    return mirror_of(face) * tree_.development[index_of(*bend)].develop(uv);
   }
 
   BorderFrame border_frame(const BorderRef& ref, const Vec3& line) const {
@@ -207,7 +207,7 @@ class Grower {
     } else {
       const BendId bend = std::get<BendId>(face.part_of);
       const Eigen::Matrix2d jacobian =
-          tree_.development[static_cast<size_t>(index_of(bend))].jacobian((start_of(curve) + end_of(curve)) / 2);
+          tree_.development[index_of(bend)].jacobian((start_of(curve) + end_of(curve)) / 2);
       direction = mirror_of(face).linear() * jacobian.col(1);
       if (direction.dot(end - start) < 0) direction = -direction;
     }
@@ -221,7 +221,7 @@ class Grower {
     const Vec3 line = fold_line(sheet_, joint);
     const BorderFrame parent = border_frame(joint.a, line);
     const BorderFrame child = border_frame(joint.b, -line);
-    const Isometry2& base = *node_placement_[static_cast<size_t>(nodes_.of(face_at(sheet_, joint.a.face)))];
+    const Isometry2& base = *node_placement_[nodes_.of(face_at(sheet_, joint.a.face))];
     const Vec2 x = base.linear() * parent.direction;
     const Vec2 target = -x;
     Isometry2 placement = Isometry2::Identity();
@@ -250,7 +250,7 @@ class Grower {
     const auto* bend = std::get_if<BendId>(&face.part_of);
     const auto laid = [&](const Curve2& curve) {
       if (!bend) return transformed(curve, place);
-      const Development& development = tree_.development[static_cast<size_t>(index_of(*bend))];
+      const Development& development = tree_.development[index_of(*bend)];
       const Curve2 image = transformed(development.develop(curve, options_.curve_tolerance), place);
       // A border that becomes a point, as at a cone's apex, is one, not the rounding about it.
       const bool point = bounds(image).size().norm() <= options_.merge_tolerance;
@@ -328,17 +328,17 @@ class Grower {
 }  // namespace
 
 const Border& border_at(const Sheet& sheet, const BorderRef& ref) {
-  return face_at(sheet, ref.face).loops[static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+  return face_at(sheet, ref.face).loops[ref.loop][ref.border];
 }
 
 Vec2 UnfoldingTree::image(const Sheet& sheet, FaceId id, const Vec2& uv) const {
   const auto* bend = std::get_if<BendId>(&face_at(sheet, id).part_of);
-  const Vec2 flat = bend ? development[static_cast<size_t>(index_of(*bend))].develop(uv) : uv;
-  return placement[static_cast<size_t>(index_of(id))] * flat;
+  const Vec2 flat = bend ? development[index_of(*bend)].develop(uv) : uv;
+  return placement[index_of(id)] * flat;
 }
 
 const Curve2& UnfoldingTree::image(const BorderRef& ref) const {
-  return images[static_cast<size_t>(index_of(ref.face))][static_cast<size_t>(ref.loop)][static_cast<size_t>(ref.border)];
+  return images[index_of(ref.face)][ref.loop][ref.border];
 }
 
 Result<UnfoldingTree> grow_unfolding_tree(const Sheet& sheet, const FlattenOptions& options) {

@@ -37,7 +37,7 @@ class Surface {
   };
   Foot nearest(const Vec3& p) const {
     const Vec3& point = tree_->nearest(p);
-    return {point, normals_[static_cast<std::size_t>(&point - tree_->points().data())]};
+    return {point, normals_[&point - tree_->points().data()]};
   }
 
  private:

@@ -39,7 +39,7 @@ Result<void> check_place(const auto& p, const char* what, std::string where) {
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
-  const SlitStrip& strip = sheet.strips[static_cast<std::size_t>(index)];
+  const SlitStrip& strip = sheet.strips[index];
   const std::string where = fmt::format("/sheet/strips/{}", index);
   if (auto sound = check_length(strip.width, "the width of a strip", where + "/width"); !sound) return sound;
   if (auto sound = check_from_zero(strip.gap, kLargest, "the gap beside a strip", where + "/gap"); !sound) return sound;
@@ -121,7 +121,7 @@ Result<void> check_seat_curve(const SlitDesign& design) {
 }
 
 Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel, int anchor) {
-  const SlitAnchor& wish = design.anchors[static_cast<std::size_t>(anchor)];
+  const SlitAnchor& wish = design.anchors[anchor];
   const std::string where = fmt::format("/anchors/{}", anchor);
   if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
   if (wish.ridge < 0 || wish.ridge > design.ridges)
@@ -145,7 +145,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
 
 Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip) {
   const std::string where = fmt::format("/ends/{}", strip);
-  const StripEnd& end = design.ends[static_cast<std::size_t>(strip)];
+  const StripEnd& end = design.ends[strip];
   if (!end.position && !end.direction && !end.across) return {};
   if (auto sound = check_strip_number(design, strip, where); !sound) return sound;
   if (design.sheet.symmetric) return fail(ErrorCode::bad_option, "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed", where);
@@ -226,11 +226,11 @@ Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& 
 Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design) {
   std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
-    const SlitScan& scan = design.scans[static_cast<std::size_t>(i)];
+    const SlitScan& scan = design.scans[i];
     if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound) return tl::unexpected(sound.error());
     if (scan.points.empty())
       return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", scan.strip), fmt::format("/scan/{}/points", i));
-    auto& all = points[static_cast<std::size_t>(scan.strip)];
+    auto& all = points[scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }
   return points;

@@ -96,7 +96,7 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   double angle = 0.0;
   for (int i = 0; i < kPieces; ++i) {
     const double next = bow.at((i + 0.5) / kPieces);
-    folds[static_cast<std::size_t>(i)] = next - angle;
+    folds[i] = next - angle;
     if (std::abs(next - angle) > kLargestFold) return std::numeric_limits<double>::infinity();
     angle = next;
     away += std::sin(angle) / kPieces;

@@ -97,8 +97,8 @@ bool leans_up(const Vec3& towards_mould, const Setting& setting) { return -towar
 
 /// The ridge `at` of a rib, on its working surface.
 Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at, const Setting& setting, int number) {
-  const auto& [left, right] = strip.ridges[static_cast<std::size_t>(at)];
-  const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[static_cast<std::size_t>(quad)]; };
+  const auto& [left, right] = strip.ridges[at];
+  const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[quad]; };
   const Vec3 step = at == first ? normal(first) : at > last ? normal(last) : mitre(normal(at - 1), normal(at));
   const double share = std::min(std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
@@ -117,7 +117,7 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
     if (!far) return tl::unexpected(far.error());
     if (at > first) {
       const auto& from = strip.ridges[static_cast<std::size_t>(at) - 1];
-      const auto& to = strip.ridges[static_cast<std::size_t>(at)];
+      const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
           return fail(ErrorCode::radius_too_small,
@@ -134,7 +134,7 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
 Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting, Mould& mould) {
   const int count = static_cast<int>(strip.towards_mould.size());
   for (int quad = 0; quad < count;) {
-    if (!leans_up(strip.towards_mould[static_cast<std::size_t>(quad)], setting)) {
+    if (!leans_up(strip.towards_mould[quad], setting)) {
       mould.bare.push_back({number, first_number + quad++});
       continue;
     }
@@ -156,7 +156,7 @@ Mesh closed_mesh(const MouldRib& rib, const Frame& base) {
   mesh.points = {rib.facets.front()[0], rib.facets.front()[3]};
   for (const auto& facet : rib.facets) mesh.points.insert(mesh.points.end(), {facet[1], facet[2]});
   const int below = static_cast<int>(mesh.points.size());
-  for (int i = 0; i < below; ++i) mesh.points.push_back(base.point(base.local2(mesh.points[static_cast<std::size_t>(i)])));
+  for (int i = 0; i < below; ++i) mesh.points.push_back(base.point(base.local2(mesh.points[i])));
 
   const Vec3 top = (rib.facets.front()[1] - rib.facets.front()[0]).cross(rib.facets.front()[3] - rib.facets.front()[0]);
   const bool as_listed = top.dot(base.z) > 0.0;
@@ -199,7 +199,7 @@ Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below
 double volume_of(const Mesh& mesh) {
   double sum = 0.0;
   const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
-  const auto at = [&](int point) -> Vec3 { return mesh.points[static_cast<std::size_t>(point)] - origin; };
+  const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
   for (const auto& t : mesh.triangles) sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
   return sum;
 }

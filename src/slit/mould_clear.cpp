@@ -27,7 +27,7 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   }
   constexpr double kTouching = 1e-9;  // of the smallest footprint
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
-    const int first = ribs[static_cast<std::size_t>(overlap.first)].strip, second = ribs[static_cast<std::size_t>(overlap.second)].strip;
+    const int first = ribs[overlap.first].strip, second = ribs[overlap.second].strip;
     return fail(ErrorCode::unsupported_shape,
                 fmt::format("the mould's ribs under strips {} and {} would stand in one another on {:.4g} mm²; choose a larger inset, another direction or "
                             "the other side",
@@ -84,7 +84,7 @@ class View {
   Result<void> check_clear() const {
     constexpr double kTouching = 1e-9;  // of the smallest piece
     for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
-      const Seen *rib = &pieces_[static_cast<std::size_t>(overlap.first)], *strip = &pieces_[static_cast<std::size_t>(overlap.second)];
+      const Seen *rib = &pieces_[overlap.first], *strip = &pieces_[overlap.second];
       if (strip->layer == Layer::rib) std::swap(rib, strip);
       if (rib->layer != Layer::rib || !matters(*rib, *strip)) continue;
       constexpr double kHigher = 1e-6;  // mm

@@ -78,7 +78,7 @@ std::vector<PanelFacet> flat_facets(const SlitSheet& sheet) {
     across += width;
   };
   for (int i = 0; i < static_cast<int>(sheet.strips.size()); ++i) {
-    const SlitStrip& strip = sheet.strips[static_cast<std::size_t>(i)];
+    const SlitStrip& strip = sheet.strips[i];
     add(strip.gap, sheet.panel_height, sheet.panel_height, -1);
     const auto start = sheet.start_of(i);
     add(strip.width, start[0], start[1], i);

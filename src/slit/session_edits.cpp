@@ -20,7 +20,7 @@ void take_scan(Snapshot& next, int strip, std::vector<Vec3> points) {
   Slot slot = next.slot(strip);
   slot.scan = scan_of(std::move(points));
   slot.state.status = StripStatus::open;
-  next.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+  next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
 
 /// Anchors of a design with fewer ridges, where halvings of its quads lead to as many.
@@ -95,7 +95,7 @@ Result<void> SlitSession::set_design(SlitDesign design) {
   auto next = with_design(now, std::move(design));
   if (!next) return tl::unexpected(next.error());
   for (int strip = 0; strip < now.count(); ++strip)
-    if (const auto& points = (*scans)[static_cast<std::size_t>(strip)]; points != scan(strip)) take_scan(*next, strip, points);
+    if (const auto& points = (*scans)[strip]; points != scan(strip)) take_scan(*next, strip, points);
   content_->commit(std::move(*next));
   return {};
 }
@@ -119,7 +119,7 @@ Result<void> SlitSession::set_end_angle(EndAngle angle) {
 Result<void> SlitSession::set_end(int strip, const StripEnd& end) {
   if (strip < 0 || strip >= strip_count())
     return fail(ErrorCode::unknown_strip, fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, strip_count() - 1), fmt::format("/ends/{}", strip));
-  return edit([&](SlitDesign& design) { design.ends[static_cast<std::size_t>(strip)] = end; });
+  return edit([&](SlitDesign& design) { design.ends[strip] = end; });
 }
 
 Result<void> SlitSession::add_anchor(const SlitAnchor& anchor) {
@@ -137,7 +137,7 @@ Result<void> check_anchor_number(const SlitDesign& design, int anchor) {
 
 Result<void> SlitSession::move_anchor(int anchor, const Vec3& at) {
   if (auto sound = check_anchor_number(design(), anchor); !sound) return sound;
-  return edit([&](SlitDesign& design) { design.anchors[static_cast<std::size_t>(anchor)].at = at; });
+  return edit([&](SlitDesign& design) { design.anchors[anchor].at = at; });
 }
 
 Result<void> SlitSession::remove_anchor(int anchor) {
@@ -178,7 +178,7 @@ void SlitSession::subdivide() {
     if (slot.p.size()) slot.p = subdivided(base_of(content_->now, strip), slot.p);
     slot.inequalities.clear();
     slot.state.status = StripStatus::open;
-    next.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+    next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   }
   SlitDesign design = *next.design;
   design.ridges *= 2;

@@ -46,7 +46,7 @@ class Pieces {
     for (std::size_t i = 0; i < folded.panel.size(); ++i)
       add_facet(folded.panel, i);
     for (const PanelFacet& facet : folded.panel)
-      if (facet.strip >= 0) add_strip(folded.strips[static_cast<std::size_t>(facet.strip)], facet_index(folded.panel, facet));
+      if (facet.strip >= 0) add_strip(folded.strips[facet.strip], facet_index(folded.panel, facet));
     if (folded.symmetric) add_mirror_image(folded.reach);
   }
 
@@ -78,7 +78,7 @@ class Pieces {
   }
 
   void add_strip(const FoldedStrip& strip, int facet) {
-    Seam seam{facet, facets_[static_cast<std::size_t>(facet)].top, 0, kNearRidge};
+    Seam seam{facet, facets_[facet].top, 0, kNearRidge};
     for (std::size_t i = 0; i < strip.quads.size(); ++i) {
       const SlitRidge &near = strip.ridges[i], &far = strip.ridges[i + 1];
       seam.b = static_cast<int>(pieces.size());
@@ -93,8 +93,8 @@ class Pieces {
     const int half = static_cast<int>(pieces.size());
     const std::vector<Seam> half_seams = seams;
     for (int i = 0; i < half; ++i)
-      pieces.push_back(mirrored(pieces[static_cast<std::size_t>(i)], symmetry_line));
-    const auto image = [&](int piece, int border) { return pieces[static_cast<std::size_t>(piece)].border_count() - 1 - border; };
+      pieces.push_back(mirrored(pieces[i], symmetry_line));
+    const auto image = [&](int piece, int border) { return pieces[piece].border_count() - 1 - border; };
     for (const Seam& seam : half_seams)
       seams.push_back({half + seam.a, image(seam.a, seam.border_a), half + seam.b, image(seam.b, seam.border_b)});
     for (const int quad : last_quads_)
@@ -119,14 +119,14 @@ std::vector<int> planes_of(std::size_t count, const std::vector<Seam>& seams, co
   std::vector<int> plane(count);
   std::iota(plane.begin(), plane.end(), 0);
   const auto root = [&](int i) {
-    while (plane[static_cast<std::size_t>(i)] != i)
-      i = plane[static_cast<std::size_t>(i)];
+    while (plane[i] != i)
+      i = plane[i];
     return i;
   };
   for (std::size_t s = 0; s < seams.size(); ++s)
     if (std::abs(folds[s]) <= kFolds) {
       const int a = root(seams[s].a), b = root(seams[s].b);
-      plane[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      plane[std::max(a, b)] = std::min(a, b);
     }
   for (std::size_t i = 0; i < count; ++i)
     plane[i] = root(static_cast<int>(i));
@@ -148,18 +148,18 @@ Face face_of(const Piece& piece, FlangeId flange) {
 }
 
 Border& border_of(Sheet& sheet, const BorderRef& ref) {
-  return sheet.faces[static_cast<std::size_t>(index_of(ref.face))].loops.front()[static_cast<std::size_t>(ref.border)];
+  return sheet.faces[index_of(ref.face)].loops.front()[ref.border];
 }
 
 void add_faces(Sheet& sheet, const Pieces& pieces, const std::vector<int>& planes) {
   std::vector<std::optional<FlangeId>> flanges(planes.size());
   for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-    auto& flange = flanges[static_cast<std::size_t>(planes[i])];
+    auto& flange = flanges[planes[i]];
     if (!flange) {
       flange = static_cast<FlangeId>(sheet.flanges.size());
       sheet.flanges.emplace_back();
     }
-    sheet.flanges[static_cast<std::size_t>(index_of(*flange))].faces.push_back(static_cast<FaceId>(i));
+    sheet.flanges[index_of(*flange)].faces.push_back(static_cast<FaceId>(i));
     sheet.faces.push_back(face_of(pieces.pieces[i], *flange));
   }
 }
@@ -168,7 +168,7 @@ void add_joints(Sheet& sheet, const Pieces& pieces, const std::vector<double>& f
   for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
     const Seam& seam = pieces.seams[s];
     Joint joint{{static_cast<FaceId>(seam.a), 0, seam.border_a}, {static_cast<FaceId>(seam.b), 0, seam.border_b}, std::nullopt};
-    if (planes[static_cast<std::size_t>(seam.a)] != planes[static_cast<std::size_t>(seam.b)]) {
+    if (planes[seam.a] != planes[seam.b]) {
       joint.sharp = static_cast<BendId>(sheet.bends.size());
       Bend bend;
       bend.kind = BendKind::sharp;
@@ -206,7 +206,7 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
   const Pieces pieces(folded);
   std::vector<double> folds;
   for (const Seam& seam : pieces.seams)
-    folds.push_back(fold_between(pieces.pieces[static_cast<std::size_t>(seam.a)], seam.border_a, pieces.pieces[static_cast<std::size_t>(seam.b)]));
+    folds.push_back(fold_between(pieces.pieces[seam.a], seam.border_a, pieces.pieces[seam.b]));
   const std::vector<int> planes = planes_of(pieces.pieces.size(), pieces.seams, folds);
   Sheet sheet;
   sheet.thickness = folded.thickness;
@@ -234,7 +234,7 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
     // Seams are listed from the piece that comes first, so its corners are known.
     for (const Seam& seam : pieces.seams) {
       if (seam.a != static_cast<int>(i)) continue;
-      auto& other = corner[static_cast<std::size_t>(seam.b)];
+      auto& other = corner[seam.b];
       const std::size_t n = piece.corners.size(), m = other.size();
       const auto a = static_cast<std::size_t>(seam.border_a), b = static_cast<std::size_t>(seam.border_b);
       if (other[b] < 0) other[b] = corner[i][(a + 1) % n];

@@ -20,19 +20,19 @@ double SlitSheet::reach() const {
 }
 
 double SlitSheet::left_of(int strip) const {
-  double across = strips[static_cast<std::size_t>(strip)].gap;
+  double across = strips[strip].gap;
   for (int i = 0; i < strip; ++i)
-    across += strips[static_cast<std::size_t>(i)].gap + strips[static_cast<std::size_t>(i)].width;
+    across += strips[i].gap + strips[i].width;
   return across;
 }
 
 std::array<double, 2> SlitSheet::start_of(int strip) const {
-  const SlitStrip& row = strips[static_cast<std::size_t>(strip)];
+  const SlitStrip& row = strips[strip];
   return {row.left_start.value_or(panel_height), row.right_start.value_or(panel_height)};
 }
 
 double SlitSheet::end_of(int strip) const {
-  return strips[static_cast<std::size_t>(strip)].end.value_or(panel_height + half_length);
+  return strips[strip].end.value_or(panel_height + half_length);
 }
 
 std::vector<SlitStrip> equal_strips(int count, double width) {

@@ -80,7 +80,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   const SlitDesign& design = *now.design;
   StripProblem problem;
   problem.base = base_of(now, strip);
-  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[static_cast<std::size_t>(strip)]);
+  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[strip]);
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
@@ -103,7 +103,7 @@ FoldedStrip folded_of(const Snapshot& now, int strip) {
 void reopen(Snapshot& now, int strip) {
   Slot slot = now.slot(strip);
   slot.state.status = StripStatus::open;
-  now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
 
 void reopen_all(Snapshot& now) {

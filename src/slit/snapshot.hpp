@@ -27,7 +27,7 @@ struct Snapshot {
   std::shared_ptr<const std::vector<Vec2>> seat_places;  ///< left and right of each strip
   std::vector<std::shared_ptr<const Slot>> slots;
 
-  const Slot& slot(int strip) const { return *slots[static_cast<std::size_t>(strip)]; }
+  const Slot& slot(int strip) const { return *slots[strip]; }
   int count() const { return static_cast<int>(slots.size()); }
 };
 

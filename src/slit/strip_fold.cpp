@@ -27,7 +27,7 @@ Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double ang
 }  // namespace
 
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side) {
-  if (ridge == 0) return base.start[static_cast<std::size_t>(side)];
+  if (ridge == 0) return base.start[side];
   if (ridge == base.quads) return base.end;
   return base.unit() * p[abscissa_index(base.quads, ridge, side)];
 }
@@ -36,7 +36,7 @@ StripParameters flat_parameters(const StripBase& base) {
   StripParameters p = StripParameters::Zero(parameter_count(base.quads));
   for (int ridge = 1; ridge < base.quads; ++ridge)
     for (int side = 0; side < 2; ++side) {
-      const double start = base.start[static_cast<std::size_t>(side)], share = static_cast<double>(ridge) / base.quads;
+      const double start = base.start[side], share = static_cast<double>(ridge) / base.quads;
       p[abscissa_index(base.quads, ridge, side)] = (start + share * (base.end - start)) / base.unit();
     }
   return p;
@@ -70,12 +70,12 @@ std::vector<Twist> twists(const StripBase& base, const StripFold& fold) {
   std::vector<Twist> result(static_cast<std::size_t>(parameter_count(base.quads)));
   for (int ridge = 0; ridge < base.quads; ++ridge) {
     const Vec3 &left = fold.end(0, ridge), &right = fold.end(1, ridge);
-    const double l = fold.ridge_length[static_cast<std::size_t>(ridge)];
-    result[static_cast<std::size_t>(ridge)] = {ridge, (right - left) / l, left};
+    const double l = fold.ridge_length[ridge];
+    result[ridge] = {ridge, (right - left) / l, left};
     if (ridge == 0) continue;
-    const Vec3 turn = base.unit() * base.width() / (l * l) * (fold.frames[static_cast<std::size_t>(ridge)].z - fold.quad(ridge).z);
-    result[static_cast<std::size_t>(abscissa_index(base.quads, ridge, 0))] = {ridge, turn, right};
-    result[static_cast<std::size_t>(abscissa_index(base.quads, ridge, 1))] = {ridge, -turn, left};
+    const Vec3 turn = base.unit() * base.width() / (l * l) * (fold.frames[ridge].z - fold.quad(ridge).z);
+    result[abscissa_index(base.quads, ridge, 0)] = {ridge, turn, right};
+    result[abscissa_index(base.quads, ridge, 1)] = {ridge, -turn, left};
   }
   return result;
 }
@@ -90,7 +90,7 @@ Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold, co
       derivative.col(static_cast<Eigen::Index>(q)).setZero();
   }
   if (ridge > 0 && ridge < base.quads)
-    derivative.col(abscissa_index(base.quads, ridge, side)) = base.unit() * fold.frames[static_cast<std::size_t>(ridge)].x;
+    derivative.col(abscissa_index(base.quads, ridge, side)) = base.unit() * fold.frames[ridge].x;
   return derivative;
 }
 

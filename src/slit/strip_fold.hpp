@@ -49,7 +49,7 @@ struct StripFold {
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
   std::vector<double> ridge_length;       ///< of ridges 0 … quads−1
   const Frame& quad(int i) const { return frames[static_cast<std::size_t>(i) + 1]; }
-  const Vec3& end(int side, int ridge) const { return ends[static_cast<std::size_t>(side)][static_cast<std::size_t>(ridge)]; }
+  const Vec3& end(int side, int ridge) const { return ends[side][ridge]; }
 };
 StripFold folded(const StripBase& base, const StripParameters& p);
 

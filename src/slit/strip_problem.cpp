@@ -109,7 +109,7 @@ class Rows {
   void add_spacing() {
     const double scale = std::sqrt(problem_.weights.spacing / base_.quads);
     for (int side = 0; side < 2; ++side) {
-      const double mean = (base_.end - base_.start[static_cast<std::size_t>(side)]) / base_.quads;
+      const double mean = (base_.end - base_.start[side]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
         const double share = (abscissa(base_, p_, quad + 1, side) - abscissa(base_, p_, quad, side)) / mean;
         residuals_[row_] = scale * (share - 1.0) / std::sqrt(share);
@@ -135,7 +135,7 @@ class Rows {
     const BezierSearch::Foot foot = problem_.seat->nearest(section);
     const double place_scale = position_scale(problem_.weights.spread);
     residuals_.segment<2>(row_) = scale * (section - foot.point);
-    residuals_.segment<2>(row_ + 2) = place_scale * (section - problem_.seat_places[static_cast<std::size_t>(side)]);
+    residuals_.segment<2>(row_ + 2) = place_scale * (section - problem_.seat_places[side]);
     if (jacobian_) {
       const auto derivative = slit_detail::end_derivative(base_, fold_, twists_, side, base_.quads).bottomRows<2>().eval();
       jacobian_->middleRows<2>(row_) = scale * (Eigen::Matrix2d::Identity() - foot.derivative) * derivative;

@@ -32,7 +32,7 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
   const StripFold fold = folded(problem.base, solution.p);
   StripState state;
   state.gap = end_gap(problem, fold);
-  const bool backwards = !now.design->sheet.symmetric && ends_backwards(now.design->ends[static_cast<std::size_t>(strip)], shape);
+  const bool backwards = !now.design->sheet.symmetric && ends_backwards(now.design->ends[strip], shape);
   state.status = !solution.reached || backwards ? StripStatus::out_of_reach : solution.converged ? StripStatus::solved : StripStatus::open;
   if (!solution.reached) state.shortfall = state.gap;
   const Tightest tightest = tightest_fold(problem.base, solution.p);
@@ -93,33 +93,33 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
   slot.inequalities = solution.inequalities;
   slot.box = box_of(problem.base, solution.p);
   std::erase_if(slot.inequalities, [](const Inequality& known) { return std::holds_alternative<HalfSpace>(known.what); });
-  now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+  now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   return solution;
 }
 
 void note_crossings(Snapshot& now, const std::vector<int>& moved) {
   std::vector<bool> has_moved(static_cast<std::size_t>(now.count()));
   for (const int strip : moved)
-    has_moved[static_cast<std::size_t>(strip)] = true;
+    has_moved[strip] = true;
   std::vector<std::vector<int>> crosses;
   for (int strip = 0; strip < now.count(); ++strip) {
     crosses.push_back(now.slot(strip).state.crosses);
-    std::erase_if(crosses.back(), [&](int other) { return has_moved[static_cast<std::size_t>(strip)] || has_moved[static_cast<std::size_t>(other)]; });
+    std::erase_if(crosses.back(), [&](int other) { return has_moved[strip] || has_moved[other]; });
   }
   for (const int strip : moved)
     for (int other = 0; other < now.count(); ++other) {
-      if (other == strip || (has_moved[static_cast<std::size_t>(other)] && other < strip)) continue;
+      if (other == strip || (has_moved[other] && other < strip)) continue;
       if (!is_folded(now, other) || !now.slot(strip).box.intersects(now.slot(other).box)) continue;
       const auto [lower, higher] = std::minmax(strip, other);
-      if (cross(folded_of(now, lower), folded_of(now, higher))) crosses[static_cast<std::size_t>(lower)].push_back(higher);
+      if (cross(folded_of(now, lower), folded_of(now, higher))) crosses[lower].push_back(higher);
     }
   for (int strip = 0; strip < now.count(); ++strip) {
-    auto& found = crosses[static_cast<std::size_t>(strip)];
+    auto& found = crosses[strip];
     std::sort(found.begin(), found.end());
     if (found == now.slot(strip).state.crosses) continue;
     Slot slot = now.slot(strip);
     slot.state.crosses = std::move(found);
-    now.slots[static_cast<std::size_t>(strip)] = std::make_shared<const Slot>(std::move(slot));
+    now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   }
 }
 

@@ -351,7 +351,7 @@ Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, cons
   boundary.axis = turned ? Vec3(-profile.frame.z) : profile.frame.z;
   const int n = static_cast<int>(pieces->size());
   for (int i = 0; i < n; ++i) {
-    const auto& piece = (*pieces)[static_cast<std::size_t>(turned ? n - 1 - i : i)];
+    const auto& piece = (*pieces)[turned ? n - 1 - i : i];
     boundary.elements.push_back(placed(piece, profile.frame, turned));
     for (GivenEdge edge : piece.edges) {
       if (turned) std::tie(edge.from, edge.to) = std::pair{1.0 - edge.to, 1.0 - edge.from};

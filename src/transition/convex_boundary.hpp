@@ -46,8 +46,8 @@ struct Boundary {
   std::vector<GivenCorner> corners;
 
   int count() const { return static_cast<int>(elements.size()); }
-  const Element& element(int i) const { return elements[static_cast<std::size_t>(((i % count()) + count()) % count())]; }
-  bool corner_at(int i) const { return corner[static_cast<std::size_t>(((i % count()) + count()) % count())]; }
+  const Element& element(int i) const { return elements[((i % count()) + count()) % count()]; }
+  bool corner_at(int i) const { return corner[((i % count()) + count()) % count()]; }
 };
 
 /// The boundary of a profile set `outwards` (mm, negative: inwards) in its plane, its axis on the side that

@@ -32,7 +32,7 @@ struct Hull {
   std::vector<HullPatch> patches;
 
   const Element& element(int side, const Stretch& stretch) const {
-    return boundaries[static_cast<std::size_t>(side)].element(stretch.element);
+    return boundaries[side].element(stretch.element);
   }
   Vec3 point(int side, const Stretch& stretch, double t) const { return element(side, stretch).curve(t).point; }
 };

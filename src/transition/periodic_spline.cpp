@@ -9,7 +9,7 @@ namespace planish::transition_detail {
 
 PeriodicSpline::PeriodicSpline(std::vector<Vec2> points) : points_(std::move(points)), knots_{0.0} {
   const auto n = static_cast<Eigen::Index>(points_.size());
-  const auto at = [&](Eigen::Index i) -> const Vec2& { return points_[static_cast<std::size_t>((i + n) % n)]; };
+  const auto at = [&](Eigen::Index i) -> const Vec2& { return points_[(i + n) % n]; };
   for (Eigen::Index i = 0; i < n; ++i)
     knots_.push_back(knots_.back() + (at(i + 1) - at(i)).norm());
   const auto h = [&](Eigen::Index i) {

@@ -13,7 +13,7 @@ struct Ring {
   std::vector<Strip> strips;
 
   int count() const { return static_cast<int>(strips.size()); }
-  const Strip& strip(int i) const { return strips[static_cast<std::size_t>(((i % count()) + count()) % count())]; }
+  const Strip& strip(int i) const { return strips[((i % count()) + count()) % count()]; }
 };
 
 /// A ruling at which the ring is cut: in a strip, from 0 (its start) up to but not including 1.

@@ -178,11 +178,11 @@ Vec3 Strip::normal(double at) const {
   if (!patch_.plane) return local(at).normal;
   const int edge = patch_.sides[0].moves() ? 0 : 1;
   const auto [p, q] = ruling(at);
-  return point(edge, patch_.sides[static_cast<std::size_t>(edge)].t0).derivative.cross(q - p).normalized();
+  return point(edge, patch_.sides[edge].t0).derivative.cross(q - p).normalized();
 }
 
 double Strip::ruling_at(int side, double t) const {
-  const Stretch& stretch = patch_.sides[static_cast<std::size_t>(side)];
+  const Stretch& stretch = patch_.sides[side];
   const double share = (t - stretch.t0) / (stretch.t1 - stretch.t0);
   const bool both = patch_.sides[0].moves() && patch_.sides[1].moves();
   if (!both || patch_.plane || right_) return share;
@@ -232,8 +232,8 @@ double Strip::area(double from, double to) const {
 }
 
 double Strip::border_length(int side, double from, double to) const {
-  if (!patch_.sides[static_cast<std::size_t>(side)].moves()) return 0.0;
-  if (patch_.plane) return (ruling(to)[static_cast<std::size_t>(side)] - ruling(from)[static_cast<std::size_t>(side)]).norm();
+  if (!patch_.sides[side].moves()) return 0.0;
+  if (patch_.plane) return (ruling(to)[side] - ruling(from)[side]).norm();
   const auto s = static_cast<std::size_t>(side);
   return arc_length(*curves_[s], pairing(from).t[s], pairing(to).t[s]);
 }

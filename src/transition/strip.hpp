@@ -33,7 +33,7 @@ class Strip {
   /// The ruling that leaves a profile at the curve's parameter t (or share of an edge).
   double ruling_at(int side, double t) const;
   /// The other way round.
-  double parameter(int side, double at) const { return pairing(at).t[static_cast<std::size_t>(side)]; }
+  double parameter(int side, double at) const { return pairing(at).t[side]; }
   const HullPatch& patch() const { return patch_; }
 
   double area(double from, double to) const;
@@ -79,7 +79,7 @@ class Strip {
   /// Where the strip is a cone with its apex in a profile's corner: how far from there its radius is at least
   /// `radius`.
   double distance_of_radius(double radius) const;
-  bool stands(int side) const { return !patch_.sides[static_cast<std::size_t>(side)].moves(); }
+  bool stands(int side) const { return !patch_.sides[side].moves(); }
 
  private:
   /// Parameters on both profiles at a ruling, and their derivatives.
@@ -120,7 +120,7 @@ class Strip {
   Part right_part(double from, double to, const Tips& tips) const;
   Part ruled_part(double from, double to, const Tips& tips) const;
 
-  SpaceCurvePoint point(int side, double t) const { return curves_[static_cast<std::size_t>(side)]->curve(t); }
+  SpaceCurvePoint point(int side, double t) const { return curves_[side]->curve(t); }
   void find_right();
   void find_breaks();
 

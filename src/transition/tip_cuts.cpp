@@ -56,7 +56,7 @@ void TipCuts::add_cones(const Ring& ring, double radius) {
   for (const Strip& strip : ring.strips)
     for (int side = 0; side < 2; ++side)
       if (!strip.plane() && strip.stands(side))
-        tips_.push_back({side, strip.ruling(0.0)[static_cast<std::size_t>(side)], strip.distance_of_radius(radius)});
+        tips_.push_back({side, strip.ruling(0.0)[side], strip.distance_of_radius(radius)});
 }
 
 /// Panels at corners in which more than one fold or also a cone ends: there the mitres of all would have to meet in
@@ -71,7 +71,7 @@ void TipCuts::add_fans(const Ring& ring, const Pieces& pieces, double inside, do
       const double last = i + 1 == parts.size() ? 0.0 : fold_between(ring, parts[i], parts[i + 1]);
       if (first > 0.0)
         for (int side = 0; side < 2; ++side)
-          folds.push_back({side, strip.ruling(parts[i].from)[static_cast<std::size_t>(side)], 0.0});
+          folds.push_back({side, strip.ruling(parts[i].from)[side], 0.0});
       if (!strip.plane()) continue;
       for (const PanelCorner& corner : corners_of(strip, parts[i], first, last))
         corners.push_back(corner);

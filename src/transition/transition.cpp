@@ -160,12 +160,12 @@ class RulingNames {
 
  private:
   std::string name(int side, const Vec3& p) {
-    const Boundary& boundary = hull_.boundaries[static_cast<std::size_t>(side)];
+    const Boundary& boundary = hull_.boundaries[side];
     for (const GivenCorner& corner : boundary.corners) {
       const Element& element = boundary.element(corner.element);
       if (same(element.curve(std::lerp(element.t0, element.t1, corner.at)).point, p)) return letter(corner.number, side == 0 ? 'A' : 'a');
     }
-    auto& known = points_[static_cast<std::size_t>(side)];
+    auto& known = points_[side];
     const auto found = std::find_if(known.begin(), known.end(), [&](const Vec3& other) { return same(other, p); });
     const auto number = found - known.begin() + 1;
     if (found == known.end()) known.push_back(p);
@@ -292,7 +292,7 @@ class PieceMaker {
       border(joint.b).edge = border(joint.a).edge;
   }
   Border& border(const BorderRef& ref) {
-    return sheet_.faces[static_cast<std::size_t>(index_of(ref.face))].loops.front()[static_cast<std::size_t>(ref.border)];
+    return sheet_.faces[index_of(ref.face)].loops.front()[ref.border];
   }
 
   const Ring& ring_;

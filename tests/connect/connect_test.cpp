@@ -29,10 +29,10 @@ FlatPattern flat(const Connection& connection, double k = 0.44) {
 /// Normals of the bend's mid-surface and of both plates agree along the tangent lines.
 void expect_tangent(const Connection& connection) {
   for (const Joint& joint : connection.sheet.joints) {
-    const Face& a = connection.sheet.faces[static_cast<std::size_t>(index_of(joint.a.face))];
-    const Face& b = connection.sheet.faces[static_cast<std::size_t>(index_of(joint.b.face))];
-    const Curve2& ca = a.loops[static_cast<std::size_t>(joint.a.loop)][static_cast<std::size_t>(joint.a.border)].curve;
-    const Curve2& cb = b.loops[static_cast<std::size_t>(joint.b.loop)][static_cast<std::size_t>(joint.b.border)].curve;
+    const Face& a = connection.sheet.faces[index_of(joint.a.face)];
+    const Face& b = connection.sheet.faces[index_of(joint.b.face)];
+    const Curve2& ca = a.loops[joint.a.loop][joint.a.border].curve;
+    const Curve2& cb = b.loops[joint.b.loop][joint.b.border].curve;
     for (const double t : {0.0, 0.3, 1.0}) {
       EXPECT_LT((skin_point(a, point_at(ca, t)) - skin_point(b, point_at(cb, 1.0 - t))).norm(), 1e-9);
       EXPECT_LT((outward_normal(a, point_at(ca, t)) - outward_normal(b, point_at(cb, 1.0 - t))).norm(), 1e-10);
@@ -85,7 +85,7 @@ TEST(Connect, JoinsATrayToOnePiece) {
   const double gap = 8.0, t = 3.0;
   const Connection c = joined(tray(gap, t));
   ASSERT_EQ(c.bends.size(), 4u);
-  EXPECT_EQ(c.structure.plates[static_cast<std::size_t>(index_of(c.root))].id, "floor");
+  EXPECT_EQ(c.structure.plates[index_of(c.root)].id, "floor");
   for (const FittedBend& bend : c.bends)
     EXPECT_EQ(bend.plates[0], 0) << "every wall hangs on the floor";
   expect_tangent(c);

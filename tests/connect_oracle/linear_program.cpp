@@ -58,7 +58,7 @@ Linear operator*(double factor, Linear a) {
 double Solution::value(const Linear& linear) const {
   double sum = linear.constant;
   for (const auto& [column, factor] : linear.terms)
-    sum += factor * values[static_cast<std::size_t>(column)];
+    sum += factor * values[column];
   return sum;
 }
 
@@ -93,12 +93,12 @@ Solution LinearProgram::solve(double seconds) const {
   std::vector<double> row_low, row_high, cost(columns, 0.0);
   for (const Row& row : rows_) {
     for (const auto& [column, factor] : row.terms)
-      by_column[static_cast<std::size_t>(column)].emplace_back(static_cast<int>(row_low.size()), factor);
+      by_column[column].emplace_back(static_cast<int>(row_low.size()), factor);
     row_low.push_back(row.low);
     row_high.push_back(row.high);
   }
   for (const auto& [column, factor] : cost_.terms)
-    cost[static_cast<std::size_t>(column)] += factor;
+    cost[column] += factor;
   std::vector<CoinBigIndex> start{0};
   std::vector<int> index;
   std::vector<double> factors;

@@ -67,7 +67,7 @@ Corners corners_of_choice(const Sides& sides, const EdgeChoice& choice) {
   Corners corners;
   for (std::size_t i = 0; i < 2; ++i) {
     const Run& run = choice.runs[i];
-    corners[i] = corners_of(sides[i][static_cast<std::size_t>(run.chain)], run.first, run.last);
+    corners[i] = corners_of(sides[i][run.chain], run.first, run.last);
   }
   return corners;
 }

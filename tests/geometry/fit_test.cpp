@@ -475,7 +475,7 @@ RC_GTEST_PROP(Merged, FindsASlotAgainHoweverCutMovedAndStarted, ()) {
   RC_ASSERT(std::abs(length(found.loop) - (80 + 10 * pi)) <= 1e-9);
   RC_ASSERT(worst_gap(found.loop) <= 1e-12 * 300);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 begins = start_of(pieces[static_cast<std::size_t>(found.first_input[i])]);
+    const Vec2 begins = start_of(pieces[found.first_input[i]]);
     RC_ASSERT((start_of(found.loop[i]) - begins).norm() <= 1e-9);
   }
 }

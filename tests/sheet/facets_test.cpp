@@ -105,7 +105,7 @@ std::vector<double> border_lengths(const Facets& facets) {
   std::vector<double> lengths;
   for (const FacetEdge& edge : facets.edges) {
     lengths.resize(std::max(lengths.size(), static_cast<std::size_t>(edge.border) + 1));
-    lengths[static_cast<std::size_t>(edge.border)] += (edge.line.b - edge.line.a).norm();
+    lengths[edge.border] += (edge.line.b - edge.line.a).norm();
   }
   std::sort(lengths.begin(), lengths.end());
   return lengths;

@@ -213,7 +213,7 @@ TEST(BorderTrihedra, BothFormsOfTheUnfoldingMotionAgreeWithThePlacement) {
       const double allowance = Angle::degrees(degrees).radians() * (3.0 + kK * 2.0);
       // The flanges' own borders at the bend: joints run flange–bend and bend–flange.
       const auto flange_side = [&](const Joint& joint) {
-        const bool a_flat = std::holds_alternative<Frame>(sheet.faces[static_cast<size_t>(index_of(joint.a.face))].surface);
+        const bool a_flat = std::holds_alternative<Frame>(sheet.faces[index_of(joint.a.face)].surface);
         return a_flat ? joint.a : joint.b;
       };
       const Frame parent = border_trihedron(sheet, flange_side(sheet.joints.front()));
@@ -224,13 +224,13 @@ TEST(BorderTrihedra, BothFormsOfTheUnfoldingMotionAgreeWithThePlacement) {
       const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .up = UpSide::reference});
       ASSERT_TRUE(pattern);
       // Distances in the pattern are distances after T: both far corners of the child flange.
-      const Face& far = sheet.faces[static_cast<size_t>(index_of(sheet.flanges.back().faces.front()))];
-      const Face& near = sheet.faces[static_cast<size_t>(index_of(sheet.flanges.front().faces.front()))];
+      const Face& far = sheet.faces[index_of(sheet.flanges.back().faces.front())];
+      const Face& near = sheet.faces[index_of(sheet.flanges.front().faces.front())];
       for (const Border& border : far.loops.front()) {
         const Vec2 uv = start_of(border.curve);
         const Vec3 unfolded = trihedra * skin_point(far, uv);
-        const Vec2 in_pattern = pattern->placement[static_cast<size_t>(index_of(sheet.flanges.back().faces.front()))] * uv;
-        const Vec2 origin = pattern->placement[static_cast<size_t>(index_of(sheet.flanges.front().faces.front()))] * Vec2(0, 0);
+        const Vec2 in_pattern = pattern->placement[index_of(sheet.flanges.back().faces.front())] * uv;
+        const Vec2 origin = pattern->placement[index_of(sheet.flanges.front().faces.front())] * Vec2(0, 0);
         EXPECT_NEAR((unfolded - skin_point(near, Vec2(0, 0))).norm(), (in_pattern - origin).norm(), 1e-10);
         EXPECT_NEAR(std::get<Frame>(near.surface).local(unfolded).z(), 0.0, 1e-10);
       }

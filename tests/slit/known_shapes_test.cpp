@@ -37,7 +37,7 @@ TEST(KnownShape, ArcOfAPolygonIsFoundFromItsEnd) {
   EXPECT_LE(session.state(0).objective, 1e-12);
   const auto folded = session.folded();
   for (int i = 0; i < 10; ++i)
-    EXPECT_NEAR(folded.strips[0].ridges[static_cast<std::size_t>(i)].fold.radians(), fold, 1e-5) << i;
+    EXPECT_NEAR(folded.strips[0].ridges[i].fold.radians(), fold, 1e-5) << i;
   EXPECT_NEAR(session.state(0).min_radius, 10.0 / std::tan(fold / 2), 1e-2);
 }
 
@@ -72,7 +72,7 @@ TEST(KnownShape, StripOfKnownAnglesIsFoundFromItsCorners) {
     design.weights = {.smooth = 0.0, .spacing = 0.0, .anchors = 1.0};
     for (int ridge = 1; ridge <= quads; ++ridge)
       for (const Side side : {Side::left, Side::right})
-        design.anchors.push_back({0, ridge, side, ends[static_cast<std::size_t>(ridge)][side == Side::left ? 0 : 1]});
+        design.anchors.push_back({0, ridge, side, ends[ridge][side == Side::left ? 0 : 1]});
     SlitSession session = started(design);
     ASSERT_TRUE(session.solve({.max_iterations = 500, .function_tolerance = 1e-14}));
     EXPECT_LE(session.state(0).anchor_distance, 1e-6) << trial;
@@ -112,7 +112,7 @@ TEST(KnownShape, SymmetricArchOfRightLengthIsAQuarterOfAPolygon) {
   const SlitSession session = solved(design);
   const auto folded = session.folded();
   for (int i = 0; i < 10; ++i)
-    EXPECT_NEAR(folded.strips[0].ridges[static_cast<std::size_t>(i)].fold.radians(), fold, 1e-5) << i;
+    EXPECT_NEAR(folded.strips[0].ridges[i].fold.radians(), fold, 1e-5) << i;
   EXPECT_LE(session.state(0).gap, 1e-9 * 250);
 }
 

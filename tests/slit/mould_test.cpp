@@ -29,7 +29,7 @@ struct Quad {
 };
 
 std::vector<Quad> quads_of(const FoldedSlitSheet& folded, int strip) {
-  const FoldedStrip& half = folded.strips[static_cast<std::size_t>(strip)];
+  const FoldedStrip& half = folded.strips[strip];
   std::vector<Quad> quads;
   for (std::size_t i = 0; i < half.quads.size(); ++i)
     quads.push_back({half.ridges[i].folded[0], half.quads[i].z});
@@ -50,7 +50,7 @@ void expect_on_the_skin(const FoldedSlitSheet& folded, const Mould& mould, doubl
       const int quad = rib.first_quad + static_cast<int>(i);
       EXPECT_TRUE(seen.emplace(rib.strip, quad).second);
       for (const Vec3& corner : rib.facets[i]) {
-        const Quad& above = quads[static_cast<std::size_t>(quad)];
+        const Quad& above = quads[quad];
         EXPECT_NEAR((corner - above.on).dot(above.front), side * 0.5 * folded.thickness, 1e-9) << rib.strip << ' ' << quad;
       }
     }
@@ -69,8 +69,8 @@ double volume_below(const Mould& mould) {
   for (const MouldRib& rib : mould.ribs)
     for (const auto& facet : rib.facets)
       for (const auto& [a, b, c] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
-        const Vec3 p = mould.base.local(facet[static_cast<std::size_t>(a)]), q = mould.base.local(facet[static_cast<std::size_t>(b)]),
-                   r = mould.base.local(facet[static_cast<std::size_t>(c)]);
+        const Vec3 p = mould.base.local(facet[a]), q = mould.base.local(facet[b]),
+                   r = mould.base.local(facet[c]);
         const Vec2 u = (q - p).head<2>(), v = (r - p).head<2>();
         sum += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x()) * (p.z() + q.z() + r.z()) / 3.0;
       }

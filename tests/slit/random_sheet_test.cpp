@@ -65,7 +65,7 @@ RC_GTEST_PROP(AnySlitSheet, IsNotStretchedAndEndsWhereItMust, ()) {
   const FoldedSlitSheet folded = session.folded();
   const double size = random.design.sheet.reach();
   for (int i = 0; i < session.strip_count(); ++i) {
-    const FoldedStrip& strip = folded.strips[static_cast<std::size_t>(i)];
+    const FoldedStrip& strip = folded.strips[i];
     for (std::size_t r = 0; r + 1 < strip.ridges.size(); ++r)
       for (std::size_t a = 0; a < 2; ++a)
         for (std::size_t b = 0; b < 2; ++b)

@@ -52,7 +52,7 @@ TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
     EXPECT_LE(state.gap, 1e-9 * 884) << strip;
     EXPECT_FALSE(!state.crosses.empty() || state.crosses_plane || state.too_tight) << strip;
     EXPECT_LE(state.seat_distance, 0.005 * 464) << strip;
-    const FoldedStrip& shape = folded.strips[static_cast<std::size_t>(strip)];
+    const FoldedStrip& shape = folded.strips[strip];
     for (const Vec3& end : shape.ridges.back().folded)
       EXPECT_LE(std::abs(end.x()), 1e-9 * 884);
     // The paper's end term, and the right angle.
@@ -78,8 +78,8 @@ TEST(SlitSession, AsymmetricEndsAreWhereTheyMustBe) {
   EXPECT_LE(isometry_error(folded), 1e-12 * 600);
   for (int strip = 0; strip < session.strip_count(); ++strip) {
     EXPECT_EQ(session.state(strip).status, StripStatus::solved) << strip;
-    const FoldedStrip& shape = folded.strips[static_cast<std::size_t>(strip)];
-    const StripEnd& end = session.design().ends[static_cast<std::size_t>(strip)];
+    const FoldedStrip& shape = folded.strips[strip];
+    const StripEnd& end = session.design().ends[strip];
     const Vec3 middle = 0.5 * (shape.ridges.back().folded[0] + shape.ridges.back().folded[1]);
     if (end.position) {
       EXPECT_NEAR((middle - *end.position).norm(), 0.0, 1e-9 * 560) << strip;
@@ -387,7 +387,7 @@ TEST(SlitScan, IsAlignedByARigidMotion) {
   motion.pretranslate(Vec3(4, -6, 5));
   for (int strip = 0; strip < 6; ++strip) {
     std::vector<Vec3> points;
-    for (const SlitRidge& ridge : shape.strips[static_cast<std::size_t>(strip)].ridges)
+    for (const SlitRidge& ridge : shape.strips[strip].ridges)
       for (const Vec3& end : ridge.folded)
         points.push_back(motion * end);
     ASSERT_TRUE(session.set_scan(strip, points));
@@ -399,7 +399,7 @@ TEST(SlitScan, IsAlignedByARigidMotion) {
   EXPECT_NEAR(Eigen::AngleAxisd((*found * motion).linear()).angle(), 0.0, 0.002);
   for (int strip = 0; strip < 6; ++strip)
     for (std::size_t i = 0; i < session.scan(strip).size(); ++i)
-      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[static_cast<std::size_t>(strip)].ridges[i / 2].folded[i % 2]).norm(), 0.0, 1.0);
+      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[strip].ridges[i / 2].folded[i % 2]).norm(), 0.0, 1.0);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST(MeshOf, HasTheAreaOfTheSheetAndSharesRidges) {
   const Mesh mesh = mesh_of(folded);
   double area = 0.0;
   for (const auto& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[static_cast<std::size_t>(t[0])], &b = mesh.points[static_cast<std::size_t>(t[1])], &c = mesh.points[static_cast<std::size_t>(t[2])];
+    const Vec3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
     area += 0.5 * (b - a).cross(c - a).norm();
   }
   EXPECT_NEAR(area, 2 * 884.0 * 360.0, 1e-6);

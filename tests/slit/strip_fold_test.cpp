@@ -78,7 +78,7 @@ TEST(StripFold, TurnsEachQuadByItsAngleAboutItsRidge) {
   const StripFold fold = folded(base, p);
   for (int i = 0; i < base.quads; ++i) {
     const Vec3 axis = (fold.end(1, i) - fold.end(0, i)).normalized();
-    const Frame& before = fold.frames[static_cast<std::size_t>(i)];
+    const Frame& before = fold.frames[i];
     EXPECT_NEAR((Eigen::AngleAxisd(p[i], axis) * before.z - fold.quad(i).z).norm(), 0.0, 1e-13);
   }
 }
@@ -192,7 +192,7 @@ TEST(StripObjective, TakesTheBarrierOfSpacingsUpToAConstant) {
     double barrier = 0.0;
     for (int side = 0; side < 2; ++side)
       for (int i = 0; i < 6; ++i)
-        barrier += (problem.base.end - problem.base.start[static_cast<std::size_t>(side)]) / 6 / (abscissa(problem.base, p, i + 1, side) - abscissa(problem.base, p, i, side));
+        barrier += (problem.base.end - problem.base.start[side]) / 6 / (abscissa(problem.base, p, i + 1, side) - abscissa(problem.base, p, i, side));
     return residuals.squaredNorm() - barrier / 6;
   };
   EXPECT_NEAR(difference(1), difference(2), 1e-12);

@@ -24,10 +24,10 @@ struct Sampler {
   void rounded(double x, double y, double r) {
     const std::array<Vec2, 4> centres{Vec2(x, y), Vec2(-x, y), Vec2(-x, -y), Vec2(x, -y)};
     for (int i = 0; i < 4; ++i) {
-      quarter(centres[static_cast<std::size_t>(i)], r, r, i);
-      const Vec2 end = centres[static_cast<std::size_t>(i)] + r * Vec2(std::cos(0.5 * kPi * (i + 1)), std::sin(0.5 * kPi * (i + 1)));
-      const Vec2 next = centres[static_cast<std::size_t>((i + 1) % 4)];
-      if ((next - centres[static_cast<std::size_t>(i)]).norm() > 0.0) points.push_back(end);
+      quarter(centres[i], r, r, i);
+      const Vec2 end = centres[i] + r * Vec2(std::cos(0.5 * kPi * (i + 1)), std::sin(0.5 * kPi * (i + 1)));
+      const Vec2 next = centres[(i + 1) % 4];
+      if ((next - centres[i]).norm() > 0.0) points.push_back(end);
     }
   }
   void operator()(const PolygonProfile& p) { points = p.corners; }

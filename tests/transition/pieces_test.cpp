@@ -128,7 +128,7 @@ TEST(TransitionMesh, IsARingWhoseFacetsLeaveTheSurfaceByTheirChord) {
     double area = 0.0;
     std::map<std::pair<int, int>, int> edges;
     for (const auto& [a, b, c] : mesh.triangles) {
-      const auto at = [&](int i) { return mesh.points[static_cast<std::size_t>(i)]; };
+      const auto at = [&](int i) { return mesh.points[i]; };
       area += 0.5 * (at(b) - at(a)).cross(at(c) - at(a)).norm();
       for (const auto& [from, to] : {std::pair{a, b}, {b, c}, {c, a}})
         ++edges[{from, to}];
@@ -145,7 +145,7 @@ TEST(TransitionMesh, IsARingWhoseFacetsLeaveTheSurfaceByTheirChord) {
     for (const auto& [edge, count] : edges) {
       EXPECT_EQ(count, 1);
       if (!edges.contains({edge.second, edge.first}))
-        openings += (mesh.points[static_cast<std::size_t>(edge.second)] - mesh.points[static_cast<std::size_t>(edge.first)]).norm();
+        openings += (mesh.points[edge.second] - mesh.points[edge.first]).norm();
     }
     EXPECT_NEAR(openings, transition->perimeters[0] + transition->perimeters[1], 0.1 * chord * transition->perimeters[1]);
   }
@@ -176,7 +176,7 @@ TEST(TransitionPressing, AngleOfALineIsThatOfTheSurfaceAboutIt) {
   const Transition transition = made(spec);
   for (const Sheet& sheet : transition.pieces)
     for (const Bend& bend : sheet.bends) {
-      const auto& surface = std::get<Developable>(sheet.faces[static_cast<std::size_t>(index_of(bend.faces[0]))].surface);
+      const auto& surface = std::get<Developable>(sheet.faces[index_of(bend.faces[0])].surface);
       for (std::size_t i = 1; i < bend.press_lines.size(); ++i) {
         const Vec3 a = normal_on(surface, bend.press_lines[i - 1].u), b = normal_on(surface, bend.press_lines[i].u);
         // The surface turns about moving rulings, so its normals differ a little less than it turns.
@@ -246,7 +246,7 @@ TEST(TransitionSeams, BeginWhereTheyAreWanted) {
   expect_at(triangle, SeamEdge{0}, {0, -40}, "middle of edge 0");
   expect_at(triangle, SeamEdge{1}, {30, 15}, "middle of edge 1");
   for (int i = 0; i < 3; ++i)
-    expect_at(triangle, SeamCorner{i}, triangle.corners[static_cast<std::size_t>(i)], "corner of a triangle");
+    expect_at(triangle, SeamCorner{i}, triangle.corners[i], "corner of a triangle");
   const PolygonProfile clockwise{{{-60, -40}, {0, 70}, {60, -40}}};
   expect_at(clockwise, SeamEdge{0}, {-30, 15}, "middle of edge 0, clockwise");
   expect_at(clockwise, SeamEdge{2}, {0, -40}, "middle of edge 2, clockwise");

@@ -46,7 +46,7 @@ TEST(TransitionRefuses, ProfilesThatAreNotConvex) {
   // A pentagram winds round twice.
   PolygonProfile star;
   for (int i = 0; i < 5; ++i)
-    star.corners.push_back(regular_polygon(5, 50).corners[static_cast<std::size_t>(2 * i % 5)]);
+    star.corners.push_back(regular_polygon(5, 50).corners[2 * i % 5]);
   expect_profile_refused(star, ErrorCode::self_crossing, "/polygon");
 
   SplineProfile spline{regular_polygon(8, 50).corners};

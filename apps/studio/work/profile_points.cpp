@@ -57,7 +57,7 @@ std::map<int, int> border_sides(const Mesh& mesh) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& t : mesh.triangles)
     for (int i = 0; i < 3; ++i)
-      sides[{t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>((i + 1) % 3)]}] = 1;
+      sides[{t[i], t[(i + 1) % 3]}] = 1;
   std::map<int, int> border;
   for (const auto& [side, one] : sides)
     if (!sides.count({side.second, side.first})) border[side.first] = side.second;
@@ -73,7 +73,7 @@ std::vector<Vec3> border_near(const Mesh& mesh, const Frame& frame) {
     std::vector<Vec3> ring;
     double height = 0.0;
     for (auto side = border.begin(); side != border.end();) {
-      ring.push_back(mesh.points[static_cast<std::size_t>(side->first)]);
+      ring.push_back(mesh.points[side->first]);
       height = std::max(height, std::abs(frame.local(ring.back()).z()));
       const int next = side->second;
       border.erase(side);

@@ -38,7 +38,7 @@ std::uint32_t row_of(const Sheet& sheet, BendId bend) {
 Json faces_json(const Sheet& sheet, const std::vector<FaceId>& faces) {
   Json json = Json::array();
   for (const FaceId id : faces) {
-    const Face& face = sheet.faces[static_cast<std::size_t>(index_of(id))];
+    const Face& face = sheet.faces[index_of(id)];
     if (face.source_face > 0) json.push_back(face.source_face);
     for (const int number : face.merged_faces)
       if (number != face.source_face) json.push_back(number);
