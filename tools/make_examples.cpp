@@ -1,5 +1,6 @@
-// Writes examples/bracket.step: the part that the quickstart unfolds. Run it with the folder to write to.
-// It is made by the test builders in closed form, so that its flat pattern is known: see the README.
+// Writes examples/bracket.step: the part that the quickstart unfolds. Run it with the folder to
+// write to. It is made by the test builders in closed form, so that its flat pattern is known: see
+// the README.
 
 #include "support/sheet_builder.hpp"
 
@@ -30,14 +31,19 @@ Loop rounded_tab(double width, double height, double radius) {
 /// short one up by 60°, a slot in the base.
 Sheet bracket() {
   constexpr double thickness = 2.0;
-  const std::vector<Vec2> corners{{0, 0},     {80, 0},  {80, 5.5}, {74, 5.5}, {74, 8},  {80, 8},  {80, 40},
-                                  {74, 40},   {74, 42.5}, {80, 42.5}, {80, 50}, {70.5, 50}, {70.5, 44}, {68, 44},
-                                  {68, 50},   {12, 50}, {12, 44},  {9.5, 44}, {9.5, 50}, {0, 50}};
+  const std::vector<Vec2> corners{{0, 0},   {80, 0},    {80, 5.5},  {74, 5.5},  {74, 8},
+                                  {80, 8},  {80, 40},   {74, 40},   {74, 42.5}, {80, 42.5},
+                                  {80, 50}, {70.5, 50}, {70.5, 44}, {68, 44},   {68, 50},
+                                  {12, 50}, {12, 44},   {9.5, 44},  {9.5, 50},  {0, 50}};
   SheetBuilder builder(thickness);
-  const FaceId base = builder.flange(Frame{}, {polygon(corners), obround_opening({40, 22}, 20, 4, Angle::degrees(0))});
-  const Rim long_side = builder.bend(builder.rim(base, 14), Turn{Angle::degrees(90), 2.5, BendDirection::up});
-  builder.flange_behind(long_side, {rounded_tab(56, 30, 6), circular_opening({12, 16}, 3.3), circular_opening({44, 16}, 3.3)});
-  const Rim short_side = builder.bend(builder.rim(base, 5), Turn{Angle::degrees(60), 3.0, BendDirection::up});
+  const FaceId base = builder.flange(
+      Frame{}, {polygon(corners), obround_opening({40, 22}, 20, 4, Angle::degrees(0))});
+  const Rim long_side = builder.bend(builder.rim(base, 14),
+                                     Turn{Angle::degrees(90), 2.5, BendDirection::up});
+  builder.flange_behind(long_side, {rounded_tab(56, 30, 6), circular_opening({12, 16}, 3.3),
+                                    circular_opening({44, 16}, 3.3)});
+  const Rim short_side = builder.bend(builder.rim(base, 5),
+                                      Turn{Angle::degrees(60), 3.0, BendDirection::up});
   builder.flange_behind(short_side, {rounded_tab(32, 20, 4)});
   return builder.finish();
 }

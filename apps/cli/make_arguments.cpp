@@ -42,7 +42,7 @@ constexpr auto kSlitExamples = R"(Examples:
 
 Exit status:
   0 done (also with warnings)        3 a file cannot be read, is invalid or cannot be written
-  1 internal error, or cancelled     4 refused: understood, but strips cannot reach, or curves do not fit
+  1 internal error, or cancelled     4 refused: strips cannot reach, or curves do not fit
   2 wrong usage
 
 The slit file and all else in docs/slit.md.)";
@@ -51,7 +51,8 @@ void add_files(CLI::App& app, MakeArguments& to, const std::string& kind) {
   add_text(app, "input", to.input, "FILE", kind + " file (JSON), or - for standard input")
       ->required();
   add_repeatable(app, "-o,--output", to.folded,
-                 "folded part: .step, or a mesh: .stl, .obj; may be given several times; default, without --flat: "
+                 "folded part: .step, or a mesh: .stl, .obj; may be given several times; default, "
+                 "without --flat: "
                  "<input>.step beside the input")
       ->type_name("PATH")
       ->group("Output");
@@ -76,7 +77,8 @@ CLI::App* add_connect(CLI::App& app, MakeArguments& arguments) {
 }
 
 CLI::App* add_transition(CLI::App& app, MakeArguments& arguments) {
-  CLI::App* command = app.add_subcommand("transition", "make the surface between two profiles, and its net");
+  CLI::App* command = app.add_subcommand("transition",
+                                         "make the surface between two profiles, and its net");
   add_files(*command, arguments, "transition");
   add_report_options(*command, arguments, "that of the transition file");
   add_k_option(*command, arguments, "that of the transition file, or 0.5");
@@ -89,7 +91,8 @@ CLI::App* add_transition(CLI::App& app, MakeArguments& arguments) {
 CLI::App* add_slit(CLI::App& app, MakeArguments& arguments) {
   CLI::App* command = app.add_subcommand("slit", "bend the strips of a slit sheet into a form");
   add_files(*command, arguments, "slit");
-  add_repeatable(*command, "--mould", arguments.mould, "mould that the sheet is laid on: .stl, .obj or .step; may be given several times")
+  add_repeatable(*command, "--mould", arguments.mould,
+                 "mould that the sheet is laid on: .stl, .obj or .step; may be given several times")
       ->type_name("PATH")
       ->group("Output");
   add_report_options(*command, arguments, "that of the slit file");

@@ -9,8 +9,8 @@
 
 namespace planish::cli {
 
-/// What stands on the command line of `planish connect`, `planish transition` and `planish slit`; what the options
-/// mean together is settled in `planned`.
+/// What stands on the command line of `planish connect`, `planish transition` and `planish slit`;
+/// what the options mean together is settled in `planned`.
 struct MakeArguments : PatternArguments {
   std::vector<std::string> folded;  ///< -o
   std::vector<std::string> flat;    ///< --flat

@@ -38,7 +38,8 @@ Result<void> plan_outputs(const MakeArguments& arguments, MakePlan& plan) {
     if (!known) return not_a_name("--mould", name, ".step, .stl or .obj");
     plan.mould.emplace_back(name);
   }
-  if (arguments.folded.empty() && arguments.flat.empty() && arguments.mould.empty()) return plan_defaults(arguments, plan);
+  if (arguments.folded.empty() && arguments.flat.empty() && arguments.mould.empty())
+    return plan_defaults(arguments, plan);
   for (const std::string& name : arguments.folded) {
     const bool known = format_by_suffix(name) == OutputFormat::step || is_mesh_name(name);
     if (!known) return not_a_name("-o", name, ".step, .stl or .obj");

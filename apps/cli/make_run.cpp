@@ -2,7 +2,8 @@
 
 namespace planish::cli {
 
-Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report, const MakePlan& plan) {
+Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report,
+                                          const MakePlan& plan) {
   DxfOptions dxf = plan.dxf;
   dxf.units = report.units;
   for (const Target& target : plan.flat) {
@@ -13,7 +14,8 @@ Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Re
   return files;
 }
 
-Result<void> spare_inputs(const MakePlan& plan, const std::string& json, const std::vector<std::filesystem::path>& inputs) {
+Result<void> spare_inputs(const MakePlan& plan, const std::string& json,
+                          const std::vector<std::filesystem::path>& inputs) {
   std::vector<std::filesystem::path> outputs = plan.folded;
   for (const Target& target : plan.flat)
     outputs.push_back(target.path);

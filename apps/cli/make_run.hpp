@@ -25,14 +25,17 @@ struct Making {
   Result<std::vector<File>> (*files)(const Report&, const MakePlan&);
   SvgOptions svg = {};
   /// Files that the described file names and the command reads; empty where there are none.
-  std::vector<std::filesystem::path> (*further_inputs)(const std::filesystem::path& input) = nullptr;
+  std::vector<std::filesystem::path> (*further_inputs)(const std::filesystem::path& input) =
+      nullptr;
 };
 
 /// `files`, and behind them the flat pattern of a report in every format that is asked for.
-Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report, const MakePlan& plan);
+Result<std::vector<File>> with_flat_files(std::vector<File> files, const job::Report& report,
+                                          const MakePlan& plan);
 
 /// `bad_option` when one of the outputs is one of `inputs`.
-Result<void> spare_inputs(const MakePlan& plan, const std::string& json, const std::vector<std::filesystem::path>& inputs);
+Result<void> spare_inputs(const MakePlan& plan, const std::string& json,
+                          const std::vector<std::filesystem::path>& inputs);
 
 /// Plans, makes, writes and reports. Returns the exit status.
 template <typename Report>
@@ -42,14 +45,19 @@ int run_making(const MakeArguments& arguments, const Making<Report>& making) {
     job::MakeRequest request;
     request.input = arguments.input;
     request.units = arguments.units;
-    return end_unplanned(arguments, plan.error(), report_json(making.failed(request, plan.error())));
+    return end_unplanned(arguments, plan.error(),
+                         report_json(making.failed(request, plan.error())));
   }
   plan->svg = making.svg;
   if (making.further_inputs)
-    if (auto spared = spare_inputs(*plan, arguments.json, making.further_inputs(arguments.input)); !spared) return complain(spared.error());
+    if (auto spared = spare_inputs(*plan, arguments.json, making.further_inputs(arguments.input));
+        !spared)
+      return complain(spared.error());
   ProgressLine line(!arguments.quiet);
   auto report = making.make(plan->request, line.progress());
-  if (!report) return end_failed(arguments, report.error(), report_json(making.failed(plan->request, report.error())));
+  if (!report)
+    return end_failed(arguments, report.error(),
+                      report_json(making.failed(plan->request, report.error())));
   const Error cancelled{ErrorCode::cancelled, "cancelled", {}};
   if (interrupted()) return complain(cancelled);
   if (!report->has_pattern()) return end_reported(arguments, *report);

@@ -34,8 +34,8 @@ std::vector<Contradiction> of_bends_and_dxf(const PatternArguments& a) {
 
 std::vector<Contradiction> of_several_bodies(const UnfoldArguments& a) {
   if (!a.all) return {};
-  const bool faces =
-      a.root != "largest" || (a.up != "auto" && a.up != "reference" && a.up != "other");
+  const bool faces = a.root != "largest" ||
+                     (a.up != "auto" && a.up != "reference" && a.up != "other");
   const bool files = std::any_of(a.outputs.begin(), a.outputs.end(), names_a_file);
   return {
       {!a.body.empty(), "--all and --body contradict each other"},

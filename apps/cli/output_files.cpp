@@ -1,8 +1,7 @@
 #include "output_files.hpp"
 
-#include <planish/io/mesh_writers.hpp>
-
 #include <planish/io/flat_writers.hpp>
+#include <planish/io/mesh_writers.hpp>
 
 #include <fmt/format.h>
 
@@ -112,7 +111,9 @@ std::optional<Error> write_report(const std::string& json_option, const std::str
   return std::nullopt;
 }
 
-bool is_mesh_name(const fs::path& path) { return suffix_of(path) == ".stl" || suffix_of(path) == ".obj"; }
+bool is_mesh_name(const fs::path& path) {
+  return suffix_of(path) == ".stl" || suffix_of(path) == ".obj";
+}
 
 std::string mesh_text(const Mesh& mesh, const fs::path& path, const std::string& name) {
   return suffix_of(path) == ".obj" ? obj_text(mesh, name) : stl_binary(mesh, name);

@@ -26,7 +26,9 @@ Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& pla
   if (!mould) return tl::unexpected(mould.error());
   const Mesh mesh = mesh_of(*mould);
   for (const auto& path : plan.mould) {
-    auto text = is_mesh_name(path) ? Result<std::string>(mesh_text(mesh, path, report.body + " mould")) : mesh_solid_step(mesh, report.body + " mould");
+    auto text = is_mesh_name(path)
+                    ? Result<std::string>(mesh_text(mesh, path, report.body + " mould"))
+                    : mesh_solid_step(mesh, report.body + " mould");
     if (!text) return tl::unexpected(text.error());
     files.push_back({path, std::move(*text)});
   }
@@ -37,7 +39,8 @@ Result<std::vector<File>> files_of(const SlitReport& report, const MakePlan& pla
 
 int run_slit(const MakeArguments& arguments) {
   // Ridges are drawn but too many to be labelled; strips are.
-  return run_making<SlitReport>(arguments, {job::slit, job::failed_slit, files_of, {.labels = false}, job::slit_point_files});
+  return run_making<SlitReport>(
+      arguments, {job::slit, job::failed_slit, files_of, {.labels = false}, job::slit_point_files});
 }
 
 }  // namespace planish::cli

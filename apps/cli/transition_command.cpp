@@ -11,9 +11,11 @@ namespace {
 using job::TransitionReport;
 
 // net.dxf; of several pieces net-1.dxf, net-2.dxf, …
-std::filesystem::path name_of_piece(const std::filesystem::path& path, std::size_t piece, std::size_t pieces) {
+std::filesystem::path name_of_piece(const std::filesystem::path& path, std::size_t piece,
+                                    std::size_t pieces) {
   if (pieces == 1) return path;
-  return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
+  return path.parent_path() /
+         fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
 }
 
 // All files, or the first reason why one cannot be composed. A mesh is that of the whole surface.
@@ -21,7 +23,8 @@ Result<std::vector<File>> files_of(const TransitionReport& report, const MakePla
   std::vector<File> files;
   const std::size_t count = report.pieces.size();
   for (const auto& path : plan.folded) {
-    if (is_mesh_name(path)) files.push_back({path, mesh_text(report.transition.mesh, path, report.body)});
+    if (is_mesh_name(path))
+      files.push_back({path, mesh_text(report.transition.mesh, path, report.body)});
   }
   for (std::size_t i = 0; i < count; ++i) {
     for (const auto& path : plan.folded) {
@@ -40,7 +43,8 @@ Result<std::vector<File>> files_of(const TransitionReport& report, const MakePla
 }  // namespace
 
 int run_transition(const MakeArguments& arguments) {
-  return run_making<TransitionReport>(arguments, {job::transition, job::failed_transition, files_of});
+  return run_making<TransitionReport>(arguments,
+                                      {job::transition, job::failed_transition, files_of});
 }
 
 }  // namespace planish::cli

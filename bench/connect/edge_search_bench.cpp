@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-// What the exact edge search costs beside the thesis's mixed-integer programs, in the same run, on pairs
-// of plates like those of its Fig. 34; and how it grows with the number of edges.
+// What the exact edge search costs beside the thesis's mixed-integer programs, in the same run, on
+// pairs of plates like those of its Fig. 34; and how it grows with the number of edges.
 
 namespace {
 
@@ -42,7 +42,8 @@ Case rectangles() {
 /// (b) Two triangles of a lofted bend with their tips cut off, leaning alike.
 Case truncated_triangles() {
   return {"b: truncated triangles",
-          {{{{0, 20}, {90, 44}, {60, 150}, {40, 150}}, {{5, 18}, {100, 40}, {70, 140}, {55, 140}}}}, 140.0};
+          {{{{0, 20}, {90, 44}, {60, 150}, {40, 150}}, {{5, 18}, {100, 40}, {70, 140}, {55, 140}}}},
+          140.0};
 }
 
 /// (c) A plate ripped before bending: one side notched.
@@ -55,10 +56,11 @@ Case ripped_plate() {
 
 /// (d) Irregular plates of eight edges.
 Case irregular_plates() {
-  return {"d: irregular plates",
-          {{{{0, 60}, {35, 32}, {80, 25}, {130, 30}, {170, 55}, {150, 120}, {80, 140}, {20, 115}},
-            {{10, 50}, {40, 36}, {90, 22}, {140, 34}, {185, 70}, {160, 130}, {100, 150}, {30, 125}}}},
-          100.0};
+  return {
+      "d: irregular plates",
+      {{{{0, 60}, {35, 32}, {80, 25}, {130, 30}, {170, 55}, {150, 120}, {80, 140}, {20, 115}},
+        {{10, 50}, {40, 36}, {90, 22}, {140, 34}, {185, 70}, {160, 130}, {100, 150}, {30, 125}}}},
+      100.0};
 }
 
 /// (e) Each further edge makes the bend wider and longer: the trade-off decides.
@@ -66,7 +68,8 @@ Case width_against_length() {
   return {"e: width against length",
           {{{{0, 20}, {60, 22}, {110, 40}, {150, 75}, {150, 160}, {0, 160}},
             {{0, 25}, {50, 24}, {115, 45}, {160, 90}, {160, 170}, {0, 170}}}},
-          90.0, 0.8};
+          90.0,
+          0.8};
 }
 
 /// Facing edges on a shallow arc, closed far away.
@@ -81,8 +84,8 @@ std::vector<Vec2> arc_plate(int edges, double y, double rise) {
   return outline;
 }
 
-/// (f) Twenty facing edges a side. With γ = 1 all of them fit, which is easy to see for either; with
-/// less the trade-off decides.
+/// (f) Twenty facing edges a side. With γ = 1 all of them fit, which is easy to see for either;
+/// with less the trade-off decides.
 Case many_edges(double trade_off, const char* name) {
   return {name, {arc_plate(20, 60, 35), arc_plate(20, 55, 45)}, 110.0, trade_off};
 }
@@ -127,14 +130,16 @@ OracleRun solve_programs(const Sides& sides, const Case& part, const EdgeSearch&
       run.widest_s += processor_seconds() - middle;
       run.length = std::min(run.length, shortest.length);
       run.width = std::max(run.width, widest.width);
-      run.proven &= shortest.outcome != oracle::Outcome::stopped && widest.outcome != oracle::Outcome::stopped;
+      run.proven &= shortest.outcome != oracle::Outcome::stopped &&
+                    widest.outcome != oracle::Outcome::stopped;
     }
   return run;
 }
 
 bool agree(const OracleRun& run, const EdgeSearch& found) {
   constexpr double kClose = 1e-4;  // mm: enough to know that both solved the same problem
-  return std::abs(run.length - found.reference_length) < kClose && std::abs(run.width - found.best.width) < kClose;
+  return std::abs(run.length - found.reference_length) < kClose &&
+         std::abs(run.width - found.best.width) < kClose;
 }
 
 void AgainstMixedIntegerPrograms(benchmark::State& state) {
@@ -148,14 +153,18 @@ void AgainstMixedIntegerPrograms(benchmark::State& state) {
     benchmark::DoNotOptimize(search_edges(sides, part.angle(), options_of(part)));
   const double ours = (processor_seconds() - start) / static_cast<double>(state.iterations());
   const OracleRun run = solve_programs(sides, part, *once);
-  if (run.proven && !agree(run, *once)) return state.SkipWithError("the programs have another optimum");
+  if (run.proven && !agree(run, *once))
+    return state.SkipWithError("the programs have another optimum");
   state.counters["cbc_shortest_ms"] = 1e3 * run.shortest_s;
   state.counters["cbc_widest_ms"] = 1e3 * run.widest_s;
   state.counters["times_faster"] = (run.shortest_s + run.widest_s) / ours;
   state.counters["proven"] = run.proven;  // 0: Cbc ran out of time, so "at least"
 }
 // A fixed number of runs: Cbc solves once for each time that the function is entered.
-BENCHMARK(AgainstMixedIntegerPrograms)->DenseRange(0, 7)->Iterations(200)->Unit(benchmark::kMicrosecond);
+BENCHMARK(AgainstMixedIntegerPrograms)
+    ->DenseRange(0, 7)
+    ->Iterations(200)
+    ->Unit(benchmark::kMicrosecond);
 
 /// A ragged row of edges a side, on an arc: most edges are candidates, no two alike.
 std::vector<Vec2> ragged_plate(int edges, unsigned seed) {
@@ -178,12 +187,28 @@ void ShallowArcs(benchmark::State& state) {
   const int edges = static_cast<int>(state.range(0));
   search_of(state, {"", {arc_plate(edges, 60, 35), arc_plate(edges, 55, 45)}, 110.0});
 }
-BENCHMARK(ShallowArcs)->Arg(10)->Arg(30)->Arg(100)->Arg(200)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(ShallowArcs)
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(300)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity();
 
 void RaggedEdges(benchmark::State& state) {
   const int edges = static_cast<int>(state.range(0));
   search_of(state, {"", {ragged_plate(edges, 1), ragged_plate(edges, 2)}, 110.0});
 }
-BENCHMARK(RaggedEdges)->Arg(10)->Arg(30)->Arg(100)->Arg(200)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond)->Complexity();
+BENCHMARK(RaggedEdges)
+    ->Arg(10)
+    ->Arg(30)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(300)
+    ->Arg(1000)
+    ->Unit(benchmark::kMicrosecond)
+    ->Complexity();
 
 }  // namespace

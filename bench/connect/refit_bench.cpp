@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-// What joining plates costs, and what following one plate that moves costs beside it: folded stairs of
-// irregular plates, each bend's edges, tangent line and boundaries chosen by the program. A frame at 60 Hz
-// is 16 ms.
+// What joining plates costs, and what following one plate that moves costs beside it: folded stairs
+// of irregular plates, each bend's edges, tangent line and boundaries chosen by the program. A
+// frame at 60 Hz is 16 ms.
 
 namespace {
 
 using namespace planish;
 
-/// Treads and risers in turn, 12 mm short of the lines where their planes meet, and no two edges that
-/// face each other parallel.
+/// Treads and risers in turn, 12 mm short of the lines where their planes meet, and no two edges
+/// that face each other parallel.
 PlateStructure stairs(int count) {
   PlateStructure s;
   s.thickness = 4.0;
@@ -28,10 +28,11 @@ PlateStructure stairs(int count) {
     const double slant = 3.0 + i % 3;
     const Vec3 near = corner + kGap * along, far = corner + (kDepth - kGap) * along;
     const auto at = [](const Vec3& p, double x) { return Vec3(x, p.y(), p.z()); };
-    s.plates.push_back({"P" + std::to_string(i),
-                        {at(near, 0), at(near + slant * along, 120), at(near + 2 * slant * along, 240),
-                         at(far, 245), at(far + slant * along, 110), at(far, -5)},
-                        {}});
+    s.plates.push_back(
+        {"P" + std::to_string(i),
+         {at(near, 0), at(near + slant * along, 120), at(near + 2 * slant * along, 240),
+          at(far, 245), at(far + slant * along, 110), at(far, -5)},
+         {}});
     corner += kDepth * along;
   }
   return s;
@@ -55,8 +56,8 @@ void Connect(benchmark::State& state) {
 }
 BENCHMARK(Connect)->Arg(2)->Arg(10)->Arg(30)->Arg(100)->Unit(benchmark::kMicrosecond)->Complexity();
 
-/// One plate in the middle moves a little each time, the two bends at it follow; with the flat pattern, as
-/// one who drags a plate wants to see it.
+/// One plate in the middle moves a little each time, the two bends at it follow; with the flat
+/// pattern, as one who drags a plate wants to see it.
 void Refit(benchmark::State& state) {
   auto connection = connect(stairs(static_cast<int>(state.range(0))));
   if (!connection) return state.SkipWithError(connection.error().message.c_str());

@@ -4,17 +4,17 @@
 #include <planish/job/unfold.hpp>
 
 #include <benchmark/benchmark.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
-// What unfolding costs beside reading the file, part by part over the real parts, and how it grows with
-// the number of flanges. Everything is a ratio within one run.
+// What unfolding costs beside reading the file, part by part over the real parts, and how it grows
+// with the number of flanges. Everything is a ratio within one run.
 
 namespace {
 
@@ -105,10 +105,17 @@ void UnfoldStaircase(benchmark::State& state) {
   if (!file) return state.SkipWithError(file.error().message.c_str());
   for (auto _ : state) {
     const auto report = job::unfold_body(file->bodies.front(), {});
-    if (!report || !report->has_pattern()) return state.SkipWithError("the staircase did not unfold");
+    if (!report || !report->has_pattern())
+      return state.SkipWithError("the staircase did not unfold");
   }
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(UnfoldStaircase)->Arg(10)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(UnfoldStaircase)
+    ->Arg(10)
+    ->Arg(100)
+    ->Arg(300)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 
 }  // namespace

@@ -2,8 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
-// What a designer waits for: one strip from nothing, one strip after its anchor moved, the same more finely divided,
-// a whole chair after its weights changed, and how all of it grows with the number of strips.
+// What a designer waits for: one strip from nothing, one strip after its anchor moved, the same
+// more finely divided, a whole chair after its weights changed, and how all of it grows with the
+// number of strips.
 
 namespace {
 
@@ -43,13 +44,15 @@ void WarmStrip(benchmark::State& state) {
   if (!session) return state.SkipWithError("not solved");
   const int middle = session->design().ridges / 2;
   const Vec3 at = session->folded().strips[1].ridges[middle].folded[0];
-  if (!session->add_anchor({1, middle, Side::left, at}) || !session->solve()) return state.SkipWithError("no anchor");
+  if (!session->add_anchor({1, middle, Side::left, at}) || !session->solve())
+    return state.SkipWithError("no anchor");
   int step = 0, iterations = 0;
   for (auto _ : state) {
     const double lift = 5.0 * (++step % 2);
     if (!session->move_anchor(0, at + Vec3(0, lift, 0))) return state.SkipWithError("not moved");
     const auto report = session->solve();
-    if (!report || !report->converged || report->strips_solved != 1) return state.SkipWithError("not solved");
+    if (!report || !report->converged || report->strips_solved != 1)
+      return state.SkipWithError("not solved");
     iterations += report->iterations;
   }
   state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
@@ -76,7 +79,8 @@ void WarmChair(benchmark::State& state) {
     seat.poles.back().x() += 5.0 * (++step % 2);
     if (!session->set_seat_curve(seat)) return state.SkipWithError("not set");
     const auto report = session->solve();
-    if (!report || !report->converged || report->strips_solved != 6) return state.SkipWithError("not solved");
+    if (!report || !report->converged || report->strips_solved != 6)
+      return state.SkipWithError("not solved");
     iterations += report->iterations;
   }
   state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
@@ -91,6 +95,11 @@ void StripsOfAWideSheet(benchmark::State& state) {
   }
   state.SetComplexityN(state.range(0));
 }
-BENCHMARK(StripsOfAWideSheet)->Arg(1)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);
+BENCHMARK(StripsOfAWideSheet)
+    ->Arg(1)
+    ->Arg(10)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-// What a transition costs: its surface and its net against the number of press lines, and what somebody waits
-// for who moves one size of a square-to-round and sees surface, net and mesh follow.
+// What a transition costs: its surface and its net against the number of press lines, and what
+// somebody waits for who moves one size of a square-to-round and sees surface, net and mesh follow.
 
 namespace {
 
@@ -34,7 +34,8 @@ FlattenOptions drawn() {
 void make(benchmark::State& state, const TransitionOptions& options, const FlattenOptions& flat) {
   int step = 0;
   for (auto _ : state) {
-    const auto transition = make_transition(square_to_round(static_cast<int>(state.range(0)), 250.0 + 0.1 * (step++ % 100)), options);
+    const auto transition = make_transition(
+        square_to_round(static_cast<int>(state.range(0)), 250.0 + 0.1 * (step++ % 100)), options);
     if (!transition) return state.SkipWithError(transition.error().message.c_str());
     const auto net = flatten(transition->pieces.front(), flat);
     if (!net) return state.SkipWithError(net.error().message.c_str());
@@ -53,7 +54,8 @@ BENCHMARK(SurfaceAndNet)->Arg(0)->Arg(10)->Arg(25)->Arg(100)->Unit(benchmark::kM
 void Editing(benchmark::State& state) {
   int step = 0;
   for (auto _ : state) {
-    const TransitionSpec spec = square_to_round(static_cast<int>(state.range(0)), 250.0 + 0.1 * (step++ % 100));
+    const TransitionSpec spec = square_to_round(static_cast<int>(state.range(0)),
+                                                250.0 + 0.1 * (step++ % 100));
     const auto transition = make_transition(spec, kDrawn);
     if (!transition) return state.SkipWithError("no transition");
     const auto net = flatten(transition->pieces.front(), drawn());

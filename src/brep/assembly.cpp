@@ -5,9 +5,10 @@
 #include "features.hpp"
 #include "widest.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <map>
 #include <numbers>
 #include <set>
@@ -15,10 +16,10 @@
 namespace planish::brep {
 namespace {
 
-
 class Assembler {
  public:
-  explicit Assembler(const Recognition& of) : of_(of), model_(of.model), outlines_(of.outlines), groups_(of.groups) {
+  explicit Assembler(const Recognition& of)
+      : of_(of), model_(of.model), outlines_(of.outlines), groups_(of.groups) {
     map_.face_id.assign(model_.faces.size(), FaceId{-1});
   }
 
@@ -26,7 +27,8 @@ class Assembler {
     sheet_.thickness = of_.skins.thickness;
     sheet_.thickness_spread = of_.skins.spread;
     number_groups();
-    for (size_t g = 0; g < groups_.rows.size(); ++g) add_faces(static_cast<int>(g));
+    for (size_t g = 0; g < groups_.rows.size(); ++g)
+      add_faces(static_cast<int>(g));
     align_turns();
     if (auto done = add_joints(); !done) return tl::unexpected(done.error());
     for (size_t g = 0; g < groups_.rows.size(); ++g)
@@ -69,7 +71,8 @@ class Assembler {
     const SolidFace& stands = solid_face(leader);
     Face face;
     face.source_face = f + 1;
-    for (const int other : solid_face(f).merged) face.merged_faces.push_back(other + 1);
+    for (const int other : solid_face(f).merged)
+      face.merged_faces.push_back(other + 1);
     face.sense = stands.sense;
     face.part_of = group_part_[g];
     if (const auto* plane = std::get_if<Frame>(&stands.surface))
@@ -80,11 +83,13 @@ class Assembler {
     double u_near = outlines_[leader].u_middle;
     face.loops.push_back(read_loop(f, outer, stands.surface, u_near));
     Box2 box;
-    for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
+    for (const Border& border : face.loops.front())
+      box.add(bounds(border.curve));
     u_near = (box.lo.x() + box.hi.x()) / 2;
     for (size_t l = 0; l < solid_face(f).loops.size(); ++l)
       if (static_cast<int>(l) != outer)
-        face.loops.push_back(centred(read_loop(f, static_cast<int>(l), stands.surface, u_near), face.surface, u_near));
+        face.loops.push_back(centred(read_loop(f, static_cast<int>(l), stands.surface, u_near),
+                                     face.surface, u_near));
     return face;
   }
 
@@ -103,7 +108,8 @@ class Assembler {
       const int outer = outer_loop(outlines_[f]);
       // The outer loop of every face comes first in the sheet.
       const int place = l == outer ? 0 : (l < outer ? l + 1 : l);
-      map_.borders[{f, loop[i].edge, loop[i].forward}] = {map_.face_id[f], place, static_cast<int>(borders.size())};
+      map_.borders[{f, loop[i].edge, loop[i].forward}] = {map_.face_id[f], place,
+                                                          static_cast<int>(borders.size())};
       borders.push_back(std::move(read[i]));
     }
     if (map_.widened.count({f, l})) connect(borders, Border(borders.front()));
@@ -130,26 +136,33 @@ class Assembler {
     } else {
       const auto& surface = std::get<Developable>(face.surface);
       const Vec2 uv = parameters_of(surface, point, 0.0);
-      border.edge_depth = -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+      border.edge_depth = -face.sense *
+                          (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
       border.edge_length = 0.0;  // a length below the skin is not the skin's
     }
   }
 
   /// A hole read from its own first point may lie a turn away from the face's outer loop.
-  static BorderLoop centred(BorderLoop loop, const std::variant<Frame, Developable>& surface, double u_near) {
-    if (!std::holds_alternative<Developable>(surface) || std::holds_alternative<Ruled>(std::get<Developable>(surface)))
+  static BorderLoop centred(BorderLoop loop, const std::variant<Frame, Developable>& surface,
+                            double u_near) {
+    if (!std::holds_alternative<Developable>(surface) ||
+        std::holds_alternative<Ruled>(std::get<Developable>(surface)))
       return loop;
     Box2 box;
-    for (const Border& border : loop) box.add(bounds(border.curve));
-    const double turns = std::round((u_near - (box.lo.x() + box.hi.x()) / 2) / (2 * std::numbers::pi));
+    for (const Border& border : loop)
+      box.add(bounds(border.curve));
+    const double turns = std::round((u_near - (box.lo.x() + box.hi.x()) / 2) /
+                                    (2 * std::numbers::pi));
     if (turns != 0.0)
-      for (Border& border : loop) border.curve = shifted_u(border.curve, turns * 2 * std::numbers::pi);
+      for (Border& border : loop)
+        border.curve = shifted_u(border.curve, turns * 2 * std::numbers::pi);
     return loop;
   }
 
   std::pair<BorderRef, BorderRef> refs_of(int e) const {
     const SolidEdge& edge = model_.edges[e];
-    return {map_.borders.at({edge.faces[0], e, edge.forward[0]}), map_.borders.at({edge.faces[1], e, edge.forward[1]})};
+    return {map_.borders.at({edge.faces[0], e, edge.forward[0]}),
+            map_.borders.at({edge.faces[1], e, edge.forward[1]})};
   }
   const Border& border_at(const BorderRef& ref) const {
     return sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
@@ -172,19 +185,22 @@ class Assembler {
           if (has0 == (settled.count(edge.faces[1]) > 0)) continue;
           auto [known, loose] = refs_of(joint.edge);
           if (!has0) std::swap(known, loose);
-          shift_face(loose.face, start_of(border_at(known).curve).x() - end_of(border_at(loose).curve).x());
+          shift_face(loose.face,
+                     start_of(border_at(known).curve).x() - end_of(border_at(loose).curve).x());
           settled.insert(has0 ? edge.faces[1] : edge.faces[0]);
           moved = true;
         }
       }
       for (const int f : group.faces)
-        if (!settled.count(f)) shift_face(map_.face_id[f], middle_u(face_of(group.leader)) - middle_u(face_of(f)));
+        if (!settled.count(f))
+          shift_face(map_.face_id[f], middle_u(face_of(group.leader)) - middle_u(face_of(f)));
     }
   }
 
   static double middle_u(const Face& face) {
     Box2 box;
-    for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
+    for (const Border& border : face.loops.front())
+      box.add(bounds(border.curve));
     return (box.lo.x() + box.hi.x()) / 2;
   }
 
@@ -193,7 +209,8 @@ class Assembler {
     const double turns = kTurn * std::round(by / kTurn);
     if (turns == 0.0) return;
     for (BorderLoop& loop : sheet_.faces[index_of(id)].loops)
-      for (Border& border : loop) border.curve = shifted_u(border.curve, turns);
+      for (Border& border : loop)
+        border.curve = shifted_u(border.curve, turns);
   }
 
   Result<void> add_joints() {
@@ -208,23 +225,27 @@ class Assembler {
         sharp_bends.emplace(key, *row.sharp);
         add_mitre(joint.edge);
       } else if (joint.a != joint.b) {
-        if (auto straightened = straighten(joint.edge, a, b); !straightened) return tl::unexpected(straightened.error());
+        if (auto straightened = straighten(joint.edge, a, b); !straightened)
+          return tl::unexpected(straightened.error());
       }
       sheet_.joints.push_back(row);
     }
     return {};
   }
 
-  /// A joint between different surfaces runs along a ruling; what the file's rounding bent a little is
-  /// made straight.
+  /// A joint between different surfaces runs along a ruling; what the file's rounding bent a little
+  /// is made straight.
   Result<void> straighten(int e, const BorderRef& a, const BorderRef& b) {
-    constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off (RecognizeOptions::surface_tolerance)
+    constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off
+                                      // (RecognizeOptions::surface_tolerance)
     const double off = std::max(off_ruling(a), off_ruling(b));
     if (off > kCurved) {
       const auto& faces = model_.edges[e].faces;
       return fail(ErrorCode::doubly_curved,
-                  fmt::format("Faces {} and {} run into each other along a line that is curved by {:.3g} mm; no flat "
-                              "shape bends to that.", faces[0] + 1, faces[1] + 1, off),
+                  fmt::format("Faces {} and {} run into each other along a line that is curved by "
+                              "{:.3g} mm; no flat "
+                              "shape bends to that.",
+                              faces[0] + 1, faces[1] + 1, off),
                   fmt::format("faces {} and {}", faces[0] + 1, faces[1] + 1));
     }
     for (const BorderRef& ref : {a, b}) {
@@ -249,16 +270,19 @@ class Assembler {
     double off = 0.0;
     for (int i = 0; i <= kSteps; ++i) {
       const Vec2 p = point_at(curve, static_cast<double>(i) / kSteps);
-      off = std::max(off, surface ? (point_on(*surface, p) - point_on(*surface, {u, p.y()})).norm()
-                                  : Eigen::ParametrizedLine<double, 2>::Through(start, end).distance(p));
+      off = std::max(off,
+                     surface ? (point_on(*surface, p) - point_on(*surface, {u, p.y()})).norm()
+                             : Eigen::ParametrizedLine<double, 2>::Through(start, end).distance(p));
     }
     return off;
   }
 
-  /// A mitred corner holds more than the arc of material that bends to it: per length T² (tan α/2 − α/2).
+  /// A mitred corner holds more than the arc of material that bends to it: per length T² (tan α/2 −
+  /// α/2).
   void add_mitre(int e) {
-    const bool rounded = std::any_of(of_.skins.sharp.begin(), of_.skins.sharp.end(),
-                                     [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
+    const bool rounded = std::any_of(
+        of_.skins.sharp.begin(), of_.skins.sharp.end(),
+        [&](const SharpEdge& sharp) { return sharp.edge == e && sharp.rounded; });
     if (rounded) return;
     const double half = std::abs(*dihedral(model_, e)) / 2;
     const double t = sheet_.thickness;
@@ -280,7 +304,8 @@ class Assembler {
     const Face& face = sheet_.faces[index_of(bend.faces.front())];
     Box2 box;
     for (const FaceId id : bend.faces)
-      for (const Border& border : sheet_.faces[index_of(id)].loops.front()) box.add(bounds(border.curve));
+      for (const Border& border : sheet_.faces[index_of(id)].loops.front())
+        box.add(bounds(border.curve));
     const double turn = box.size().x();
     const double skin_to_inside = face.sense > 0 ? sheet_.thickness : 0.0;
     bend.reference_inside = face.sense < 0;
@@ -294,8 +319,10 @@ class Assembler {
       const double s = std::sin(cone->half_angle);
       const double c = std::cos(cone->half_angle);
       const double between = std::acos(std::clamp(c * c * std::cos(turn) + s * s, -1.0, 1.0));
-      bend.angle = Angle::radians(turn <= std::numbers::pi ? between : 2 * std::numbers::pi - between);
-      bend.inside_radius = std::max(0.0, (box.lo.y() + box.hi.y()) / 2 * std::tan(cone->half_angle) - skin_to_inside);
+      bend.angle = Angle::radians(turn <= std::numbers::pi ? between
+                                                           : 2 * std::numbers::pi - between);
+      bend.inside_radius = std::max(
+          0.0, (box.lo.y() + box.hi.y()) / 2 * std::tan(cone->half_angle) - skin_to_inside);
     } else {
       measure_general(bend, face, box);
     }
@@ -335,21 +362,24 @@ class Assembler {
     bend.kind = BendKind::general;
     bend.angle = Angle::radians(turn_between(face, box, std::abs(turned)));
     bend.reference_inside = turned < 0;
-    bend.inside_radius = std::max(0.0, smallest_of(radii) - (bend.reference_inside ? 0.0 : sheet_.thickness));
+    bend.inside_radius = std::max(
+        0.0, smallest_of(radii) - (bend.reference_inside ? 0.0 : sheet_.thickness));
   }
 
   /// Smallest of radii taken in the middles of equal steps, the ends of the first and the last step
   /// included: there the parabola through the three nearest goes on.
   static double smallest_of(const std::vector<double>& radii) {
     double smallest = *std::min_element(radii.begin(), radii.end());
-    const auto end_beyond = [&](auto first) { return (15 * first[0] - 10 * first[1] + 3 * first[2]) / 8; };
+    const auto end_beyond = [&](auto first) {
+      return (15 * first[0] - 10 * first[1] + 3 * first[2]) / 8;
+    };
     for (const double end : {end_beyond(radii.begin()), end_beyond(radii.rbegin())})
       if (end > 0) smallest = std::min(smallest, end);
     return smallest;
   }
 
-  /// The angle between the sheet at both ends; `along` is how far the normal travels between, which is
-  /// more where it does not stay in one plane.
+  /// The angle between the sheet at both ends; `along` is how far the normal travels between, which
+  /// is more where it does not stay in one plane.
   static double turn_between(const Face& face, const Box2& box, double along) {
     const Vec3 n0 = outward_normal(face, box.lo), n1 = outward_normal(face, box.hi);
     const double between = std::atan2(n0.cross(n1).norm(), n0.dot(n1));

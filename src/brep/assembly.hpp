@@ -14,12 +14,12 @@ struct Recognition {
   const Skins& skins;
   const Rim& rim;
   const Groups& groups;
-  Side side;          ///< the reference skin
-  double tolerance;   ///< to which borders are read, mm
+  Side side;         ///< the reference skin
+  double tolerance;  ///< to which borders are read, mm
 };
 
-/// Builds the Sheet: faces, joints, flanges, bends, features. Errors: `doubly_curved` when two faces meet
-/// tangentially along a curve (no development keeps both).
+/// Builds the Sheet: faces, joints, flanges, bends, features. Errors: `doubly_curved` when two
+/// faces meet tangentially along a curve (no development keeps both).
 Result<Sheet> assemble_sheet(const Recognition& of);
 
 }  // namespace planish::brep

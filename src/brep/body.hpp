@@ -1,7 +1,8 @@
 #pragma once
 
-#include <TopoDS_Solid.hxx>
 #include <planish/brep/step.hpp>
+
+#include <TopoDS_Solid.hxx>
 
 namespace planish {
 

@@ -36,12 +36,12 @@ Shape shape_of_segment(const Face& face, const Segment& segment, double toleranc
   const Developable* surface = developable(face);
   if (surface == nullptr) return Shape::line;
   const Vec2 d = (segment.b - segment.a).cwiseAbs();
-  const double radius =
-      std::max(circle_radius(*surface, segment.a.y()), circle_radius(*surface, segment.b.y()));
+  const double radius = std::max(circle_radius(*surface, segment.a.y()),
+                                 circle_radius(*surface, segment.b.y()));
   if (radius == 0.0) {
     // On a ruled surface u is any parameter: the points decide.
-    const Vec3 drift =
-        point_on(*surface, segment.b) - point_on(*surface, {segment.a.x(), segment.b.y()});
+    const Vec3 drift = point_on(*surface, segment.b) -
+                       point_on(*surface, {segment.a.x(), segment.b.y()});
     return drift.norm() < tolerance && d.y() > tolerance ? Shape::line : Shape::general;
   }
   if (d.x() * radius < tolerance) return Shape::line;
@@ -64,8 +64,8 @@ std::vector<double> breaks_of(const Face& face, const BorderCurve& border) {
     }
   }
   std::ranges::sort(breaks);
-  const auto repeated =
-      std::ranges::unique(breaks, [&](double a, double b) { return b - a < 1e-9 * border.length; });
+  const auto repeated = std::ranges::unique(
+      breaks, [&](double a, double b) { return b - a < 1e-9 * border.length; });
   breaks.erase(repeated.begin(), repeated.end());
   return breaks;
 }
@@ -90,8 +90,8 @@ Handle(Geom2d_Curve) with_length(const BorderCurve& border, double length) {
   TColStd_Array1OfReal knots = spline->Knots();
   for (int i = knots.Lower(); i <= knots.Upper(); ++i)
     knots(i) *= length / border.length;
-  const Handle(Geom2d_BSplineCurve) stretched =
-      Handle(Geom2d_BSplineCurve)::DownCast(spline->Copy());
+  const Handle(Geom2d_BSplineCurve)
+      stretched = Handle(Geom2d_BSplineCurve)::DownCast(spline->Copy());
   stretched->SetKnots(knots);
   return stretched.get();
 }

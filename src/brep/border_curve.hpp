@@ -16,20 +16,20 @@ namespace planish::brep {
 Vec3 point_below(const Face& face, const Vec2& uv, double depth);
 
 /// The surface of a face `depth` below the reference skin, as the kernel has it: plane, cylinder,
-/// cone, or a B-spline within `tolerance`; its normal is that of the face's surface. `carried` turns a
-/// curve in the face's (u, v), run over 0 … length, into one in the surface's parameters, of which u
-/// is the same. B-splines stop short of an edge of regression that runs past the face on one side,
-/// though the rectangle of its (u, v) would hold it. Requires: not past a cylinder's axis or a cone's
-/// apex.
+/// cone, or a B-spline within `tolerance`; its normal is that of the face's surface. `carried`
+/// turns a curve in the face's (u, v), run over 0 … length, into one in the surface's parameters,
+/// of which u is the same. B-splines stop short of an edge of regression that runs past the face on
+/// one side, though the rectangle of its (u, v) would hold it. Requires: not past a cylinder's axis
+/// or a cone's apex.
 struct SkinSurface {
   Handle(Geom_Surface) surface;
-  std::function<Handle(Geom2d_Curve)(const Handle(Geom2d_Curve) &, double length)> carried;
+  std::function<Handle(Geom2d_Curve)(const Handle(Geom2d_Curve)&, double length)> carried;
 };
 SkinSurface skin_surface(const Face& face, double depth, double tolerance);
 
 /// Smallest radius of curvature of the skin `depth` below the reference skin within the face, mm;
-/// not positive when that skin would fold over. Infinite for planes; ruled faces are looked at along
-/// their borders.
+/// not positive when that skin would fold over. Infinite for planes; ruled faces are looked at
+/// along their borders.
 double smallest_radius(const Face& face, double depth);
 
 /// A circle in space run from `start` (a unit vector) counter-clockwise seen from `axis`.

@@ -1,9 +1,10 @@
 #include "borders.hpp"
 
+#include <planish/geometry/fit.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <planish/geometry/fit.hpp>
 
 namespace planish::brep {
 namespace {
@@ -11,7 +12,8 @@ namespace {
 constexpr double kParallel = 1e-9;  // 1 − cosine: axes of one feature agree to STEP's digits
 
 Curve2 on_plane(const SpaceCurve& curve, const Frame& plane, double tolerance) {
-  if (curve.kind == SpaceCurve::Kind::line) return Segment{plane.local2(curve.start), plane.local2(curve.end)};
+  if (curve.kind == SpaceCurve::Kind::line)
+    return Segment{plane.local2(curve.start), plane.local2(curve.end)};
   const double tilt = curve.circle.z.dot(plane.z);
   if (curve.kind == SpaceCurve::Kind::circle && 1.0 - std::abs(tilt) < kParallel) {
     const Vec2 centre = plane.local2(curve.circle.origin);
@@ -48,8 +50,12 @@ Tangents tangents_at(const Developable& surface, const Vec2& uv) {
 /// A curve drawn in the parameters of a developable.
 class OnDevelopable {
  public:
-  OnDevelopable(const SpaceCurve& curve, const Developable& surface, double u_near, double tolerance)
-      : curve_(curve), surface_(surface), tolerance_(tolerance), start_(parameters_of(surface, curve.start, u_near)),
+  OnDevelopable(const SpaceCurve& curve, const Developable& surface, double u_near,
+                double tolerance)
+      : curve_(curve),
+        surface_(surface),
+        tolerance_(tolerance),
+        start_(parameters_of(surface, curve.start, u_near)),
         u_scale_(std::max(tangents_at(surface, start_).u.norm(), tolerance)) {}
 
   Curve2 run() const {
@@ -77,7 +83,9 @@ class OnDevelopable {
     if (const auto* cone = std::get_if<Cone>(&surface_)) axis = &cone->frame;
     if (!axis) return {};
     const double tilt = curve_.circle.z.dot(axis->z);
-    if (1.0 - std::abs(tilt) > kParallel || axis->local2(curve_.circle.origin).norm() > ruling_tolerance()) return {};
+    if (1.0 - std::abs(tilt) > kParallel ||
+        axis->local2(curve_.circle.origin).norm() > ruling_tolerance())
+      return {};
     return Segment{start_, {start_.x() + std::copysign(curve_.t1 - curve_.t0, tilt), start_.y()}};
   }
 
@@ -86,7 +94,10 @@ class OnDevelopable {
     constexpr int kSteps = 32;
     std::vector<double> u{start_.x()};
     for (int i = 1; i <= kSteps; ++i)
-      u.push_back(parameters_of(surface_, curve_.point(curve_.t0 + (curve_.t1 - curve_.t0) * i / kSteps), u.back()).x());
+      u.push_back(parameters_of(surface_,
+                                curve_.point(curve_.t0 + (curve_.t1 - curve_.t0) * i / kSteps),
+                                u.back())
+                      .x());
     return u;
   }
 
@@ -103,7 +114,8 @@ class OnDevelopable {
       const double ru = derivative.dot(tangents.u);
       const double rv = derivative.dot(tangents.v);
       const double det = uu - uw * uw;
-      return {{uv.x() * u_scale_, uv.y()}, {(ru - uw * rv) / det * u_scale_, (uu * rv - uw * ru) / det}};
+      return {{uv.x() * u_scale_, uv.y()},
+              {(ru - uw * rv) / det * u_scale_, (uu * rv - uw * ru) / det}};
     };
     CubicSpline spline = fit_cubics(f, curve_.t0, curve_.t1, tolerance_).spline;
     const Curve2 simple = recognized(spline, tolerance_);
@@ -113,7 +125,8 @@ class OnDevelopable {
       const double u = (scaled.a.x() + scaled.b.x()) / 2;
       return Segment{{u, scaled.a.y()}, {u, scaled.b.y()}};
     }
-    for (Vec2& pole : spline.poles) pole = unscaled(pole);
+    for (Vec2& pole : spline.poles)
+      pole = unscaled(pole);
     return spline;
   }
 
@@ -141,8 +154,8 @@ Curve2 shifted_u(const Curve2& curve, double by) {
   return transformed(curve, shift);
 }
 
-BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop, const SolidSurface& surface,
-                        double u_near, double tolerance) {
+BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop,
+                        const SolidSurface& surface, double u_near, double tolerance) {
   BorderLoop borders;
   for (const CoEdge& use : loop) {
     const SpaceCurve& edge = model.edges[use.edge].curve;

@@ -2,8 +2,9 @@
 
 #include "quadrature.hpp"
 
-#include <cmath>
 #include <planish/base/assert.hpp>
+
+#include <cmath>
 
 namespace planish::brep {
 namespace {
@@ -16,24 +17,32 @@ double integral(const SpaceCurve& curve, const Form& form, double error) {
   constexpr int kParts = 4;
   const double step = (curve.t1 - curve.t0) / kParts;
   double sum = 0.0;
-  for (int i = 0; i < kParts; ++i) sum += adaptive_gauss(at, curve.t0 + i * step, curve.t0 + (i + 1) * step, error);
+  for (int i = 0; i < kParts; ++i)
+    sum += adaptive_gauss(at, curve.t0 + i * step, curve.t0 + (i + 1) * step, error);
   return sum;
 }
 
 /// ½ n·∮(x − from) × dx: the signed area that the border sweeps about `from`.
 double swept_area(const SpaceCurve& curve, const Vec3& from, const Vec3& normal, double error) {
-  if (curve.kind == SpaceCurve::Kind::line) return normal.dot((curve.start - from).cross(curve.end - from)) / 2;
+  if (curve.kind == SpaceCurve::Kind::line)
+    return normal.dot((curve.start - from).cross(curve.end - from)) / 2;
   if (curve.kind == SpaceCurve::Kind::circle) {
     const Vec3 centre = curve.circle.origin - from;
     const double tilt = curve.circle.z.dot(normal);
-    return (normal.dot(centre.cross(curve.end - curve.start)) + tilt * curve.radius * curve.radius * (curve.t1 - curve.t0)) / 2;
+    return (normal.dot(centre.cross(curve.end - curve.start)) +
+            tilt * curve.radius * curve.radius * (curve.t1 - curve.t0)) /
+           2;
   }
-  return integral(curve, [&](const Vec3& x, const Vec3& dx) { return normal.dot((x - from).cross(dx)); }, error) / 2;
+  return integral(
+             curve, [&](const Vec3& x, const Vec3& dx) { return normal.dot((x - from).cross(dx)); },
+             error) /
+         2;
 }
 
-/// −∮ v (R + (O − c)·e) e_u·dx with O, R the cylinder's, v the height, e the radial direction and e_u the
-/// one round: ∫(x − c)·n dA with ∂/∂v undone.
-double cylinder_form(const SpaceCurve& curve, const Cylinder& cylinder, const Vec3& centre, double error) {
+/// −∮ v (R + (O − c)·e) e_u·dx with O, R the cylinder's, v the height, e the radial direction and
+/// e_u the one round: ∫(x − c)·n dA with ∂/∂v undone.
+double cylinder_form(const SpaceCurve& curve, const Cylinder& cylinder, const Vec3& centre,
+                     double error) {
   if (curve.kind == SpaceCurve::Kind::line) return 0.0;  // a ruling
   const Frame& frame = cylinder.frame;
   const Vec3 offset = frame.origin - centre;
@@ -71,7 +80,8 @@ bool has_border_volume(const SolidFace& face) {
 
 double volume_of(const SolidModel& model) {
   double sum = 0.0;
-  for (const SolidFace& face : model.faces) sum += face.volume;
+  for (const SolidFace& face : model.faces)
+    sum += face.volume;
   return sum;
 }
 
@@ -90,15 +100,22 @@ double volume_under(const SolidFace& face, const SolidModel& model) {
     return sum;
   };
   if (const auto* plane = std::get_if<Frame>(&face.surface)) {
-    const double area = along_borders([&](const SpaceCurve& curve) { return swept_area(curve, plane->origin, plane->z, area_error); });
+    const double area = along_borders([&](const SpaceCurve& curve) {
+      return swept_area(curve, plane->origin, plane->z, area_error);
+    });
     return area * (plane->origin - centre).dot(plane->z) / 3;
   }
   const auto& surface = std::get<Developable>(face.surface);
   if (const auto* cylinder = std::get_if<Cylinder>(&surface))
-    return along_borders([&](const SpaceCurve& curve) { return cylinder_form(curve, *cylinder, centre, error); }) / 3;
+    return along_borders([&](const SpaceCurve& curve) {
+             return cylinder_form(curve, *cylinder, centre, error);
+           }) /
+           3;
   const auto* cone = std::get_if<Cone>(&surface);
   PLANISH_ASSERT(cone != nullptr);
-  return along_borders([&](const SpaceCurve& curve) { return cone_form(curve, *cone, centre, error); }) / 3;
+  return along_borders(
+             [&](const SpaceCurve& curve) { return cone_form(curve, *cone, centre, error); }) /
+         3;
 }
 
 }  // namespace planish::brep

@@ -2,29 +2,37 @@
 
 #include "borders.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace planish::brep {
 namespace {
 
 double loop_area(const BorderLoop& borders) {
   double sum = 0.0;
-  for (const Border& border : borders) sum += green_area(border.curve);
+  for (const Border& border : borders)
+    sum += green_area(border.curve);
   return std::abs(sum);
 }
 
 Box2 extent(const BorderLoop& borders) {
   Box2 box;
-  for (const Border& border : borders) box.add(bounds(border.curve));
+  for (const Border& border : borders)
+    box.add(bounds(border.curve));
   return box;
 }
 
 class FeatureFinder {
  public:
   FeatureFinder(Sheet& sheet, const SheetMap& map, const Recognition& of)
-      : sheet_(sheet), of_(of), model_(of.model), outlines_(of.outlines), map_(map), widened_(map.widened) {}
+      : sheet_(sheet),
+        of_(of),
+        model_(of.model),
+        outlines_(of.outlines),
+        map_(map),
+        widened_(map.widened) {}
 
   void run() {
     for (size_t p = 0; p < of_.rim.parts.size(); ++p) {
@@ -36,12 +44,15 @@ class FeatureFinder {
         measure_form(part);
       } else if (part.within && there.empty() && !here.empty()) {
         mark(static_cast<int>(p), here, "pocket",
-             {ErrorCode::not_a_sheet, fmt::format("A recess at face {} opens the outer contour on one skin only.", part.faces.front() + 1),
+             {ErrorCode::not_a_sheet,
+              fmt::format("A recess at face {} opens the outer contour on one skin only.",
+                          part.faces.front() + 1),
               fmt::format("face {}", part.faces.front() + 1)});
         measure_form(part);
       } else if (here.empty()) {
         if (part.within || !formed_here(part))
-          for (const LoopRef& ref : there) add_far_outline(part, ref, part.within ? "pocket" : "formed");
+          for (const LoopRef& ref : there)
+            add_far_outline(part, ref, part.within ? "pocket" : "formed");
         measure_form(part);
       } else if (part.within && here.size() == 1 && there.size() == 1) {
         compare_openings(part, here.front(), there.front());
@@ -73,15 +84,17 @@ class FeatureFinder {
     sheet_.features.push_back(std::move(feature));
   }
 
-  /// Whether a form that leaves the sheet also shows on the reference skin (an emboss has two sides).
+  /// Whether a form that leaves the sheet also shows on the reference skin (an emboss has two
+  /// sides).
   bool formed_here(const RimPart& part) const {
     const auto [lo, hi] = box_of(part);
-    return std::any_of(of_.rim.parts.begin(), of_.rim.parts.end(), [&, lo = lo, hi = hi](const RimPart& other) {
-      const auto& loops = of_.side == Side::first ? other.first : other.second;
-      if (&other == &part || other.within || loops.empty()) return false;
-      const auto [other_lo, other_hi] = box_of(other);
-      return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
-    });
+    return std::any_of(
+        of_.rim.parts.begin(), of_.rim.parts.end(), [&, lo = lo, hi = hi](const RimPart& other) {
+          const auto& loops = of_.side == Side::first ? other.first : other.second;
+          if (&other == &part || other.within || loops.empty()) return false;
+          const auto [other_lo, other_hi] = box_of(other);
+          return (lo.array() <= other_hi.array()).all() && (other_lo.array() <= hi.array()).all();
+        });
   }
 
   std::pair<Vec3, Vec3> box_of(const RimPart& part) const {
@@ -101,10 +114,14 @@ class FeatureFinder {
     const Vec3 first = outlines_[ref.face].rings[ref.loop].front();
     for (const int partner : of_.skins.partners[ref.face]) {
       const Outline& outline = outlines_[partner];
-      if (of_.skins.side[partner] != of_.side || !std::holds_alternative<Frame>(solid_face(partner).surface)) continue;
+      if (of_.skins.side[partner] != of_.side ||
+          !std::holds_alternative<Frame>(solid_face(partner).surface))
+        continue;
       const Face& face = face_of(partner);
       const double reach = sheet_.thickness;
-      if (((outline.lo.array() - reach) > first.array()).any() || ((outline.hi.array() + reach) < first.array()).any()) continue;
+      if (((outline.lo.array() - reach) > first.array()).any() ||
+          ((outline.hi.array() + reach) < first.array()).any())
+        continue;
       FormedFeature feature;
       feature.kind = kind;
       feature.source_face = part.faces.front() + 1;
@@ -116,8 +133,8 @@ class FeatureFinder {
   }
 
   /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrowest
-  /// section; the wider outlines are drawn, and so is the far one of a slanted cut. Both loops must be
-  /// openings of planar faces.
+  /// section; the wider outlines are drawn, and so is the far one of a slanted cut. Both loops must
+  /// be openings of planar faces.
   void compare_openings(const RimPart& part, const LoopRef& here, const LoopRef& there) {
     if (!opening_in_plane(here) || !opening_in_plane(there)) return;
     const CoEdge& first_use = solid_face(here.face).loops[here.loop].front();
@@ -125,7 +142,8 @@ class FeatureFinder {
     Face& face = face_of(here.face);
     const auto& frame = std::get<Frame>(face.surface);
     BorderLoop& own = face.loops[first.loop];
-    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[here.loop], frame, 0.0, of_.tolerance);
+    BorderLoop mine = read_borders(model_, solid_face(here.face).loops[here.loop], frame, 0.0,
+                                   of_.tolerance);
     BorderLoop theirs = projected_loop(there, frame);
     constexpr double kWider = 1.001;  // area ratio that drilling noise does not reach
     if (loop_area(theirs) * kWider < loop_area(own)) own = theirs;
@@ -151,7 +169,8 @@ class FeatureFinder {
     constexpr double kSlope = 0.05;  // 3°: more than draft and rounding make
     const Box2 first = extent(a);
     const Box2 second = extent(b);
-    return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) > kSlope * sheet_.thickness;
+    return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
+           kSlope * sheet_.thickness;
   }
 
   bool opening_in_plane(const LoopRef& ref) const {
@@ -167,17 +186,19 @@ class FeatureFinder {
   Cover cover(const LoopRef& ref) const {
     const auto& plane = std::get<Frame>(solid_face(ref.face).surface);
     return {(plane.origin - model_.centre).dot(plane.z),
-            loop_area(read_borders(model_, solid_face(ref.face).loops[ref.loop], plane, 0.0, of_.tolerance))};
+            loop_area(read_borders(model_, solid_face(ref.face).loops[ref.loop], plane, 0.0,
+                                   of_.tolerance))};
   }
 
   double volume_under(const RimPart& part) const {
     double sum = 0.0;
-    for (const int f : part.faces) sum += solid_face(f).volume;
+    for (const int f : part.faces)
+      sum += solid_face(f).volume;
     return sum;
   }
 
-  /// What a form holds more than the plain sheet that its outlines cover would: by the divergence theorem
-  /// its faces' volumes less those of the covers.
+  /// What a form holds more than the plain sheet that its outlines cover would: by the divergence
+  /// theorem its faces' volumes less those of the covers.
   void measure_form(const RimPart& part) {
     double excess = volume_under(part);
     for (const auto* loops : {&part.first, &part.second})
@@ -192,8 +213,8 @@ class FeatureFinder {
     sheet_.forms_volume += excess;
   }
 
-  /// The same for an opening that is cut with the area `cut`: covers are the rings around it, and the wall
-  /// of a straight opening takes 2/3 of its volume (the plug's caps have the other third).
+  /// The same for an opening that is cut with the area `cut`: covers are the rings around it, and
+  /// the wall of a straight opening takes 2/3 of its volume (the plug's caps have the other third).
   void measure_opening(const RimPart& part, const std::array<LoopRef, 2>& loops, double cut) {
     double excess = volume_under(part);
     double depth = 0.0;
@@ -214,7 +235,9 @@ class FeatureFinder {
       feature.kind = "chamfer";
       feature.source_face = f + 1;
       feature.face = face_id(f);
-      if (plane) feature.outlines.push_back(read_borders(model_, solid_face(f).loops[l], *plane, 0.0, of_.tolerance));
+      if (plane)
+        feature.outlines.push_back(
+            read_borders(model_, solid_face(f).loops[l], *plane, 0.0, of_.tolerance));
       sheet_.features.push_back(std::move(feature));
     }
   }
@@ -223,9 +246,11 @@ class FeatureFinder {
   BorderLoop projected_loop(const LoopRef& ref, const Frame& plane) const {
     std::vector<CoEdge> loop = solid_face(ref.face).loops[ref.loop];
     std::reverse(loop.begin(), loop.end());
-    for (CoEdge& use : loop) use.forward = !use.forward;
+    for (CoEdge& use : loop)
+      use.forward = !use.forward;
     BorderLoop borders = read_borders(model_, loop, plane, 0.0, of_.tolerance);
-    for (Border& border : borders) border.edge_depth = sheet_.thickness;
+    for (Border& border : borders)
+      border.edge_depth = sheet_.thickness;
     return borders;
   }
 
@@ -239,6 +264,8 @@ class FeatureFinder {
 
 }  // namespace
 
-void add_features(Sheet& sheet, const SheetMap& map, const Recognition& of) { FeatureFinder(sheet, map, of).run(); }
+void add_features(Sheet& sheet, const SheetMap& map, const Recognition& of) {
+  FeatureFinder(sheet, map, of).run();
+}
 
 }  // namespace planish::brep

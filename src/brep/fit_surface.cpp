@@ -1,6 +1,7 @@
 #include "fit_surface.hpp"
 
 #include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +16,8 @@ constexpr double kNormalAgreement = 0.02;
 
 Vec3 mean_point(const Samples& samples) {
   Vec3 mean = Vec3::Zero();
-  for (const SurfaceSample& sample : samples) mean += sample.point;
+  for (const SurfaceSample& sample : samples)
+    mean += sample.point;
   return mean / static_cast<double>(samples.size());
 }
 
@@ -23,7 +25,8 @@ Vec3 mean_point(const Samples& samples) {
 Vec3 least_spread(const Samples& samples, bool centred) {
   Vec3 mean = Vec3::Zero();
   if (centred) {
-    for (const SurfaceSample& sample : samples) mean += sample.normal;
+    for (const SurfaceSample& sample : samples)
+      mean += sample.normal;
     mean /= static_cast<double>(samples.size());
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -36,7 +39,8 @@ Vec3 least_spread(const Samples& samples, bool centred) {
 
 std::optional<SurfaceFit> fit_plane(const Samples& samples, double tolerance) {
   Vec3 normal = Vec3::Zero();
-  for (const SurfaceSample& sample : samples) normal += sample.normal;
+  for (const SurfaceSample& sample : samples)
+    normal += sample.normal;
   if (normal.norm() == 0.0) return {};
   const Frame frame = frame_from_normal(mean_point(samples), normal.normalized());
   double deviation = 0.0;

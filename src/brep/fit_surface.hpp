@@ -16,8 +16,8 @@ struct SurfaceFit {
 };
 
 /// The plane, circular cylinder or right cone (tried in this order) that all samples lie on within
-/// `tolerance`, normals agreeing too. Cylinder and cone from the normals: they are perpendicular, or
-/// equally inclined, to the axis; axis line, radius and apex by linear least squares.
+/// `tolerance`, normals agreeing too. Cylinder and cone from the normals: they are perpendicular,
+/// or equally inclined, to the axis; axis line, radius and apex by linear least squares.
 std::optional<SurfaceFit> fit_surface(const std::vector<SurfaceSample>& samples, double tolerance);
 
 }  // namespace planish::brep

@@ -111,8 +111,8 @@ class Welder {
   /// Unites the nodes of a face along an edge with those that other faces have there.
   void join(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & own,
             const TopLoc_Location& place, int first) {
-    const Handle(Poly_PolygonOnTriangulation) polygon =
-        BRep_Tool::PolygonOnTriangulation(edge, own, place);
+    const Handle(Poly_PolygonOnTriangulation)
+        polygon = BRep_Tool::PolygonOnTriangulation(edge, own, place);
     if (polygon.IsNull()) return;
     std::vector<int> row;
     for (int i = 1; i <= polygon->NbNodes(); ++i)
@@ -153,7 +153,8 @@ std::size_t open_sides(const Mesh& mesh) {
 
 Result<void> check_chord(double chord) {
   if (chord > 0.0) return {};
-  return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  return fail(ErrorCode::bad_option,
+              fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
 }
 
 Mesh triangulated(const TopoDS_Shape& solid, double chord) {
@@ -172,7 +173,8 @@ Result<Mesh> body_mesh(const Body& body, double chord) {
   return brep::guarded([&]() -> Result<Mesh> {
     // The kernel writes triangles into the shape that it is given.
     Mesh mesh = triangulated(BRepBuilderAPI_Copy(body.shape().solid).Shape(), chord);
-    if (mesh.triangles.empty()) return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
+    if (mesh.triangles.empty())
+      return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
     return mesh;
   });
 }

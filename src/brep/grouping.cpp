@@ -37,7 +37,8 @@ bool same_surface(const SolidFace& f, const SolidFace& g, double size) {
   }
   if (const auto* cone = std::get_if<Cone>(a)) {
     const auto& other = std::get<Cone>(*b);
-    return (cone->frame.origin - other.frame.origin).norm() <= agreement.length / std::sin(cone->half_angle) &&
+    return (cone->frame.origin - other.frame.origin).norm() <=
+               agreement.length / std::sin(cone->half_angle) &&
            std::abs(cone->half_angle - other.half_angle) <= agreement.angle &&
            cone->frame.z.dot(other.frame.z) > 1.0 - agreement.angle * agreement.angle;
   }
@@ -46,9 +47,12 @@ bool same_surface(const SolidFace& f, const SolidFace& g, double size) {
 
 class UnionFind {
  public:
-  explicit UnionFind(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  explicit UnionFind(size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
   int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    while (parent_[i] != i)
+      i = parent_[i] = parent_[parent_[i]];
     return i;
   }
   void join(int a, int b) { parent_[root(a)] = root(b); }
@@ -59,13 +63,15 @@ class UnionFind {
 
 class Grouper {
  public:
-  Grouper(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins, Side side)
+  Grouper(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
+          Side side)
       : model_(model), outlines_(outlines), skins_(skins), side_(side), sets_(model.faces.size()) {}
 
   Groups run() {
     find_joints();
     for (const GroupJoint& joint : groups_.joints)
-      if (!joint.sharp && same_surface(face(joint.a), face(joint.b), model_.size)) sets_.join(joint.a, joint.b);
+      if (!joint.sharp && same_surface(face(joint.a), face(joint.b), model_.size))
+        sets_.join(joint.a, joint.b);
     join_interrupted_bends();
     collect();
     for (GroupJoint& joint : groups_.joints) {
@@ -81,7 +87,8 @@ class Grouper {
 
   void find_joints() {
     std::set<int> sharp;
-    for (const SharpEdge& edge : skins_.sharp) sharp.insert(edge.edge);
+    for (const SharpEdge& edge : skins_.sharp)
+      sharp.insert(edge.edge);
     for (size_t e = 0; e < model_.edges.size(); ++e) {
       const SolidEdge& edge = model_.edges[e];
       if (edge.uses != 2 || !mine(edge.faces[0]) || !mine(edge.faces[1])) continue;
@@ -108,7 +115,8 @@ class Grouper {
     for (const auto& [flanges, bends] : by_flanges)
       for (size_t i = 0; i < bends.size(); ++i)
         for (size_t j = i + 1; j < bends.size(); ++j)
-          if (same_surface(face(bends[i]), face(bends[j]), model_.size)) sets_.join(bends[i], bends[j]);
+          if (same_surface(face(bends[i]), face(bends[j]), model_.size))
+            sets_.join(bends[i], bends[j]);
   }
 
   void collect() {
@@ -117,8 +125,10 @@ class Grouper {
     for (size_t f = 0; f < model_.faces.size(); ++f) {
       const int index = static_cast<int>(f);
       if (!mine(index)) continue;
-      const auto [at, fresh] = row_of_root.emplace(sets_.root(index), static_cast<int>(groups_.rows.size()));
-      if (fresh) groups_.rows.push_back({{}, std::holds_alternative<Frame>(face(index).surface), index});
+      const auto [at, fresh] = row_of_root.emplace(sets_.root(index),
+                                                   static_cast<int>(groups_.rows.size()));
+      if (fresh)
+        groups_.rows.push_back({{}, std::holds_alternative<Frame>(face(index).surface), index});
       Group& row = groups_.rows[at->second];
       row.faces.push_back(index);
       if (outlines_[f].area > outlines_[row.leader].area) row.leader = index;
@@ -135,7 +145,8 @@ class Grouper {
 };
 
 /// Groups reached from the joints along an inner loop of a flange without crossing that flange.
-std::set<int> reached_inside(const std::vector<std::vector<int>>& neighbours, int flange, const std::set<int>& seeds) {
+std::set<int> reached_inside(const std::vector<std::vector<int>>& neighbours, int flange,
+                             const std::set<int>& seeds) {
   std::set<int> reached = seeds;
   std::vector<int> stack(seeds.begin(), seeds.end());
   while (!stack.empty()) {
@@ -152,17 +163,20 @@ bool makes_ring(const Groups& groups, const std::set<int>& inside, int flange) {
   std::set<std::pair<int, int>> links;
   const auto in = [&](int g) { return g == flange || inside.count(g) > 0; };
   for (const GroupJoint& joint : groups.joints)
-    if (joint.a != joint.b && in(joint.a) && in(joint.b)) links.insert(std::minmax(joint.a, joint.b));
+    if (joint.a != joint.b && in(joint.a) && in(joint.b))
+      links.insert(std::minmax(joint.a, joint.b));
   return links.size() > inside.size();
 }
 
 }  // namespace
 
-Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins, Side side) {
+Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
+                   const Skins& skins, Side side) {
   return Grouper(model, outlines, skins, side).run();
 }
 
-std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines, const Groups& groups) {
+std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
+                              const Groups& groups) {
   std::vector<std::vector<int>> neighbours(groups.rows.size());
   std::map<int, int> group_across;  // by edge: index into joints
   for (size_t i = 0; i < groups.joints.size(); ++i) {
@@ -189,13 +203,15 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
           }
         if (seeds.empty()) continue;
         const std::set<int> inside = reached_inside(neighbours, static_cast<int>(g), seeds);
-        if (makes_ring(groups, inside, static_cast<int>(g))) taken.insert(inside.begin(), inside.end());
+        if (makes_ring(groups, inside, static_cast<int>(g)))
+          taken.insert(inside.begin(), inside.end());
       }
     }
   }
   std::vector<int> faces;
   for (const int g : taken)
-    for (const int f : groups.rows[g].faces) faces.push_back(f);
+    for (const int f : groups.rows[g].faces)
+      faces.push_back(f);
   return faces;
 }
 

@@ -4,8 +4,8 @@
 
 namespace planish::brep {
 
-/// Skin faces that make one flange or one bend: they lie on one plane or one developable surface and
-/// are connected, or bridge the same two flanges.
+/// Skin faces that make one flange or one bend: they lie on one plane or one developable surface
+/// and are connected, or bridge the same two flanges.
 struct Group {
   std::vector<int> faces;
   bool flange = false;
@@ -22,15 +22,17 @@ struct GroupJoint {
 
 struct Groups {
   std::vector<Group> rows;
-  std::vector<int> of_face;  ///< −1 for faces of other sides
+  std::vector<int> of_face;        ///< −1 for faces of other sides
   std::vector<GroupJoint> joints;  ///< also those inside one group (a == b)
 };
 
 /// Groups one skin. Rows are in the order of their first face.
-Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins, Side side);
+Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
+                   const Skins& skins, Side side);
 
 /// Forms that stay attached all round (bridges, closed lances): groups inside an inner loop of a
 /// flange that make a ring with it. Their faces, for the caller to take off the skin.
-std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines, const Groups& groups);
+std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
+                              const Groups& groups);
 
 }  // namespace planish::brep

@@ -21,11 +21,14 @@ void replace_use(SolidModel& model, int face, int from, CoEdge to) {
       if (use.edge == from) use = to;
 }
 
-int other_face(const SolidEdge& edge, int face) { return edge.faces[0] == face ? edge.faces[1] : edge.faces[0]; }
+int other_face(const SolidEdge& edge, int face) {
+  return edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
+}
 
 /// The two long edges of a four-sided strip narrower than the tolerance.
 std::optional<std::pair<int, int>> sliver_sides(const SolidModel& model, const SolidFace& face) {
-  if (face.loops.size() != 1 || face.loops.front().size() < 3 || face.loops.front().size() > 4) return {};
+  if (face.loops.size() != 1 || face.loops.front().size() < 3 || face.loops.front().size() > 4)
+    return {};
   std::vector<std::pair<double, int>> lengths;
   for (const CoEdge& use : face.loops.front())
     lengths.emplace_back(model.edges[use.edge].curve.length(), use.edge);
@@ -42,7 +45,8 @@ std::optional<std::pair<int, int>> sliver_sides(const SolidModel& model, const S
 bool continue_each_other(const SolidModel& model, int a, int b, const SpaceCurve& edge) {
   const SolidFace& first = model.faces[a];
   const SolidFace& second = model.faces[b];
-  if (std::holds_alternative<DoublyCurved>(first.surface) || std::holds_alternative<DoublyCurved>(second.surface))
+  if (std::holds_alternative<DoublyCurved>(first.surface) ||
+      std::holds_alternative<DoublyCurved>(second.surface))
     return false;
   constexpr double kSameWay = 0.996;  // cosine of 5°
   const Vec3 middle = edge.point((edge.t0 + edge.t1) / 2);
@@ -59,7 +63,9 @@ void close_slivers(SolidModel& model) {
     SolidEdge& gone = model.edges[sides->second];
     const int a = other_face(kept, index);
     const int b = other_face(gone, index);
-    if (a < 0 || b < 0 || a == b || a == index || b == index || !continue_each_other(model, a, b, kept.curve)) continue;
+    if (a < 0 || b < 0 || a == b || a == index || b == index ||
+        !continue_each_other(model, a, b, kept.curve))
+      continue;
     const bool a_forward = kept.faces[0] == a ? kept.forward[0] : kept.forward[1];
     replace_use(model, b, sides->second, {sides->first, !a_forward});
     kept.faces = {a, b};
@@ -89,17 +95,23 @@ class PlaneMerger {
     }
     if (!any) return;
     std::map<int, std::vector<int>> sets;
-    for (size_t f = 0; f < parent_.size(); ++f) sets[root(static_cast<int>(f))].push_back(static_cast<int>(f));
+    for (size_t f = 0; f < parent_.size(); ++f)
+      sets[root(static_cast<int>(f))].push_back(static_cast<int>(f));
     for (const auto& [leader, faces] : sets)
       if (faces.size() > 1) merge(faces);
   }
 
  private:
   /// Damaged solids also hold edges that both faces run along the same way.
-  static bool passed_both_ways(const SolidEdge& edge) { return edge.uses == 2 && edge.forward[0] != edge.forward[1]; }
-  bool plane(int f) const { return f >= 0 && std::holds_alternative<Frame>(model_.faces[f].surface); }
+  static bool passed_both_ways(const SolidEdge& edge) {
+    return edge.uses == 2 && edge.forward[0] != edge.forward[1];
+  }
+  bool plane(int f) const {
+    return f >= 0 && std::holds_alternative<Frame>(model_.faces[f].surface);
+  }
   int root(int f) const {
-    while (parent_[f] != f) f = parent_[f];
+    while (parent_[f] != f)
+      f = parent_[f];
     return f;
   }
 

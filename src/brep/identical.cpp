@@ -1,12 +1,14 @@
 #include "identical.hpp"
 
+#include <planish/geometry/frame.hpp>
+
 #include <BRepAdaptor_Curve.hxx>
 #include <BRep_Tool.hxx>
 #include <Eigen/Eigenvalues>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
-#include <planish/geometry/frame.hpp>
+
 #include <vector>
 
 namespace planish::brep {
@@ -41,7 +43,8 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
   if (points.empty()) return result;
   const double count = static_cast<double>(points.size());
   Vec3 centre = Vec3::Zero();
-  for (const Vec3& p : points) centre += p / count;
+  for (const Vec3& p : points)
+    centre += p / count;
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Vec3 third = Vec3::Zero();
   Vec3 fifth = Vec3::Zero();
@@ -62,8 +65,14 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
   const Vec3 b = fifth / std::pow(size, 5);
   const Vec3 c = inertia * a / second;
   // The determinant is the one that a mirror turns round.
-  result.moments = {size, principal.x() / second, principal.y() / second, principal.z() / second,
-                    fourth / (second * second), a.norm(), b.norm(), a.dot(b.cross(c))};
+  result.moments = {size,
+                    principal.x() / second,
+                    principal.y() / second,
+                    principal.z() / second,
+                    fourth / (second * second),
+                    a.norm(),
+                    b.norm(),
+                    a.dot(b.cross(c))};
   return result;
 }
 

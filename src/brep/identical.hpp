@@ -1,6 +1,7 @@
 #pragma once
 
 #include <TopoDS_Solid.hxx>
+
 #include <array>
 
 namespace planish::brep {

@@ -64,8 +64,11 @@ Result<void> check_triangles(const Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
     if (std::ranges::any_of(t, [&](int corner) { return corner < 0 || corner >= count; }))
-      return fail(ErrorCode::invalid_input, "A triangle has a corner that does not exist.", fmt::format("triangle {}", i));
-    if (!(twice_area(mesh, t).norm() > 0.0)) return fail(ErrorCode::invalid_input, "A triangle has no area.", fmt::format("triangle {}", i));
+      return fail(ErrorCode::invalid_input, "A triangle has a corner that does not exist.",
+                  fmt::format("triangle {}", i));
+    if (!(twice_area(mesh, t).norm() > 0.0))
+      return fail(ErrorCode::invalid_input, "A triangle has no area.",
+                  fmt::format("triangle {}", i));
   }
   return {};
 }
@@ -79,14 +82,17 @@ Result<void> check_closed(const Mesh& mesh) {
   for (const auto& [side, times] : runs) {
     const auto back = runs.find({side.second, side.first});
     if (times != 1 || back == runs.end() || back->second != 1)
-      return fail(ErrorCode::invalid_input, fmt::format("The mesh is not closed between points {} and {}.", side.first, side.second));
+      return fail(
+          ErrorCode::invalid_input,
+          fmt::format("The mesh is not closed between points {} and {}.", side.first, side.second));
   }
   return {};
 }
 
 Result<void> check_volume(const Mesh& part) {
   if (const double volume = volume_of(part); !(volume > 0.0))
-    return fail(ErrorCode::invalid_input, fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
+    return fail(ErrorCode::invalid_input,
+                fmt::format("The mesh encloses {:.6g} mm³: a part of it is inside out.", volume));
   return {};
 }
 
@@ -102,13 +108,16 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
     const Side side = std::minmax(from, to);
     auto found = edges.find(side);
     if (found == edges.end())
-      found = edges.emplace(side, builder.straight_edge(vertices.at(side.first), vertices.at(side.second))).first;
+      found = edges
+                  .emplace(side,
+                           builder.straight_edge(vertices.at(side.first), vertices.at(side.second)))
+                  .first;
     return brep::EdgeUse{&found->second, {}, from < to};
   };
   for (const auto& t : mesh.triangles) {
     const Vec3 normal = twice_area(mesh, t).normalized();
-    const Handle(Geom_Surface) plane =
-        new Geom_Plane(brep::kernel_point(mesh.points[t[0]]), brep::kernel_direction(normal));
+    const Handle(Geom_Surface) plane = new Geom_Plane(brep::kernel_point(mesh.points[t[0]]),
+                                                      brep::kernel_direction(normal));
     builder.face(plane, 1, {{use_of(t[0], t[1]), use_of(t[1], t[2]), use_of(t[2], t[0])}});
   }
   return builder.shell();
@@ -119,7 +128,10 @@ TopoDS_Shape with_whole_faces(const TopoDS_Shape& solid) {
   ShapeUpgrade_UnifySameDomain unify(solid, true, true, false);
   unify.Build();
   const TopoDS_Shape unified = unify.Shape();
-  return !unified.IsNull() && unified.ShapeType() == TopAbs_SOLID && BRepCheck_Analyzer(unified).IsValid() ? unified : solid;
+  return !unified.IsNull() && unified.ShapeType() == TopAbs_SOLID &&
+                 BRepCheck_Analyzer(unified).IsValid()
+             ? unified
+             : solid;
 }
 
 Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
@@ -127,7 +139,8 @@ Result<TopoDS_Shape> solid_of(const TopoDS_Shell& shell) {
   BRep_Builder builder;
   builder.MakeSolid(solid);
   builder.Add(solid, shell);
-  if (!BRepCheck_Analyzer(solid).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
+  if (!BRepCheck_Analyzer(solid).IsValid())
+    return fail(ErrorCode::internal, "The CAD kernel finds the solid of the mesh invalid.");
   return with_whole_faces(solid);
 }
 

@@ -10,7 +10,8 @@ namespace {
 void add_points(const SpaceCurve& curve, bool forward, std::vector<Vec3>& ring) {
   int pieces = 1;
   if (curve.kind == SpaceCurve::Kind::circle)
-    pieces = std::max(2, static_cast<int>(std::ceil((curve.t1 - curve.t0) / (std::numbers::pi / 12))));
+    pieces = std::max(2,
+                      static_cast<int>(std::ceil((curve.t1 - curve.t0) / (std::numbers::pi / 12))));
   if (curve.kind == SpaceCurve::Kind::other) pieces = 12;
   for (int i = 0; i < pieces; ++i) {
     const double share = static_cast<double>(forward ? i : pieces - i) / pieces;
@@ -68,8 +69,11 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
       u_near = flat.back().x();
       outline.box.add(flat.back());
     }
-    outline.area += face.sense * ring_sum(flat) * (std::holds_alternative<Developable>(face.surface) &&
-                    std::holds_alternative<Cone>(std::get<Developable>(face.surface)) ? -1.0 : 1.0);
+    outline.area += face.sense * ring_sum(flat) *
+                    (std::holds_alternative<Developable>(face.surface) &&
+                             std::holds_alternative<Cone>(std::get<Developable>(face.surface))
+                         ? -1.0
+                         : 1.0);
     u_near = (outline.box.lo.x() + outline.box.hi.x()) / 2;
   }
   outline.area = std::abs(outline.area);
@@ -148,11 +152,13 @@ Vec3 outward_normal_at(const SolidFace& face, const Vec3& point) {
 
 std::vector<Outline> outlines_of(const SolidModel& model) {
   std::vector<Outline> outlines;
-  for (const SolidFace& face : model.faces) outlines.push_back(outline_of(model, face));
+  for (const SolidFace& face : model.faces)
+    outlines.push_back(outline_of(model, face));
   return outlines;
 }
 
-std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines, int a, int b) {
+std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,
+                                 int a, int b) {
   const SolidFace& face = model.faces[a];
   const Outline& from = outlines[a];
   const Outline& to = outlines[b];

@@ -9,14 +9,14 @@ namespace planish::brep {
 /// A face drawn coarsely in its own parameters, u scaled to millimetres: enough to tell what lies
 /// opposite to what. Empty for doubly curved faces.
 struct Outline {
-  std::vector<std::vector<Vec3>> rings;   ///< points in space, by loop
-  std::vector<std::vector<Vec2>> flat;    ///< the same in (u·scale, v)
-  double u_scale = 1.0;                   ///< |∂x/∂u| at the middle of the face
+  std::vector<std::vector<Vec3>> rings;  ///< points in space, by loop
+  std::vector<std::vector<Vec2>> flat;   ///< the same in (u·scale, v)
+  double u_scale = 1.0;                  ///< |∂x/∂u| at the middle of the face
   double u_middle = 0.0;
   double area = 0.0;
-  Box2 box;                               ///< of `flat`
+  Box2 box;                                   ///< of `flat`
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  ///< box in space
-  Vec3 inner_point = Vec3::Zero();        ///< a border point, and the outward normal there
+  Vec3 inner_point = Vec3::Zero();            ///< a border point, and the outward normal there
   Vec3 inner_normal = Vec3::UnitZ();
 };
 
@@ -24,13 +24,14 @@ std::vector<Outline> outlines_of(const SolidModel& model);
 
 /// How a face B lies opposite to a face A, seen from A through the material.
 struct Opposite {
-  double depth = 0.0;   ///< mean distance of B below A along A's inward normal, mm
-  double spread = 0.0;  ///< largest − smallest depth over B's border
-  double overlap = 0.0; ///< area of A that B covers, mm²
+  double depth = 0.0;    ///< mean distance of B below A along A's inward normal, mm
+  double spread = 0.0;   ///< largest − smallest depth over B's border
+  double overlap = 0.0;  ///< area of A that B covers, mm²
 };
 
 /// Empty unless B faces away from A, lies below it and covers part of it.
-std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines, int a, int b);
+std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,
+                                 int a, int b);
 
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
 

@@ -11,6 +11,7 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
+
 #include <algorithm>
 #include <vector>
 
@@ -18,8 +19,10 @@ namespace planish::brep {
 namespace {
 
 /// Where a surface has knots along u or v, within [from, to].
-std::vector<double> knots_of(const BRepAdaptor_Surface& surface, bool along_v, double from, double to) {
-  TColStd_Array1OfReal all(1, (along_v ? surface.NbVIntervals(GeomAbs_CN) : surface.NbUIntervals(GeomAbs_CN)) + 1);
+std::vector<double> knots_of(const BRepAdaptor_Surface& surface, bool along_v, double from,
+                             double to) {
+  TColStd_Array1OfReal all(
+      1, (along_v ? surface.NbVIntervals(GeomAbs_CN) : surface.NbUIntervals(GeomAbs_CN)) + 1);
   if (along_v)
     surface.VIntervals(all, GeomAbs_CN);
   else
@@ -34,7 +37,8 @@ std::vector<double> knots_of(const BRepAdaptor_Surface& surface, bool along_v, d
 /// A patch with the parameter that is integrated across first: the one with fewer spans.
 class Patch {
  public:
-  Patch(const TopoDS_Face& face, const Vec3& centre) : surface_(face, false), centre_(centre.x(), centre.y(), centre.z()) {
+  Patch(const TopoDS_Face& face, const Vec3& centre)
+      : surface_(face, false), centre_(centre.x(), centre.y(), centre.z()) {
     double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
     BRepTools::UVBounds(face, u0, u1, v0, v1);
     const std::vector<double> u = knots_of(surface_, false, u0, u1);
@@ -44,7 +48,8 @@ class Patch {
     across_ = across_v_ ? v : u;
     // Spans of other kinds than splines may go round a long way.
     const GeomAbs_SurfaceType type = surface_.GetType();
-    if (type != GeomAbs_BSplineSurface && type != GeomAbs_BezierSurface) across_ = quartered(across_);
+    if (type != GeomAbs_BSplineSurface && type != GeomAbs_BezierSurface)
+      across_ = quartered(across_);
   }
 
   /// What the border adds at a point of it with that derivative.
@@ -63,7 +68,8 @@ class Patch {
     constexpr int kParts = 4;
     std::vector<double> finer;
     for (size_t i = 0; i + 1 < knots.size(); ++i)
-      for (int k = 0; k < kParts; ++k) finer.push_back(knots[i] + (knots[i + 1] - knots[i]) * k / kParts);
+      for (int k = 0; k < kParts; ++k)
+        finer.push_back(knots[i] + (knots[i + 1] - knots[i]) * k / kParts);
     finer.push_back(knots.back());
     return finer;
   }
@@ -90,8 +96,8 @@ class Patch {
   std::vector<double> across_, along_;
 };
 
-/// Parameters at which the border's form is not smooth: its own knots, and on a straight border those of
-/// the patch. Curved borders meet the patch's anywhere; there halving intervals has to do.
+/// Parameters at which the border's form is not smooth: its own knots, and on a straight border
+/// those of the patch. Curved borders meet the patch's anywhere; there halving intervals has to do.
 std::vector<double> breaks_of(const Patch& patch, const Geom2dAdaptor_Curve& border) {
   TColStd_Array1OfReal own(1, border.NbIntervals(GeomAbs_CN) + 1);
   border.Intervals(own, GeomAbs_CN);
@@ -117,7 +123,8 @@ double along_border(const Patch& patch, const Geom2dAdaptor_Curve& border, doubl
   };
   const std::vector<double> breaks = breaks_of(patch, border);
   double sum = 0.0;
-  for (size_t i = 0; i + 1 < breaks.size(); ++i) sum += adaptive_gauss(form, breaks[i], breaks[i + 1], error);
+  for (size_t i = 0; i + 1 < breaks.size(); ++i)
+    sum += adaptive_gauss(form, breaks[i], breaks[i + 1], error);
   return sum;
 }
 

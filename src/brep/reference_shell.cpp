@@ -22,15 +22,20 @@ Result<void> check_input(const Sheet& sheet) {
   if (sheet.faces.empty()) return fail(ErrorCode::invalid_input, "The sheet has no faces.");
   for (std::size_t f = 0; f < sheet.faces.size(); ++f)
     if (const double r = smallest_radius(sheet.faces[f], 0.0); r < Precision::Confusion())
-      return fail(ErrorCode::unsupported_shape,
-                  fmt::format("A bend's reference surface has a radius of {:.3g} mm; it must be above zero.", r),
-                  fmt::format("face {}", f));
+      return fail(
+          ErrorCode::unsupported_shape,
+          fmt::format(
+              "A bend's reference surface has a radius of {:.3g} mm; it must be above zero.", r),
+          fmt::format("face {}", f));
   return {};
 }
 
 bool exists(const Sheet& sheet, const BorderRef& ref) {
-  const auto within = [](int i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
-  return within(index_of(ref.face), sheet.faces.size()) && within(ref.loop, face_of(sheet, ref).loops.size()) &&
+  const auto within = [](int i, std::size_t size) {
+    return i >= 0 && static_cast<std::size_t>(i) < size;
+  };
+  return within(index_of(ref.face), sheet.faces.size()) &&
+         within(ref.loop, face_of(sheet, ref).loops.size()) &&
          within(ref.border, face_of(sheet, ref).loops[ref.loop].size());
 }
 
@@ -40,7 +45,8 @@ double gap_of(const Sheet& sheet, const Joint& joint) {
     const Curve2& curve = border_of(sheet, ref).curve;
     return skin_point(face_of(sheet, ref), last ? end_of(curve) : start_of(curve));
   };
-  return std::max((end(joint.a, false) - end(joint.b, true)).norm(), (end(joint.a, true) - end(joint.b, false)).norm());
+  return std::max((end(joint.a, false) - end(joint.b, true)).norm(),
+                  (end(joint.a, true) - end(joint.b, false)).norm());
 }
 
 /// Joints that name no border are kept: the topology refuses them by name.
@@ -109,7 +115,8 @@ class ShellMaker {
     std::vector<Vec3> sum(topology_.corners, Vec3::Zero());
     std::vector<int> count(topology_.corners, 0);
     for (const auto& node : topology_.borders) {
-      sum[node.corner] += skin_point(face_of(sheet_, node.ref), start_of(border_of(sheet_, node.ref).curve));
+      sum[node.corner] += skin_point(face_of(sheet_, node.ref),
+                                     start_of(border_of(sheet_, node.ref).curve));
       ++count[node.corner];
     }
     for (int corner = 0; corner < topology_.corners; ++corner)
@@ -118,11 +125,14 @@ class ShellMaker {
 
   void make_edge(int row) {
     BorderEdge& made = edges_[row];
-    const TopoDS_Vertex &start = vertices_[topology_.borders[row].corner], &end = vertices_[topology_.end_corner(row)];
+    const TopoDS_Vertex &start = vertices_[topology_.borders[row].corner],
+                        &end = vertices_[topology_.end_corner(row)];
     made.border = border_curve(face_at(row), border_at(row).curve, options_.shape_tolerance);
     made.edge = made.border.shape == BorderCurve::Shape::line
                     ? builder_.straight_edge(start, end)
-                    : builder_.edge(space_curve_below(face_at(row), made.border, 0.0, options_.fit_tolerance), made.border.length, start, end);
+                    : builder_.edge(
+                          space_curve_below(face_at(row), made.border, 0.0, options_.fit_tolerance),
+                          made.border.length, start, end);
   }
 
   /// The edge of a border as its own face uses it; its curve still in the face's (u, v).
@@ -134,7 +144,8 @@ class ShellMaker {
     if (std::holds_alternative<Frame>(face_at(row).surface))
       use.curve.Nullify();
     else if (!node.leads)
-      use.curve = across_joint(face_at(leader), made.border, face_at(row), reversed(border_at(row).curve), options_.shape_tolerance);
+      use.curve = across_joint(face_at(leader), made.border, face_at(row),
+                               reversed(border_at(row).curve), options_.shape_tolerance);
     return use;
   }
 
@@ -146,7 +157,8 @@ class ShellMaker {
       std::vector<EdgeUse>& loop = loops.emplace_back();
       for (std::size_t b = 0; b < borders.size(); ++b, ++row) {
         loop.push_back(use_of(row));
-        if (EdgeUse& use = loop.back(); !use.curve.IsNull()) use.curve = skin.carried(use.curve, use.edge->length);
+        if (EdgeUse& use = loop.back(); !use.curve.IsNull())
+          use.curve = skin.carried(use.curve, use.edge->length);
       }
     }
     builder_.face(skin.surface, face.sense, loops);
@@ -168,9 +180,11 @@ Result<TopoDS_Shape> reference_shell(const Sheet& given, const ReferenceShellOpt
   const Sheet sheet = without_gaping_joints(given, options.joint_tolerance);
   auto topology = sheet_topology(sheet);
   if (!topology) return tl::unexpected(topology.error());
-  const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options, std::move(*topology)).shells();
+  const std::vector<TopoDS_Shell> shells = ShellMaker(sheet, options, std::move(*topology))
+                                               .shells();
   for (const TopoDS_Shell& shell : shells)
-    if (!BRepCheck_Analyzer(shell).IsValid()) return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
+    if (!BRepCheck_Analyzer(shell).IsValid())
+      return fail(ErrorCode::internal, "The CAD kernel finds the folded surface invalid.");
   if (shells.size() == 1) return TopoDS_Shape(shells.front());
   TopoDS_Compound all;
   BRep_Builder builder;

@@ -1,8 +1,9 @@
 #include "rim.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <set>
 
 namespace planish::brep {
@@ -25,7 +26,8 @@ class RimFinder {
       grow(static_cast<int>(f));
     }
     note_loops();
-    for (RimPart& part : rim_.parts) judge(part);
+    for (RimPart& part : rim_.parts)
+      judge(part);
     return std::move(rim_);
   }
 
@@ -83,10 +85,12 @@ class RimFinder {
   /// Whether a point lies between the skins, seen from one of the skin faces the part touches.
   bool between(const Vec3& p, const std::vector<int>& skin_faces) const {
     const double t = skins_.thickness;
-    const double slack = 0.05 * t + skins_.spread;  // fillets and chamfers touch the skins from inside
+    const double slack = 0.05 * t +
+                         skins_.spread;  // fillets and chamfers touch the skins from inside
     return std::any_of(skin_faces.begin(), skin_faces.end(), [&](int f) {
       const Outline& outline = outlines_[f];
-      const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() && (p.array() <= (outline.hi.array() + 2 * t)).all();
+      const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() &&
+                        (p.array() <= (outline.hi.array() + 2 * t)).all();
       if (!near) return false;
       const SolidFace& face = model_.faces[f];
       double depth = 0.0;
@@ -109,10 +113,12 @@ class RimFinder {
       for (const int e : edges_of_[f]) {
         const SolidEdge& edge = model_.edges[e];
         if (!seen.insert(e).second || edge.vertices[0] < 0) continue;
-        const bool on_skin = std::any_of(edge.faces.begin(), edge.faces.end(),
-                                         [&](int face) { return face >= 0 && side(face) != Side::none; });
+        const bool on_skin = std::any_of(edge.faces.begin(), edge.faces.end(), [&](int face) {
+          return face >= 0 && side(face) != Side::none;
+        });
         if (on_skin) continue;
-        const bool wall = skin_vertices_.count(edge.vertices[0]) && skin_vertices_.count(edge.vertices[1]);
+        const bool wall = skin_vertices_.count(edge.vertices[0]) &&
+                          skin_vertices_.count(edge.vertices[1]);
         if (wall && edge.curve.kind == SpaceCurve::Kind::line) continue;
         points.push_back(edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2));
         if (!skin_vertices_.count(edge.vertices[0])) points.push_back(edge.curve.start);
@@ -123,8 +129,10 @@ class RimFinder {
 
   void judge(RimPart& part) {
     std::set<int> skin_faces;
-    for (const LoopRef& ref : part.first) skin_faces.insert(ref.face);
-    for (const LoopRef& ref : part.second) skin_faces.insert(ref.face);
+    for (const LoopRef& ref : part.first)
+      skin_faces.insert(ref.face);
+    for (const LoopRef& ref : part.second)
+      skin_faces.insert(ref.face);
     const std::vector<int> touched(skin_faces.begin(), skin_faces.end());
     for (const Vec3& p : own_points(part)) {
       if (between(p, touched)) continue;
@@ -146,20 +154,27 @@ class RimFinder {
         if (const auto* curved = std::get_if<DoublyCurved>(&face.surface)) {
           if (doubly.message.empty())
             doubly = {ErrorCode::doubly_curved,
-                      fmt::format("Face {} ({}) is curved two ways; it was drawn or formed, not bent, and has no flat "
-                                  "pattern.", f + 1, curved->kind), fmt::format("face {}", f + 1)};
+                      fmt::format("Face {} ({}) is curved two ways; it was drawn or formed, not "
+                                  "bent, and has no flat "
+                                  "pattern.",
+                                  f + 1, curved->kind),
+                      fmt::format("face {}", f + 1)};
         } else if (const auto angle = dihedral(model_, e); angle && std::abs(*angle) < 0.1) {
           if (thickness.message.empty())
             thickness = {ErrorCode::thickness_not_constant,
-                         fmt::format("Below face {}, which goes on from face {}, the material is not {:.4g} mm thick.", f + 1,
-                                     skin + 1, skins_.thickness), fmt::format("face {}", f + 1)};
+                         fmt::format("Below face {}, which goes on from face {}, the material is "
+                                     "not {:.4g} mm thick.",
+                                     f + 1, skin + 1, skins_.thickness),
+                         fmt::format("face {}", f + 1)};
         }
       }
     if (!doubly.message.empty()) return doubly;
     if (!thickness.message.empty()) return thickness;
     return {ErrorCode::not_a_sheet,
-            fmt::format("Material at face {} leaves the sheet of {:.4g} mm; this is not a part made of one sheet.",
-                        part.faces.front() + 1, skins_.thickness), fmt::format("face {}", part.faces.front() + 1)};
+            fmt::format("Material at face {} leaves the sheet of {:.4g} mm; this is not a part "
+                        "made of one sheet.",
+                        part.faces.front() + 1, skins_.thickness),
+            fmt::format("face {}", part.faces.front() + 1)};
   }
 
   const SolidModel& model_;

@@ -1,8 +1,7 @@
 #include "sheet_topology.hpp"
 
-#include "side_wall.hpp"
-
 #include "border_curve.hpp"
+#include "side_wall.hpp"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -67,8 +66,8 @@ Vec3 mitre(const std::vector<Vec3>& normals, double thickness) {
   Eigen::MatrixXd rows(normals.size(), 3);
   for (std::size_t i = 0; i < normals.size(); ++i)
     rows.row(static_cast<int>(i)) = normals[i];
-  const Eigen::VectorXd depths =
-      Eigen::VectorXd::Constant(static_cast<int>(normals.size()), -thickness);
+  const Eigen::VectorXd depths = Eigen::VectorXd::Constant(static_cast<int>(normals.size()),
+                                                           -thickness);
   return rows.completeOrthogonalDecomposition().solve(depths);
 }
 

@@ -27,8 +27,9 @@ struct SheetTopology {
 /// Errors: `invalid_input` when a joint names a border that does not exist or is joined already.
 Result<SheetTopology> sheet_topology(const Sheet& sheet);
 
-/// Position of a corner: on the reference skin (of sheets that refer to a surface between, on the skin that it
-/// stands for), and on the other one, as far from every plane that meets there (a sharp joint mitres).
+/// Position of a corner: on the reference skin (of sheets that refer to a surface between, on the
+/// skin that it stands for), and on the other one, as far from every plane that meets there (a
+/// sharp joint mitres).
 struct CornerPoints {
   Vec3 reference = Vec3::Zero();
   Vec3 other = Vec3::Zero();

@@ -113,9 +113,9 @@ CurvedWall curved_wall(const Face& face, const BorderCurve& border, const Depths
                          circle_below(face, border, depths.second), border.length);
       return result;
     case BorderCurve::Shape::planar_spline:
-      wall.surface =
-          new Geom_SurfaceOfLinearExtrusion(space_curve_below(face, border, depths.first, tolerance),
-                                            kernel_direction(-std::get<Frame>(face.surface).z));
+      wall.surface = new Geom_SurfaceOfLinearExtrusion(
+          space_curve_below(face, border, depths.first, tolerance),
+          kernel_direction(-std::get<Frame>(face.surface).z));
       set_curves(wall, 1.0, border.length, depths.between());
       return result;
     case BorderCurve::Shape::general:

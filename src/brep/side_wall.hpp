@@ -12,7 +12,8 @@ namespace planish::brep {
 /// How far both skins lie below the reference surface.
 struct Depths {
   double first = 0.0, second = 0.0;
-  explicit Depths(const Sheet& sheet) : first(-sheet.reference_depth), second(sheet.thickness - sheet.reference_depth) {}
+  explicit Depths(const Sheet& sheet)
+      : first(-sheet.reference_depth), second(sheet.thickness - sheet.reference_depth) {}
   double between() const { return second - first; }
 };
 

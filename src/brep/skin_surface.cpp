@@ -56,8 +56,8 @@ SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, do
     both << point_below(face, {u, range.lo(u)}, depth), point_below(face, {u, range.hi(u)}, depth);
     return both;
   };
-  const Handle(Geom_Surface) surface =
-      ruled_surface(fit_path(rails, breaks, tolerance), box.lo.y(), box.hi.y());
+  const Handle(Geom_Surface)
+      surface = ruled_surface(fit_path(rails, breaks, tolerance), box.lo.y(), box.hi.y());
   if (range.constant()) return shifted(surface, 0.0);
   return {surface, [=](const Curve& curve, double length) {
             return carried_into(range, curve, length, tolerance);

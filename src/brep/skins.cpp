@@ -1,15 +1,16 @@
 #include "skins.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numeric>
 
 namespace planish::brep {
 namespace {
 
-/// A smaller dihedral angle beside a bend is a tangent transition: CAD systems hold tangency to 0.1°,
-/// but radii rounded by hand leave some degrees…
+/// A smaller dihedral angle beside a bend is a tangent transition: CAD systems hold tangency to
+/// 0.1°, but radii rounded by hand leave some degrees…
 constexpr double kSmooth = 0.0873;  // 5°
 /// …but two planes are one flange only when they are parallel, as bends of less are not made.
 constexpr double kSamePlane = 0.002;  // 0.1°
@@ -23,24 +24,31 @@ struct Pair {
 };
 
 bool boxes_near(const Outline& a, const Outline& b, double reach) {
-  return ((a.lo.array() - reach) <= b.hi.array()).all() && ((b.lo.array() - reach) <= a.hi.array()).all();
+  return ((a.lo.array() - reach) <= b.hi.array()).all() &&
+         ((b.lo.array() - reach) <= a.hi.array()).all();
 }
 
 /// Each large face votes for the depth of its nearest opposite, with the area they share.
 class ThicknessPoll {
  public:
   ThicknessPoll(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance)
-      : model_(model), outlines_(outlines), tolerance_(tolerance), count_(static_cast<int>(model.faces.size())) {}
+      : model_(model),
+        outlines_(outlines),
+        tolerance_(tolerance),
+        count_(static_cast<int>(model.faces.size())) {}
 
   std::vector<double> run() {
-    for (const int a : largest_faces()) vote(a);
+    for (const int a : largest_faces())
+      vote(a);
     std::vector<std::pair<double, double>> rows = clusters();
-    std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+    std::sort(rows.begin(), rows.end(),
+              [](const auto& a, const auto& b) { return a.second > b.second; });
     constexpr double kWorthTrying = 0.15;  // of the heaviest
     constexpr size_t kMost = 3;
     std::vector<double> depths;
     for (const auto& [depth, weight] : rows)
-      if (depths.size() < kMost && weight >= kWorthTrying * rows.front().second) depths.push_back(depth);
+      if (depths.size() < kMost && weight >= kWorthTrying * rows.front().second)
+        depths.push_back(depth);
     return depths;
   }
 
@@ -53,15 +61,19 @@ class ThicknessPoll {
     constexpr double kWorthwhile = 0.05;  // of the largest face
     std::vector<int> faces;
     double largest = 0.0;
-    for (const Outline& face : outlines_) largest = std::max(largest, face.area);
+    for (const Outline& face : outlines_)
+      largest = std::max(largest, face.area);
     for (int f = 0; f < count_; ++f)
-      if (!outline(f).flat.empty() && (!general(f) || outline(f).area > kWorthwhile * largest)) faces.push_back(f);
-    std::sort(faces.begin(), faces.end(), [&](int a, int b) { return outline(a).area > outline(b).area; });
+      if (!outline(f).flat.empty() && (!general(f) || outline(f).area > kWorthwhile * largest))
+        faces.push_back(f);
+    std::sort(faces.begin(), faces.end(),
+              [&](int a, int b) { return outline(a).area > outline(b).area; });
     if (faces.size() > kVoters) faces.resize(kVoters);
     return faces;
   }
 
-  /// General surfaces are dear to compare, and most are walls of engraved letters: small ones are not asked.
+  /// General surfaces are dear to compare, and most are walls of engraved letters: small ones are
+  /// not asked.
   bool general(int f) const {
     const auto* surface = std::get_if<Developable>(&model_.faces[f].surface);
     return surface && std::holds_alternative<Ruled>(*surface);
@@ -110,12 +122,17 @@ class ThicknessPoll {
 
 class SkinFinder {
  public:
-  SkinFinder(const SolidModel& model, const std::vector<Outline>& outlines, double thickness, double tolerance)
-      : model_(model), outlines_(outlines), tolerance_(tolerance), count_(static_cast<int>(model.faces.size())),
+  SkinFinder(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
+             double tolerance)
+      : model_(model),
+        outlines_(outlines),
+        tolerance_(tolerance),
+        count_(static_cast<int>(model.faces.size())),
         order_(static_cast<size_t>(count_)) {
     skins_.thickness = thickness;
     std::iota(order_.begin(), order_.end(), 0);
-    std::sort(order_.begin(), order_.end(), [&](int a, int b) { return outline(a).lo.x() < outline(b).lo.x(); });
+    std::sort(order_.begin(), order_.end(),
+              [&](int a, int b) { return outline(a).lo.x() < outline(b).lo.x(); });
   }
 
   Result<Skins> run() {
@@ -138,7 +155,8 @@ class SkinFinder {
     covered_.assign(static_cast<size_t>(count_), 0.0);
     const double reach = skins_.thickness + slack();
     double longest = 0.0;
-    for (int f = 0; f < count_; ++f) longest = std::max(longest, outline(f).hi.x() - outline(f).lo.x());
+    for (int f = 0; f < count_; ++f)
+      longest = std::max(longest, outline(f).hi.x() - outline(f).lo.x());
     for (size_t i = 0; i < order_.size(); ++i) {
       const int a = order_[i];
       if (outline(a).flat.empty()) continue;
@@ -152,7 +170,8 @@ class SkinFinder {
 
   void try_pair(int a, int b) {
     const auto seen = opposite(model_, outlines_, a, b);
-    if (!seen || std::abs(seen->depth - skins_.thickness) > slack() || seen->spread > slack()) return;
+    if (!seen || std::abs(seen->depth - skins_.thickness) > slack() || seen->spread > slack())
+      return;
     const auto back = opposite(model_, outlines_, b, a);
     if (!back) return;
     skins_.partners[a].push_back(b);
@@ -165,7 +184,8 @@ class SkinFinder {
   bool candidate(int f) const { return covered_[f] >= kCovered; }
 
   /// Concave edges of two candidates whose partners are bridged by a cylinder about that edge: the
-  /// rounded outside of a bend with zero inside radius. It counts as skin although nothing faces it.
+  /// rounded outside of a bend with zero inside radius. It counts as skin although nothing faces
+  /// it.
   void find_rounded_outsides() {
     for (size_t e = 0; e < model_.edges.size(); ++e) {
       const auto angle = dihedral(model_, static_cast<int>(e));
@@ -173,18 +193,22 @@ class SkinFinder {
       const auto& [f, g] = model_.edges[e].faces;
       if (!candidate(f) || !candidate(g)) continue;
       for (int c = 0; c < count_; ++c)
-        if (!candidate(c) && rounds(c, static_cast<int>(e))) rounded_.emplace_back(static_cast<int>(e), c);
+        if (!candidate(c) && rounds(c, static_cast<int>(e)))
+          rounded_.emplace_back(static_cast<int>(e), c);
     }
-    for (const auto& [edge, c] : rounded_) covered_[c] = 1.0;
+    for (const auto& [edge, c] : rounded_)
+      covered_[c] = 1.0;
   }
 
   bool rounds(int c, int edge) const {
     const auto* surface = std::get_if<Developable>(&face(c).surface);
     const auto* cylinder = surface ? std::get_if<Cylinder>(surface) : nullptr;
-    if (!cylinder || face(c).sense < 0 || std::abs(cylinder->radius - skins_.thickness) > slack()) return false;
+    if (!cylinder || face(c).sense < 0 || std::abs(cylinder->radius - skins_.thickness) > slack())
+      return false;
     const SpaceCurve& curve = model_.edges[edge].curve;
     const auto off_axis = [&](const Vec3& p) { return cylinder->frame.local(p).head<2>().norm(); };
-    if (curve.kind != SpaceCurve::Kind::line || off_axis(curve.start) > slack() || off_axis(curve.end) > slack())
+    if (curve.kind != SpaceCurve::Kind::line || off_axis(curve.start) > slack() ||
+        off_axis(curve.end) > slack())
       return false;
     const double h0 = cylinder->frame.local(curve.start).z();
     const double h1 = cylinder->frame.local(curve.end).z();
@@ -192,8 +216,9 @@ class SkinFinder {
     return std::max(h0, h1) > box.lo.y() && std::min(h0, h1) < box.hi.y();
   }
 
-  /// Edges at which a skin is folded sharply: the partners meet sharply too, the other way round, or
-  /// are rounded about the edge. A wall of a cut meets both skins convexly and so is never taken.
+  /// Edges at which a skin is folded sharply: the partners meet sharply too, the other way round,
+  /// or are rounded about the edge. A wall of a cut meets both skins convexly and so is never
+  /// taken.
   void find_sharp_edges() {
     std::vector<std::pair<int, double>> bent;
     for (size_t e = 0; e < model_.edges.size(); ++e) {
@@ -204,10 +229,12 @@ class SkinFinder {
       bent.emplace_back(static_cast<int>(e), *angle);
     }
     for (const auto& [e, angle] : bent) {
-      const bool rounded = std::any_of(rounded_.begin(), rounded_.end(), [e = e](const auto& r) { return r.first == e; });
-      const bool mirrored = std::any_of(bent.begin(), bent.end(), [&, e = e, angle = angle](const auto& other) {
-        return other.first != e && other.second * angle < 0 && opposite_edges(e, other.first);
-      });
+      const bool rounded = std::any_of(rounded_.begin(), rounded_.end(),
+                                       [e = e](const auto& r) { return r.first == e; });
+      const bool mirrored = std::any_of(
+          bent.begin(), bent.end(), [&, e = e, angle = angle](const auto& other) {
+            return other.first != e && other.second * angle < 0 && opposite_edges(e, other.first);
+          });
       if (rounded || mirrored) skins_.sharp.push_back({e, angle < 0, rounded});
     }
   }
@@ -220,7 +247,8 @@ class SkinFinder {
   bool opposite_edges(int e, int other) const {
     const auto& [f, g] = model_.edges[e].faces;
     const auto& [p, q] = model_.edges[other].faces;
-    if (!(partnered(f, p) && partnered(g, q)) && !(partnered(f, q) && partnered(g, p))) return false;
+    if (!(partnered(f, p) && partnered(g, q)) && !(partnered(f, q) && partnered(g, p)))
+      return false;
     const SpaceCurve& a = model_.edges[e].curve;
     const SpaceCurve& b = model_.edges[other].curve;
     // The mitre's length grows with the angle; 150° of bend is 4 thicknesses.
@@ -245,7 +273,8 @@ class SkinFinder {
       const auto& [f, g] = model_.edges[e].faces;
       if (candidate(f) && candidate(g)) join(static_cast<int>(e));
     }
-    for (const SharpEdge& sharp : skins_.sharp) join(sharp.edge);
+    for (const SharpEdge& sharp : skins_.sharp)
+      join(sharp.edge);
     for (int f = 0; f < count_; ++f) {
       if (!candidate(f) || component_[f] >= 0) continue;
       const int label = static_cast<int>(component_area_.size());
@@ -267,7 +296,8 @@ class SkinFinder {
 
   Result<Skins> settle() {
     if (component_area_.empty())
-      return fail(ErrorCode::not_a_sheet, "No face has an opposite one at a common thickness; this is not a sheet.");
+      return fail(ErrorCode::not_a_sheet,
+                  "No face has an opposite one at a common thickness; this is not a sheet.");
     const int first = static_cast<int>(
         std::max_element(component_area_.begin(), component_area_.end()) - component_area_.begin());
     std::vector<double> votes(component_area_.size(), 0.0);
@@ -278,11 +308,15 @@ class SkinFinder {
       if (a == first) votes[b] += pair.opposite.overlap;
       if (b == first) votes[a] += pair.opposite.overlap;
     }
-    const int second = static_cast<int>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+    const int second = static_cast<int>(std::max_element(votes.begin(), votes.end()) -
+                                        votes.begin());
     if (votes[second] <= 0.0)
-      return fail(ErrorCode::not_a_sheet, "The largest face has no opposite one at a common thickness; this is not a sheet.");
+      return fail(
+          ErrorCode::not_a_sheet,
+          "The largest face has no opposite one at a common thickness; this is not a sheet.");
     if (second == first)
-      return fail(ErrorCode::unsupported_shape, "Both skins of the sheet run into one another without a cut edge between them.");
+      return fail(ErrorCode::unsupported_shape,
+                  "Both skins of the sheet run into one another without a cut edge between them.");
     label(first, second);
     return std::move(skins_);
   }
@@ -312,8 +346,8 @@ class SkinFinder {
     skins_.spread = std::max(0.0, hi - lo);
   }
 
-  /// Faces opposite one skin but cut off from the other (a tongue that a bend runs past) belong to that
-  /// other skin.
+  /// Faces opposite one skin but cut off from the other (a tongue that a bend runs past) belong to
+  /// that other skin.
   void adopt_islands() {
     for (int f = 0; f < count_; ++f) {
       if (!candidate(f) || skins_.side[f] != Side::none) continue;
@@ -353,7 +387,9 @@ std::optional<double> dihedral(const SolidModel& model, int index) {
   if (edge.uses != 2 || edge.faces[0] == edge.faces[1]) return {};
   const SolidFace& f = model.faces[edge.faces[0]];
   const SolidFace& g = model.faces[edge.faces[1]];
-  if (std::holds_alternative<DoublyCurved>(f.surface) || std::holds_alternative<DoublyCurved>(g.surface)) return {};
+  if (std::holds_alternative<DoublyCurved>(f.surface) ||
+      std::holds_alternative<DoublyCurved>(g.surface))
+    return {};
   const double t = (edge.curve.t0 + edge.curve.t1) / 2;
   const Vec3 point = edge.curve.point(t);
   const Vec3 n_f = outward_normal_at(f, point);
@@ -364,12 +400,13 @@ std::optional<double> dihedral(const SolidModel& model, int index) {
   return n_g.dot(n_f.cross(x)) > 0 ? -angle : angle;
 }
 
-std::vector<double> likely_thicknesses(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance) {
+std::vector<double> likely_thicknesses(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, double tolerance) {
   return ThicknessPoll(model, outlines, tolerance).run();
 }
 
-Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
-                         double tolerance) {
+Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines,
+                         double thickness, double tolerance) {
   return SkinFinder(model, outlines, thickness, tolerance).run();
 }
 

@@ -19,10 +19,10 @@ struct SharpEdge {
 /// The two skins of a sheet in a solid.
 struct Skins {
   double thickness = 0.0;
-  double spread = 0.0;                      ///< of the depths met between the skins, mm
-  std::vector<Side> side;                   ///< by face
-  std::vector<std::vector<int>> partners;   ///< by face: faces opposite at the thickness
-  std::vector<SharpEdge> sharp;             ///< on both skins
+  double spread = 0.0;                         ///< of the depths met between the skins, mm
+  std::vector<Side> side;                      ///< by face
+  std::vector<std::vector<int>> partners;      ///< by face: faces opposite at the thickness
+  std::vector<SharpEdge> sharp;                ///< on both skins
   double area_first = 0.0, area_second = 0.0;  ///< mm², coarse
   int islands_first = 0, islands_second = 0;   ///< faces of a skin that are not connected to it
 };
@@ -34,12 +34,14 @@ std::optional<double> dihedral(const SolidModel& model, int edge);
 /// Whether the faces of an edge continue each other: tangent, and parallel when both are planes.
 bool smooth_edge(const SolidModel& model, int edge);
 
-/// Depths that much area of opposite faces agrees on (within `tolerance`, a share), likeliest first.
-std::vector<double> likely_thicknesses(const SolidModel& model, const std::vector<Outline>& outlines, double tolerance);
+/// Depths that much area of opposite faces agrees on (within `tolerance`, a share), likeliest
+/// first.
+std::vector<double> likely_thicknesses(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, double tolerance);
 
 /// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the largest
 /// face. Errors: `not_a_sheet`, `unsupported_shape`.
-Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines, double thickness,
-                         double tolerance);
+Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines,
+                         double thickness, double tolerance);
 
 }  // namespace planish::brep

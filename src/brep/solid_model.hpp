@@ -1,9 +1,10 @@
 #pragma once
 
+#include <planish/geometry/developable.hpp>
+
 #include <array>
 #include <functional>
 #include <optional>
-#include <planish/geometry/developable.hpp>
 #include <string>
 #include <variant>
 #include <vector>
@@ -35,7 +36,7 @@ struct SpaceCurve {
 
 struct SolidEdge {
   SpaceCurve curve;
-  std::array<int, 2> faces{-1, -1};  ///< faces on both sides, equal for a seam
+  std::array<int, 2> faces{-1, -1};         ///< faces on both sides, equal for a seam
   std::array<bool, 2> forward{true, true};  ///< whether that face runs along the curve's sense
   std::array<int, 2> vertices{-1, -1};      ///< at the curve's start and end
   int uses = 0;                             ///< coedges; 2 on a closed solid
@@ -58,15 +59,15 @@ struct SolidFace {
   int sense = 1;         ///< outward normal = sense · surface normal
   std::vector<std::vector<CoEdge>> loops;
   std::vector<int> merged;  ///< other faces that are part of this one since healing
-  double fitted = 0.0;   ///< deviation when the surface was recognised from another kind, mm
-  double volume = 0.0;   ///< ⅓∫(x − c)·n dA with c the model's centre, mm³
+  double fitted = 0.0;      ///< deviation when the surface was recognised from another kind, mm
+  double volume = 0.0;      ///< ⅓∫(x − c)·n dA with c the model's centre, mm³
 };
 
 struct SolidModel {
   std::vector<SolidFace> faces;  ///< face i is number i+1 for users
   std::vector<SolidEdge> edges;
-  double size = 0.0;             ///< diagonal of the bounding box, mm
-  Vec3 centre = Vec3::Zero();    ///< of the bounding box: where volumes are measured from
+  double size = 0.0;           ///< diagonal of the bounding box, mm
+  Vec3 centre = Vec3::Zero();  ///< of the bounding box: where volumes are measured from
 };
 
 }  // namespace planish::brep

@@ -16,9 +16,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
+#include <gp_Circ.hxx>
+
 #include <algorithm>
 #include <cmath>
-#include <gp_Circ.hxx>
 #include <memory>
 #include <numbers>
 
@@ -49,13 +50,16 @@ bool is_straight(const SpaceCurve& curve, double tolerance) {
 
 /// The circle through three points of the curve, when the others lie on it and turn one way.
 std::optional<SpaceCurve> as_circle(const SpaceCurve& curve, double tolerance) {
-  const auto at = [&](double share) { return curve.point(curve.t0 + (curve.t1 - curve.t0) * share); };
+  const auto at = [&](double share) {
+    return curve.point(curve.t0 + (curve.t1 - curve.t0) * share);
+  };
   const Vec3 a = at(0.0);
   const Vec3 u = at(1.0 / 3) - a;
   const Vec3 v = at(2.0 / 3) - a;
   const Vec3 n = u.cross(v);
   if (n.norm() <= tolerance * std::max(u.norm(), v.norm())) return {};
-  const Vec3 centre = a + (v.squaredNorm() * n.cross(u) - u.squaredNorm() * n.cross(v)) / (2 * n.squaredNorm());
+  const Vec3 centre = a + (v.squaredNorm() * n.cross(u) - u.squaredNorm() * n.cross(v)) /
+                              (2 * n.squaredNorm());
   SpaceCurve circle = curve;
   circle.kind = SpaceCurve::Kind::circle;
   circle.circle = frame_from_axes(centre, n.normalized(), a - centre);
@@ -66,7 +70,8 @@ std::optional<SpaceCurve> as_circle(const SpaceCurve& curve, double tolerance) {
     const Vec3 local = circle.circle.local(at(static_cast<double>(i) / kProbes));
     if (std::hypot(local.head<2>().norm() - circle.radius, local.z()) > tolerance) return {};
     double next = std::atan2(local.y(), local.x());
-    while (next < angle) next += 2 * std::numbers::pi;
+    while (next < angle)
+      next += 2 * std::numbers::pi;
     if (next - angle > std::numbers::pi) return {};
     angle = next;
   }
@@ -94,7 +99,8 @@ SpaceCurve read_curve(const TopoDS_Edge& edge, double size) {
     const gp_Circ circle = adaptor->Circle();
     curve.kind = SpaceCurve::Kind::circle;
     const gp_Ax2& axes = circle.Position();
-    curve.circle = frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()), vec(axes.XDirection().XYZ()));
+    curve.circle = frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()),
+                                   vec(axes.XDirection().XYZ()));
     curve.radius = circle.Radius();
   } else if (is_straight(curve, kExactShare * size)) {
     curve.kind = SpaceCurve::Kind::line;
@@ -124,13 +130,15 @@ class Reader {
       SolidEdge& row = model_.edges.emplace_back();
       if (BRep_Tool::Degenerated(edge)) continue;
       row.curve = read_curve(edge, model_.size);
-      row.vertices = {vertices_.FindIndex(TopExp::FirstVertex(edge)) - 1, vertices_.FindIndex(TopExp::LastVertex(edge)) - 1};
+      row.vertices = {vertices_.FindIndex(TopExp::FirstVertex(edge)) - 1,
+                      vertices_.FindIndex(TopExp::LastVertex(edge)) - 1};
     }
     for (int i = 1; i <= faces_.Extent(); ++i) {
       const TopoDS_Face& face = TopoDS::Face(faces_(i));
       SolidFace row = read_surface(face, tolerance_);
       read_loops(face, row, i - 1);
-      if (!has_border_volume(row)) row.volume = patch_volume(face, model_.centre, kVolume * std::pow(model_.size, 3));
+      if (!has_border_volume(row))
+        row.volume = patch_volume(face, model_.centre, kVolume * std::pow(model_.size, 3));
       model_.faces.push_back(std::move(row));
     }
     for (SolidFace& face : model_.faces)
@@ -148,9 +156,11 @@ class Reader {
       if (loop.empty()) continue;
       if (face.Orientation() == TopAbs_REVERSED) {
         std::reverse(loop.begin(), loop.end());
-        for (CoEdge& use : loop) use.forward = !use.forward;
+        for (CoEdge& use : loop)
+          use.forward = !use.forward;
       }
-      for (const CoEdge& use : loop) note_use(use, index);
+      for (const CoEdge& use : loop)
+        note_use(use, index);
       row.loops.push_back(std::move(loop));
     }
   }
@@ -164,8 +174,8 @@ class Reader {
     ++row.uses;
   }
 
-  /// Wires of files are mostly in order already; the kernel's explorer, which sorts them through their
-  /// parameter curves, costs more than all else here and is asked only for the others.
+  /// Wires of files are mostly in order already; the kernel's explorer, which sorts them through
+  /// their parameter curves, costs more than all else here and is asked only for the others.
   std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face) const {
     std::vector<CoEdge> loop;
     int expected = 0;
@@ -200,7 +210,8 @@ class Reader {
   /// For wires that the kernel's explorer cannot follow: the next edge starts nearest to the end.
   std::vector<CoEdge> chained(const TopoDS_Wire& wire) const {
     std::vector<CoEdge> rest;
-    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next()) add_use(TopoDS::Edge(edges.Value()), rest);
+    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next())
+      add_use(TopoDS::Edge(edges.Value()), rest);
     const auto end_point = [&](const CoEdge& use, bool last) {
       const SpaceCurve& curve = model_.edges[use.edge].curve;
       return use.forward == last ? curve.end : curve.start;
@@ -211,7 +222,8 @@ class Reader {
       if (!loop.empty()) {
         const Vec3 end = end_point(loop.back(), true);
         next = std::min_element(rest.begin(), rest.end(), [&](const CoEdge& a, const CoEdge& b) {
-          return (end_point(a, false) - end).squaredNorm() < (end_point(b, false) - end).squaredNorm();
+          return (end_point(a, false) - end).squaredNorm() <
+                 (end_point(b, false) - end).squaredNorm();
         });
       }
       loop.push_back(*next);

@@ -82,7 +82,8 @@ double SpaceCurve::distance(const Vec3& p) const {
   if (kind == Kind::circle) return distance_to_circle(*this, p);
   if (kind == Kind::other) return distance_to_other(*this, p);
   const Vec3 chord = end - start;
-  const double share = std::clamp((p - start).dot(chord) / std::max(chord.squaredNorm(), 1e-300), 0.0, 1.0);
+  const double share = std::clamp((p - start).dot(chord) / std::max(chord.squaredNorm(), 1e-300),
+                                  0.0, 1.0);
   return (p - start - share * chord).norm();
 }
 

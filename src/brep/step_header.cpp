@@ -1,8 +1,9 @@
 #include "step_header.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <vector>
 
 namespace planish::brep {
@@ -50,7 +51,8 @@ std::string application_protocol(const std::string& schema) {
       {"AP242", "AP242"},
   }};
   std::string upper = schema;
-  std::transform(upper.begin(), upper.end(), upper.begin(), [](unsigned char c) { return std::toupper(c); });
+  std::transform(upper.begin(), upper.end(), upper.begin(),
+                 [](unsigned char c) { return std::toupper(c); });
   for (const auto& [key, name] : kProtocols)
     if (upper.find(key) != std::string::npos) return fmt::format("{} ({})", name, schema);
   return schema;
@@ -60,22 +62,33 @@ std::string application_protocol(const std::string& schema) {
 
 Result<StepHeader> read_step_header(std::string_view text, const std::string& name) {
   const std::string_view body = trimmed_left(text);
-  if (body.empty()) return fail(ErrorCode::empty_file, fmt::format("{} is empty; export the part again.", name), name);
+  if (body.empty())
+    return fail(ErrorCode::empty_file, fmt::format("{} is empty; export the part again.", name),
+                name);
   if (!body.starts_with("ISO-10303-21"))
-    return fail(ErrorCode::not_step,
-                fmt::format("{} is not a STEP file (it does not start with ISO-10303-21); export the part as "
-                            "STEP AP203, AP214 or AP242.", name), name);
+    return fail(
+        ErrorCode::not_step,
+        fmt::format(
+            "{} is not a STEP file (it does not start with ISO-10303-21); export the part as "
+            "STEP AP203, AP214 or AP242.",
+            name),
+        name);
   constexpr size_t kTail = 4096;  // comments may follow the end mark
   const std::string_view tail = body.substr(body.size() - std::min(kTail, body.size()));
   if (tail.find("END-ISO-10303-21") == std::string_view::npos)
-    return fail(ErrorCode::truncated_file,
-                fmt::format("{} ends in the middle (END-ISO-10303-21 is missing after {} bytes); copy or export it "
-                            "again.", name, text.size()), name);
+    return fail(
+        ErrorCode::truncated_file,
+        fmt::format(
+            "{} ends in the middle (END-ISO-10303-21 is missing after {} bytes); copy or export it "
+            "again.",
+            name, text.size()),
+        name);
   const std::string_view header = body.substr(0, body.find("ENDSEC"));
   StepHeader result;
   if (const auto schema = strings_of(header, "FILE_SCHEMA"); !schema.empty())
     result.schema = application_protocol(schema.front());
-  // FILE_NAME: name, time stamp, authors, organisations, preprocessor, originating system, approval.
+  // FILE_NAME: name, time stamp, authors, organisations, preprocessor, originating system,
+  // approval.
   if (const auto strings = strings_of(header, "FILE_NAME"); strings.size() >= 3) {
     result.cad_system = strings[strings.size() - 2];
     if (trimmed_left(result.cad_system).empty()) result.cad_system = strings[strings.size() - 3];

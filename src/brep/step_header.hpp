@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+
 #include <string>
 #include <string_view>
 

@@ -7,11 +7,11 @@
 #include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
-#include <TColStd_SequenceOfAsciiString.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -19,9 +19,10 @@
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -71,7 +72,8 @@ class BodyCollector {
     if (XCAFDoc_ShapeTool::IsAssembly(definition)) {
       TDF_LabelSequence parts;
       XCAFDoc_ShapeTool::GetComponents(definition, parts);
-      for (int i = 1; i <= parts.Length(); ++i) add_tree(parts.Value(i), here);
+      for (int i = 1; i <= parts.Length(); ++i)
+        add_tree(parts.Value(i), here);
       return;
     }
     add_shape(XCAFDoc_ShapeTool::GetShape(definition).Moved(here), label_name(definition));
@@ -97,8 +99,10 @@ class BodyCollector {
   void add_shape(const TopoDS_Shape& shape, const std::string& name) {
     for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
       add_solid(TopoDS::Solid(solids.Current()), name);
-    for (TopExp_Explorer shells(shape, TopAbs_SHELL, TopAbs_SOLID); shells.More(); shells.Next()) ++surface_bodies_;
-    for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next()) ++surface_bodies_;
+    for (TopExp_Explorer shells(shape, TopAbs_SHELL, TopAbs_SOLID); shells.More(); shells.Next())
+      ++surface_bodies_;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+      ++surface_bodies_;
   }
 
   void add_solid(const TopoDS_Solid& solid, const std::string& name) {
@@ -117,7 +121,8 @@ class BodyCollector {
     std::vector<Row> distinct;
     for (Row& row : rows_) {
       if (progress.should_stop()) return;
-      const double share = static_cast<double>(&row - rows_.data()) / static_cast<double>(rows_.size());
+      const double share = static_cast<double>(&row - rows_.data()) /
+                           static_cast<double>(rows_.size());
       progress.at("comparing bodies", std::lerp(kTranslated, 1.0, share));
       row.fingerprint = brep::fingerprint_of(row.shape.solid);
       const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Row& known) {
@@ -157,7 +162,8 @@ std::string file_unit(STEPControl_Reader& reader) {
 }
 
 /// `path` is where the file lies: others that it refers to are looked for beside it.
-Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name, const Progress& progress) {
+Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
+                          const Progress& progress) {
   return guarded(
       [&]() -> Result<StepFile> {
         const auto lock = brep::exchange_lock();
@@ -171,19 +177,27 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
         progress.at("reading", 0.0);
         std::istringstream stream(text);
         if (reader.ChangeReader().ReadStream(path.c_str(), stream) != IFSelect_RetDone)
-          return fail(ErrorCode::invalid_input, fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name), name);
-        const auto stopped = [&] { return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name); };
+          return fail(
+              ErrorCode::invalid_input,
+              fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
+              name);
+        const auto stopped = [&] {
+          return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
+        };
         if (progress.should_stop()) return stopped();
         OpenDocument open;
         const Handle(Translating) translating = new Translating(progress);
         const bool whole = reader.Transfer(open.document, translating->Start());
         if (progress.should_stop()) return stopped();
         if (!whole)
-          return fail(ErrorCode::no_solid, fmt::format("{} holds no shape that can be read; export a solid body.", name), name);
+          return fail(ErrorCode::no_solid,
+                      fmt::format("{} holds no shape that can be read; export a solid body.", name),
+                      name);
         BodyCollector collector;
         TDF_LabelSequence roots;
         XCAFDoc_DocumentTool::ShapeTool(open.document->Main())->GetFreeShapes(roots);
-        for (int i = 1; i <= roots.Length(); ++i) collector.add_tree(roots.Value(i), {});
+        for (int i = 1; i <= roots.Length(); ++i)
+          collector.add_tree(roots.Value(i), {});
         StepFile result = std::move(collector).take(progress);
         result.unit = file_unit(reader.ChangeReader());
         if (progress.should_stop()) return stopped();
@@ -195,14 +209,18 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
 Result<StepFile> check_bodies(StepFile file, const std::string& name) {
   if (!file.bodies.empty()) return file;
   if (file.surface_bodies > 0)
-    return fail(ErrorCode::shell_not_solid,
-                fmt::format("{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.", name,
-                            file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"), name);
-  return fail(ErrorCode::no_solid, fmt::format("{} holds no solid body; export the part as a solid.", name), name);
+    return fail(
+        ErrorCode::shell_not_solid,
+        fmt::format(
+            "{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.",
+            name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
+        name);
+  return fail(ErrorCode::no_solid,
+              fmt::format("{} holds no solid body; export the part as a solid.", name), name);
 }
 
-Result<StepFile> read_checked(const std::string& text, const std::string& path, const std::string& name,
-                              const Progress& progress) {
+Result<StepFile> read_checked(const std::string& text, const std::string& path,
+                              const std::string& name, const Progress& progress) {
   auto header = brep::read_step_header(text, name);
   if (!header) return tl::unexpected(header.error());
   auto content = transfer(text, path, name, progress);
@@ -218,18 +236,21 @@ Result<StepFile> read_step(const std::filesystem::path& file, const Progress& pr
   const std::string name = file.filename().string();
   std::error_code status;
   if (std::filesystem::is_directory(file, status))
-    return fail(ErrorCode::cannot_read, fmt::format("{} is a folder, not a STEP file.", file.string()), file.string());
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} is a folder, not a STEP file.", file.string()), file.string());
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     return fail(ErrorCode::cannot_read,
                 fmt::format("{} cannot be opened: {}.", file.string(),
-                            std::filesystem::exists(file, status) ? "permission denied" : "there is no such file"),
+                            std::filesystem::exists(file, status) ? "permission denied"
+                                                                  : "there is no such file"),
                 file.string());
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   return read_checked(text, file.string(), name, progress);
 }
 
-Result<StepFile> read_step_text(const std::string& text, const std::string& name, const Progress& progress) {
+Result<StepFile> read_step_text(const std::string& text, const std::string& name,
+                                const Progress& progress) {
   return read_checked(text, name, name, progress);
 }
 

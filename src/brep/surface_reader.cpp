@@ -4,11 +4,12 @@
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
-#include <algorithm>
-#include <cmath>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
+
+#include <algorithm>
+#include <cmath>
 
 namespace planish::brep {
 namespace {
@@ -56,7 +57,8 @@ int sense_of(const Developable& surface, const SurfaceSample& sample) {
 }
 
 Frame frame_of(const gp_Ax3& axes) {
-  return frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()), vec(axes.XDirection().XYZ()));
+  return frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()),
+                         vec(axes.XDirection().XYZ()));
 }
 
 Cone cone_of(const gp_Cone& cone) {
@@ -145,7 +147,8 @@ class RulingReader {
 
   std::pair<double, double> uv(double u, double share) const {
     const Domain& d = patch_.domain;
-    return along_v_ ? std::pair{u, d.v0 + share * (d.v1 - d.v0)} : std::pair{d.u0 + share * (d.u1 - d.u0), u};
+    return along_v_ ? std::pair{u, d.v0 + share * (d.v1 - d.v0)}
+                    : std::pair{d.u0 + share * (d.u1 - d.u0), u};
   }
   Vec3 point(double u, double share) const {
     const auto [a, b] = uv(u, share);
@@ -181,13 +184,19 @@ std::optional<Ruled> ruled_of(const Patch& patch, double tolerance) {
 
 std::string kind_name(GeomAbs_SurfaceType type) {
   switch (type) {
-    case GeomAbs_Sphere: return "sphere";
-    case GeomAbs_Torus: return "torus";
+    case GeomAbs_Sphere:
+      return "sphere";
+    case GeomAbs_Torus:
+      return "torus";
     case GeomAbs_BSplineSurface:
-    case GeomAbs_BezierSurface: return "spline";
-    case GeomAbs_SurfaceOfRevolution: return "surface of revolution";
-    case GeomAbs_OffsetSurface: return "offset surface";
-    default: return "free-form";
+    case GeomAbs_BezierSurface:
+      return "spline";
+    case GeomAbs_SurfaceOfRevolution:
+      return "surface of revolution";
+    case GeomAbs_OffsetSurface:
+      return "offset surface";
+    default:
+      return "free-form";
   }
 }
 
@@ -224,7 +233,8 @@ SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
     Vec3 normal = vec(plane.Position().Direction().XYZ());
     if (!plane.Direct()) normal = -normal;
     if (patch.reversed) normal = -normal;
-    result.surface = frame_from_axes(vec(plane.Location().XYZ()), normal, vec(plane.XAxis().Direction().XYZ()));
+    result.surface = frame_from_axes(vec(plane.Location().XYZ()), normal,
+                                     vec(plane.XAxis().Direction().XYZ()));
     return result;
   }
   if (type == GeomAbs_Cylinder) {
@@ -238,7 +248,8 @@ SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
   if (type != GeomAbs_Cone) return fitted_face(patch, tolerance);
   const double u = (patch.domain.u0 + patch.domain.u1) / 2;
   const double v = (patch.domain.v0 + patch.domain.v1) / 2;
-  const SurfaceSample sample{vec(patch.surface.Value(u, v).XYZ()), vec(patch.normal(u, v).Normalized().XYZ())};
+  const SurfaceSample sample{vec(patch.surface.Value(u, v).XYZ()),
+                             vec(patch.normal(u, v).Normalized().XYZ())};
   Developable developable = towards(cone_of(patch.surface.Cone()), sample.point);
   result.sense = sense_of(developable, sample);
   result.surface = std::move(developable);

@@ -109,8 +109,8 @@ class Thickener {
     const double length = edges.border.length;
     edges.reference = builder_.edge(curve(edges.wall.reference_edge, depths_.first), length,
                                     reference_[start], reference_[end]);
-    edges.other = builder_.edge(curve(edges.wall.other_edge, depths_.second), length,
-                                other_[start], other_[end]);
+    edges.other = builder_.edge(curve(edges.wall.other_edge, depths_.second), length, other_[start],
+                                other_[end]);
     return {};
   }
 
@@ -132,7 +132,8 @@ class Thickener {
     const auto& node = topology_.borders[row];
     const int leader = node.leads ? row : node.mate;
     const BorderEdges& edges = edges_[leader];
-    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv, node.leads};
+    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv,
+                node.leads};
     if (std::holds_alternative<Frame>(face_at(row).surface))
       use.curve.Nullify();
     else if (!node.leads)
@@ -150,8 +151,7 @@ class Thickener {
       std::vector<EdgeUse>& loop = loops.emplace_back();
       for (std::size_t b = 0; b < borders.size(); ++b, ++row) {
         EdgeUse use = skin_use(row, depth);
-        if (!use.curve.IsNull())
-          use.curve = skin.carried(use.curve, use.edge->length);
+        if (!use.curve.IsNull()) use.curve = skin.carried(use.curve, use.edge->length);
         // Seen from outside, the other skin's loops run the other way.
         if (outer_skin) {
           loop.push_back(use);
@@ -173,13 +173,13 @@ class Thickener {
   void make_wall(int row) {
     const int start = topology_.borders[row].corner, end = topology_.end_corner(row);
     const BorderEdges& edges = edges_[row];
-    const SideWall wall =
-        edges.border.shape == Shape::line
-            ? straight_wall({points_[start].reference, points_[end].reference, points_[start].other,
-                             points_[end].other},
-                            outward_across(face_at(row), edges.border, 0.5 * edges.border.length),
-                            options_.shape_tolerance)
-            : edges.wall.wall;
+    const SideWall wall = edges.border.shape == Shape::line
+                              ? straight_wall({points_[start].reference, points_[end].reference,
+                                               points_[start].other, points_[end].other},
+                                              outward_across(face_at(row), edges.border,
+                                                             0.5 * edges.border.length),
+                                              options_.shape_tolerance)
+                              : edges.wall.wall;
     gp_Pnt p;
     gp_Vec du, dv;
     wall.surface->D1(wall.middle.x(), wall.middle.y(), p, du, dv);

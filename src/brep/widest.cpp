@@ -12,7 +12,9 @@ constexpr double kFlattest = 0.99;
 /// Share of the thickness that a chamfer goes down at least, and leaves at least.
 constexpr double kShallowest = 1e-3;
 
-int across(const SolidEdge& edge, int face) { return edge.faces[0] == face ? edge.faces[1] : edge.faces[0]; }
+int across(const SolidEdge& edge, int face) {
+  return edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
+}
 
 /// Outward normal of a wall near a point of its border; empty where it cannot be told.
 std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
@@ -36,17 +38,20 @@ Vec3 middle(const SpaceCurve& curve) { return curve.point((curve.t0 + curve.t1) 
 
 /// Whether two edges along a strip run the same way.
 bool same_way(const SpaceCurve& a, const SpaceCurve& b) {
-  if (a.kind == SpaceCurve::Kind::circle && b.kind == SpaceCurve::Kind::circle) return a.circle.z.dot(b.circle.z) > 0;
+  if (a.kind == SpaceCurve::Kind::circle && b.kind == SpaceCurve::Kind::circle)
+    return a.circle.z.dot(b.circle.z) > 0;
   return (a.end - a.start).dot(b.end - b.start) > 0;
 }
 
 }  // namespace
 
-CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face, const CoEdge& border) {
+CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, int skin_face,
+                   const CoEdge& border) {
   CoEdge at = border;
   double reached = 0.0;
   int from = skin_face;
-  constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a wall
+  constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a
+                                  // wall
   for (int i = 0; i < kMostStrips; ++i) {
     const SolidEdge& edge = model.edges[at.edge];
     const int wall = across(edge, from);
@@ -55,8 +60,7 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     const auto next = opposite_edge(model.faces[wall], at.edge);
     if (!next) break;
     // A slanted wall from skin to skin is a slanted cut: the skin's own border stands for it.
-    if (const int beyond = across(model.edges[*next], wall);
-        beyond < 0 || rim.part_of[beyond] < 0)
+    if (const int beyond = across(model.edges[*next], wall); beyond < 0 || rim.part_of[beyond] < 0)
       break;
     // A wall widens where its middle faces towards the skin's outside.
     const SpaceCurve& far = model.edges[*next].curve;
@@ -66,7 +70,8 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     const double slope = normal ? normal->dot(outwards) : 0.0;
     if (slope < kSlope || slope > kFlattest) break;
     const double depth = (middle(edge.curve) - middle(far)).dot(outwards);
-    if (depth <= kShallowest * thickness || reached + depth >= (1.0 - kShallowest) * thickness) break;
+    if (depth <= kShallowest * thickness || reached + depth >= (1.0 - kShallowest) * thickness)
+      break;
     reached += depth;
     at = {*next, same_way(edge.curve, far) == at.forward};
     from = wall;

@@ -25,8 +25,8 @@ Curve2 shifted(const Curve2& curve, double v) {
   return transformed(curve, motion);
 }
 
-// Length on the skin by chords in space, extrapolated: it does not know of any development. A ruling is
-// its own chord.
+// Length on the skin by chords in space, extrapolated: it does not know of any development. A
+// ruling is its own chord.
 double length_in_space(const Developable& surface, const Curve2& uv) {
   const auto* segment = std::get_if<Segment>(&uv);
   if (segment && segment->a.x() == segment->b.x())
@@ -167,7 +167,8 @@ class Assembler {
   std::vector<TaggedCurve> ruling(int bend, int side) const {
     const BendFit& fit = parts_.fits[bend];
     const auto i = static_cast<std::size_t>(side);
-    const double u = fit.surface.azimuth(side), low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
+    const double u = fit.surface.azimuth(side), low = fit.boundaries.low.v[i],
+                 high = fit.boundaries.high.v[i];
     const int plate = plate_of(bend, side);
     if (plate < 0) return {TaggedCurve{Segment{{u, low}, {u, high}}}};
     JointRange joint = joint_range(fit, side, parts_.plates[plate]);
@@ -229,12 +230,14 @@ class Assembler {
     BorderLoop borders;
     for (const TaggedCurve& piece : loop) {
       const Curve2 curve = shifted(piece.curve, shift);
-      if (piece.side >= 0) join(bend, plate_of(bend, piece.side), {face_id, 0, static_cast<int>(borders.size())});
+      if (piece.side >= 0)
+        join(bend, plate_of(bend, piece.side), {face_id, 0, static_cast<int>(borders.size())});
       borders.push_back({.curve = curve, .edge_length = length_in_space(surface, curve)});
     }
     face.loops.push_back(std::move(borders));
     made_.sheet.faces.push_back(std::move(face));
-    made_.sheet.bends.push_back({fit.report.kind, {face_id}, fit.report.angle, fit.report.inside_radius, sense < 0, {}});
+    made_.sheet.bends.push_back(
+        {fit.report.kind, {face_id}, fit.report.angle, fit.report.inside_radius, sense < 0, {}});
     made_.bends.push_back(id);
   }
 
@@ -253,8 +256,7 @@ class Assembler {
         for (Border& border : loop)
           border.edge = ++edge;
     const auto border = [&](const BorderRef& ref) -> Border& {
-      return made_.sheet.faces[index_of(ref.face)]
-          .loops[ref.loop][ref.border];
+      return made_.sheet.faces[index_of(ref.face)].loops[ref.loop][ref.border];
     };
     for (const Joint& joint : made_.sheet.joints)
       border(joint.b).edge = border(joint.a).edge;

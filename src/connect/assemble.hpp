@@ -23,8 +23,8 @@ struct Assembled {
   FaceId root{};
 };
 
-/// The sheet: flange i is plate i with its extensions, bend i is fit i. The reference skin is that to which
-/// the root's normal points. Errors: `overlap` as in `extended_outline`.
+/// The sheet: flange i is plate i with its extensions, bend i is fit i. The reference skin is that
+/// to which the root's normal points. Errors: `overlap` as in `extended_outline`.
 Result<Assembled> assembled(const Parts& parts);
 
 }  // namespace planish::connect_detail

@@ -58,12 +58,14 @@ std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<I
   return both;
 }
 
-std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface, const RunEnds& ends) {
+std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
+                                    const RunEnds& ends) {
   const double extent = extent_of(task);
   double low = std::min(ends.low[0].x(), ends.low[1].x()) - extent;
   const double high = std::max(ends.high[0].x(), ends.high[1].x()) + extent;
   if (surface.kind == BendKind::cone) low = std::max(low, 0.0);
-  if (surface.kind == BendKind::general) low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
+  if (surface.kind == BendKind::general)
+    low = std::max(low, -std::min(surface.rails[0], surface.rails[1]));
   std::array<std::vector<Interval>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
@@ -101,10 +103,11 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
   const auto inside = [&](double level) { return fit.surface.radius(level) - 0.5 * thickness; };
   report.inside_radius = inside(0.5 * (low + high));
   if (fit.surface.kind == BendKind::general)
-    report.inside_radius =
-        middle_radius(fit.surface, fit.boundaries.low.curve, fit.boundaries.high.curve) - 0.5 * thickness;
-  // Levels of a cone grow away from the apex, which lies to the right of the plates where the slope is
-  // negative.
+    report.inside_radius = middle_radius(fit.surface, fit.boundaries.low.curve,
+                                         fit.boundaries.high.curve) -
+                           0.5 * thickness;
+  // Levels of a cone grow away from the apex, which lies to the right of the plates where the slope
+  // is negative.
   const bool turned = report.line.slope < 0.0;
   report.inside_radii = {inside(turned ? high : low), inside(turned ? low : high)};
 }
@@ -112,9 +115,10 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
 Result<void> check_radius(const FitTask& task, double radius) {
   if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - 1e-9)) return {};
   return fail(ErrorCode::radius_too_small,
-                fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface has a radius of {:.4g} "
-                            "mm at one end and needs more than {:.4g} mm",
-                            task.thickness, radius, 0.5 * task.thickness));
+              fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface "
+                          "has a radius of {:.4g} "
+                          "mm at one end and needs more than {:.4g} mm",
+                          task.thickness, radius, 0.5 * task.thickness));
 }
 
 Result<void> check_radii(const FitTask& task, const BendFit& fit) {
@@ -124,7 +128,8 @@ Result<void> check_radii(const FitTask& task, const BendFit& fit) {
   return {};
 }
 
-void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
+                 const ConnectOptions& options) {
   const EdgeChoice& best = choice.search.best;
   FittedBend& report = fit.report;
   report.request = task.request;
@@ -141,30 +146,34 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice, co
   report.angle = fit.surface.turned();
   report.lateral = fit.boundaries.kind;
   report.width = best.width;
-  report.span = best.span + (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
+  report.span = best.span +
+                (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
   set_radii(report, fit, task.thickness);
   for (const EdgeChoice& other : choice.search.alternatives)
     report.alternatives.push_back(alternative(choice, other, task, options));
 }
 
 Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
-  if (frame.parallel() && (is_conical(task.request) || task.request.inside_radii || task.request.aperture ||
-                           task.request.surface == SurfaceChoice::general))
+  if (frame.parallel() && (is_conical(task.request) || task.request.inside_radii ||
+                           task.request.aperture || task.request.surface == SurfaceChoice::general))
     return fail(ErrorCode::no_bend_fits,
-                "plates in parallel planes are joined by half a cylinder: leave surface, slope, aperture and inside_radii out", "/surface");
+                "plates in parallel planes are joined by half a cylinder: leave surface, slope, "
+                "aperture and inside_radii out",
+                "/surface");
   if (!frame.parallel() || !task.request.inside_radius) return {};
   const double fixed = 0.5 * (frame.rise.norm() - task.thickness);
   if (std::abs(*task.request.inside_radius - fixed) <= kSmallestInsideRadius) return {};
   return fail(ErrorCode::no_bend_fits,
-              fmt::format("plates in parallel planes {:.4g} mm apart are joined by a half-turn of inside radius {:.4f} "
+              fmt::format("plates in parallel planes {:.4g} mm apart are joined by a half-turn of "
+                          "inside radius {:.4f} "
                           "mm, not {:.4g} mm",
                           frame.rise.norm(), fixed, *task.request.inside_radius),
               "/inside_radius");
 }
 
 // The mid-surface, with the tangent line and the plate extension it is for.
-Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice, const ConnectOptions& options,
-                                   FittedBend& report) {
+Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice,
+                                   const ConnectOptions& options, FittedBend& report) {
   const EdgeChoice& best = choice.search.best;
   const Corners corners = choice.corners(best);
   if (task.request.surface == SurfaceChoice::general && !choice.frame.parallel()) {
@@ -173,16 +182,19 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
     report.line = lines->lines[0];
     report.apex = lines->apex;
     report.extension_area = lines->area;
-    return general_surface(choice.frame, *lines, corners, task.request.tangent_point, extent_of(task));
+    return general_surface(choice.frame, *lines, corners, task.request.tangent_point,
+                           extent_of(task));
   }
   const auto line = tangent_line(task, choice, options);
   if (!line) return tl::unexpected(line.error());
   report.line = *line;
   report.extension_area = extension_area(corners, best.kind, *line);
-  return choice.frame.parallel() ? half_turn(choice.frame, *line) : tangent_surface(choice.frame, best.kind, *line);
+  return choice.frame.parallel() ? half_turn(choice.frame, *line)
+                                 : tangent_surface(choice.frame, best.kind, *line);
 }
 
-Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
+                           const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
   const EdgeChoice& best = choice.search.best;
   BendFit fit;
@@ -191,7 +203,8 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const 
   fit.surface = std::move(*surface);
   // Before it is laid flat, which a cylinder with no inside cannot be.
   if (fit.surface.kind == BendKind::cylinder)
-    if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius) return tl::unexpected(radius.error());
+    if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius)
+      return tl::unexpected(radius.error());
   const Corners corners = choice.corners(best);
   const RunEnds ends = run_ends(fit.surface, choice.frame, corners);
   LateralOptions lateral;
@@ -213,10 +226,11 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice, const 
 
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
-    return tl::unexpected(at(task, {ErrorCode::radius_too_small,
-                                    fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm",
-                                                *task.request.inside_radius, kSmallestInsideRadius),
-                                    "/inside_radius"}));
+    return tl::unexpected(
+        at(task, {ErrorCode::radius_too_small,
+                  fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm",
+                              *task.request.inside_radius, kSmallestInsideRadius),
+                  "/inside_radius"}));
   const auto choice = search_pair(task, options);
   if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);
@@ -230,7 +244,8 @@ std::optional<Nearness> nearness(const FitTask& task, const ConnectOptions& opti
   const auto choice = search_pair(task, best_alone);
   if (!choice) return std::nullopt;
   const EdgeChoice& best = choice->search.best;
-  const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm() : 0.0;
+  const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm()
+                                               : 0.0;
   return Nearness{best.span + turn, best.width};
 }
 

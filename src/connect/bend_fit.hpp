@@ -41,8 +41,8 @@ Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
 /// A curved section that ends free: behind an edge of one plate, or of its own (MATH 3.9).
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
 
-/// How far the plates are apart in the sense of MATH 3.7, for choosing what to join: span over width of
-/// the best bend between them; none where no bend fits.
+/// How far the plates are apart in the sense of MATH 3.7, for choosing what to join: span over
+/// width of the best bend between them; none where no bend fits.
 struct Nearness {
   double span = 0.0, width = 0.0;
 };

@@ -15,14 +15,15 @@ double azimuth_of(const Frame& frame, const Vec3& direction) {
   return std::atan2(direction.dot(frame.y), direction.dot(frame.x));
 }
 
-// The frame about `axis` from whose x, on one of the sides, the azimuth grows through `middle` to the
-// other side; `radial` are the directions from the axis to the tangent rulings.
+// The frame about `axis` from whose x, on one of the sides, the azimuth grows through `middle` to
+// the other side; `radial` are the directions from the axis to the tangent rulings.
 struct Turned {
   Frame frame;
   int first = 0;
   double half_sweep = 0.0;
 };
-Turned turned(const Vec3& origin, const Vec3& axis, const std::array<Vec3, 2>& radial, const Vec3& middle) {
+Turned turned(const Vec3& origin, const Vec3& axis, const std::array<Vec3, 2>& radial,
+              const Vec3& middle) {
   Turned result{frame_from_axes(origin, axis, radial[0]), 0, 0.0};
   result.half_sweep = azimuth_of(result.frame, middle);
   if (result.half_sweep >= 0.0) return result;
@@ -70,8 +71,7 @@ BendSurface cone(const BendFrame& frame, EdgeKind edges, const TangentLine& line
   for (int side = 0; side < 2; ++side) {
     const Vec3& e = frame.e[side];
     const Vec3 ruling = std::cos(phi) * along + std::sin(phi) * e;
-    surface.tangents[side] = {
-        apex, ruling, away * (std::cos(phi) * e - std::sin(phi) * along)};
+    surface.tangents[side] = {apex, ruling, away * (std::cos(phi) * e - std::sin(phi) * along)};
     radial[side] = ruling - ruling.dot(axis) * axis;
   }
   const Turned turn = turned(apex, axis, radial, -away * (bisector - bisector.dot(axis) * axis));
@@ -102,7 +102,8 @@ Curve2 BendSurface::at_level(double level, double tolerance) const {
   const auto curve = [&](double u) -> CurveSample {
     const SpaceCurvePoint c = arc(u);
     const Vec3 arm = c.point - apex;
-    return {{u, (level - 1.0) * arm.norm()}, {1.0, (level - 1.0) * c.derivative.dot(arm.normalized())}};
+    return {{u, (level - 1.0) * arm.norm()},
+            {1.0, (level - 1.0) * c.derivative.dot(arm.normalized())}};
   };
   return fit_cubics_on_surface(curve, 0.0, sweep, arc(0.0).derivative.norm(), tolerance);
 }
@@ -112,7 +113,9 @@ Angle BendSurface::turned() const {
   const double between = std::atan2(a.cross(b).norm(), a.dot(b));
   // Beyond half a turn about a cylinder's or cone's axis the normals come near each other again.
   if (kind == BendKind::cylinder) return Angle::radians(sweep);
-  return Angle::radians(kind == BendKind::cone && sweep > std::numbers::pi ? 2.0 * std::numbers::pi - between : between);
+  return Angle::radians(kind == BendKind::cone && sweep > std::numbers::pi
+                            ? 2.0 * std::numbers::pi - between
+                            : between);
 }
 
 BendSurface tangent_surface(const BendFrame& frame, EdgeKind edges, const TangentLine& line) {
@@ -124,11 +127,12 @@ BendSurface half_turn(const BendFrame& frame, const TangentLine& line) {
   BendSurface surface;
   std::array<Vec3, 2> radial;
   for (int side = 0; side < 2; ++side) {
-    surface.tangents[side] = {
-        frame.side_origin(side) + distance * frame.e[0], frame.d, -frame.e[0]};
+    surface.tangents[side] = {frame.side_origin(side) + distance * frame.e[0], frame.d,
+                              -frame.e[0]};
     radial[side] = (side == 0 ? -0.5 : 0.5) * frame.rise;
   }
-  const Turned turn = turned(surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial, frame.e[0]);
+  const Turned turn = turned(surface.tangents[0].origin + 0.5 * frame.rise, frame.d, radial,
+                             frame.e[0]);
   surface.mid = Cylinder{turn.frame, 0.5 * frame.rise.norm()};
   surface.first = turn.first;
   surface.sweep = std::numbers::pi;

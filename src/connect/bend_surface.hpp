@@ -9,23 +9,23 @@
 
 namespace planish::connect_detail {
 
-/// The mid-surface of a bend and how it hangs on the plates. Its azimuth runs from 0 on side `first` to
-/// `sweep` on the other.
+/// The mid-surface of a bend and how it hangs on the plates. Its azimuth runs from 0 on side
+/// `first` to `sweep` on the other.
 struct BendSurface {
   Developable mid;
   BendKind kind = BendKind::cylinder;
   int first = 0;
   double sweep = 0.0;
-  /// Where each plate is tangent: the ruling's point v = 0, its direction towards growing v, and the
-  /// direction in the plate's plane away from the bend; unit vectors.
+  /// Where each plate is tangent: the ruling's point v = 0, its direction towards growing v, and
+  /// the direction in the plate's plane away from the bend; unit vectors.
   struct Tangent {
     Vec3 origin, along, away;
   };
   std::array<Tangent, 2> tangents;
   double tan_half_angle = 0.0;  ///< of cones: radius of curvature over the distance from the apex
 
-  // Of general cones: the arc they stand on, the apex, the distances of the arc's ends from it by side, and
-  // the smallest radius of curvature along the arc.
+  // Of general cones: the arc they stand on, the apex, the distances of the arc's ends from it by
+  // side, and the smallest radius of curvature along the arc.
   SpaceCurve arc;
   Vec3 apex = Vec3::Zero();
   std::array<double, 2> rails{};
@@ -41,8 +41,8 @@ struct BendSurface {
     const Tangent& t = tangents[side];
     return t.origin + vh.x() * t.along + vh.y() * t.away;
   }
-  /// What is the same along a circle about the axis: v of cylinders and cones, of general cones the share of
-  /// the way from the apex to the arc.
+  /// What is the same along a circle about the axis: v of cylinders and cones, of general cones the
+  /// share of the way from the apex to the arc.
   double level(int side, double v) const;
   double v_at(int side, double level) const;
   /// Radius of curvature of the mid-surface at a level (of general cones the smallest there).
@@ -53,8 +53,8 @@ struct BendSurface {
   Angle turned() const;
 };
 
-/// Cylinder (slope 0) or right cone tangent to both plates along `line` (MATH 3.2, 3.3). A cone wants
-/// k x − q > 0 on the span it is used for; its v is the distance from the apex.
+/// Cylinder (slope 0) or right cone tangent to both plates along `line` (MATH 3.2, 3.3). A cone
+/// wants k x − q > 0 on the span it is used for; its v is the distance from the apex.
 BendSurface tangent_surface(const BendFrame& frame, EdgeKind edges, const TangentLine& line);
 
 /// A half-turn between parallel planes: `line` has slope 0.

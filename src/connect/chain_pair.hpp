@@ -23,31 +23,30 @@ struct ChainPair {
   GivenLine line;
 
   int edge_count(int side) const { return static_cast<int>(sides[side]->edges.size()); }
-  double x(int side, int corner) const {
-    return sides[side]->corners[corner].x();
-  }
+  double x(int side, int corner) const { return sides[side]->corners[corner].x(); }
   /// Corners of the edges first … last.
   CornerRange corners(int side, int first, int last) const {
     return {envelopes[side], first, last + 1};
   }
 };
 
-/// The bend of minimum average length of a pair of chains (MATH 3.6): one edge a side, or the edges that
-/// are fixed. None where no tangent line is possible, or none is shorter than `bound`.
+/// The bend of minimum average length of a pair of chains (MATH 3.6): one edge a side, or the edges
+/// that are fixed. None where no tangent line is possible, or none is shorter than `bound`.
 struct ReferenceBend {
   EdgeChoice choice;  ///< with the width and the smallest span of its edges
   double length = 0.0;
 };
 std::optional<ReferenceBend> reference_bend(const ChainPair& pair, double bound);
 
-/// The widest bend of a pair of chains with span − reference span ≤ γ · (width − reference width), if it is
-/// better than `best` (which may be empty).
-std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference, double trade_off,
-                                      const std::optional<EdgeChoice>& best);
+/// The widest bend of a pair of chains with span − reference span ≤ γ · (width − reference width),
+/// if it is better than `best` (which may be empty).
+std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference,
+                                      double trade_off, const std::optional<EdgeChoice>& best);
 
-/// The smallest span of two runs (positions of their edges in the chains) over all tangent lines; `start` is
-/// a slope to begin with.
-std::optional<EdgeChoice> measured(const ChainPair& pair, const std::array<std::pair<int, int>, 2>& runs,
+/// The smallest span of two runs (positions of their edges in the chains) over all tangent lines;
+/// `start` is a slope to begin with.
+std::optional<EdgeChoice> measured(const ChainPair& pair,
+                                   const std::array<std::pair<int, int>, 2>& runs,
                                    double start = 0.0);
 
 /// Widths that differ by less than this share of the extent are equal.

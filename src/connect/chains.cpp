@@ -85,8 +85,11 @@ std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
     if (uses[start] != Use::none) chains.push_back(chain_from(corners, uses[start], start, count));
     done += count;
   }
-  const auto lowest = [](const Chain& chain) { return *std::min_element(chain.edges.begin(), chain.edges.end()); };
-  std::sort(chains.begin(), chains.end(), [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
+  const auto lowest = [](const Chain& chain) {
+    return *std::min_element(chain.edges.begin(), chain.edges.end());
+  };
+  std::sort(chains.begin(), chains.end(),
+            [&](const Chain& a, const Chain& b) { return lowest(a) < lowest(b); });
   return chains;
 }
 

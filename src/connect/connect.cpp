@@ -14,16 +14,18 @@ namespace {
 
 using namespace connect_detail;
 
-Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure, const ConnectOptions& options) {
+Result<std::vector<PlacedPlate>> place_all(const PlateStructure& structure,
+                                           const ConnectOptions& options) {
   std::vector<PlacedPlate> plates;
   for (std::size_t p = 0; p < structure.plates.size(); ++p) {
     auto plate = placed(structure.plates[p], fmt::format("/plates/{}", p), options.planarity);
     if (!plate) return tl::unexpected(plate.error());
     for (std::size_t q = 0; q < p; ++q)
       if (structure.plates[q].id == structure.plates[p].id)
-        return fail(ErrorCode::invalid_input,
-                    fmt::format("two plates have the id \"{}\": ids must differ", structure.plates[p].id),
-                    fmt::format("/plates/{}/id", p));
+        return fail(
+            ErrorCode::invalid_input,
+            fmt::format("two plates have the id \"{}\": ids must differ", structure.plates[p].id),
+            fmt::format("/plates/{}/id", p));
     plates.push_back(std::move(*plate));
   }
   return plates;
@@ -34,18 +36,22 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
   for (std::size_t a = 0; a < plates.size(); ++a)
     for (std::size_t b = a + 1; b < plates.size(); ++b) {
       if (const auto at = intersection(plates[a], plates[b], options.planarity))
-        return fail(ErrorCode::plates_intersect,
-                    fmt::format("plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
-                                structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
-                    fmt::format("/plates/{}", b));
+        return fail(
+            ErrorCode::plates_intersect,
+            fmt::format(
+                "plates \"{}\" and \"{}\" pass through each other at ({:.6g}, {:.6g}, {:.6g})",
+                structure.plates[a].id, structure.plates[b].id, at->x(), at->y(), at->z()),
+            fmt::format("/plates/{}", b));
       auto near = too_near(plates[a], plates[b], structure.thickness);
       if (!near) near = too_near(plates[b], plates[a], structure.thickness);
       if (near)
         return fail(ErrorCode::plates_touch,
-                    fmt::format("plates \"{}\" and \"{}\" are {:.4g} mm apart at ({:.6g}, {:.6g}, {:.6g}), where sheets of {:.4g} mm need {:.4g} "
+                    fmt::format("plates \"{}\" and \"{}\" are {:.4g} mm apart at ({:.6g}, {:.6g}, "
+                                "{:.6g}), where sheets of {:.4g} mm need {:.4g} "
                                 "mm between their middles: move them apart",
-                                structure.plates[a].id, structure.plates[b].id, near->distance, near->at.x(), near->at.y(), near->at.z(),
-                                structure.thickness, near->needed),
+                                structure.plates[a].id, structure.plates[b].id, near->distance,
+                                near->at.x(), near->at.y(), near->at.z(), structure.thickness,
+                                near->needed),
                     fmt::format("/plates/{}", b));
     }
   return {};
@@ -53,31 +59,37 @@ Result<void> check_apart(const PlateStructure& structure, const std::vector<Plac
 
 Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates) {
   if (structure.root.empty()) {
-    const auto largest = std::max_element(plates.begin(), plates.end(),
-                                          [](const PlacedPlate& a, const PlacedPlate& b) { return a.area < b.area; });
+    const auto largest = std::max_element(
+        plates.begin(), plates.end(),
+        [](const PlacedPlate& a, const PlacedPlate& b) { return a.area < b.area; });
     return static_cast<int>(largest - plates.begin());
   }
   for (std::size_t p = 0; p < plates.size(); ++p)
     if (structure.plates[p].id == structure.root) return static_cast<int>(p);
-  return fail(ErrorCode::unknown_plate, fmt::format("root is \"{}\", which is no plate's id", structure.root), "/root");
+  return fail(ErrorCode::unknown_plate,
+              fmt::format("root is \"{}\", which is no plate's id", structure.root), "/root");
 }
 
 Result<void> check_whole(const PlateStructure& structure) {
   if (!(structure.thickness > 0.0) || !std::isfinite(structure.thickness))
     return fail(ErrorCode::invalid_input,
-                fmt::format("thickness is {} mm; it must be above 0", structure.thickness), "/thickness");
+                fmt::format("thickness is {} mm; it must be above 0", structure.thickness),
+                "/thickness");
   if (structure.plates.empty() && structure.bends.size() != 1)
-    return fail(ErrorCode::invalid_input, "without plates there must be one bend, a section of its own", "/plates");
+    return fail(ErrorCode::invalid_input,
+                "without plates there must be one bend, a section of its own", "/plates");
   return {};
 }
 
 }  // namespace
 
-Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options, const Progress& progress) {
+Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
+                           const Progress& progress) {
   if (auto whole = check_whole(structure); !whole) return tl::unexpected(whole.error());
   auto plates = place_all(structure, options);
   if (!plates) return tl::unexpected(plates.error());
-  if (auto apart = check_apart(structure, *plates, options); !apart) return tl::unexpected(apart.error());
+  if (auto apart = check_apart(structure, *plates, options); !apart)
+    return tl::unexpected(apart.error());
   const auto root = root_of(structure, *plates);
   if (!root) return tl::unexpected(root.error());
   auto fits = structure.bends.empty() ? fit_tree(structure, *plates, options, progress)
@@ -89,7 +101,8 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
     parts.ids.push_back(plate.id);
   auto made = assembled(parts);
   if (!made) return tl::unexpected(made.error());
-  Connection connection{structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
+  Connection connection{
+      structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
   for (std::size_t b = 0; b < parts.fits.size(); ++b) {
     connection.bends.push_back(std::move(parts.fits[b].report));
     connection.bends.back().bend = made->bends[b];
@@ -97,12 +110,14 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   return connection;
 }
 
-Result<Connection> refit(const Connection& previous, const Plate& moved, const ConnectOptions& options) {
+Result<Connection> refit(const Connection& previous, const Plate& moved,
+                         const ConnectOptions& options) {
   PlateStructure structure = previous.structure;
   const auto plate = std::find_if(structure.plates.begin(), structure.plates.end(),
                                   [&](const Plate& p) { return p.id == moved.id; });
   if (plate == structure.plates.end())
-    return fail(ErrorCode::unknown_plate, fmt::format("there is no plate \"{}\" to move", moved.id), "/plates");
+    return fail(ErrorCode::unknown_plate, fmt::format("there is no plate \"{}\" to move", moved.id),
+                "/plates");
   *plate = moved;
   structure.bends.clear();
   for (const FittedBend& bend : previous.bends)

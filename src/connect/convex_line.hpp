@@ -7,8 +7,8 @@
 
 namespace planish::connect_detail {
 
-/// A convex piecewise linear function f and a convex piecewise linear constraint g ≤ 0 at one place, each
-/// with a slope that supports it there.
+/// A convex piecewise linear function f and a convex piecewise linear constraint g ≤ 0 at one
+/// place, each with a slope that supports it there.
 struct Support {
   double value = 0.0, slope = 0.0;
   double excess = -1.0, excess_slope = 0.0;
@@ -20,14 +20,15 @@ struct Minimum {
 
 struct LineSearch {
   double start = 0.0;
-  double step = 1.0;        ///< first step when looking for a bracket
+  double step = 1.0;         ///< first step when looking for a bracket
   double value_noise = 0.0;  ///< differences of f and g below this are rounding
   double slope_noise = 0.0;  ///< slopes below this are zero
 };
 
-/// Minimises f where g ≤ 0, exactly but for rounding: where two supporting lines meet is the next place to
-/// look (Kelley's cutting planes in one variable, which end after finitely many pieces). Of several minima
-/// the one nearest to zero. None where g > 0 everywhere. `support(x)` gives a Support.
+/// Minimises f where g ≤ 0, exactly but for rounding: where two supporting lines meet is the next
+/// place to look (Kelley's cutting planes in one variable, which end after finitely many pieces).
+/// Of several minima the one nearest to zero. None where g > 0 everywhere. `support(x)` gives a
+/// Support.
 template <typename Function>
 std::optional<Minimum> minimum(const Function& support, const LineSearch& search) {
   struct Side {
@@ -47,7 +48,8 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
     double slope = feasible ? here.slope : here.excess_slope;
     if (feasible) {
       const bool lower = !best || here.value < best->value - search.value_noise;
-      const bool nearer = best && here.value <= best->value + search.value_noise && std::abs(x) < std::abs(best->at);
+      const bool nearer = best && here.value <= best->value + search.value_noise &&
+                          std::abs(x) < std::abs(best->at);
       if (lower || nearer) best = Minimum{x, here.value};
       // Flat: on towards zero, where the flat part may end.
       if (std::abs(slope) <= search.slope_noise) {
@@ -71,7 +73,8 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
     const double low = left.feasible ? left.at : end_of(left);
     const double high = right.feasible ? right.at : end_of(right);
     const double gap = high - low;
-    const double resolution = 4.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
+    const double resolution = 4.0 * std::numeric_limits<double>::epsilon() *
+                              std::max(std::abs(low), std::abs(high));
     if (gap < -resolution && !(left.feasible && right.feasible)) {
       if (gap < -1e3 * resolution || best) return best;
     }
@@ -83,11 +86,14 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
     } else if (left.feasible && right.feasible) {
       const double across = left.line.slope - right.line.slope;
       if (across == 0.0) return best;
-      next = (right.line.value - left.line.value + left.line.slope * left.at - right.line.slope * right.at) / across;
+      next = (right.line.value - left.line.value + left.line.slope * left.at -
+              right.line.slope * right.at) /
+             across;
       // f is nowhere below both lines, and they are steep enough to say where it is least.
       const double least = left.line.value + left.line.slope * (next - left.at);
       const double flatter = std::min(-left.line.slope, right.line.slope);
-      if (best->value - least <= search.value_noise && flatter * kResolution > search.value_noise) return best;
+      if (best->value - least <= search.value_noise && flatter * kResolution > search.value_noise)
+        return best;
     } else {
       return best;  // the minimum is where the constraint begins
     }

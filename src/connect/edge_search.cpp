@@ -58,11 +58,14 @@ class PairMaker {
       if (!options_.edges[i]) continue;
       places[i] = place_of(sides_[i], *options_.edges[i]);
       if (!places[i])
-        return fail(ErrorCode::unknown_edge,
-                    fmt::format("edges {} cannot carry one bend: they must follow each other, look the same way, "
-                                "towards the line where the plates' planes meet or away from it, lie on one side of it "
-                                "and be free",
-                                listed(*options_.edges[i])));
+        return fail(
+            ErrorCode::unknown_edge,
+            fmt::format(
+                "edges {} cannot carry one bend: they must follow each other, look the same way, "
+                "towards the line where the plates' planes meet or away from it, lie on one side "
+                "of it "
+                "and be free",
+                listed(*options_.edges[i])));
     }
     std::vector<ChainPair> all;
     for (std::size_t a = 0; a < sides_[0].size(); ++a)
@@ -75,7 +78,8 @@ class PairMaker {
   }
 
  private:
-  ChainPair pair(const std::array<std::size_t, 2>& rows, const std::array<std::optional<Place>, 2>& places) const {
+  ChainPair pair(const std::array<std::size_t, 2>& rows,
+                 const std::array<std::optional<Place>, 2>& places) const {
     ChainPair pair;
     std::array<CornerRange, 2> whole;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -99,16 +103,20 @@ class PairMaker {
 };
 
 bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
-  return std::any_of(chains.begin(), chains.end(), [&](const Chain& chain) { return chain.kind == kind; });
+  return std::any_of(chains.begin(), chains.end(),
+                     [&](const Chain& chain) { return chain.kind == kind; });
 }
 
 Error nothing_fits(const Sides& sides) {
   for (const EdgeKind kind : {EdgeKind::facing, EdgeKind::averted})
     if (faces(sides[0], kind) && faces(sides[1], kind))
       return {ErrorCode::no_bend_fits,
-              "no tangent line that leaves both plates whole fits between any of their edges, with what is given", {}};
+              "no tangent line that leaves both plates whole fits between any of their edges, with "
+              "what is given",
+              {}};
   return {ErrorCode::no_bend_fits,
-          fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): turn a plate over or "
+          fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): "
+                      "turn a plate over or "
                       "move it to the other side",
                       sides[0].size(), sides[1].size()),
           {}};
@@ -119,19 +127,22 @@ std::vector<EdgeChoice> alternatives(const std::vector<ChainPair>& pairs, const 
                                      const EdgeSearchOptions& options) {
   std::vector<std::pair<const ChainPair*, ReferenceBend>> others;
   for (const ChainPair& pair : pairs) {
-    const bool same = pair.chains[0] == found.best.runs[0].chain && pair.chains[1] == found.best.runs[1].chain;
+    const bool same = pair.chains[0] == found.best.runs[0].chain &&
+                      pair.chains[1] == found.best.runs[1].chain;
     if (same) continue;
     if (const auto reference = reference_bend(pair, std::numeric_limits<double>::infinity()))
       others.emplace_back(&pair, *reference);
   }
-  std::stable_sort(others.begin(), others.end(), [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
+  std::stable_sort(others.begin(), others.end(),
+                   [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
   if (static_cast<int>(others.size()) > options.alternatives)
     others.resize(static_cast<std::size_t>(std::max(0, options.alternatives)));
   std::vector<EdgeChoice> choices;
   for (const auto& [pair, reference] : others)
     if (auto best = widest_bend(*pair, reference.choice, options.trade_off, std::nullopt))
       choices.push_back(std::move(*best));
-  std::stable_sort(choices.begin(), choices.end(), [](const EdgeChoice& a, const EdgeChoice& b) { return a.width > b.width; });
+  std::stable_sort(choices.begin(), choices.end(),
+                   [](const EdgeChoice& a, const EdgeChoice& b) { return a.width > b.width; });
   return choices;
 }
 
@@ -151,7 +162,8 @@ Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearch
   if (!std::isfinite(found.reference_length)) return tl::unexpected(nothing_fits(sides));
   std::optional<EdgeChoice> best;
   for (const ChainPair& pair : *pairs)
-    if (auto wider = widest_bend(pair, found.reference, options.trade_off, best)) best = std::move(*wider);
+    if (auto wider = widest_bend(pair, found.reference, options.trade_off, best))
+      best = std::move(*wider);
   found.best = best.value_or(found.reference);
   if (options.alternatives > 0) found.alternatives = alternatives(*pairs, found, options);
   return found;

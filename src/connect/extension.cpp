@@ -45,12 +45,14 @@ double sign_of(EdgeKind kind) { return kind == EdgeKind::facing ? 1.0 : -1.0; }
 
 std::string limits(const Corners& corners, EdgeKind kind) {
   const auto slopes = feasible_slopes(corners, kind);
-  return slopes ? fmt::format("slopes from {:.6g} to {:.6g} are possible", slopes->low, slopes->high)
-                : "no slope at all is possible";
+  return slopes
+             ? fmt::format("slopes from {:.6g} to {:.6g} are possible", slopes->low, slopes->high)
+             : "no slope at all is possible";
 }
 
 // The largest (sign +1) or smallest slope.
-std::optional<double> last_slope(const std::array<CornerRange, 2>& sides, EdgeKind kind, double size, double sign) {
+std::optional<double> last_slope(const std::array<CornerRange, 2>& sides, EdgeKind kind,
+                                 double size, double sign) {
   TangentCost cost;
   cost.linear = {-sign, 0.0};
   const auto best = cheapest_tangent(sides, kind, cost, {}, size);
@@ -62,18 +64,21 @@ std::optional<double> last_slope(const std::array<CornerRange, 2>& sides, EdgeKi
 
 double extension_area(const Corners& corners, EdgeKind kind, const TangentLine& line) {
   const Vec2 of_line = area_of_line(corners);
-  const double area = area_under(corners[0]) + area_under(corners[1]) - of_line.dot(Vec2(line.slope, line.offset));
+  const double area = area_under(corners[0]) + area_under(corners[1]) -
+                      of_line.dot(Vec2(line.slope, line.offset));
   return sign_of(kind) * area;
 }
 
-Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind kind, const GivenLine& given) {
+Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind kind,
+                                             const GivenLine& given) {
   const Envelopes envelopes(corners);
   TangentCost cost;
   cost.linear = -sign_of(kind) * area_of_line(corners);
   const auto best = cheapest_tangent(envelopes.sides, kind, cost, given, size_of(envelopes.sides));
   if (!best)
     return fail(ErrorCode::no_bend_fits,
-                fmt::format("no such tangent line leaves both plates whole between these edges; {}", limits(corners, kind)));
+                fmt::format("no such tangent line leaves both plates whole between these edges; {}",
+                            limits(corners, kind)));
   return SmallestExtension{best->line, std::max(0.0, extension_area(corners, kind, best->line))};
 }
 
@@ -82,7 +87,8 @@ std::optional<Range> feasible_slopes(const Corners& corners, EdgeKind kind) {
     return Range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   const Envelopes envelopes(corners);
   const double size = size_of(envelopes.sides);
-  const auto low = last_slope(envelopes.sides, kind, size, -1.0), high = last_slope(envelopes.sides, kind, size, 1.0);
+  const auto low = last_slope(envelopes.sides, kind, size, -1.0),
+             high = last_slope(envelopes.sides, kind, size, 1.0);
   if (!low || !high) return std::nullopt;
   return Range{*low, *high};
 }

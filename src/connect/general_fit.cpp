@@ -65,8 +65,8 @@ std::vector<double> edge_apexes(const Corners& corners) {
   return apexes;
 }
 
-/// Curvature of the cone's directions at a place of the arc: radius of curvature of the surface is the
-/// distance from the apex over it.
+/// Curvature of the cone's directions at a place of the arc: radius of curvature of the surface is
+/// the distance from the apex over it.
 double sharpness(const SpaceCurvePoint& c, const Vec3& apex) {
   const Vec3 arm = c.point - apex;
   const Vec3 g = arm.normalized();
@@ -75,7 +75,8 @@ double sharpness(const SpaceCurvePoint& c, const Vec3& apex) {
   return std::abs(c.second.dot(n)) * arm.norm() / (speed * speed);
 }
 
-// The point of the intersection line from which both ends are equally far: the arc is circular there.
+// The point of the intersection line from which both ends are equally far: the arc is circular
+// there.
 Vec3 equidistant(const BendFrame& frame, const Vec3& apex, const std::array<Vec3, 2>& ends) {
   const Vec3 a = ends[0] - apex, b = ends[1] - apex;
   const double xa = a.dot(frame.d), xb = b.dot(frame.d);
@@ -86,31 +87,39 @@ Vec3 equidistant(const BendFrame& frame, const Vec3& apex, const std::array<Vec3
   return apex + (x / far > 0.5 && x / far < 2.0 ? x : far) * frame.d;
 }
 
-Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, const Vec3& point, double extent) {
+Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, const Vec3& point,
+                                   double extent) {
   const Vec3 foot = frame.origin + (point - frame.origin).dot(frame.d) * frame.d;
   const double off = (point - foot).norm();
   constexpr double kOnLine = 1e-5;  // of the extent
   if (off > kOnLine * extent)
-    return fail(ErrorCode::no_bend_fits,
-                fmt::format("the tangent point lies {:.4g} mm off the line where the plates' planes meet", off),
-                "/tangent_point");
+    return fail(
+        ErrorCode::no_bend_fits,
+        fmt::format("the tangent point lies {:.4g} mm off the line where the plates' planes meet",
+                    off),
+        "/tangent_point");
   if ((foot - apex).norm() <= kOnLine * extent)
-    return fail(ErrorCode::no_bend_fits, "the tangent point is the apex of the bend", "/tangent_point");
+    return fail(ErrorCode::no_bend_fits, "the tangent point is the apex of the bend",
+                "/tangent_point");
   return foot;
 }
 
 }  // namespace
 
-Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges, std::optional<double> apex) {
+Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
+                                   std::optional<double> apex) {
   if (edges == EdgeKind::averted)
     return fail(ErrorCode::no_bend_fits,
-                "a general bend joins edges that look towards each other; these look away: choose a cylinder or a cone",
+                "a general bend joins edges that look towards each other; these look away: choose "
+                "a cylinder or a cone",
                 "/surface");
   if (apex && !beyond(*apex, corners))
-    return fail(ErrorCode::apex_in_span,
-                fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm", *apex,
-                            low_x(corners), high_x(corners)),
-                "/apex");
+    return fail(
+        ErrorCode::apex_in_span,
+        fmt::format(
+            "the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm",
+            *apex, low_x(corners), high_x(corners)),
+        "/apex");
   std::optional<GeneralLines> best;
   for (const double x : apex ? std::vector{*apex} : edge_apexes(corners)) {
     if (!beyond(x, corners)) continue;
@@ -119,13 +128,15 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges, std::
   }
   if (!best)
     return fail(ErrorCode::no_bend_fits,
-                "no edge runs towards the line where the plates' planes meet, so that there is no apex for a general bend: "
+                "no edge runs towards the line where the plates' planes meet, so that there is no "
+                "apex for a general bend: "
                 "give one, or choose a cylinder or a cone",
                 "/surface");
   return *best;
 }
 
-Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& lines, const Corners& corners,
+Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& lines,
+                                    const Corners& corners,
                                     const std::optional<Vec3>& tangent_point, double extent) {
   const Vec3 apex = frame.origin + lines.apex * frame.d;
   BendSurface surface;

@@ -8,30 +8,34 @@
 
 namespace planish::connect_detail {
 
-/// Tangent lines of a general cone: through one apex on the intersection line, each side with the slope that
-/// its own edges ask for, so that fewer extensions are needed than the same slope on both sides would.
+/// Tangent lines of a general cone: through one apex on the intersection line, each side with the
+/// slope that its own edges ask for, so that fewer extensions are needed than the same slope on
+/// both sides would.
 struct GeneralLines {
   double apex = 0.0;
   std::array<TangentLine, 2> lines;
   double area = 0.0;  ///< plate extension of both sides, mm²
 };
 
-/// Lines of least plate extension; the apex as given, or where one of the edges, prolonged, meets the
-/// intersection line. Errors: `apex_in_span`, `no_bend_fits`; `where` is the key at fault.
+/// Lines of least plate extension; the apex as given, or where one of the edges, prolonged, meets
+/// the intersection line. Errors: `apex_in_span`, `no_bend_fits`; `where` is the key at fault.
 Result<GeneralLines> general_lines(const std::array<std::vector<Vec2>, 2>& corners, EdgeKind edges,
                                    std::optional<double> apex);
 
-/// The general cone tangent to both plates along `lines`, over the arc that leaves the plates at their ends
-/// far from the apex: elliptic, its end tangents meeting in `tangent_point` on the intersection line
-/// (MATH 2.4, 5.2); by default in the point from which the arc is circular. Error: `no_bend_fits`.
+/// The general cone tangent to both plates along `lines`, over the arc that leaves the plates at
+/// their ends far from the apex: elliptic, its end tangents meeting in `tangent_point` on the
+/// intersection line (MATH 2.4, 5.2); by default in the point from which the arc is circular.
+/// Error: `no_bend_fits`.
 Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& lines,
                                     const std::array<std::vector<Vec2>, 2>& corners,
                                     const std::optional<Vec3>& tangent_point, double extent);
 
-/// Smallest radius of curvature of the mid-surface in the middle of a ruling between two boundaries.
+/// Smallest radius of curvature of the mid-surface in the middle of a ruling between two
+/// boundaries.
 double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high);
 
-/// The surface at a constant distance along the normal, with the same (u, v) on the same normals (MATH 2.6).
+/// The surface at a constant distance along the normal, with the same (u, v) on the same normals
+/// (MATH 2.6).
 Ruled offset_surface(const BendSurface& surface, double offset);
 
 }  // namespace planish::connect_detail

@@ -17,8 +17,8 @@ using Interval = std::pair<double, double>;
 constexpr double kNoWidth = 1e-6;
 // Curves on a cone that are straight when flat are followed to this share of the extent.
 constexpr double kCurveTolerance = 1e-10;
-// Where the boundary leans more than this against the way across the bend, the corners of both plates do
-// not lie near each other (45°).
+// Where the boundary leans more than this against the way across the bend, the corners of both
+// plates do not lie near each other (45°).
 constexpr double kLeaning = 1.0;
 
 Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
@@ -62,7 +62,8 @@ class Flat {
       const Vec2 uv = development_.fold(a + t * (b - a));
       return {uv, development_.jacobian(uv).inverse() * (b - a)};
     };
-    return fit_cubics_on_surface(curve, 0.0, 1.0, development_.jacobian(start).col(0).norm(), tolerance);
+    return fit_cubics_on_surface(curve, 0.0, 1.0, development_.jacobian(start).col(0).norm(),
+                                 tolerance);
   }
 
  private:
@@ -72,7 +73,8 @@ class Flat {
 };
 
 Boundary along_directrix(const BendSurface& surface, double level, double extent) {
-  return {{surface.v_at(0, level), surface.v_at(1, level)}, surface.at_level(level, kCurveTolerance * extent)};
+  return {{surface.v_at(0, level), surface.v_at(1, level)},
+          surface.at_level(level, kCurveTolerance * extent)};
 }
 
 // The straight boundary between two corners; none where it does not cross the rulings in order.
@@ -83,14 +85,16 @@ std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     // A corner on the ruling is where the boundary starts.
-    boundary.v[i] = corners[i].y() <= kCurveTolerance * extent ? corners[i].x() : flat.crossing(side, a, b);
+    boundary.v[i] = corners[i].y() <= kCurveTolerance * extent ? corners[i].x()
+                                                               : flat.crossing(side, a, b);
     if (!std::isfinite(boundary.v[i])) return std::nullopt;
     if (surface.radius(surface.level(side, boundary.v[i])) <= 0.0) return std::nullopt;
   }
   const Vec2 p = flat.image(0, {boundary.v[0], 0.0}), q = flat.image(1, {boundary.v[1], 0.0});
   // In order: corner, its ruling, the other ruling, the other corner.
   const Vec2 way = b - a;
-  if (way.dot(q - p) <= 0.0 || way.dot(p - a) < -extent * kNoWidth || way.dot(b - q) < -extent * kNoWidth)
+  if (way.dot(q - p) <= 0.0 || way.dot(p - a) < -extent * kNoWidth ||
+      way.dot(b - q) < -extent * kNoWidth)
     return std::nullopt;
   boundary.curve = flat.straight(boundary.v, kCurveTolerance * extent);
   return boundary;
@@ -104,7 +108,8 @@ double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
   return std::abs(corners[1].x() - corners[0].x()) / way;
 }
 
-bool within(const BendSurface& surface, const Boundaries& b, const Interval& legal, double tolerance) {
+bool within(const BendSurface& surface, const Boundaries& b, const Interval& legal,
+            double tolerance) {
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     if (b.low.v[i] < surface.v_at(side, legal.first) - tolerance ||
@@ -125,14 +130,15 @@ std::optional<Interval> widest(const std::vector<Interval>& legal, double low, d
 
 Error too_narrow(double width) {
   return {ErrorCode::no_common_width,
-          fmt::format("the edges have no width in common on which a bend runs over neither plate (their "
-                      "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
-                      std::max(0.0, -width)),
+          fmt::format(
+              "the edges have no width in common on which a bend runs over neither plate (their "
+              "ranges miss each other by {:.4g} mm): choose other edges or move a plate",
+              std::max(0.0, -width)),
           {}};
 }
 
-std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const Flat& flat, const RunEnds& ends,
-                                              const LateralOptions& options) {
+std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const Flat& flat,
+                                              const RunEnds& ends, const LateralOptions& options) {
   const auto low = straight(surface, flat, ends.low, options.extent);
   const auto high = straight(surface, flat, ends.high, options.extent);
   if (!low || !high) return std::nullopt;
@@ -145,10 +151,11 @@ std::optional<Boundaries> straight_boundaries(const BendSurface& surface, const 
   return std::nullopt;
 }
 
-Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnds& ends, LateralBoundary kind,
-                                        const LateralOptions& options) {
+Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnds& ends,
+                                        LateralBoundary kind, const LateralOptions& options) {
   const std::array low_ends{surface.level(0, ends.low[0].x()), surface.level(1, ends.low[1].x())};
-  const std::array high_ends{surface.level(0, ends.high[0].x()), surface.level(1, ends.high[1].x())};
+  const std::array high_ends{surface.level(0, ends.high[0].x()),
+                             surface.level(1, ends.high[1].x())};
   const bool corner = kind == LateralBoundary::corner;
   double low = corner ? std::max(low_ends[0], low_ends[1]) : 0.5 * (low_ends[0] + low_ends[1]);
   double high = corner ? std::min(high_ends[0], high_ends[1]) : 0.5 * (high_ends[0] + high_ends[1]);
@@ -160,13 +167,14 @@ Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnd
   }
   const double width = surface.v_at(0, high) - surface.v_at(0, low);
   if (width <= kNoWidth * options.extent) return tl::unexpected(too_narrow(width));
-  return Boundaries{kind, along_directrix(surface, low, options.extent), along_directrix(surface, high, options.extent)};
+  return Boundaries{kind, along_directrix(surface, low, options.extent),
+                    along_directrix(surface, high, options.extent)};
 }
 
 }  // namespace
 
-Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends, LateralBoundary wanted,
-                                      const LateralOptions& options) {
+Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
+                                      LateralBoundary wanted, const LateralOptions& options) {
   Flat flat(surface, options.neutral_offset);
   flat.set_reference(std::max({ends.high[0].x(), ends.high[1].x()}));
   if (wanted == LateralBoundary::straight || wanted == LateralBoundary::automatic) {
@@ -176,7 +184,8 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
       if (auto both = straight_boundaries(surface, flat, ends, options)) return *both;
     if (wanted == LateralBoundary::straight)
       return fail(ErrorCode::no_common_width,
-                  "a straight lateral boundary would run over a plate or past the end of the bend: choose arc "
+                  "a straight lateral boundary would run over a plate or past the end of the bend: "
+                  "choose arc "
                   "or corner");
     wanted = LateralBoundary::corner;
   }
@@ -199,7 +208,8 @@ std::vector<Interval> legal_sections(const std::vector<Vec2>& outline, double lo
   std::vector<Interval> sections;
   double from = low;
   for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-    if (std::min(crossings[i], high) > from) sections.emplace_back(from, std::min(crossings[i], high));
+    if (std::min(crossings[i], high) > from)
+      sections.emplace_back(from, std::min(crossings[i], high));
     from = std::max(from, crossings[i + 1]);
   }
   if (high > from) sections.emplace_back(from, high);

@@ -8,7 +8,7 @@ namespace planish {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kSeam = 0.01;     // mm between the ends, at the smaller end of cones
+constexpr double kSeam = 0.01;      // mm between the ends, at the smaller end of cones
 constexpr double kRounding = 1e-9;  // rad
 
 /// Radius of the surface where the face is narrowest; 0 where azimuths mean nothing.

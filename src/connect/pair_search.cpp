@@ -33,7 +33,8 @@ std::set<int> too_near(const std::vector<Chain>& chains, double height) {
   std::set<int> edges;
   for (const Chain& chain : chains)
     for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j)
-      if (std::min(chain.corners[j].y(), chain.corners[j + 1].y()) < height) edges.insert(chain.edges[j]);
+      if (std::min(chain.corners[j].y(), chain.corners[j + 1].y()) < height)
+        edges.insert(chain.edges[j]);
   return edges;
 }
 
@@ -46,8 +47,9 @@ std::vector<Chain> of_kind(std::vector<Chain> chains, EdgeKind kind) {
 bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
   std::array<std::pair<double, double>, 2> range;
   for (std::size_t side = 0; side < 2; ++side) {
-    const auto [lo, hi] = std::minmax_element(outlines[side].begin(), outlines[side].end(),
-                                              [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    const auto [lo, hi] = std::minmax_element(
+        outlines[side].begin(), outlines[side].end(),
+        [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
     range[side] = {lo->y(), hi->y()};
   }
   return range[0].second <= range[1].first || range[1].second <= range[0].first;
@@ -60,7 +62,8 @@ Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
   return {};
 }
 
-// Whether the best edges reach so near to the intersection line that the bend there would be too sharp.
+// Whether the best edges reach so near to the intersection line that the bend there would be too
+// sharp.
 bool is_too_near(const FitTask& task, const PairChoice& choice) {
   if (choice.search.best.kind == EdgeKind::averted) return false;
   const double height = least_height(task, choice.frame);
@@ -70,8 +73,8 @@ bool is_too_near(const FitTask& task, const PairChoice& choice) {
   return false;
 }
 
-Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, const ConnectOptions& options,
-                                std::optional<EdgeKind> kind) {
+Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
+                                const ConnectOptions& options, std::optional<EdgeKind> kind) {
   PairChoice choice{frame, {}, {}};
   std::array<std::vector<Vec2>, 2> outlines;
   for (int side = 0; side < 2; ++side) {
@@ -79,13 +82,16 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, con
     outlines[i] = side_outline(*task.plates[i], frame, side);
     choice.chains[i] = without(viable_chains(outlines[i]), task.taken[i]);
     if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
-    if (frame.parallel()) choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
+    if (frame.parallel())
+      choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
   }
   if (frame.parallel() && beside(outlines))
-    return fail(ErrorCode::plates_offset,
-                fmt::format("the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
-                            "half-turn joins plates that lie over each other: put a third plate between them",
-                            frame.rise.norm()));
+    return fail(
+        ErrorCode::plates_offset,
+        fmt::format(
+            "the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
+            "half-turn joins plates that lie over each other: put a third plate between them",
+            frame.rise.norm()));
   EdgeSearchOptions wanted;
   wanted.trade_off = task.request.trade_off;
   wanted.line = given_line(task.request, frame, task.thickness);
@@ -97,7 +103,8 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame, con
     for (std::size_t i = 0; i < 2; ++i) {
       farther.chains[i] = of_kind(std::move(farther.chains[i]), EdgeKind::facing);
       if (!task.request.edges[i])
-        farther.chains[i] = without(farther.chains[i], too_near(farther.chains[i], least_height(task, frame)));
+        farther.chains[i] = without(farther.chains[i],
+                                    too_near(farther.chains[i], least_height(task, frame)));
     }
     if (search(farther, wanted)) return farther;
   }
@@ -108,8 +115,8 @@ bool better(const PairChoice& a, const PairChoice& b) {
   return a.search.reference_length < b.search.reference_length;
 }
 
-// A slope or an apex is one for the edges that would be joined without it: it must not turn the bend
-// round the back of the plates.
+// A slope or an apex is one for the edges that would be joined without it: it must not turn the
+// bend round the back of the plates.
 std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
   if (!task.request.slope && !task.request.apex) return std::nullopt;
   FitTask free = task;
@@ -173,8 +180,9 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {
   const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
   if (kind == PlanePair::coplanar)
-    return fail(ErrorCode::plates_coplanar,
-                "the plates lie in one plane, there is nothing to bend between them: make them one plate");
+    return fail(
+        ErrorCode::plates_coplanar,
+        "the plates lie in one plane, there is nothing to bend between them: make them one plate");
   const std::optional<EdgeKind> natural = natural_kind(task, options);
   std::optional<PairChoice> best;
   Error why{ErrorCode::no_bend_fits, "no edges of the two plates look towards each other", {}};

@@ -18,9 +18,10 @@ struct PairChoice {
   std::array<std::vector<int>, 2> edges(const EdgeChoice& choice) const;
 };
 
-/// Searches all frames of the pair and takes the one with the shortest reference bend. What the request
-/// gives of the tangent line is kept where it does not depend on the edges chosen; `given` says what else
-/// must hold. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`, `no_bend_fits`.
+/// Searches all frames of the pair and takes the one with the shortest reference bend. What the
+/// request gives of the tangent line is kept where it does not depend on the edges chosen; `given`
+/// says what else must hold. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`,
+/// `no_bend_fits`.
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options);
 
 /// The tangent line that a request asks for in a frame.

@@ -25,8 +25,10 @@ std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& p
   return corners;
 }
 
-// v of the lateral boundary at the end of the run that comes first in the outline, and at the other.
-std::pair<double, double> boundary_ends(const BendFit& fit, int side, const std::vector<Vec2>& corners) {
+// v of the lateral boundary at the end of the run that comes first in the outline, and at the
+// other.
+std::pair<double, double> boundary_ends(const BendFit& fit, int side,
+                                        const std::vector<Vec2>& corners) {
   const auto i = static_cast<std::size_t>(side);
   const double low = fit.boundaries.low.v[i], high = fit.boundaries.high.v[i];
   return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
@@ -39,9 +41,9 @@ double joint_end(const Vec2& corner, double boundary, double inward, double tole
   return on_ruling && past ? corner.x() : boundary;
 }
 
-// Shortest way from a corner of the run to the point v on the ruling that leaves the run on the plate's
-// side: the hull of the corners between, ordered from the corner on; below them where the way goes in under
-// the run, above them where it goes out past its end.
+// Shortest way from a corner of the run to the point v on the ruling that leaves the run on the
+// plate's side: the hull of the corners between, ordered from the corner on; below them where the
+// way goes in under the run, above them where it goes out past its end.
 std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
   const double inward = target.x() >= corners.front().x() ? 1.0 : -1.0;
   const double below = (corners.back().x() - corners.front().x()) * inward > 0.0 ? 1.0 : -1.0;
@@ -99,12 +101,14 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   // Where the joint begins or ends at a corner of the plate, that corner is where.
   if (path.joint == 1 && (points[1] - points[0]).norm() <= same) points[1] = points[0];
   const std::size_t last = points.size() - 1;
-  if (path.joint + 2 == last && (points[last] - points[last - 1]).norm() <= same) points[last - 1] = points[last];
+  if (path.joint + 2 == last && (points[last] - points[last - 1]).norm() <= same)
+    points[last - 1] = points[last];
   for (std::size_t j = 0; j < last; ++j)
     append(outline, points[j], points[j + 1], j == path.joint ? on.bend : -1, same);
 }
 
-// A corner that lies on a piece which does not end there: the extension runs back to the plate, over it.
+// A corner that lies on a piece which does not end there: the extension runs back to the plate,
+// over it.
 std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -115,7 +119,8 @@ std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
   return std::nullopt;
 }
 
-Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate, const std::string& id) {
+Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate,
+                          const std::string& id) {
   std::vector<Vec2> ring;
   for (const Piece& piece : outline.pieces)
     ring.push_back(piece.a);
@@ -123,16 +128,18 @@ Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& pla
   if (crossings.empty() && ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
       return fail(ErrorCode::no_common_width,
-                  fmt::format("the bend that fits best begins beside the edges of plate {}, where its extension would run over the plate at "
+                  fmt::format("the bend that fits best begins beside the edges of plate {}, where "
+                              "its extension would run over the plate at "
                               "({:.6g}, {:.6g}, {:.6g}): choose other edges or move a plate",
-                              id, plate.frame.point(*at).x(), plate.frame.point(*at).y(), plate.frame.point(*at).z()));
+                              id, plate.frame.point(*at).x(), plate.frame.point(*at).y(),
+                              plate.frame.point(*at).z()));
     return {};
   }
   const Vec3 p = plate.frame.point(crossings.empty() ? ring.front() : crossings.front());
-  return fail(ErrorCode::overlap,
-              fmt::format("the extensions of plate {} that its bends need run into each other or over the plate, near "
-                          "({:.6g}, {:.6g}, {:.6g})",
-                          id, p.x(), p.y(), p.z()));
+  return fail(ErrorCode::overlap, fmt::format("the extensions of plate {} that its bends need run "
+                                              "into each other or over the plate, near "
+                                              "({:.6g}, {:.6g}, {:.6g})",
+                                              id, p.x(), p.y(), p.z()));
 }
 
 }  // namespace
@@ -146,8 +153,9 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id) {
   const auto run_of = [](const BendOnPlate& on) { return on.fit->runs[on.side]; };
-  std::sort(bends.begin(), bends.end(),
-            [&](const BendOnPlate& a, const BendOnPlate& b) { return run_of(a).first < run_of(b).first; });
+  std::sort(bends.begin(), bends.end(), [&](const BendOnPlate& a, const BendOnPlate& b) {
+    return run_of(a).first < run_of(b).first;
+  });
   ExtendedOutline outline;
   const int n = plate.edge_count();
   // Round the outline once, from the first bend's run (which may go over corner 0).
@@ -160,12 +168,12 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
       done += run_of(bends[next]).count;
       ++next;
     } else {
-      append(outline, plate.outline[edge],
-             plate.outline[(edge + 1) % n], -1, 0.0);
+      append(outline, plate.outline[edge], plate.outline[(edge + 1) % n], -1, 0.0);
       ++done;
     }
   }
-  if (auto simple = check_simple(outline, plate, id); !simple) return tl::unexpected(simple.error());
+  if (auto simple = check_simple(outline, plate, id); !simple)
+    return tl::unexpected(simple.error());
   return outline;
 }
 

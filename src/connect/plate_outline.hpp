@@ -22,16 +22,16 @@ struct ExtendedOutline {
   std::vector<Piece> pieces;
 };
 
-/// The part of a tangent ruling along which a bend hangs on its plate: from low to high v. Smaller than
-/// the bend where the bend is wider than the edge it lies on.
+/// The part of a tangent ruling along which a bend hangs on its plate: from low to high v. Smaller
+/// than the bend where the bend is wider than the edge it lies on.
 struct JointRange {
   double low = 0.0, high = 0.0;
 };
 JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate);
 
-/// Puts the plate extensions of MATH 3.1 on: the selected edges are replaced by the shortest way from
-/// their ends to the lateral boundaries that leaves the plate whole, and by the tangent line between.
-/// Error: `overlap` where extensions run into each other or over the plate.
+/// Puts the plate extensions of MATH 3.1 on: the selected edges are replaced by the shortest way
+/// from their ends to the lateral boundaries that leaves the plate whole, and by the tangent line
+/// between. Error: `overlap` where extensions run into each other or over the plate.
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id);
 

@@ -19,8 +19,8 @@ using Interval = std::pair<double, double>;
 constexpr double kTouch = 1e-6;
 
 // Intervals of the line y = 0 with material on both of its sides.
-std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d, const Vec3& e,
-                                       double tolerance) {
+std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d,
+                                       const Vec3& e, double tolerance) {
   std::vector<Vec2> above, below;
   double low = 0.0, high = 0.0;
   for (int i = 0; i < plate.edge_count(); ++i) {
@@ -96,7 +96,9 @@ std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, doub
         to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
       }
       if (to_border <= thickness) continue;
-      const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) { return inside({hole}, local.head<2>()); });
+      const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) {
+        return inside({hole}, local.head<2>());
+      });
       if (!in_hole) return TooNear{p, distance, needed};
     }
   return std::nullopt;

@@ -17,7 +17,9 @@ constexpr double kSameCorner = 1e-7;
 // A polygon whose area is below this share of extent² is a line.
 constexpr double kNoArea = 1e-9;
 
-std::string text(const Vec3& p) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z()); }
+std::string text(const Vec3& p) {
+  return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
+}
 
 // Newell's: twice the vector area, robust for corners that are nearly in one plane.
 Vec3 vector_area(const Ring& ring) {
@@ -47,7 +49,8 @@ double extent_of(const Ring& ring) {
 Result<void> check_corners(const Ring& ring, const std::string& pointer) {
   if (ring.size() < 3)
     return fail(ErrorCode::too_few_corners,
-                fmt::format("a polygon needs at least 3 corners, this one has {}", ring.size()), pointer);
+                fmt::format("a polygon needs at least 3 corners, this one has {}", ring.size()),
+                pointer);
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (!ring[i].allFinite())
       return fail(ErrorCode::invalid_input, "a corner must be three finite numbers",
@@ -56,11 +59,12 @@ Result<void> check_corners(const Ring& ring, const std::string& pointer) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const std::size_t next = (i + 1) % ring.size();
     if ((ring[next] - ring[i]).norm() <= same)
-      return fail(ErrorCode::repeated_corner,
-                  fmt::format("corners {} and {} are at the same place {}; a closed polygon does not "
-                              "repeat a corner",
-                              i, next, text(ring[i])),
-                  fmt::format("{}/{}", pointer, next));
+      return fail(
+          ErrorCode::repeated_corner,
+          fmt::format("corners {} and {} are at the same place {}; a closed polygon does not "
+                      "repeat a corner",
+                      i, next, text(ring[i])),
+          fmt::format("{}/{}", pointer, next));
   }
   return {};
 }
@@ -77,11 +81,12 @@ Result<void> check_planar(const Ring& ring, const Frame& frame, const std::strin
     }
   }
   if (most <= planarity) return {};
-  return fail(ErrorCode::not_planar,
-              fmt::format("corner {} lies {:.4g} mm off the plane of the plate, {:.4g} mm are allowed: "
-                          "a plate is flat",
-                          worst, most, planarity),
-              fmt::format("{}/{}", pointer, worst));
+  return fail(
+      ErrorCode::not_planar,
+      fmt::format("corner {} lies {:.4g} mm off the plane of the plate, {:.4g} mm are allowed: "
+                  "a plate is flat",
+                  worst, most, planarity),
+      fmt::format("{}/{}", pointer, worst));
 }
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -91,13 +96,14 @@ std::optional<std::size_t> spike(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 in = ring[i] - ring[(i + n - 1) % n], out = ring[(i + 1) % n] - ring[i];
-    if (in.dot(out) < 0.0 && std::abs(cross2(in, out)) <= same * std::max(in.norm(), out.norm())) return i;
+    if (in.dot(out) < 0.0 && std::abs(cross2(in, out)) <= same * std::max(in.norm(), out.norm()))
+      return i;
   }
   return std::nullopt;
 }
 
-Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame, const std::string& pointer,
-                          double extent) {
+Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame,
+                          const std::string& pointer, double extent) {
   const auto crossings = self_crossings(ring);
   std::optional<Vec2> at;
   if (!crossings.empty()) at = crossings.front();
@@ -108,7 +114,8 @@ Result<void> check_simple(const std::vector<Vec2>& ring, const Frame& frame, con
       if ((ring[i] - ring[j]).norm() <= kSameCorner * extent) at = ring[i];
   if (!at) return {};
   return fail(ErrorCode::self_crossing,
-              fmt::format("the polygon crosses or touches itself at {}", text(frame.point(*at))), pointer);
+              fmt::format("the polygon crosses or touches itself at {}", text(frame.point(*at))),
+              pointer);
 }
 
 std::vector<Vec2> flat(const Ring& ring, const Frame& frame) {
@@ -125,25 +132,32 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 // A place where the borders of two polygons cross, or come as near as `same`.
-std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second, double same) {
-  const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& { return ring[(i + 1) % ring.size()]; };
+std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second,
+                            double same) {
+  const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& {
+    return ring[(i + 1) % ring.size()];
+  };
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t j = 0; j < second.size(); ++j) {
       const Vec2 &a = first[i], &b = next(first, i), &c = second[j], &d = next(second, j);
       if (distance(a, c, d) <= same) return a;
       if (distance(c, a, b) <= same) return c;
-      const double ca = cross2(b - a, c - a), da = cross2(b - a, d - a), ac = cross2(d - c, a - c), bc = cross2(d - c, b - c);
+      const double ca = cross2(b - a, c - a), da = cross2(b - a, d - a), ac = cross2(d - c, a - c),
+                   bc = cross2(d - c, b - c);
       if (ca * da < 0.0 && ac * bc < 0.0) return Vec2(c + ca / (ca - da) * (d - c));
     }
   return std::nullopt;
 }
 
-Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>& hole, const std::string& place) {
+Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>& hole,
+                              const std::string& place) {
   const double same = kSameCorner * placed.extent;
   if (const auto at = meeting(hole, placed.outline, same))
-    return fail(ErrorCode::self_crossing,
-                fmt::format("the hole touches or crosses the plate's outline at {}: leave material between", text(placed.frame.point(*at))),
-                place);
+    return fail(
+        ErrorCode::self_crossing,
+        fmt::format("the hole touches or crosses the plate's outline at {}: leave material between",
+                    text(placed.frame.point(*at))),
+        place);
   for (std::size_t h = 0; h < placed.holes.size(); ++h) {
     const auto& other = placed.holes[h];
     const auto at = meeting(hole, other, same);
@@ -164,7 +178,8 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
     if (auto sound = check_corners(ring, place); !sound) return sound;
     if (auto planar = check_planar(ring, placed.frame, place, planarity); !planar) return planar;
     std::vector<Vec2> hole = flat(ring, placed.frame);
-    if (auto simple = check_simple(hole, placed.frame, place, placed.extent); !simple) return simple;
+    if (auto simple = check_simple(hole, placed.frame, place, placed.extent); !simple)
+      return simple;
     for (std::size_t i = 0; i < hole.size(); ++i)
       if (!inside({placed.outline}, hole[i]))
         return fail(ErrorCode::invalid_input,
@@ -182,21 +197,25 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
 
 Result<PlacedPlate> placed(const Plate& plate, const std::string& pointer, double planarity) {
   const std::string place = pointer + "/outline";
-  if (auto sound = check_corners(plate.outline, place); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_corners(plate.outline, place); !sound)
+    return tl::unexpected(sound.error());
   PlacedPlate result;
   result.extent = extent_of(plate.outline);
   const Vec3 area = vector_area(plate.outline);
   result.area = area.norm();
   if (result.area <= kNoArea * result.extent * result.extent)
     return fail(ErrorCode::self_crossing,
-                "the outline encloses no area: its corners lie on one line, or it crosses itself", place);
-  result.frame = frame_from_axes(middle(plate.outline), area / result.area, plate.outline[1] - plate.outline[0]);
+                "the outline encloses no area: its corners lie on one line, or it crosses itself",
+                place);
+  result.frame = frame_from_axes(middle(plate.outline), area / result.area,
+                                 plate.outline[1] - plate.outline[0]);
   if (auto planar = check_planar(plate.outline, result.frame, place, planarity); !planar)
     return tl::unexpected(planar.error());
   result.outline = flat(plate.outline, result.frame);
   if (auto simple = check_simple(result.outline, result.frame, place, result.extent); !simple)
     return tl::unexpected(simple.error());
-  if (auto holes = add_holes(result, plate, pointer, planarity); !holes) return tl::unexpected(holes.error());
+  if (auto holes = add_holes(result, plate, pointer, planarity); !holes)
+    return tl::unexpected(holes.error());
   return result;
 }
 

@@ -9,8 +9,8 @@
 
 namespace planish::connect_detail {
 
-/// A plate in the axes of its own plane: the outline runs counter-clockwise about the frame's z, corner
-/// by corner as in the plate; holes run clockwise.
+/// A plate in the axes of its own plane: the outline runs counter-clockwise about the frame's z,
+/// corner by corner as in the plate; holes run clockwise.
 struct PlacedPlate {
   Frame frame;
   std::vector<Vec2> outline;

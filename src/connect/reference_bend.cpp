@@ -30,29 +30,35 @@ std::vector<Unit> units_of(const ChainPair& pair, int side) {
                      std::accumulate(corner, corner + count, Vec2(0.0, 0.0)) / count});
   }
   // Near ones first: lengths grow with the mean height.
-  std::stable_sort(units.begin(), units.end(), [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
+  std::stable_sort(units.begin(), units.end(),
+                   [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
   return units;
 }
 
-double shift(const Unit& a, const Unit& b) { return std::abs(a.left.x() - b.left.x()) + std::abs(a.right.x() - b.right.x()); }
+double shift(const Unit& a, const Unit& b) {
+  return std::abs(a.left.x() - b.left.x()) + std::abs(a.right.x() - b.right.x());
+}
 
-/// The objective of MATH 3.6 without the shift: of tangent lines (k, q), `of_height` · 2 H + `constant`
-/// where H = k x̄ − q is the height of the line over the mean x of all corners.
+/// The objective of MATH 3.6 without the shift: of tangent lines (k, q), `of_height` · 2 H +
+/// `constant` where H = k x̄ − q is the height of the line over the mean x of all corners.
 struct Length {
   double of_height = 0.0, constant = 0.0, mean_x = 0.0;
 
-  Length(const ChainPair& pair, const Unit& a, const Unit& b) : mean_x(0.5 * (a.mean.x() + b.mean.x())) {
+  Length(const ChainPair& pair, const Unit& a, const Unit& b)
+      : mean_x(0.5 * (a.mean.x() + b.mean.x())) {
     const double sign = pair.kind == EdgeKind::facing ? 1.0 : -1.0;
     of_height = 0.5 * pair.factor - sign;
     constant = sign * (a.mean.y() + b.mean.y());
   }
 };
 
-std::optional<double> shortest(const ChainPair& pair, const Unit& a, const Unit& b, double start, double& slope) {
+std::optional<double> shortest(const ChainPair& pair, const Unit& a, const Unit& b, double start,
+                               double& slope) {
   const Length length(pair, a, b);
   TangentCost cost;
   cost.linear = 2.0 * length.of_height * Vec2(length.mean_x, -1.0);
-  const std::array<CornerRange, 2> sides{pair.corners(0, a.first, a.last), pair.corners(1, b.first, b.last)};
+  const std::array<CornerRange, 2> sides{pair.corners(0, a.first, a.last),
+                                         pair.corners(1, b.first, b.last)};
   const auto best = cheapest_tangent(sides, pair.kind, cost, pair.line, pair.size, start);
   if (!best) return std::nullopt;
   slope = best->line.slope;
@@ -60,8 +66,8 @@ std::optional<double> shortest(const ChainPair& pair, const Unit& a, const Unit&
   return length.constant + cost.linear.dot(Vec2(best->line.slope, best->line.offset));
 }
 
-/// Facing: how high over x a line can be at most that lies below the ends of both units, averted: how low at
-/// least one that lies above them. A hull of four corners.
+/// Facing: how high over x a line can be at most that lies below the ends of both units, averted:
+/// how low at least one that lies above them. A hull of four corners.
 double extreme_height(EdgeKind kind, const Unit& a, const Unit& b, double x) {
   const double sign = kind == EdgeKind::facing ? 1.0 : -1.0;
   const std::array<const Vec2*, 4> corners{&a.left, &a.right, &b.left, &b.right};
@@ -76,18 +82,20 @@ double extreme_height(EdgeKind kind, const Unit& a, const Unit& b, double x) {
   return sign * least;
 }
 
-/// What no bend between the two is shorter than, whatever else its tangent line has to respect; nearly
-/// always its length.
+/// What no bend between the two is shorter than, whatever else its tangent line has to respect;
+/// nearly always its length.
 double least_length(const ChainPair& pair, const Unit& a, const Unit& b) {
   const Length length(pair, a, b);
-  const double height =
-      pair.kind == EdgeKind::facing && length.of_height >= 0.0 ? 0.0 : extreme_height(pair.kind, a, b, length.mean_x);
+  const double height = pair.kind == EdgeKind::facing && length.of_height >= 0.0
+                            ? 0.0
+                            : extreme_height(pair.kind, a, b, length.mean_x);
   return length.constant + 2.0 * length.of_height * height + shift(a, b);
 }
 
 /// The same for all pairs of these mean heights: the line is as near to the plates as it can be.
 double least_length(const ChainPair& pair, double heights) {
-  return (pair.kind == EdgeKind::facing ? std::min(0.5 * pair.factor, 1.0) : 0.5 * pair.factor) * heights;
+  return (pair.kind == EdgeKind::facing ? std::min(0.5 * pair.factor, 1.0) : 0.5 * pair.factor) *
+         heights;
 }
 
 }  // namespace
@@ -106,7 +114,8 @@ std::optional<ReferenceBend> reference_bend(const ChainPair& pair, double bound)
       if (!straight) continue;
       const double whole = *straight + shift(a, b);
       if (best ? whole >= best->length + noise : whole >= bound) continue;
-      const auto choice = measured(pair, {std::pair{a.first, a.last}, std::pair{b.first, b.last}}, start);
+      const auto choice = measured(pair, {std::pair{a.first, a.last}, std::pair{b.first, b.last}},
+                                   start);
       if (!choice) continue;
       // Equal lengths: the wider, the smaller span, the smaller edge numbers.
       if (best && whole > best->length - noise && !better(pair, *choice, best->choice)) continue;
@@ -117,8 +126,8 @@ std::optional<ReferenceBend> reference_bend(const ChainPair& pair, double bound)
   return best;
 }
 
-std::optional<EdgeChoice> measured(const ChainPair& pair, const std::array<std::pair<int, int>, 2>& runs,
-                                   double start) {
+std::optional<EdgeChoice> measured(const ChainPair& pair,
+                                   const std::array<std::pair<int, int>, 2>& runs, double start) {
   const std::array<CornerRange, 2> sides{pair.corners(0, runs[0].first, runs[0].second),
                                          pair.corners(1, runs[1].first, runs[1].second)};
   const TangentCost cost{0.5 * pair.factor, 1.0, Vec2::Zero()};
@@ -127,7 +136,8 @@ std::optional<EdgeChoice> measured(const ChainPair& pair, const std::array<std::
   EdgeChoice choice;
   choice.kind = pair.kind;
   choice.line = best->line;
-  choice.span = best->value + std::abs(sides[0].left() - sides[1].left()) + std::abs(sides[0].right() - sides[1].right());
+  choice.span = best->value + std::abs(sides[0].left() - sides[1].left()) +
+                std::abs(sides[0].right() - sides[1].right());
   for (std::size_t i = 0; i < 2; ++i) {
     choice.runs[i] = {pair.chains[i], runs[i].first, runs[i].second};
     choice.width += 0.5 * (sides[i].right() - sides[i].left());
@@ -140,7 +150,8 @@ bool better(const ChainPair& pair, const EdgeChoice& a, const EdgeChoice& b) {
   if (std::abs(a.width - b.width) > noise) return a.width > b.width;
   if (std::abs(a.span - b.span) > noise) return a.span < b.span;
   const auto rank = [](const EdgeChoice& c) {
-    return std::array{c.runs[0].chain, c.runs[0].first, c.runs[0].last, c.runs[1].chain, c.runs[1].first, c.runs[1].last};
+    return std::array{c.runs[0].chain, c.runs[0].first, c.runs[0].last,
+                      c.runs[1].chain, c.runs[1].first, c.runs[1].last};
   };
   return rank(a) < rank(b);
 }

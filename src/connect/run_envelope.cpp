@@ -41,7 +41,8 @@ void RunEnvelope::add_levels(std::vector<Level>& levels, double sign) const {
   }
 }
 
-const Vec2& RunEnvelope::extreme(const std::vector<Level>& levels, int first, int last, double k, double sign) const {
+const Vec2& RunEnvelope::extreme(const std::vector<Level>& levels, int first, int last, double k,
+                                 double sign) const {
   const Vec2* best = &corners_[first];
   double most = height(*best, k, sign);
   const auto look = [&](int i) {

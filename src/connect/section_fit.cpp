@@ -13,8 +13,8 @@ namespace {
 // A full turn: both ends touch, as the seam of a pipe does.
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
-/// The ruling where a section begins: on the mid-surface, from `start` along `d`, the sheet going on
-/// towards `onward`, turning towards `inside`; unit vectors.
+/// The ruling where a section begins: on the mid-surface, from `start` along `d`, the sheet going
+/// on towards `onward`, turning towards `inside`; unit vectors.
 struct Beginning {
   Vec3 start, d, onward, inside;
   double length = 0.0;
@@ -26,15 +26,20 @@ Error at(const FitTask& task, ErrorCode code, std::string message, const std::st
 
 Result<Beginning> beginning(const FitTask& task) {
   const PlacedPlate* plate = task.plates[0];
-  if (plate == nullptr) return Beginning{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), -Vec3::UnitX(), *task.request.length};
+  if (plate == nullptr)
+    return Beginning{Vec3::Zero(), Vec3::UnitZ(), Vec3::UnitY(), -Vec3::UnitX(),
+                     *task.request.length};
   const auto& edges = task.request.edges[0];
   if (!edges || edges->size() != 1)
     return tl::unexpected(at(task, ErrorCode::invalid_input,
-                             "a bend of one plate begins at one of its edges: name it in edges", "/edges"));
+                             "a bend of one plate begins at one of its edges: name it in edges",
+                             "/edges"));
   const int edge = edges->front();
   if (task.taken[0].count(edge) != 0)
-    return tl::unexpected(at(task, ErrorCode::unknown_edge,
-                             fmt::format("edge {} is used by another bend already: each edge carries one", edge), "/edges"));
+    return tl::unexpected(
+        at(task, ErrorCode::unknown_edge,
+           fmt::format("edge {} is used by another bend already: each edge carries one", edge),
+           "/edges"));
   const Vec3 from = plate->corner(edge), to = plate->corner((edge + 1) % plate->edge_count());
   const Vec3 d = (to - from).normalized();
   const double up = task.request.angle->radians() > 0.0 ? 1.0 : -1.0;
@@ -50,14 +55,16 @@ void set_ends(BendFit& fit, double a, double b) {
 
 void roll_cylinder(BendFit& fit, const Beginning& begin, double radius, double sweep) {
   const Vec3 axis = (-begin.inside).cross(begin.onward);
-  fit.surface.mid = Cylinder{frame_from_axes(begin.start + radius * begin.inside, axis, -begin.inside), radius};
+  fit.surface.mid = Cylinder{
+      frame_from_axes(begin.start + radius * begin.inside, axis, -begin.inside), radius};
   fit.surface.sweep = sweep;
   fit.surface.tangents[0] = {begin.start, axis, -begin.onward};
   set_ends(fit, 0.0, begin.length * axis.dot(begin.d));
 }
 
 // The cone whose radii of curvature at both ends of the ruling are given.
-void roll_cone(BendFit& fit, const Beginning& begin, const std::array<double, 2>& radii, double sweep) {
+void roll_cone(BendFit& fit, const Beginning& begin, const std::array<double, 2>& radii,
+               double sweep) {
   const double tangent = (radii[1] - radii[0]) / begin.length;
   const Vec3 apex = begin.start - radii[0] / tangent * begin.d;
   const Vec3 ruling = std::copysign(1.0, tangent) * begin.d;
@@ -79,9 +86,10 @@ void roll_cone(BendFit& fit, const Beginning& begin, const std::array<double, 2>
   set_ends(fit, from, to);
 }
 
-// Without a plate the radii are those of the circles of the inner skin and the length is the height.
-std::array<double, 2> free_cone(Beginning& begin, const std::array<double, 2>& inside, double height,
-                                double thickness) {
+// Without a plate the radii are those of the circles of the inner skin and the length is the
+// height.
+std::array<double, 2> free_cone(Beginning& begin, const std::array<double, 2>& inside,
+                                double height, double thickness) {
   const double tangent = (inside[1] - inside[0]) / height;
   const double half = std::atan(tangent), cosine = std::cos(half);
   begin.length = height / cosine;
@@ -103,23 +111,29 @@ Result<void> check(const FitTask& task) {
   if (!request.angle) return missing("a section with a free end needs its angle", "/angle");
   const double angle = std::abs(request.angle->radians());
   if (!(angle > 0.0) || angle > kFullTurn * (1.0 + 1e-12))
-    return missing(fmt::format("the angle is {:.6g}°; it must lie between 0 and 360°", request.angle->degrees()), "/angle");
+    return missing(fmt::format("the angle is {:.6g}°; it must lie between 0 and 360°",
+                               request.angle->degrees()),
+                   "/angle");
   if (!request.inside_radius && !request.inside_radii)
-    return missing("a section with a free end needs its inside_radius, or inside_radii for a cone", "/inside_radius");
+    return missing("a section with a free end needs its inside_radius, or inside_radii for a cone",
+                   "/inside_radius");
   if (task.plates[0] == nullptr && !(request.length && *request.length > 0.0))
     return missing("a section without plates needs its length", "/length");
   if (request.surface == SurfaceChoice::cone && !conical(request))
     return missing("a conical section needs two different inside_radii", "/surface");
-  if (request.surface == SurfaceChoice::general) return missing("a section with a free end is a cylinder or a cone", "/surface");
+  if (request.surface == SurfaceChoice::general)
+    return missing("a section with a free end is a cylinder or a cone", "/surface");
   if (request.surface == SurfaceChoice::cylinder && conical(request))
     return missing("two different inside_radii make a cone, not a cylinder", "/surface");
-  const double smallest = request.inside_radii ? std::min((*request.inside_radii)[0], (*request.inside_radii)[1])
-                                               : *request.inside_radius;
+  const double smallest = request.inside_radii
+                              ? std::min((*request.inside_radii)[0], (*request.inside_radii)[1])
+                              : *request.inside_radius;
   if (smallest < kSmallestInsideRadius)
-    return tl::unexpected(at(task, ErrorCode::radius_too_small,
-                             fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm", smallest,
-                                         kSmallestInsideRadius),
-                             request.inside_radii ? "/inside_radii" : "/inside_radius"));
+    return tl::unexpected(
+        at(task, ErrorCode::radius_too_small,
+           fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm", smallest,
+                       kSmallestInsideRadius),
+           request.inside_radii ? "/inside_radii" : "/inside_radius"));
   return {};
 }
 
@@ -138,8 +152,10 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
     if (task.plates[0] == nullptr) begin->start = (radius + half) * Vec3::UnitX();
     roll_cylinder(fit, *begin, radius + half, sweep);
   } else {
-    std::array<double, 2> radii{(*request.inside_radii)[0] + half, (*request.inside_radii)[1] + half};
-    if (task.plates[0] == nullptr) radii = free_cone(*begin, *request.inside_radii, *request.length, task.thickness);
+    std::array<double, 2> radii{(*request.inside_radii)[0] + half,
+                                (*request.inside_radii)[1] + half};
+    if (task.plates[0] == nullptr)
+      radii = free_cone(*begin, *request.inside_radii, *request.length, task.thickness);
     roll_cone(fit, *begin, radii, sweep);
   }
   if (task.plates[0] != nullptr) {

@@ -16,9 +16,13 @@ constexpr double kTouching = 1e-7;
 // A value is on the edge of its range within this share of the extent.
 constexpr double kOnBound = 1e-9;
 
-double mid_radius_of(double inside_radius, const FitTask& task) { return inside_radius + 0.5 * task.thickness; }
+double mid_radius_of(double inside_radius, const FitTask& task) {
+  return inside_radius + 0.5 * task.thickness;
+}
 
-double extent_of(const FitTask& task) { return std::max(task.plates[0]->extent, task.plates[1]->extent); }
+double extent_of(const FitTask& task) {
+  return std::max(task.plates[0]->extent, task.plates[1]->extent);
+}
 
 Corners shifted(Corners corners, double x, double y) {
   for (auto& side : corners)
@@ -27,9 +31,10 @@ Corners shifted(Corners corners, double x, double y) {
   return corners;
 }
 
-// Least extension where the line stays at least `height` above the intersection line: 0 ≤ k x − q is
-// that of corners and q moved by as much; averted lines lie above every corner as it is.
-Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenLine given, double height) {
+// Least extension where the line stays at least `height` above the intersection line: 0 ≤ k x − q
+// is that of corners and q moved by as much; averted lines lie above every corner as it is.
+Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenLine given,
+                                          double height) {
   if (kind == EdgeKind::averted) {
     for (auto& side : corners)
       for (Vec2& p : side)
@@ -38,7 +43,8 @@ Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenL
   }
   if (given.offset) *given.offset += height;
   if (given.apex) {
-    // k (x − x₀) is the height itself; it cannot be moved. A line through the apex is one of slope only.
+    // k (x − x₀) is the height itself; it cannot be moved. A line through the apex is one of slope
+    // only.
     return smallest_extension(corners, kind, given);
   }
   auto fit = smallest_extension(shifted(std::move(corners), 0.0, height), kind, given);
@@ -50,7 +56,8 @@ Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenL
 std::optional<Range> slopes_with_room(const Corners& corners, EdgeKind kind, double height) {
   return feasible_slopes(kind == EdgeKind::facing ? shifted(corners, 0.0, height) : corners, kind);
 }
-std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, double slope, double height) {
+std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, double slope,
+                                       double height) {
   if (kind == EdgeKind::averted) return feasible_offsets(corners, kind, slope);
   auto range = feasible_offsets(shifted(corners, 0.0, height), kind, slope);
   if (range) range = Range{range->low - height, range->high - height};
@@ -59,39 +66,46 @@ std::optional<Range> offsets_with_room(const Corners& corners, EdgeKind kind, do
 
 bool touch(const Corners& corners, double extent) {
   return std::all_of(corners.begin(), corners.end(), [&](const auto& side) {
-    return std::any_of(side.begin(), side.end(), [&](const Vec2& p) { return p.y() <= kTouching * extent; });
+    return std::any_of(side.begin(), side.end(),
+                       [&](const Vec2& p) { return p.y() <= kTouching * extent; });
   });
 }
 
 Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& corners) {
   if (touch(corners, extent_of(task)))
-    return {ErrorCode::plates_touch,
-            fmt::format("the plates touch where the bend would be; a bend needs a gap: move the plates so that "
-                        "their edges stay {:.4g} mm or more away from the line where their planes meet",
-                        least_height(task, choice.frame)),
-            {}};
+    return {
+        ErrorCode::plates_touch,
+        fmt::format(
+            "the plates touch where the bend would be; a bend needs a gap: move the plates so that "
+            "their edges stay {:.4g} mm or more away from the line where their planes meet",
+            least_height(task, choice.frame)),
+        {}};
   double nearest = std::numeric_limits<double>::infinity();
   for (const auto& side : corners)
     for (const Vec2& p : side)
       nearest = std::min(nearest, p.y());
   return {ErrorCode::radius_too_small,
-          fmt::format("the largest radius that fits between the edges is {:.4g} mm on the mid-surface, the "
-                      "thickness of {:.4g} mm needs more than {:.4g} mm: move the edges {:.4g} mm away from the "
-                      "line where the plates' planes meet",
-                      nearest * std::tan(0.5 * choice.frame.beta.radians()), task.thickness,
-                      0.5 * task.thickness, least_height(task, choice.frame)),
+          fmt::format(
+              "the largest radius that fits between the edges is {:.4g} mm on the mid-surface, the "
+              "thickness of {:.4g} mm needs more than {:.4g} mm: move the edges {:.4g} mm away "
+              "from the "
+              "line where the plates' planes meet",
+              nearest * std::tan(0.5 * choice.frame.beta.radians()), task.thickness,
+              0.5 * task.thickness, least_height(task, choice.frame)),
           {}};
 }
 
 double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
 double high_x(const Corners& c) { return std::max(c[0].back().x(), c[1].back().x()); }
 
-bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line, double tolerance) {
+bool leaves_whole(const Corners& corners, EdgeKind kind, const TangentLine& line,
+                  double tolerance) {
   for (const auto& side : corners)
     for (const Vec2& p : side) {
       const double height = line.at(p.x());
       if (height < -tolerance) return false;
-      if (kind == EdgeKind::facing ? height > p.y() + tolerance : height < p.y() - tolerance) return false;
+      if (kind == EdgeKind::facing ? height > p.y() + tolerance : height < p.y() - tolerance)
+        return false;
     }
   return true;
 }
@@ -101,7 +115,8 @@ Error does_not_fit(std::string what, const std::string& key) {
 }
 
 // A cone by its inside radii at the ends of the edges: the radius is linear in x.
-Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice,
+                             const Corners& corners) {
   const auto& radii = *task.request.inside_radii;
   const double left = tangent_distance(choice.frame, mid_radius_of(radii[0], task));
   const double right = tangent_distance(choice.frame, mid_radius_of(radii[1], task));
@@ -113,17 +128,19 @@ Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice, cons
   const auto radius = [&](double y) { return y * scale - 0.5 * task.thickness; };
   const auto slopes = feasible_slopes(corners, choice.search.best.kind);
   return tl::unexpected(does_not_fit(
-      fmt::format("a cone with inside radii of {:.4g} and {:.4g} mm cuts a plate: at the ends of the edges the "
-                  "plates leave room for {:.4g} and {:.4g} mm{}",
-                  radii[0], radii[1],
-                  radius(std::min(corners[0].front().y(), corners[1].front().y())),
-                  radius(std::min(corners[0].back().y(), corners[1].back().y())),
-                  slopes ? fmt::format(" (slopes from {:.4g} to {:.4g})", slopes->low, slopes->high) : ""),
+      fmt::format(
+          "a cone with inside radii of {:.4g} and {:.4g} mm cuts a plate: at the ends of the edges "
+          "the "
+          "plates leave room for {:.4g} and {:.4g} mm{}",
+          radii[0], radii[1], radius(std::min(corners[0].front().y(), corners[1].front().y())),
+          radius(std::min(corners[0].back().y(), corners[1].back().y())),
+          slopes ? fmt::format(" (slopes from {:.4g} to {:.4g})", slopes->low, slopes->high) : ""),
       "/inside_radii"));
 }
 
 // A cone by its aperture opens to the left or to the right: the one with less extension.
-Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice,
+                                const Corners& corners) {
   const double tangent = std::tan(0.5 * choice.frame.beta.radians());
   const double sine = std::tan(0.5 * task.request.aperture->radians()) / tangent;
   const EdgeKind kind = choice.search.best.kind;
@@ -131,23 +148,27 @@ Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice, c
   std::optional<SmallestExtension> best;
   if (sine < 1.0)
     for (const double sign : {1.0, -1.0}) {
-      const auto fit = least_extension(corners, kind, GivenLine{sign * std::tan(std::asin(sine)), {}, {}}, height);
+      const auto fit = least_extension(corners, kind,
+                                       GivenLine{sign * std::tan(std::asin(sine)), {}, {}}, height);
       if (fit && (!best || fit->area < best->area)) best = *fit;
     }
   if (best) return best->line;
   const auto slopes = slopes_with_room(corners, kind, height);
   const double steepest = slopes ? std::max(std::abs(slopes->low), std::abs(slopes->high)) : 0.0;
   const double widest = 2.0 * std::atan(std::sin(std::atan(steepest)) * tangent);
-  return tl::unexpected(does_not_fit(
-      fmt::format("a cone with an aperture of {:.4g}° does not fit between the edges: it can be up to {:.4g}°",
-                  task.request.aperture->degrees(), Angle::radians(widest).degrees()),
-      "/aperture"));
+  return tl::unexpected(
+      does_not_fit(fmt::format("a cone with an aperture of {:.4g}° does not fit between the edges: "
+                               "it can be up to {:.4g}°",
+                               task.request.aperture->degrees(), Angle::radians(widest).degrees()),
+                   "/aperture"));
 }
 
 // A cone with a given inside radius at mid-length: the height there is given.
-Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice& choice, const Corners& corners) {
+Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice& choice,
+                                           const Corners& corners) {
   const double middle = 0.5 * (low_x(corners) + high_x(corners));
-  const double height = tangent_distance(choice.frame, mid_radius_of(*task.request.inside_radius, task));
+  const double height = tangent_distance(choice.frame,
+                                         mid_radius_of(*task.request.inside_radius, task));
   GivenLine given{task.request.slope, -height, {}};
   auto fit = smallest_extension(shifted(corners, middle, 0.0), choice.search.best.kind, given);
   if (fit) fit->line.offset += fit->line.slope * middle;
@@ -155,9 +176,11 @@ Result<SmallestExtension> by_middle_radius(const FitTask& task, const PairChoice
 }
 
 std::optional<Error> apex_within(const BendRequest& asked, const Corners& corners) {
-  if (!asked.apex || *asked.apex <= low_x(corners) || *asked.apex >= high_x(corners)) return std::nullopt;
+  if (!asked.apex || *asked.apex <= low_x(corners) || *asked.apex >= high_x(corners))
+    return std::nullopt;
   return Error{ErrorCode::apex_in_span,
-               fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} to {:.6g} mm: it must "
+               fmt::format("the apex at {:.6g} mm lies within the span of the edges, from {:.6g} "
+                           "to {:.6g} mm: it must "
                            "lie beyond one of its ends",
                            *asked.apex, low_x(corners), high_x(corners)),
                "/apex"};
@@ -173,12 +196,13 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
                  ? by_middle_radius(task, choice, corners)
                  : least_extension(corners, kind, given, height);
   if (!fit) {
-    if (!least_extension(corners, kind, {}, height)) return tl::unexpected(too_sharp(task, choice, corners));
+    if (!least_extension(corners, kind, {}, height))
+      return tl::unexpected(too_sharp(task, choice, corners));
     return tl::unexpected(fit.error());
   }
   if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
-  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it: over a metre its
-  // radius changes by a micrometre.
+  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it: over a
+  // metre its radius changes by a micrometre.
   constexpr double kNoSlope = 1e-6;
   const double slope = std::abs(fit->line.slope);
   const bool asked = given.slope || given.apex || request.surface == SurfaceChoice::cone;
@@ -187,24 +211,29 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     if (cylinder) return cylinder->line;
   }
   if (request.surface == SurfaceChoice::cone && fit->line.slope == 0.0)
-    return tl::unexpected(does_not_fit(
-        "the edges are parallel, the cone of least plate extension is a cylinder: give a slope, an aperture or "
-        "two radii, or choose a cylinder",
-        "/surface"));
+    return tl::unexpected(
+        does_not_fit("the edges are parallel, the cone of least plate extension is a cylinder: "
+                     "give a slope, an aperture or "
+                     "two radii, or choose a cylinder",
+                     "/surface"));
   return fit->line;
 }
 
 Error slope_beyond(double slope, const Range& slopes) {
-  return does_not_fit(fmt::format("a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}", slope,
-                                  slopes.low, slopes.high),
-                      "/slope");
+  return does_not_fit(
+      fmt::format(
+          "a slope of {:.6g} does not fit between the edges: it can be from {:.6g} to {:.6g}",
+          slope, slopes.low, slopes.high),
+      "/slope");
 }
 
 // What to say of a cone's radius at mid-length that does not fit: the nearest one that does.
 Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   const Corners corners = choice.corners(choice.search.best);
-  if (const auto slopes = slopes_with_room(corners, choice.search.best.kind, least_height(task, choice.frame));
-      task.request.slope && slopes && (*task.request.slope < slopes->low || *task.request.slope > slopes->high))
+  if (const auto slopes = slopes_with_room(corners, choice.search.best.kind,
+                                           least_height(task, choice.frame));
+      task.request.slope && slopes &&
+      (*task.request.slope < slopes->low || *task.request.slope > slopes->high))
     return slope_beyond(*task.request.slope, *slopes);
   FitTask tried = task;
   const auto fits = [&](double radius) {
@@ -216,10 +245,12 @@ Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   };
   const double scale = std::tan(0.5 * choice.frame.beta.radians());
   const double middle = 0.5 * (low_x(corners) + high_x(corners));
-  const auto free = smallest_extension(corners, choice.search.best.kind, GivenLine{task.request.slope, {}, {}});
+  const auto free = smallest_extension(corners, choice.search.best.kind,
+                                       GivenLine{task.request.slope, {}, {}});
   const double asked = *task.request.inside_radius;
   std::string remedy = "give another slope, or other edges";
-  if (double good = free ? free->line.at(middle) * scale - 0.5 * task.thickness : -1.0; free && fits(good)) {
+  if (double good = free ? free->line.at(middle) * scale - 0.5 * task.thickness : -1.0;
+      free && fits(good)) {
     double bad = asked;
     constexpr int kHalvings = 50;
     for (int i = 0; i < kHalvings; ++i) {
@@ -228,11 +259,14 @@ Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
     }
     remedy = fmt::format("the nearest that does is {:.6g} mm", good);
   }
-  return does_not_fit(fmt::format("a cone with an inside radius of {:.8g} mm at mid-length does not fit between the edges: {}", asked, remedy),
+  return does_not_fit(fmt::format("a cone with an inside radius of {:.8g} mm at mid-length does "
+                                  "not fit between the edges: {}",
+                                  asked, remedy),
                       "/inside_radius");
 }
 
-// The largest (facing) or smallest (averted) distance at which a cylinder is tangent to both plates.
+// The largest (facing) or smallest (averted) distance at which a cylinder is tangent to both
+// plates.
 struct Reach {
   double facing = -1.0, averted = std::numeric_limits<double>::infinity();
 };
@@ -262,7 +296,8 @@ Reach reach_of(const FitTask& task, const PairChoice& choice) {
   const auto corners = choice.corners(best);
   const auto edges = choice.edges(best);
   for (std::size_t side = 0; side < 2; ++side)
-    if (task.request.edges[side]) chosen.chains[side] = {Chain{best.kind, corners[side], edges[side]}};
+    if (task.request.edges[side])
+      chosen.chains[side] = {Chain{best.kind, corners[side], edges[side]}};
   Reach both = reach(chosen);
   // All the edges given take part, not the best of them.
   for (std::size_t side = 0; side < 2; ++side)
@@ -282,14 +317,15 @@ std::string radius_range(const FitTask& task, const PairChoice& choice) {
   std::string text;
   if (largest > 0.0) text = fmt::format("up to {:.4f} mm", largest);
   if (std::isfinite(smallest))
-    text += fmt::format("{}{:.4f} mm or more, round the back of the plates", text.empty() ? "" : ", or ",
-                        std::max(smallest, 0.0));
+    text += fmt::format("{}{:.4f} mm or more, round the back of the plates",
+                        text.empty() ? "" : ", or ", std::max(smallest, 0.0));
   return text;
 }
 
 }  // namespace
 
-Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice, const ConnectOptions& options) {
+Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice,
+                                 const ConnectOptions& options) {
   const Corners corners = choice.corners(choice.search.best);
   if (choice.frame.parallel()) {
     double far = 0.0;
@@ -309,7 +345,9 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   if (error.code != ErrorCode::no_bend_fits) return error;
   const BendRequest& asked = task.request;
   if (!asked.inside_radius && !asked.slope && !asked.apex) return error;
-  if (error.where == "/surface" || plane_pair(*task.plates[0], *task.plates[1], options.planarity) == PlanePair::parallel) return error;
+  if (error.where == "/surface" ||
+      plane_pair(*task.plates[0], *task.plates[1], options.planarity) == PlanePair::parallel)
+    return error;
   FitTask free = task;
   free.request.inside_radius.reset();
   free.request.slope.reset();
@@ -321,9 +359,10 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
   if (asked.inside_radius) {
     const std::string range = radius_range(task, *choice);
     if (range.empty()) return too_sharp(task, *choice, corners);
-    return does_not_fit(fmt::format("an inside radius of {:.8g} mm does not fit between the plates: it can be {}",
-                                    *asked.inside_radius, range),
-                        "/inside_radius");
+    return does_not_fit(
+        fmt::format("an inside radius of {:.8g} mm does not fit between the plates: it can be {}",
+                    *asked.inside_radius, range),
+        "/inside_radius");
   }
   const EdgeKind kind = choice->search.best.kind;
   if (const auto within = apex_within(asked, corners)) return *within;
@@ -335,17 +374,18 @@ Error with_range(const FitTask& task, const ConnectOptions& options, const Error
     const auto offsets = offsets_with_room(corners, kind, *asked.slope, height);
     if (offsets && *asked.slope != 0.0) {
       const double a = offsets->low / *asked.slope, b = offsets->high / *asked.slope;
-      return does_not_fit(
-          fmt::format("with a slope of {:.6g} an apex at {:.6g} mm does not fit: it can be from {:.6g} to {:.6g} mm",
-                      *asked.slope, *asked.apex, std::min(a, b), std::max(a, b)),
-          "/apex");
+      return does_not_fit(fmt::format("with a slope of {:.6g} an apex at {:.6g} mm does not fit: "
+                                      "it can be from {:.6g} to {:.6g} mm",
+                                      *asked.slope, *asked.apex, std::min(a, b), std::max(a, b)),
+                          "/apex");
     }
   }
-  return does_not_fit(fmt::format("{}; with nothing given the apex would be at {:.6g} mm", error.message,
-                                  choice->search.best.line.slope == 0.0
-                                      ? std::numeric_limits<double>::infinity()
-                                      : choice->search.best.line.offset / choice->search.best.line.slope),
-                      asked.apex ? "/apex" : "");
+  return does_not_fit(
+      fmt::format("{}; with nothing given the apex would be at {:.6g} mm", error.message,
+                  choice->search.best.line.slope == 0.0
+                      ? std::numeric_limits<double>::infinity()
+                      : choice->search.best.line.offset / choice->search.best.line.slope),
+      asked.apex ? "/apex" : "");
 }
 
 }  // namespace planish::connect_detail

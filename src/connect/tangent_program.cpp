@@ -23,9 +23,14 @@ Linear larger(const Linear& a, const Linear& b) { return a.at >= b.at ? a : b; }
 
 class Program {
  public:
-  Program(const std::array<CornerRange, 2>& sides, EdgeKind kind, const TangentCost& cost, const GivenLine& given,
-          double size, double origin)
-      : sides_(sides), kind_(kind), cost_(cost), given_(given), noise_(kNoise * size), origin_(origin) {
+  Program(const std::array<CornerRange, 2>& sides, EdgeKind kind, const TangentCost& cost,
+          const GivenLine& given, double size, double origin)
+      : sides_(sides),
+        kind_(kind),
+        cost_(cost),
+        given_(given),
+        noise_(kNoise * size),
+        origin_(origin) {
     const double heights = (sides[0].empty() ? 0.0 : 1.0) + (sides[1].empty() ? 0.0 : 1.0);
     const double sign = kind == EdgeKind::facing ? 1.0 : -1.0;
     // Coefficient of q in the cost; its sign says at which bound the best offset is.
@@ -38,7 +43,8 @@ class Program {
     Linear q;
     if (given_.offset || given_.apex) {
       q = given_offset(k);
-      const Linear below{low.at - q.at, low.slope - q.slope}, above{q.at - high.at, q.slope - high.slope};
+      const Linear below{low.at - q.at, low.slope - q.slope},
+          above{q.at - high.at, q.slope - high.slope};
       const Linear excess = larger(below, above);
       support.excess = excess.at - kGivenTolerance / kNoise * noise_;
       support.excess_slope = excess.slope;
@@ -57,7 +63,7 @@ class Program {
 
   // The offset that goes with the slope, about the true origin.
   double offset(double k) const {
-    const Linear q = given_.offset || given_.apex ? given_offset(k)
+    const Linear q = given_.offset || given_.apex                     ? given_offset(k)
                      : kind_ == EdgeKind::facing && of_offset_ >= 0.0 ? lower_bound(k)
                                                                       : upper_bound(k);
     return q.at + k * origin_;
@@ -122,7 +128,8 @@ class Program {
     for (const CornerRange& side : sides_) {
       if (side.empty()) continue;
       if (cost_.height != 0.0) add(cost_.height, far(side, k));
-      if (cost_.extension != 0.0) add(cost_.extension, kind_ == EdgeKind::facing ? over(side, k) : under(side, k));
+      if (cost_.extension != 0.0)
+        add(cost_.extension, kind_ == EdgeKind::facing ? over(side, k) : under(side, k));
     }
     return sum;
   }
@@ -159,9 +166,9 @@ double size_of(const std::array<CornerRange, 2>& sides) {
   return size;
 }
 
-std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>& sides, EdgeKind kind,
-                                               const TangentCost& cost, const GivenLine& given, double size,
-                                               double start) {
+std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>& sides,
+                                               EdgeKind kind, const TangentCost& cost,
+                                               const GivenLine& given, double size, double start) {
   const double origin = middle_of(sides);
   TangentCost centred = cost;
   // The linear part is told about the true origin: q = q′ + k·origin.

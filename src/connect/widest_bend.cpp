@@ -8,8 +8,8 @@
 namespace planish::connect_detail {
 namespace {
 
-/// Runs of one side: the first edge lies in [first.low, first.high], the last in [last.low, last.high].
-/// Where first.high > last.low no edge is common to them all.
+/// Runs of one side: the first edge lies in [first.low, first.high], the last in [last.low,
+/// last.high]. Where first.high > last.low no edge is common to them all.
 struct RunSet {
   struct Interval {
     int low = 0, high = 0;
@@ -22,21 +22,22 @@ struct RunSet {
 
 struct Node {
   std::array<RunSet, 2> sides;
-  double widest = 0.0;   ///< no run of the node is wider
-  double core = 0.0;     ///< span without shift of the edges common to all runs
-  double slope = 0.0;    ///< at which that is
+  double widest = 0.0;  ///< no run of the node is wider
+  double core = 0.0;    ///< span without shift of the edges common to all runs
+  double slope = 0.0;   ///< at which that is
   double least_span = 0.0;
 };
 struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
 
-/// Best-first branch and bound. The span without its shift only grows with the runs, so that the edges
-/// common to all runs of a node bound it from below; what shift and width cost together is least at a
-/// corner of their ranges.
+/// Best-first branch and bound. The span without its shift only grows with the runs, so that the
+/// edges common to all runs of a node bound it from below; what shift and width cost together is
+/// least at a corner of their ranges.
 class Search {
  public:
-  Search(const ChainPair& pair, const EdgeChoice& reference, double trade_off, const std::optional<EdgeChoice>& best)
+  Search(const ChainPair& pair, const EdgeChoice& reference, double trade_off,
+         const std::optional<EdgeChoice>& best)
       : pair_(pair), trade_off_(trade_off), best_(best), noise_(kEqualWidths * pair.size) {
     budget_ = reference.span - trade_off * reference.width + noise_;
     cost_ = {0.5 * pair.factor, 1.0, Vec2::Zero()};
@@ -48,7 +49,9 @@ class Search {
       const auto i = static_cast<std::size_t>(side);
       const int last = pair_.edge_count(side) - 1;
       root.sides[i] = {{0, last}, {0, last}};
-      if (pair_.fixed[i]) root.sides[i] = {{pair_.fixed[i]->first, pair_.fixed[i]->first}, {pair_.fixed[i]->second, pair_.fixed[i]->second}};
+      if (pair_.fixed[i])
+        root.sides[i] = {{pair_.fixed[i]->first, pair_.fixed[i]->first},
+                         {pair_.fixed[i]->second, pair_.fixed[i]->second}};
     }
     open(root, std::nullopt);
     while (!open_.empty()) {
@@ -68,14 +71,16 @@ class Search {
   double left(int side, int edge) const { return pair_.x(side, edge); }
   double right(int side, int edge) const { return pair_.x(side, edge + 1); }
 
-  // Least of |a − b| + weight·(sign of growth) over two ranges, where moving outward widens the bend.
+  // Least of |a − b| + weight·(sign of growth) over two ranges, where moving outward widens the
+  // bend.
   struct Range {
     double low = 0.0, high = 0.0;
   };
   // Left ends: min |a − b| + w (a + b); right ends are mirrored.
   static double least_shift(const Range& a, const Range& b, double weight) {
     const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
-    const double follow_a = std::clamp(b.low, a.low, a.high), follow_b = std::clamp(a.low, b.low, b.high);
+    const double follow_a = std::clamp(b.low, a.low, a.high),
+                 follow_b = std::clamp(a.low, b.low, b.high);
     return std::min({at(a.low, b.low), at(follow_a, b.low), at(a.low, follow_b)});
   }
 
@@ -87,7 +92,9 @@ class Search {
     const RunSet& set = node.sides[side];
     return {-right(side, set.last.high), -right(side, set.last.low)};
   }
-  static double distance(const Range& a, const Range& b) { return std::max({0.0, a.low - b.high, b.low - a.high}); }
+  static double distance(const Range& a, const Range& b) {
+    return std::max({0.0, a.low - b.high, b.low - a.high});
+  }
 
   // Costs of the core, none where a side has no common edge: that side's own least.
   bool measure_core(Node& node, double start) const {
@@ -115,7 +122,9 @@ class Search {
     double lowest = std::numeric_limits<double>::infinity();
     for (int c = set.first.low; c <= set.last.high + 1; ++c)
       lowest = std::min(lowest, pair_.sides[side]->corners[c].y());
-    return (pair_.kind == EdgeKind::facing ? std::min(0.5 * pair_.factor, 1.0) : 0.5 * pair_.factor) * lowest;
+    return (pair_.kind == EdgeKind::facing ? std::min(0.5 * pair_.factor, 1.0)
+                                           : 0.5 * pair_.factor) *
+           lowest;
   }
 
   void open(Node node, const std::optional<Node>& parent) {
@@ -125,7 +134,8 @@ class Search {
       node.widest += 0.5 * (right(side, set.last.high) - left(side, set.first.low));
     }
     if (best_ && node.widest < best_->width - noise_) return;
-    const bool same_core = parent && same(parent->sides[0], node.sides[0]) && same(parent->sides[1], node.sides[1]);
+    const bool same_core = parent && same(parent->sides[0], node.sides[0]) &&
+                           same(parent->sides[1], node.sides[1]);
     if (same_core) {
       node.core = parent->core;
       node.slope = parent->slope;
@@ -144,7 +154,8 @@ class Search {
   bool hopeless(const Node& node) const {
     const double weight = 0.5 * trade_off_;
     const double ends = least_shift(left_range(node, 0), left_range(node, 1), weight) +
-                        least_shift(mirrored_right_range(node, 0), mirrored_right_range(node, 1), weight);
+                        least_shift(mirrored_right_range(node, 0), mirrored_right_range(node, 1),
+                                    weight);
     if (node.core + ends > budget_) return true;
     // Of equally wide ones only a smaller span is wanted, or the same with smaller edge numbers.
     return best_ && node.widest <= best_->width + noise_ && node.least_span > best_->span + noise_;
@@ -161,8 +172,8 @@ class Search {
     found_ = true;
   }
 
-  // Halves the widest range of the node's ends. Sides without a common edge are first divided into runs
-  // that hold their middle edge and those to its left and right.
+  // Halves the widest range of the node's ends. Sides without a common edge are first divided into
+  // runs that hold their middle edge and those to its left and right.
   void split(const Node& node) {
     for (int side = 0; side < 2; ++side)
       if (!node.sides[side].has_core()) return split_by_middle(node, side);
@@ -171,12 +182,14 @@ class Search {
     double widest = -1.0;
     for (int s = 0; s < 2; ++s) {
       const RunSet& set = node.sides[s];
-      if (const double w = left(s, set.first.high) - left(s, set.first.low); !set.first.one() && w > widest) {
+      if (const double w = left(s, set.first.high) - left(s, set.first.low);
+          !set.first.one() && w > widest) {
         widest = w;
         side = s;
         first = true;
       }
-      if (const double w = right(s, set.last.high) - right(s, set.last.low); !set.last.one() && w > widest) {
+      if (const double w = right(s, set.last.high) - right(s, set.last.low);
+          !set.last.one() && w > widest) {
         widest = w;
         side = s;
         first = false;
@@ -219,8 +232,8 @@ class Search {
 
 }  // namespace
 
-std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference, double trade_off,
-                                      const std::optional<EdgeChoice>& best) {
+std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference,
+                                      double trade_off, const std::optional<EdgeChoice>& best) {
   return Search(pair, reference, trade_off, best).run();
 }
 

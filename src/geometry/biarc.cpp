@@ -82,8 +82,8 @@ struct BiarcChain {
     const double forward = v.dot(ta + tb);
     const double square = v.squaredNorm();
     if (!(forward > 0.0) || v.dot(ta) <= 0.0 || v.dot(tb) <= 0.0) return std::nullopt;
-    const double d =
-        square / (forward + std::sqrt(forward * forward + (ta - tb).squaredNorm() * square));
+    const double d = square /
+                     (forward + std::sqrt(forward * forward + (ta - tb).squaredNorm() * square));
     const Vec2 joint = 0.5 * ((a + d * ta) + (b - d * tb));
     const Curve2 second = reversed(arc_leaving(b, -tb, joint));
     return std::array<Curve2, 2>{arc_leaving(a, ta, joint), second};

@@ -34,8 +34,8 @@ std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
     // A chord over a parameter step h misses the curve by at most h²/8 max|B''|, and B'' is
     // largest at an end of the piece.
     const double second = std::max(bezier_second(b, 0.0).norm(), bezier_second(b, 1.0).norm());
-    const auto n =
-        static_cast<std::size_t>(std::max(1.0, std::ceil(std::sqrt(second / (8.0 * chord)))));
+    const auto n = static_cast<std::size_t>(
+        std::max(1.0, std::ceil(std::sqrt(second / (8.0 * chord)))));
     for (std::size_t k = 1; k < n; ++k) {
       points.push_back(bezier_point(b, static_cast<double>(k) / static_cast<double>(n)));
     }
@@ -103,13 +103,13 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
   const double from = snapped(t0);
   const double to = snapped(t1);
   const std::size_t first = std::min(static_cast<std::size_t>(from), n - 1);
-  const std::size_t last =
-      std::max(first + 1, std::min(static_cast<std::size_t>(std::ceil(to)), n));
+  const std::size_t last = std::max(first + 1,
+                                    std::min(static_cast<std::size_t>(std::ceil(to)), n));
   CubicSpline part;
   for (std::size_t i = first; i < last; ++i) {
     const double base = static_cast<double>(i);
-    const Bezier b =
-        bezier_part(piece(spline, i), std::max(0.0, from - base), std::min(1.0, to - base));
+    const Bezier b = bezier_part(piece(spline, i), std::max(0.0, from - base),
+                                 std::min(1.0, to - base));
     part.poles.insert(part.poles.end(), b.begin() + (part.poles.empty() ? 0 : 1), b.end());
   }
   return part;

@@ -108,9 +108,9 @@ Vec2 parameters_of(const Developable& surface, const Vec3& p, double u_near) {
                                },
                                [&](const Cone& c) -> Vec2 {
                                  const Vec3 q = c.frame.local(p);
-                                 const double along =
-                                     std::hypot(q.x(), q.y()) * std::sin(c.half_angle) +
-                                     q.z() * std::cos(c.half_angle);
+                                 const double along = std::hypot(q.x(), q.y()) *
+                                                          std::sin(c.half_angle) +
+                                                      q.z() * std::cos(c.half_angle);
                                  return {azimuth(q.x(), q.y(), u_near), std::max(0.0, along)};
                                },
                                [&](const Ruled& r) -> Vec2 { return nearest_on(r, p, u_near); }},

@@ -71,12 +71,13 @@ struct Fitter {
                   to.sample.point};
     // Handles longer than the chord may make a piece double back, onto points that it should have
     // passed once.
-    const double handles =
-        (made.poles[1] - made.poles[0]).norm() + (made.poles[3] - made.poles[2]).norm();
+    const double handles = (made.poles[1] - made.poles[0]).norm() +
+                           (made.poles[3] - made.poles[2]).norm();
     const bool orderly = handles <= (made.poles[3] - made.poles[0]).norm();
     const CubicSpline alone{{made.poles.begin(), made.poles.end()}};
-    // The distance at equal parameters bounds the distance between the curves from above; the true one
-    // is looked for only where the bound is not enough, and not beyond the first that is not either.
+    // The distance at equal parameters bounds the distance between the curves from above; the true
+    // one is looked for only where the bound is not enough, and not beyond the first that is not
+    // either.
     std::array<double, checks.size()> apart;
     for (std::size_t i = 0; i < checks.size(); ++i)
       apart[i] = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
@@ -136,7 +137,8 @@ FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolera
   return report;
 }
 
-CubicSpline fit_cubics_on_surface(const CurveFunction& f, double t0, double t1, double u_scale, double tolerance) {
+CubicSpline fit_cubics_on_surface(const CurveFunction& f, double t0, double t1, double u_scale,
+                                  double tolerance) {
   const auto scaled = [&](double t) {
     CurveSample sample = f(t);
     sample.point.x() *= u_scale;

@@ -12,7 +12,9 @@ Ruled cone_over(const Vec3& apex, const SpaceCurve& curve, double t0, double t1,
         const SpaceCurvePoint c = curve(t);
         const Vec3 arm = c.point - apex;
         const Vec3 g = arm.normalized();
-        return {{t, c.point, c.derivative, g, (c.derivative - g * g.dot(c.derivative)) / arm.norm()}, -arm.norm()};
+        return {
+            {t, c.point, c.derivative, g, (c.derivative - g * g.dot(c.derivative)) / arm.norm()},
+            -arm.norm()};
       },
       {t0, t1}, tolerance);
 }

@@ -269,8 +269,8 @@ void snap(Items& items, double noise) {
   std::vector<Vec2> starts(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Curve2& before = items[(i + n - 1) % n].curve;
-    starts[i] =
-        is_arc(before) && !is_arc(items[i].curve) ? end_of(before) : start_of(items[i].curve);
+    starts[i] = is_arc(before) && !is_arc(items[i].curve) ? end_of(before)
+                                                          : start_of(items[i].curve);
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (!is_arc(items[i].curve))

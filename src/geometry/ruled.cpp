@@ -291,8 +291,8 @@ RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, doub
   for (std::size_t i = 0; i < terms; ++i) {
     const double psi = series_at(angle, nodes[i]).z();
     const Vec3 velocity = frames[i].b_prime + offset * frames[i].n_prime;
-    rates[i].head<2>() =
-        velocity.dot(frames[i].g) * direction(psi) + velocity.dot(frames[i].across) * across(psi);
+    rates[i].head<2>() = velocity.dot(frames[i].g) * direction(psi) +
+                         velocity.dot(frames[i].across) * across(psi);
   }
   const std::array<Vec3, terms> rate = series_through(rates);
   return {begin, end, rate, antiderivative(rate, half, state_at_begin)};
@@ -358,8 +358,8 @@ Vec2 RuledImage::fold(const Vec2& p) const {
   const auto passing_of = [&](const Line& line) -> Passing {
     const double psi = line.state.z();
     const Vec2 w = p - line.state.head<2>();
-    const double speed =
-        line.rate.head<2>().dot(across(psi)) - w.dot(direction(psi)) * line.rate.z();
+    const double speed = line.rate.head<2>().dot(across(psi)) -
+                         w.dot(direction(psi)) * line.rate.z();
     return {line.u, -w.dot(across(psi)), speed};
   };
   const auto v_at = [&](double u) {

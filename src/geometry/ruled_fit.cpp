@@ -65,7 +65,8 @@ class KnotPlacer {
 
 }  // namespace
 
-Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks, double tolerance) {
+Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks,
+                    double tolerance) {
   PLANISH_ASSERT(breaks.size() >= 2 && tolerance > 0.0);
   const KnotPlacer placer(ruling, breaks.front(), breaks.back(), tolerance);
   constexpr int halvings = 12;

@@ -79,8 +79,9 @@ Relief relief_at(const Workpiece& piece, const ZoneCorner& corner, const Limits&
   relief.missing = flange_goes_on(piece, corner, kBeside, 0.5 * kAcross);
   if (relief.missing) return relief;
   const Vec2 level = corner.at + kBeside * corner.beyond + kAcross * corner.outward;
-  const double width =
-      piece.material(level) ? 0.0 : kBeside + free_way(piece, level, corner.beyond, limits.width);
+  const double width = piece.material(level)
+                           ? 0.0
+                           : kBeside + free_way(piece, level, corner.beyond, limits.width);
   const double middle = std::max(kBeside, 0.5 * std::min(width, limits.width));
   bool bottom = false;
   for (double depth = kAcross; depth < reach && !bottom; depth *= 1.5)
@@ -88,8 +89,8 @@ Relief relief_at(const Workpiece& piece, const ZoneCorner& corner, const Limits&
   if (!bottom) return relief;
   relief.width = width;
   if (limits.depth > kAcross && width > 0.0)
-    relief.depth =
-        free_way(piece, corner.at + middle * corner.beyond, corner.outward, limits.depth);
+    relief.depth = free_way(piece, corner.at + middle * corner.beyond, corner.outward,
+                            limits.depth);
   return relief;
 }
 
@@ -102,8 +103,8 @@ double excess(const Relief& relief, const Limits& limits) {
 std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits& limits,
                         const Rules& rules, double thickness) {
   const double setback = measured_setback(bend, thickness);
-  const std::string width =
-      fmt::format("{} ({})", mm_text(limits.width), factors_text(rules.relief_width_t));
+  const std::string width = fmt::format("{} ({})", mm_text(limits.width),
+                                        factors_text(rules.relief_width_t));
   const std::string depth = fmt::format("{} ({})", mm_text(limits.depth + setback),
                                         factors_text(rules.relief_depth_t, rules.relief_depth_r));
   if (relief.missing) {

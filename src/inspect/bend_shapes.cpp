@@ -49,19 +49,19 @@ void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
   FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
   for (const BendSide& side : piece.sides) {
     if (side.bend != b) continue;
-    const FlatLength flat =
-        shortest_flat(piece, side, std::max(0.0, least_return - outside), least_return);
+    const FlatLength flat = shortest_flat(piece, side, std::max(0.0, least_return - outside),
+                                          least_return);
     if (flat.length < shortest.length) shortest = flat;
   }
   const double measured = shortest.length + outside;
   if (measured >= least_return - kDrawn) return;
-  Observation one =
-      bend_observation(piece, b, "hem",
-                       fmt::format("the return of the hem at bend {} is {} long from the outside "
-                                   "of the bend, at least {} ({}) is needed",
-                                   bend.id, mm_text(measured), mm_text(least_return),
-                                   factors_text(rules.hem_return_t)),
-                       "hems have too short a return", measured - least_return);
+  Observation one = bend_observation(
+      piece, b, "hem",
+      fmt::format("the return of the hem at bend {} is {} long from the outside "
+                  "of the bend, at least {} ({}) is needed",
+                  bend.id, mm_text(measured), mm_text(least_return),
+                  factors_text(rules.hem_return_t)),
+      "hems have too short a return", measured - least_return);
   one.finding.at = {shortest.at};
   result.push_back(std::move(one));
 }
@@ -75,8 +75,8 @@ void observe_k_factors(const Workpiece& piece, const Rules& rules,
   for (size_t b = 0; b < bends.size(); ++b) {
     const double k = bends[b].allowance.k_factor;
     if (k >= rules.k_low - kRounding && k <= rules.k_high + kRounding) continue;
-    const auto same =
-        std::find_if(alike.begin(), alike.end(), [&](const std::vector<size_t>& group) {
+    const auto same = std::find_if(
+        alike.begin(), alike.end(), [&](const std::vector<size_t>& group) {
           return std::abs(bends[group.front()].allowance.k_factor - k) <= kRounding;
         });
     if (same == alike.end()) {
@@ -87,11 +87,12 @@ void observe_k_factors(const Workpiece& piece, const Rules& rules,
   }
   for (const std::vector<size_t>& group : alike) {
     const FlatBend& first = bends[group.front()];
-    const std::string who =
-        group.size() == 1 ? "bend " + first.id
-                          : fmt::format("{} bends, {} the first of them,", group.size(), first.id);
-    const std::string source =
-        first.allowance.source.empty() ? "" : fmt::format(" ({})", first.allowance.source);
+    const std::string who = group.size() == 1 ? "bend " + first.id
+                                              : fmt::format("{} bends, {} the first of them,",
+                                                            group.size(), first.id);
+    const std::string source = first.allowance.source.empty()
+                                   ? ""
+                                   : fmt::format(" ({})", first.allowance.source);
     Finding finding{
         "k_factor",
         Severity::warning,

@@ -57,8 +57,8 @@ FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double re
     // From a little inside the bend, so that an edge on the tangent line is met.
     const Vec2 origin = station - kDrawn * side.outward;
     const double edge = piece.contours.first_hit(origin, side.outward, reach + kDrawn, ends_flange);
-    const auto [bend, which] =
-        first_other_bend(piece, side.bend, origin, side.outward, reach + kDrawn);
+    const auto [bend, which] = first_other_bend(piece, side.bend, origin, side.outward,
+                                                reach + kDrawn);
     const double length = std::max(0.0, std::min(edge, bend) - kDrawn);
     if (length >= shortest.length) continue;
     shortest = {length, station, bend < edge ? std::optional(which) : std::nullopt};
@@ -74,8 +74,8 @@ std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Ru
     if (is_hem(bend)) continue;
     // At 90° the outside of the bend lies R + T from the tangent line; the flat length that the
     // die needs beyond the bend is the same whatever the angle.
-    const double limit =
-        rules.flange_height_t * piece.thickness + rules.flange_height_r * bend.inside_radius;
+    const double limit = rules.flange_height_t * piece.thickness +
+                         rules.flange_height_r * bend.inside_radius;
     const double wanted = limit - (bend.inside_radius + piece.thickness);
     if (wanted <= kDrawn) continue;
     const FlatLength flat = shortest_flat(piece, side, wanted, limit);

@@ -22,8 +22,8 @@ Finding merged(const std::vector<const Observation*>& alike) {
     if (one->excess < worst->excess) worst = one;
     result.at.insert(result.at.end(), one->finding.at.begin(), one->finding.at.end());
   }
-  result.message =
-      fmt::format("{} {}; the worst: {}", alike.size(), worst->many, worst->finding.message);
+  result.message = fmt::format("{} {}; the worst: {}", alike.size(), worst->many,
+                               worst->finding.message);
   return result;
 }
 

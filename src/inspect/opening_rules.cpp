@@ -143,8 +143,8 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, co
   for (size_t i = 0; i < openings.size(); ++i) {
     index.visit(widened(openings[i].boxed.box, limit), [&](size_t k) {
       if (k <= i) return;
-      const double reach =
-          std::min(limit, std::max(nearest[i].gap.distance, nearest[k].gap.distance));
+      const double reach = std::min(limit,
+                                    std::max(nearest[i].gap.distance, nearest[k].gap.distance));
       const Gap gap = gap_between(openings[i].boxed, openings[k].boxed, reach);
       if (gap.distance >= reach - kDrawn || !piece.joined_by_material(gap.a, gap.b)) return;
       if (gap.distance < nearest[i].gap.distance) nearest[i] = {gap, k};

@@ -134,12 +134,12 @@ SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
 Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>& parts,
                         const SharedArea& shared) {
   const std::string first = part_text(pattern, parts.first);
-  const std::string who =
-      parts.first == parts.second
-          ? first + " overlaps itself"
-          : fmt::format("{} and {} overlap", first, part_text(pattern, parts.second));
-  const std::string where =
-      shared.places > 1 ? fmt::format(" in {} places", shared.places) : std::string();
+  const std::string who = parts.first == parts.second
+                              ? first + " overlaps itself"
+                              : fmt::format("{} and {} overlap", first,
+                                            part_text(pattern, parts.second));
+  const std::string where = shared.places > 1 ? fmt::format(" in {} places", shared.places)
+                                              : std::string();
   return {"overlap", Severity::error,
           fmt::format("{} by {:.4g} mm²{} in the flat pattern", who, shared.area, where),
           shared.outline};
@@ -207,8 +207,8 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
 
 std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern) {
   const double clearance = contact_clearance(pattern);
-  const double chord =
-      0.25 * clearance;  // polygons of one curve seen from both sides still touch only
+  const double chord = 0.25 *
+                       clearance;  // polygons of one curve seen from both sides still touch only
   Pieces pieces;
   add_faces(sheet, pattern, chord, pieces);
   add_sharp_bends(sheet, pattern, pieces);

@@ -63,8 +63,8 @@ std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
   std::vector<Segment> lines;
   for (const double side : {-0.5, 0.5}) {
     for (const Segment& line : bend.lines) {
-      const Vec2 shift =
-          side * bend.allowance.allowance * perpendicular((line.b - line.a).stableNormalized());
+      const Vec2 shift = side * bend.allowance.allowance *
+                         perpendicular((line.b - line.a).stableNormalized());
       lines.push_back({line.a + shift, line.b + shift});
     }
   }
@@ -76,8 +76,8 @@ std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
   if (bend.lines.empty()) return {};
   std::vector<Segment> lines = bend.tangent_lines;
   if (lines.empty()) lines = supposed_tangent_lines(bend);
-  const Vec2 across =
-      perpendicular((bend.lines.front().b - bend.lines.front().a).stableNormalized());
+  const Vec2 across = perpendicular(
+      (bend.lines.front().b - bend.lines.front().a).stableNormalized());
   std::vector<Segment> left, right;
   for (const Segment& line : lines) {
     const double offset = offset_from_line(bend, 0.5 * (line.a + line.b)).dot(across);
@@ -200,8 +200,8 @@ Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
 
 bool Workpiece::joined_by_material(const Vec2& a, const Vec2& b) const {
   const double distance = (b - a).norm();
-  const double skipped =
-      2.0 * (kDrawn + chord_of(pattern, kCoarseShare));  // the contours at the ends themselves
+  const double skipped = 2.0 * (kDrawn + chord_of(pattern, kCoarseShare));  // the contours at the
+                                                                            // ends themselves
   if (distance <= 2.0 * skipped) return true;
   const Vec2 direction = (b - a) / distance;
   const double reach = distance - 2.0 * skipped;

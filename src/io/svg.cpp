@@ -69,9 +69,9 @@ std::string zones(const FlatPattern& pattern) {
 }
 
 std::string features(const FlatPattern& pattern, double font) {
-  std::string text =
-      fmt::format("<g class=\"features\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n",
-                  kFeatureColor, svg_number(0.6 * line_width(font)));
+  std::string text = fmt::format(
+      "<g class=\"features\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kFeatureColor,
+      svg_number(0.6 * line_width(font)));
   for (const FlatFeature& feature : pattern.features) {
     for (const Loop& outline : feature.outlines) {
       text += fmt::format("<path d=\"{}\"><title>{}</title></path>\n", svg_path(outline),
@@ -106,15 +106,17 @@ std::string label_text(const FlatBend& bend) {
   if (pressed) {
     const auto [least, most] = std::ranges::minmax(bend.line_angles);
     const std::string from = svg_number(least.degrees(), 2), to = svg_number(most.degrees(), 2);
-    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(), from == to ? from : from + " … " + to);
+    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(),
+                       from == to ? from : from + " … " + to);
   }
-  return fmt::format("{} {} {}° R{}", bend.id, direction,
-                     svg_number(bend.angle.degrees(), 2), svg_number(bend.inside_radius, 2));
+  return fmt::format("{} {} {}° R{}", bend.id, direction, svg_number(bend.angle.degrees(), 2),
+                     svg_number(bend.inside_radius, 2));
 }
 
 std::string slits(const FlatPattern& pattern, double font) {
-  std::string text = fmt::format("<g class=\"slits\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kOutlineColor,
-                                 svg_number(line_width(font)));
+  std::string text = fmt::format(
+      "<g class=\"slits\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kOutlineColor,
+      svg_number(line_width(font)));
   for (const Segment& slit : pattern.slits)
     text += line_element(slit);
   return text + "</g>\n";
@@ -169,10 +171,12 @@ std::vector<PlacedLabel> point_labels(const FlatPattern& pattern, double font) {
   std::vector<PointRequest> requests;
   for (const FlatLabel& label : pattern.labels)
     requests.push_back({label.text, label.at});
-  return place_point_labels(requests, rings(pattern, 0.1 * font), obstacles(pattern, font), kSmaller * font);
+  return place_point_labels(requests, rings(pattern, 0.1 * font), obstacles(pattern, font),
+                            kSmaller * font);
 }
 
-std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font, const std::vector<PlacedLabel>& points) {
+std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font,
+                                   const std::vector<PlacedLabel>& points) {
   const auto by_length = [](const Segment& a, const Segment& b) {
     return (a.b - a.a).norm() < (b.b - b.a).norm();
   };
@@ -196,8 +200,8 @@ std::string label_element(const PlacedLabel& label, const char* color) {
       "<text transform=\"translate({}) rotate({})\" y=\"{}\" font-size=\"{}\" fill=\"{}\" "
       "stroke-width=\"{}\">{}</text>\n",
       svg_point(label.center), svg_number(-Angle::radians(label.angle).degrees(), 3),
-      svg_number(0.36 * label.font), svg_number(label.font), color,
-      svg_number(0.22 * label.font), xml_escaped(label.text));
+      svg_number(0.36 * label.font), svg_number(label.font), color, svg_number(0.22 * label.font),
+      xml_escaped(label.text));
 }
 
 std::string leaders(const std::vector<BendLabel>& bends, double font) {
@@ -301,9 +305,9 @@ std::string legend(const std::vector<Note>& notes, double font, Box2& body) {
 
 std::string page(const Box2& box, const std::string& content) {
   const Vec2 size = box.size();
-  const std::string frame =
-      fmt::format("{} {} {} {}", svg_number(box.lo.x()), svg_number(-box.hi.y()),
-                  svg_number(size.x()), svg_number(size.y()));
+  const std::string frame = fmt::format("{} {} {} {}", svg_number(box.lo.x()),
+                                        svg_number(-box.hi.y()), svg_number(size.x()),
+                                        svg_number(size.y()));
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\" width=\"{0}mm\" height=\"{1}mm\" "
@@ -332,8 +336,10 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
       kOutlineColor, svg_number(line_width(font)), path);
   if (!pattern.slits.empty()) content += slits(pattern, font);
   if (options.labels || options.names) {
-    const std::vector<PlacedLabel> points = options.names ? point_labels(pattern, font) : std::vector<PlacedLabel>{};
-    const std::vector<BendLabel> bends = options.labels ? bend_labels(pattern, font, points) : std::vector<BendLabel>{};
+    const std::vector<PlacedLabel> points = options.names ? point_labels(pattern, font)
+                                                          : std::vector<PlacedLabel>{};
+    const std::vector<BendLabel> bends = options.labels ? bend_labels(pattern, font, points)
+                                                        : std::vector<BendLabel>{};
     const auto make_room = [&](const PlacedLabel& label) {
       for (const Vec2& corner : corners(label))
         body.add(corner);

@@ -53,10 +53,10 @@ bool meets(const PlacedLabel& label, const PlacedLabel& other) {
 
 double cost(const PlacedLabel& label, const std::vector<PlacedLabel>& placed,
             const std::vector<Segment>& obstacles) {
-  const auto labels =
-      std::ranges::count_if(placed, [&](const PlacedLabel& other) { return meets(label, other); });
-  const auto lines =
-      std::ranges::count_if(obstacles, [&](const Segment& line) { return meets(label, line); });
+  const auto labels = std::ranges::count_if(
+      placed, [&](const PlacedLabel& other) { return meets(label, other); });
+  const auto lines = std::ranges::count_if(obstacles,
+                                           [&](const Segment& line) { return meets(label, line); });
   return 50.0 * static_cast<double>(labels) +
          10.0 * std::min<double>(static_cast<double>(lines), 4.0);
 }
@@ -92,8 +92,8 @@ std::vector<PlacedLabel> along(const LabelRequest& request, double font) {
 std::vector<PlacedLabel> beside(const LabelRequest& request, double font) {
   const Vec2 middle = 0.5 * (request.line.a + request.line.b);
   const Vec2 half = 0.5 * Vec2(text_width(request.text, font), kBoxHeight * font);
-  const Vec2 reach =
-      0.5 * (request.line.b - request.line.a).cwiseAbs() + half + Vec2(0.5 * font, 0.4 * font);
+  const Vec2 reach = 0.5 * (request.line.b - request.line.a).cwiseAbs() + half +
+                     Vec2(0.5 * font, 0.4 * font);
   std::vector<PlacedLabel> places;
   for (const double away : {1.0, 1.5, 2.2}) {
     for (const Vec2& side : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1), Vec2(1, 1),
@@ -121,25 +121,29 @@ std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
 }
 
 /// Those that come as near to a point as its label may.
-std::vector<Segment> near_point(const std::vector<Segment>& segments, const PointRequest& request, double font) {
+std::vector<Segment> near_point(const std::vector<Segment>& segments, const PointRequest& request,
+                                double font) {
   const double reach = text_width(request.text, font) + 2.0 * font;
   std::vector<Segment> near;
   std::ranges::copy_if(segments, std::back_inserter(near), [&](const Segment& segment) {
-    const Vec2 low = segment.a.cwiseMin(segment.b).array() - reach, high = segment.a.cwiseMax(segment.b).array() + reach;
+    const Vec2 low = segment.a.cwiseMin(segment.b).array() - reach,
+               high = segment.a.cwiseMax(segment.b).array() + reach;
     return (request.at.array() >= low.array()).all() && (request.at.array() <= high.array()).all();
   });
   return near;
 }
 
 /// All labels in one size that find a place.
-std::vector<PlacedLabel> beside_points(const std::vector<PointRequest>& requests, const std::vector<std::vector<Vec2>>& rings,
+std::vector<PlacedLabel> beside_points(const std::vector<PointRequest>& requests,
+                                       const std::vector<std::vector<Vec2>>& rings,
                                        const std::vector<Segment>& obstacles, double font) {
   std::vector<PlacedLabel> placed;
   for (const PointRequest& request : requests) {
     const std::vector<Segment> near = near_point(obstacles, request, font);
     const auto free = [&](const PlacedLabel& label) {
       return std::ranges::none_of(near, [&](const Segment& line) { return meets(label, line); }) &&
-             std::ranges::none_of(placed, [&](const PlacedLabel& other) { return meets(label, other); });
+             std::ranges::none_of(placed,
+                                  [&](const PlacedLabel& other) { return meets(label, other); });
     };
     auto places = round_point(request, font);
     const auto within = [&](const PlacedLabel& label) { return inside(rings, label.center); };
@@ -189,8 +193,9 @@ std::vector<Vec2> corners(const PlacedLabel& label) {
   return result;
 }
 
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Segment>& obstacles,
-                                      double font, const std::vector<PlacedLabel>& there) {
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Segment>& obstacles, double font,
+                                      const std::vector<PlacedLabel>& there) {
   std::vector<PlacedLabel> placed = there;
   for (const LabelRequest& request : requests)
     placed.push_back(place(request, placed, obstacles, font));
@@ -198,7 +203,8 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
   return placed;
 }
 
-std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests, const std::vector<std::vector<Vec2>>& rings,
+std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests,
+                                            const std::vector<std::vector<Vec2>>& rings,
                                             const std::vector<Segment>& obstacles, double font) {
   std::vector<PlacedLabel> best;
   for (double size = font; size > kSmallest * font && best.size() < requests.size(); size *= 0.85) {

@@ -40,12 +40,15 @@ std::vector<Vec2> corners(const PlacedLabel& label);
 /// Places each text along its line, beside it where the line is too short, in the order given;
 /// chosen among some places is the one that meets the fewest labels already `there` or placed, and
 /// obstacles. Obstacles may contain the lines themselves.
-std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests, const std::vector<Segment>& obstacles,
-                                      double font, const std::vector<PlacedLabel>& there = {});
+std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                      const std::vector<Segment>& obstacles, double font,
+                                      const std::vector<PlacedLabel>& there = {});
 
-/// Places each text level beside its point, outside `rings` (even-odd) where that is free, all in one
-/// size, `font` or smaller. Where points are crowded, those that would lie on a label or a line are left out.
-std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests, const std::vector<std::vector<Vec2>>& rings,
+/// Places each text level beside its point, outside `rings` (even-odd) where that is free, all in
+/// one size, `font` or smaller. Where points are crowded, those that would lie on a label or a line
+/// are left out.
+std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests,
+                                            const std::vector<std::vector<Vec2>>& rings,
                                             const std::vector<Segment>& obstacles, double font);
 
 }  // namespace planish

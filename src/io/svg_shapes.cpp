@@ -135,8 +135,8 @@ std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend) {
       const auto meets = [](const Limit& one) {
         return [&one](const Limit& other) { return overlap(one, other); };
       };
-      const bool whole =
-          std::ranges::count_if(right, meets(l)) == 1 && std::ranges::count_if(left, meets(r)) == 1;
+      const bool whole = std::ranges::count_if(right, meets(l)) == 1 &&
+                         std::ranges::count_if(left, meets(r)) == 1;
       zones.push_back(zone_between(l, r, whole));
     }
   }

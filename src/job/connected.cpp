@@ -23,12 +23,14 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   report.connection = std::move(connection);
   Sheet& sheet = report.connection.sheet;
   if (checks.effort == Effort::full)
-    if (auto stopped = fold(report, sheet, with_open_seam(sheet), report.solid, progress)) return stopped;
+    if (auto stopped = fold(report, sheet, with_open_seam(sheet), report.solid, progress))
+      return stopped;
   report.sheet = summary_of(sheet);
   FlattenOptions options;
   options.allowance = allowance;
   if (!report.connection.structure.plates.empty()) options.root = report.connection.root;
-  const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet) : EdgeDistance();
+  const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
+                                                              : EdgeDistance();
   return lay_flat(report, {sheet, distance, checks}, options, progress);
 }
 

@@ -33,8 +33,8 @@ Finding unmeasured(const Error& error) {
 
 }  // namespace
 
-std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Result<std::string>& solid,
-                          const Progress& progress) {
+std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
+                          Result<std::string>& solid, const Progress& progress) {
   progress.at("folding it", 0.3);
   auto folded = folded_solid(to_fold, report.body, progress);
   if (folded) {

@@ -10,11 +10,11 @@
 
 namespace planish::job {
 
-/// The folded solid of a sheet as STEP text; its volume, as the kernel measures it when it reads that text, is
-/// entered in the sheet. Where none can be made the report gets a warning, and the sheet no volume. Comes back
-/// only when cancelled.
-std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Result<std::string>& solid,
-                          const Progress& progress);
+/// The folded solid of a sheet as STEP text; its volume, as the kernel measures it when it reads
+/// that text, is entered in the sheet. Where none can be made the report gets a warning, and the
+/// sheet no volume. Comes back only when cancelled.
+std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
+                          Result<std::string>& solid, const Progress& progress);
 
 /// Says in the report that there is no solid, and why.
 void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid);

@@ -69,7 +69,8 @@ Result<InfoReport> info(const InfoRequest& request, const Progress& progress) {
   return info_of(*file, request, part_of(progress, kRead, 1.0));
 }
 
-Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request, const Progress& progress) {
+Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
+                           const Progress& progress) {
   int first = 0, last = static_cast<int>(file.bodies.size());
   if (!request.body.empty()) {
     const auto chosen = choose_body(file, request.body);

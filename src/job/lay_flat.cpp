@@ -51,7 +51,8 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
     all.push_back(std::move(finding));
 }
 
-void take_pattern(Report& report, FlatPattern flat, const SheetToLay& given, const FlattenOptions& options) {
+void take_pattern(Report& report, FlatPattern flat, const SheetToLay& given,
+                  const FlattenOptions& options) {
   report.flat = std::move(flat);
   report.size = blank_size(report.flat);
   report.mass = mass_of(report, given.checks.density);
@@ -127,8 +128,8 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
 std::optional<Error> reported(Report& report, const std::function<std::optional<Error>()>& work) {
   const auto start = std::chrono::steady_clock::now();
   auto error = work();
-  report.unfold_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.unfold_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+                              .count();
   if (!error || exit_status(error->code) != kRefusedStatus) return error;
   report.refusal = std::move(error);
   return std::nullopt;

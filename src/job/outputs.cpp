@@ -92,8 +92,8 @@ std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
   for (const UnfoldReport& report : reports) {
     all.emplace_back();
     if (!report.has_pattern()) continue;
-    const std::string wanted =
-        fmt::format("{}_t{}", safe_name(report.body), trimmed_number(report.sheet.thickness, 3));
+    const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
+                                           trimmed_number(report.sheet.thickness, 3));
     std::string stem = wanted;
     // "a-2" may itself be a body's name, so numbers are tried until the stem is free.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {

@@ -108,7 +108,9 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.inside_radius && bend.inside_radii)
     place["inside_radii"].mistake("stands beside inside_radius: give one of them");
   if (bend.angle && *bend.angle == Angle{})
-    place["angle"].mistake("is 0, which bends nothing: give the angle that the section turns, or leave the section out");
+    place["angle"].mistake(
+        "is 0, which bends nothing: give the angle that the section turns, or leave the section "
+        "out");
   if (bend.angle && bend.between.size() == 2)
     place["angle"].mistake(
         "belongs to a section with a free end; between two plates it follows "
@@ -116,8 +118,10 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.between.size() < 2)
     for (const char* key : {"slope", "apex", "aperture", "tangent_point", "lateral"})
       if (place[key].given() && !place[key].is_text("auto") && !place[key].is_text("arc"))
-        place[key].mistake("belongs to a bend between two plates; a section has inside_radius or inside_radii, angle and ends "
-                           "at right angles to its axis: leave it out");
+        place[key].mistake(
+            "belongs to a bend between two plates; a section has inside_radius or inside_radii, "
+            "angle and ends "
+            "at right angles to its axis: leave it out");
   if (bend.length && !bend.between.empty())
     place["length"].mistake(
         "belongs to a section without plates; beside a plate it follows from "

@@ -21,7 +21,9 @@ bool has_decimal_commas(std::string_view line) {
     line.remove_prefix(std::min(line.find_first_not_of(kFieldEnds), line.size()));
     const std::string_view number = line.substr(0, line.find_first_of(kFieldEnds));
     const std::size_t comma = number.find(',');
-    if (comma == std::string_view::npos || comma == 0 || comma + 1 >= number.size() || number.find(',', comma + 1) != std::string_view::npos) return false;
+    if (comma == std::string_view::npos || comma == 0 || comma + 1 >= number.size() ||
+        number.find(',', comma + 1) != std::string_view::npos)
+      return false;
     if (!is_digit(number[comma - 1]) || !is_digit(number[comma + 1])) return false;
     line.remove_prefix(number.size());
   }
@@ -40,7 +42,8 @@ bool take_number(std::string_view& line, double& number) {
 
 }  // namespace
 
-Result<std::vector<Vec3>> parse_points(const std::string& text, const std::string& name, double scale) {
+Result<std::vector<Vec3>> parse_points(const std::string& text, const std::string& name,
+                                       double scale) {
   std::vector<Vec3> points;
   std::string_view rest = text;
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -59,7 +62,8 @@ Result<std::vector<Vec3>> parse_points(const std::string& text, const std::strin
     }
     Vec3 p;
     if (!take_number(line, p.x()) || !take_number(line, p.y()) || !take_number(line, p.z()))
-      return fail(ErrorCode::invalid_input, "a line of a scan must begin with three numbers, x y z", fmt::format("{}:{}", name, number));
+      return fail(ErrorCode::invalid_input, "a line of a scan must begin with three numbers, x y z",
+                  fmt::format("{}:{}", name, number));
     points.push_back(scale * p);
   }
   return points;

@@ -27,10 +27,10 @@ std::string title(const UnfoldReport& report) {
 
 std::string sheet_line(const Report& report, const Units& units) {
   const SheetSummary& sheet = report.sheet;
-  std::string text =
-      fmt::format("sheet {} {} (spread {}), {}, {}", units.short_text(sheet.thickness),
-                  units.symbol(), units.length_text(sheet.thickness_spread),
-                  counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
+  std::string text = fmt::format("sheet {} {} (spread {}), {}, {}",
+                                 units.short_text(sheet.thickness), units.symbol(),
+                                 units.length_text(sheet.thickness_spread),
+                                 counted(sheet.flanges, "flange"), counted(sheet.bends, "bend"));
   if (report.mass) text += fmt::format(", {:.3f} kg", *report.mass);
   return text;
 }

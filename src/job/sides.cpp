@@ -75,15 +75,20 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
               fmt::format("face {}", *number));
 }
 
-Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet, const UnfoldRequest& request) {
+Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
+                                                            const UnfoldRequest& request) {
   const int count = static_cast<int>(sheet.bends.size());
   std::vector<std::pair<BendId, double>> rows;
   for (const auto& [id, k] : request.bend_k) {
     int number = 0;
-    while (number < count && id != fmt::format("B{}", number + 1)) ++number;
+    while (number < count && id != fmt::format("B{}", number + 1))
+      ++number;
     if (number == count)
-      return fail(ErrorCode::bad_option, count == 0 ? fmt::format("there is no bend \"{}\": the sheet has none", id)
-                                                    : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count), id);
+      return fail(ErrorCode::bad_option,
+                  count == 0
+                      ? fmt::format("there is no bend \"{}\": the sheet has none", id)
+                      : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count),
+                  id);
     rows.emplace_back(BendId{number}, k);
   }
   return rows;

@@ -19,7 +19,9 @@ namespace {
 constexpr double kOutline = 1e-9;
 
 /// Where a file's names of other files are sought.
-std::filesystem::path folder_of(const std::filesystem::path& input) { return input == "-" ? std::filesystem::path() : input.parent_path(); }
+std::filesystem::path folder_of(const std::filesystem::path& input) {
+  return input == "-" ? std::filesystem::path() : input.parent_path();
+}
 
 SlitReport begun(const MakeRequest& request, LengthUnit unit) {
   SlitReport report;
@@ -34,8 +36,8 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : tl::unexpected(done.error());
 }
 
-/// Scans lie only roughly where the sheet is: the strips follow them there as far as they can, the scans are brought to the
-/// strips, and so on until both agree.
+/// Scans lie only roughly where the sheet is: the strips follow them there as far as they can, the
+/// scans are brought to the strips, and so on until both agree.
 Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
   constexpr int kRounds = 30;
   const double still = 1e-4 * session.design().sheet.reach();
@@ -44,7 +46,8 @@ Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progre
     const auto step = session.align_scans();
     if (!step) return tl::unexpected(step.error());
     motion = *step * motion;
-    const double turned = Eigen::AngleAxisd(step->linear()).angle() * session.design().sheet.reach();
+    const double turned = Eigen::AngleAxisd(step->linear()).angle() *
+                          session.design().sheet.reach();
     if (step->translation().norm() + turned < still) break;
   }
   return solve(session, progress);
@@ -55,7 +58,8 @@ Result<SlitSession> solved(const SlitFile& file, SlitReport& report, const Progr
   if (!session) return session;
   for (int level = 0; level <= file.subdivisions; ++level) {
     if (level > 0) session->subdivide();
-    const auto done = level == 0 && file.align_scans ? align(*session, report.scan_motion, progress) : solve(*session, progress);
+    const auto done = level == 0 && file.align_scans ? align(*session, report.scan_motion, progress)
+                                                     : solve(*session, progress);
     if (!done) return tl::unexpected(done.error());
   }
   return session;
@@ -80,18 +84,23 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
     constexpr double kThere = 1e-6;  // mm
     if (strip.shortfall < kThere)
       return Error{ErrorCode::out_of_reach,
-                   fmt::format("the end of strip {} is where it must be, but no folding was found in which it also points there: half a turn is missing; turn "
+                   fmt::format("the end of strip {} is where it must be, but no folding was found "
+                               "in which it also points there: half a turn is missing; turn "
                                "its direction or its ridge round, or leave one of them out",
                                i),
                    fmt::format("/ends/{}", i)};
     if (first < 0) first = static_cast<int>(i);
     constexpr int kMostNamed = 8;
-    if (++count <= kMostNamed) which += fmt::format("{}{} by {:.4g} mm", which.empty() ? "" : ", ", i, report.strips[i].shortfall);
+    if (++count <= kMostNamed)
+      which += fmt::format("{}{} by {:.4g} mm", which.empty() ? "" : ", ", i,
+                           report.strips[i].shortfall);
   }
   if (count == 0) return std::nullopt;
   return Error{ErrorCode::out_of_reach,
-               fmt::format("{} not reach where {} must end: strip {}; make the strips longer, bring the leg curve nearer, or loosen the ends",
-                           counted(count, "strip") + (count == 1 ? " does" : " do"), count == 1 ? "it" : "they", which),
+               fmt::format("{} not reach where {} must end: strip {}; make the strips longer, "
+                           "bring the leg curve nearer, or loosen the ends",
+                           counted(count, "strip") + (count == 1 ? " does" : " do"),
+                           count == 1 ? "it" : "they", which),
                fmt::format("/sheet/strips/{}", first)};
 }
 
@@ -108,31 +117,44 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
 /// What a designer should know of strips that are where they must be.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
-    report.findings.push_back({code, Severity::warning, std::move(message), {flat_middle(report.flat, report, strip, ridge)}});
+    report.findings.push_back({code,
+                               Severity::warning,
+                               std::move(message),
+                               {flat_middle(report.flat, report, strip, ridge)}});
   };
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
     const int last = static_cast<int>(report.folded.strips[i].ridges.size()) - 1;
     if (strip.too_tight)
       add("min_radius",
-          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows {:.4g} mm", i, strip.min_radius,
-                      strip.tightest_ridge, report.design.sheet.min_radius()),
+          fmt::format("strip {} is bent to a radius of {:.4g} mm at ridge {}, the material allows "
+                      "{:.4g} mm",
+                      i, strip.min_radius, strip.tightest_ridge, report.design.sheet.min_radius()),
           i, strip.tightest_ridge);
     for (const int other : strip.crosses)
-      add("strips_cross", fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, other), i, last / 2);
+      add("strips_cross",
+          fmt::format("strip {} runs through strip {}: move the curves or anchors apart", i, other),
+          i, last / 2);
     constexpr double kFarOff = 0.1;  // of the strip's length
-    if (const double reach = length_of(report.design.sheet, i); strip.scan_distance > kFarOff * reach)
+    if (const double reach = length_of(report.design.sheet, i);
+        strip.scan_distance > kFarOff * reach)
       add("scan_far",
-          fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their units, their place and which strip they are of", i,
-                      strip.scan_distance),
+          fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
+                      "units, their place and which strip they are of",
+                      i, strip.scan_distance),
           i, last);
-    if (strip.crosses_plane) add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
+    if (strip.crosses_plane)
+      add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
     if (strip.status == StripStatus::open)
-      add("not_converged", fmt::format("strip {} is not at its best yet; it ends where it must, but could be smoother", i), i, last / 2);
+      add("not_converged",
+          fmt::format(
+              "strip {} is not at its best yet; it ends where it must, but could be smoother", i),
+          i, last / 2);
   }
 }
 
-/// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay them all.
+/// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay
+/// them all.
 double flat_deviation(const Sheet& sheet, const FlatPattern& flat) {
   double largest = 0.0;
   for (std::size_t f = 0; f < sheet.faces.size(); ++f)
@@ -150,7 +172,8 @@ Error at_kerf(Error error, const SlitFile& file) {
   return error;
 }
 
-std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session, const SlitFile& file, const MakeRequest& request,
+std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
+                                const SlitFile& file, const MakeRequest& request,
                                 const Progress& progress) {
   const std::string name = place_name(report.input);
   take_result(report, session);
@@ -165,7 +188,8 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session, 
   options.up = UpSide::reference;
   PatternChecks checks = request;
   checks.rules.enabled = false;
-  const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet) : EdgeDistance();
+  const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
+                                                              : EdgeDistance();
   if (auto wrong = lay_flat(report, {sheet, distance, checks}, options, progress)) return wrong;
   report.flat_deviation = flat_deviation(sheet, report.flat);
   add_findings(report);
@@ -175,7 +199,8 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session, 
   return std::nullopt;
 }
 
-std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request,
+                          const Progress& progress) {
   const auto session = solved(file, report, progress);
   if (!session) return placed(session.error(), place_name(report.input));
   return lay_solved(report, *session, file, request, progress);
@@ -183,16 +208,20 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
 
 }  // namespace
 
-Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
+                               const MakeRequest& request, const Progress& progress) {
   SlitReport report = begun(request, file.units);
-  if (const auto error = reported(report, [&] { return lay_solved(report, session, file, request, progress); }))
+  if (const auto error = reported(
+          report, [&] { return lay_solved(report, session, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
 
-Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress) {
+Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request,
+                              const Progress& progress) {
   SlitReport report = begun(request, file.units);
-  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) return tl::unexpected(*error);
+  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
+    return tl::unexpected(*error);
   return report;
 }
 
@@ -200,7 +229,8 @@ Result<SlitReport> slit(const MakeRequest& request, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const auto text = read_text(request.input, "slit file");
   if (!text) return tl::unexpected(text.error());
-  const auto file = parse_slits(*text, place_name(request.input.string()), folder_of(request.input));
+  const auto file = parse_slits(*text, place_name(request.input.string()),
+                                folder_of(request.input));
   if (!file) return tl::unexpected(file.error());
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   auto report = slit_sheet(*file, request, progress);

@@ -67,7 +67,8 @@ SlitAnchor anchor_at(const JsonPlace& place) {
   SlitAnchor anchor;
   anchor.strip = place["strip"].index();
   anchor.ridge = place["ridge"].index();
-  anchor.side = place["side"].choice<Side>({{"left", Side::left}, {"right", Side::right}}, Side::left);
+  anchor.side = place["side"].choice<Side>({{"left", Side::left}, {"right", Side::right}},
+                                           Side::left);
   anchor.at = place["at"].point();
   return anchor;
 }
@@ -76,7 +77,9 @@ SlitWeights weights_at(const JsonPlace& place) {
   SlitWeights weights;
   if (!place.given()) return weights;
   place.keys({}, {"smooth", "spacing", "anchors", "seat", "spread", "scan"});
-  const auto read = [&](const char* key, double& weight) { weight = place[key].maybe_number().value_or(weight); };
+  const auto read = [&](const char* key, double& weight) {
+    weight = place[key].maybe_number().value_or(weight);
+  };
   read("smooth", weights.smooth);
   read("spacing", weights.spacing);
   read("anchors", weights.anchors);
@@ -93,7 +96,8 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
     item.keys({"strip"}, {"position", "direction", "across"});
     const int strip = item["strip"].index();
     if (strip >= static_cast<int>(strips)) {
-      item["strip"].mistake(fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
+      item["strip"].mistake(
+          fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
       return ends;
     }
     if (!given.insert(strip).second) {
@@ -132,8 +136,9 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
 
 SlitFile file_at(const JsonPlace& place, std::vector<ScanPlace>& scans) {
   place.keys({"thickness", "sheet", "leg_curve"},
-             {"format", "version", "units", "symmetric", "ridges", "subdivisions", "seat_curve", "anchors", "scan", "align_scan",
-              "weights", "end_angle", "ends", "min_inside_radius", "kerf", "stop_hole"});
+             {"format", "version", "units", "symmetric", "ridges", "subdivisions", "seat_curve",
+              "anchors", "scan", "align_scan", "weights", "end_angle", "ends", "min_inside_radius",
+              "kerf", "stop_hole"});
   place.format(kFormat, kVersion);
   place.read_unit();
   SlitFile file;
@@ -141,22 +146,29 @@ SlitFile file_at(const JsonPlace& place, std::vector<ScanPlace>& scans) {
   design.sheet = sheet_at(place["sheet"]);
   design.sheet.thickness = place["thickness"].length(kAboveZero);
   design.sheet.symmetric = place["symmetric"].given() ? place["symmetric"].yes() : true;
-  design.sheet.min_inside_radius = place["min_inside_radius"].maybe_length(kAtLeastZero).value_or(0.0);
+  design.sheet
+      .min_inside_radius = place["min_inside_radius"].maybe_length(kAtLeastZero).value_or(0.0);
   design.leg_curve = curve_at(place["leg_curve"]);
   if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
   if (place["ridges"].given()) design.ridges = place["ridges"].index();
-  design.end_angle = place["end_angle"].choice<EndAngle>(
-      {{"right_angle", EndAngle::right_angle}, {"level", EndAngle::level}, {"free", EndAngle::free}}, EndAngle::right_angle);
+  design.end_angle = place["end_angle"].choice<EndAngle>({{"right_angle", EndAngle::right_angle},
+                                                          {"level", EndAngle::level},
+                                                          {"free", EndAngle::free}},
+                                                         EndAngle::right_angle);
   design.weights = weights_at(place["weights"]);
   for (const JsonPlace& anchor : place["anchors"].items())
     design.anchors.push_back(anchor_at(anchor));
   if (design.sheet.symmetric && place["ends"].given())
-    place["ends"].mistake("is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set symmetric to false");
+    place["ends"].mistake(
+        "is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set "
+        "symmetric to false");
   design.ends = ends_at(place["ends"], design.sheet.strips.size());
   scans = scans_at(place["scan"]);
   if (place["subdivisions"].given()) file.subdivisions = place["subdivisions"].index();
   if (file.subdivisions > kMostSubdivisions)
-    place["subdivisions"].mistake(fmt::format("is {}; {} are the most, which divide each quad in {}", file.subdivisions, kMostSubdivisions, 1 << kMostSubdivisions));
+    place["subdivisions"].mistake(
+        fmt::format("is {}; {} are the most, which divide each quad in {}", file.subdivisions,
+                    kMostSubdivisions, 1 << kMostSubdivisions));
   file.align_scans = place["align_scan"].given() && place["align_scan"].yes();
   file.kerf = place["kerf"].maybe_length(kAtLeastZero).value_or(0.0);
   file.stop_hole = place["stop_hole"].maybe_length(kAtLeastZero).value_or(0.0);
@@ -174,7 +186,8 @@ Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, 
 
 }  // namespace
 
-Result<SlitFile> parse_slits(const std::string& json, const std::string& name, const std::filesystem::path& folder) {
+Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
+                             const std::filesystem::path& folder) {
   JsonReading reading(json, "slit file", name);
   std::vector<ScanPlace> scans;
   SlitFile file = file_at(JsonPlace(reading), scans);
@@ -192,7 +205,8 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name, c
   return file;
 }
 
-std::vector<std::filesystem::path> point_files_of(const std::string& json, const std::filesystem::path& folder) {
+std::vector<std::filesystem::path> point_files_of(const std::string& json,
+                                                  const std::filesystem::path& folder) {
   JsonReading reading(json, "slit file", {});
   std::vector<ScanPlace> scans;
   file_at(JsonPlace(reading), scans);

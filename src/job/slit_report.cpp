@@ -15,9 +15,12 @@ namespace {
 
 std::string_view status_word(StripStatus status) {
   switch (status) {
-    case StripStatus::open: return "open";
-    case StripStatus::solved: return "solved";
-    case StripStatus::out_of_reach: break;
+    case StripStatus::open:
+      return "open";
+    case StripStatus::solved:
+      return "solved";
+    case StripStatus::out_of_reach:
+      break;
   }
   return "out_of_reach";
 }
@@ -25,7 +28,8 @@ std::string_view status_word(StripStatus status) {
 Json ridge_json(const SlitRidge& ridge, const Units& units) {
   Json json;
   json["flat"] = {point_json(ridge.flat[0], units), point_json(ridge.flat[1], units)};
-  json["folded"] = {space_point_json(ridge.folded[0], units), space_point_json(ridge.folded[1], units)};
+  json["folded"] = {space_point_json(ridge.folded[0], units),
+                    space_point_json(ridge.folded[1], units)};
   json["fold"] = number_json(ridge.fold.degrees());
   return json;
 }
@@ -52,22 +56,32 @@ Json slit_json(const SlitReport& report, const Units& units) {
   if (report.strips.empty()) return nullptr;
   Json json;
   json["gap"] = number_json(units.length(report.gap));
-  json["flat_deviation"] = report.has_pattern() ? number_json(units.length(report.flat_deviation)) : Json(nullptr);
+  json["flat_deviation"] = report.has_pattern() ? number_json(units.length(report.flat_deviation))
+                                                : Json(nullptr);
   json["strips"] = Json::array();
   for (std::size_t i = 0; i < report.strips.size(); ++i)
     json["strips"].push_back(strip_json(report.strips[i], report.folded.strips[i], units));
   return json;
 }
 
-std::string radius_text(double radius, const Units& units) { return std::isfinite(radius) ? units.length_text(radius) : "flat"; }
+std::string radius_text(double radius, const Units& units) {
+  return std::isfinite(radius) ? units.length_text(radius) : "flat";
+}
 
 std::string strip_table(const SlitReport& report, const Units& units) {
-  Table table({{"strip"}, {"", Table::Align::left}, {"gap", Table::Align::right}, {"radius", Table::Align::right}, {"seat", Table::Align::right},
-               {"anchors", Table::Align::right}, {"scan", Table::Align::right}, {"iterations", Table::Align::right}});
+  Table table({{"strip"},
+               {"", Table::Align::left},
+               {"gap", Table::Align::right},
+               {"radius", Table::Align::right},
+               {"seat", Table::Align::right},
+               {"anchors", Table::Align::right},
+               {"scan", Table::Align::right},
+               {"iterations", Table::Align::right}});
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
-    table.add({std::to_string(i), std::string(status_word(strip.status)), units.tiny_text(strip.gap),
-               radius_text(strip.min_radius, units), units.length_text(strip.seat_distance), units.length_text(strip.anchor_distance),
+    table.add({std::to_string(i), std::string(status_word(strip.status)),
+               units.tiny_text(strip.gap), radius_text(strip.min_radius, units),
+               units.length_text(strip.seat_distance), units.length_text(strip.anchor_distance),
                units.length_text(strip.scan_distance), std::to_string(strip.iterations)});
   }
   return table.text();
@@ -87,9 +101,11 @@ std::string report_text(const SlitReport& report) {
   const Units units(report.units);
   const std::string table = report.strips.empty() ? "" : strip_table(report, units);
   // Ridges are too many to read one by one; the strips say what matters.
-  if (!report.has_pattern()) return text_of(report, input_name(report), "", BendList::left_out) + table;
+  if (!report.has_pattern())
+    return text_of(report, input_name(report), "", BendList::left_out) + table;
   return text_of(report, input_name(report),
-                 table + fmt::format("the developed sheet is the one that was cut, within {} {}\n", units.tiny_text(report.flat_deviation), units.symbol()),
+                 table + fmt::format("the developed sheet is the one that was cut, within {} {}\n",
+                                     units.tiny_text(report.flat_deviation), units.symbol()),
                  BendList::left_out);
 }
 

@@ -136,9 +136,9 @@ std::string warnings_text(const std::vector<UnfoldReport>& reports) {
   for (const UnfoldReport& report : reports) {
     for (const Finding& finding : report.findings) {
       if (finding.severity == Severity::info) continue;
-      text +=
-          fmt::format("  body {}: {} [{}]: {}\n", report.number, severity_name(finding.severity),
-                      finding.code, printable(finding.message));
+      text += fmt::format("  body {}: {} [{}]: {}\n", report.number,
+                          severity_name(finding.severity), finding.code,
+                          printable(finding.message));
     }
   }
   return text;

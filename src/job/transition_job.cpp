@@ -14,7 +14,8 @@ namespace {
 /// Outlines are held to this, because nets are compared with closed forms and with each other (mm).
 constexpr double kOutline = 1e-7;
 
-/// What is within this of a line, an arc or a point is one: more than the rounding of a cone's image about its apex (mm).
+/// What is within this of a line, an arc or a point is one: more than the rounding of a cone's
+/// image about its apex (mm).
 constexpr double kMerged = 5e-7;
 
 /// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
@@ -33,14 +34,16 @@ TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
 
 FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request) {
   FlattenOptions options;
-  options.allowance = ConstantK{spec.k_factor, request.allowance ? "command line" : "transition file"};
+  options.allowance = ConstantK{spec.k_factor,
+                                request.allowance ? "command line" : "transition file"};
   options.curve_tolerance = kOutline;
   options.merge_tolerance = kMerged;
   return options;
 }
 
 /// `folded` is what its solid is made of, or why there is none.
-std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const Result<FoldedPiece>& folded, const TransitionSpec& spec,
+std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
+                               const Result<FoldedPiece>& folded, const TransitionSpec& spec,
                                const MakeRequest& request, const Progress& progress) {
   if (folded) {
     if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
@@ -49,10 +52,12 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet, const Resul
     leave_unfolded(piece, folded.error(), piece.solid);
   }
   piece.sheet = summary_of(sheet);
-  return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request), progress);
+  return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request),
+                  progress);
 }
 
-std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet, const TransitionSpec& spec, const MakeRequest& request,
+std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
+                                const TransitionSpec& spec, const MakeRequest& request,
                                 const Progress& progress) {
   piece.sheet = summary_of(sheet);
   return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
@@ -73,17 +78,19 @@ void gather(TransitionReport& report) {
   }
 }
 
-std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, const MakeRequest& request,
-                          const Progress& progress) {
+std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
+                          const MakeRequest& request, const Progress& progress) {
   TransitionSpec& spec = report.spec;
   spec = file.spec;
   if (request.allowance) spec.k_factor = std::get<ConstantK>(*request.allowance).k;
   progress.at("finding the surface", 0.0);
   const bool draft = request.effort == Effort::draft;
-  auto made = make_transition(spec, {.tolerance = draft ? kDrawn : TransitionOptions{}.tolerance}, progress);
+  auto made = make_transition(spec, {.tolerance = draft ? kDrawn : TransitionOptions{}.tolerance},
+                              progress);
   if (!made) return placed(made.error(), place_name(report.input));
   report.transition = std::move(*made);
-  const auto folded = draft ? Result<std::vector<FoldedPiece>>() : folded_pieces(spec, {.tolerance = kFolded});
+  const auto folded = draft ? Result<std::vector<FoldedPiece>>()
+                            : folded_pieces(spec, {.tolerance = kFolded});
   const auto folded_piece = [&](std::size_t i) -> Result<FoldedPiece> {
     if (!folded) return tl::unexpected(placed(folded.error(), place_name(report.input)));
     return (*folded)[i];
@@ -108,7 +115,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file, 
 
 }  // namespace
 
-Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request, const Progress& progress) {
+Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request,
+                                            const Progress& progress) {
   TransitionReport report = begun(request, file.units);
   if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
     return tl::unexpected(*error);

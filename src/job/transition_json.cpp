@@ -36,8 +36,12 @@ Frame frame_at(const JsonPlace& place) {
   const bool x_given = place["x"].given();
   const Vec3 x = place["x"].direction().value_or(Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
-  if (x_given) place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
-  return frame_from_axes(origin, z, x_given ? Vec3(z.unitOrthogonal()) : z.x() > 0.0 ? Vec3(-Vec3::UnitZ()) : Vec3::UnitZ());
+  if (x_given)
+    place["x"].mistake("is parallel to the normal: give a direction in the profile's plane");
+  return frame_from_axes(origin, z,
+                         x_given       ? Vec3(z.unitOrthogonal())
+                         : z.x() > 0.0 ? Vec3(-Vec3::UnitZ())
+                                       : Vec3::UnitZ());
 }
 
 Profile profile_at(const JsonPlace& place) {
@@ -61,7 +65,8 @@ Profile profile_at(const JsonPlace& place) {
   }
   if (kind == "rounded_rectangle") {
     shape.keys({"width", "height", "radius"});
-    return RoundedRectangleProfile{shape["width"].length(kAboveZero), shape["height"].length(kAboveZero),
+    return RoundedRectangleProfile{shape["width"].length(kAboveZero),
+                                   shape["height"].length(kAboveZero),
                                    shape["radius"].length(kAtLeastZero)};
   }
   shape.keys({"length", "width"});
@@ -110,8 +115,8 @@ Pressing pressing_at(const JsonPlace& place) {
 }
 
 TransitionSpec spec_at(const JsonPlace& place) {
-  place.keys({"thickness", "from", "to"},
-             {"format", "version", "units", "k_factor", "sizes_are", "seam", "pieces", "press_lines"});
+  place.keys({"thickness", "from", "to"}, {"format", "version", "units", "k_factor", "sizes_are",
+                                           "seam", "pieces", "press_lines"});
   place.format(kFormat, kVersion);
   place.read_unit();
   TransitionSpec spec;
@@ -120,7 +125,8 @@ TransitionSpec spec_at(const JsonPlace& place) {
   spec.from = placed_at(place["from"]);
   spec.to = placed_at(place["to"]);
   spec.sizes_are = place["sizes_are"].choice<SizesAre>(
-      {{"inside", SizesAre::inside}, {"mid", SizesAre::mid}, {"outside", SizesAre::outside}}, SizesAre::mid);
+      {{"inside", SizesAre::inside}, {"mid", SizesAre::mid}, {"outside", SizesAre::outside}},
+      SizesAre::mid);
   spec.seam = seam_at(place["seam"]);
   spec.pieces = pieces_at(place["pieces"]);
   spec.pressing = pressing_at(place["press_lines"]);

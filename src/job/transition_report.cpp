@@ -21,14 +21,17 @@ Json patches_json(const Transition& transition, const Units& units) {
     Json row;
     row["kind"] = kind_word(patch.kind);
     row["area"] = number_json(units.area(patch.area));
-    row["borders"] = {number_json(units.length(patch.border[0])), number_json(units.length(patch.border[1]))};
+    row["borders"] = {number_json(units.length(patch.border[0])),
+                      number_json(units.length(patch.border[1]))};
     row["turn"] = number_json(patch.turn.degrees());
     json.push_back(std::move(row));
   }
   return json;
 }
 
-Json line_json(const Segment& line, const Units& units) { return Json::array({point_json(line.a, units), point_json(line.b, units)}); }
+Json line_json(const Segment& line, const Units& units) {
+  return Json::array({point_json(line.a, units), point_json(line.b, units)});
+}
 
 /// All bends in the order in which the profile runs, a row for each line.
 Json press_lines_json(const Report& piece, const Units& units) {
@@ -51,7 +54,8 @@ Json transition_json(const TransitionReport& report, const Units& units) {
   if (transition.pieces.empty()) return nullptr;
   Json json;
   json["area"] = number_json(units.area(transition.area));
-  json["perimeters"] = {number_json(units.length(transition.perimeters[0])), number_json(units.length(transition.perimeters[1]))};
+  json["perimeters"] = {number_json(units.length(transition.perimeters[0])),
+                        number_json(units.length(transition.perimeters[1]))};
   json["patches"] = patches_json(transition, units);
   json["press_lines"] = Json::array();
   for (const TransitionPiece& piece : report.pieces)
@@ -65,18 +69,24 @@ Json transition_json(const TransitionReport& report, const Units& units) {
     row["length"] = number_json(units.length(length.length));
     row["piece"] = report.pieces[length.piece].body;
     row["press_line"] = length.press.empty() ? Json(nullptr) : Json(length.press);
-    row["points"] = {space_point_json(length.points[0], units), space_point_json(length.points[1], units)};
+    row["points"] = {space_point_json(length.points[0], units),
+                     space_point_json(length.points[1], units)};
     json["true_lengths"].push_back(std::move(row));
   }
   return json;
 }
 
 std::string patch_table(const TransitionReport& report, const Units& units) {
-  Table table({{"patch"}, {"surface"}, {"area", Table::Align::right}, {"first profile", Table::Align::right}, {"second profile", Table::Align::right},
+  Table table({{"patch"},
+               {"surface"},
+               {"area", Table::Align::right},
+               {"first profile", Table::Align::right},
+               {"second profile", Table::Align::right},
                {"turn", Table::Align::right}});
   int number = 0;
   for (const TransitionPatch& patch : report.transition.patches)
-    table.add({std::to_string(++number), std::string(kind_word(patch.kind)), units.area_text(patch.area), units.length_text(patch.border[0]),
+    table.add({std::to_string(++number), std::string(kind_word(patch.kind)),
+               units.area_text(patch.area), units.length_text(patch.border[0]),
                units.length_text(patch.border[1]), angle_text(patch.turn)});
   return table.text();
 }

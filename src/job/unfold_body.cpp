@@ -15,8 +15,8 @@ UnfoldReport begun(const Body& body, const UnfoldRequest& request) {
   return report;
 }
 
-std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found, const UnfoldRequest& request,
-                          const Progress& progress) {
+std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
+                          const UnfoldRequest& request, const Progress& progress) {
   if (!found) return found.error();
   report.sheet = summary_of(found->sheet);
   report.notes = found->notes;
@@ -27,8 +27,8 @@ std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
 
 }  // namespace
 
-Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found, const UnfoldRequest& request,
-                                       const Progress& progress) {
+Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
+                                       const UnfoldRequest& request, const Progress& progress) {
   UnfoldReport report = begun(body, request);
   if (const auto error = reported(report, [&] { return fill(report, found, request, progress); }))
     return tl::unexpected(*error);

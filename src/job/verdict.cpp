@@ -41,7 +41,8 @@ bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
   std::string message = fmt::format(
-      "flat area at K = ½ times thickness is {:.6f} of the solid's volume", certificate.volume_ratio);
+      "flat area at K = ½ times thickness is {:.6f} of the solid's volume",
+      certificate.volume_ratio);
   const std::string features = features_text(flat);
   const double explained = certificate.explained_ratio;
   if (!features.empty()) {
@@ -64,8 +65,8 @@ Finding residual_doubt(const std::string& code, const std::string& what, double 
           {at}};
 }
 
-constexpr auto kLengthText =
-    "an edge of the solid and its image in the pattern differ in length by";
+constexpr auto
+    kLengthText = "an edge of the solid and its image in the pattern differ in length by";
 constexpr auto kRefoldText = "the refolded contour leaves the solid's edge by";
 
 Error wrong(const std::string& what, const Vec2& at) {
@@ -78,10 +79,13 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  // Without features what explains the volume is what a made sheet is known to lack or to hold more.
-  const bool explained = flat.features.empty() && !off(certificate.explained_ratio, bounds.volume_warning);
+  // Without features what explains the volume is what a made sheet is known to lack or to hold
+  // more.
+  const bool explained = flat.features.empty() &&
+                         !off(certificate.explained_ratio, bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&
-      (off(certificate.volume_ratio, bounds.volume_warning) || off(certificate.explained_ratio, bounds.volume_warning))) {
+      (off(certificate.volume_ratio, bounds.volume_warning) ||
+       off(certificate.explained_ratio, bounds.volume_warning))) {
     found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
   }
   if (certificate.length_error > bounds.length_warning) {
@@ -125,8 +129,8 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
   const Finding& first = overlaps.front();
   std::string message = first.message;
   if (overlaps.size() > 1) {
-    message +=
-        fmt::format(", and at {}", counted(static_cast<int>(overlaps.size()) - 1, "more place"));
+    message += fmt::format(", and at {}",
+                           counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
   message += "; --write-overlapping writes the pattern all the same";
   return Error{ErrorCode::overlap, std::move(message),

@@ -37,8 +37,8 @@ double k_of_allowance(double allowance, const BendSize& bend) {
 
 /// A row as a K-factor at a point of the table's up to three dimensions.
 struct TablePoint {
-  std::array<double, 3>
-      at;  // thickness, angle, radius (or R/T); 0 where the table has no such column
+  std::array<double, 3> at;  // thickness, angle, radius (or R/T); 0 where the table has no such
+                             // column
   double k = 0.0;
   int row = 0;
 };
@@ -160,8 +160,8 @@ Result<SourcedK> k_of(const BendTable& table, const BendSize& bend) {
   }
   const double radius = table.by_ratio ? bend.radius / bend.thickness : bend.radius;
   const double thickness = table.by_ratio ? 0.0 : bend.thickness;
-  const TableReading reading =
-      read(points_of(table), {thickness, table.by_angle ? bend.angle.degrees() : 0.0, radius}, 0);
+  const TableReading reading = read(
+      points_of(table), {thickness, table.by_angle ? bend.angle.degrees() : 0.0, radius}, 0);
   return SourcedK{reading.k, fmt::format("{}, {} ({}{}){}", name, rows_text(reading.rows),
                                          place_text(table, bend),
                                          reading.beyond ? ", held constant beyond the table" : "",

@@ -1,7 +1,8 @@
 #include "bend_lines.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace planish {
 namespace {
@@ -30,7 +31,8 @@ void add_material(const Face& face, double u, std::vector<std::pair<double, doub
       for (const double t : crossings(border.curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
         heights.push_back(point_at(border.curve, t).y());
   std::sort(heights.begin(), heights.end());
-  for (size_t i = 0; i + 1 < heights.size(); i += 2) intervals.emplace_back(heights[i], heights[i + 1]);
+  for (size_t i = 0; i + 1 < heights.size(); i += 2)
+    intervals.emplace_back(heights[i], heights[i + 1]);
 }
 
 /// Neighbouring faces of one bend share seams: intervals that touch become one.
@@ -57,7 +59,8 @@ bool alike(const Intervals& a, const Intervals& b) {
   if (a.empty() || a.size() != b.size()) return false;
   const double near = kMoved * (a.back().second - a.front().first);
   for (size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i].first - b[i].first) > near || std::abs(a[i].second - b[i].second) > near) return false;
+    if (std::abs(a[i].first - b[i].first) > near || std::abs(a[i].second - b[i].second) > near)
+      return false;
   return true;
 }
 
@@ -68,20 +71,23 @@ Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
   return joined(std::move(intervals));
 }
 
-/// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked up
-/// a little aside, because seams and tangent lines run exactly along rulings, and measured on the ruling
-/// itself where that finds the same.
+/// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked
+/// up a little aside, because seams and tangent lines run exactly along rulings, and measured on
+/// the ruling itself where that finds the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
                                   const Range& range, double at) {
   constexpr double kAside = 1e-6;  // share of the range
   const double u = range.lo + at * (range.hi - range.lo);
-  const double looked_at = range.lo + std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
+  const double looked_at = range.lo +
+                           std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
   auto intervals = material_along(sheet, bend, looked_at);
   if (at > 2.0 * kAside && at < 1.0 - 2.0 * kAside)
-    if (auto exact = material_along(sheet, bend, u); alike(exact, intervals)) intervals = std::move(exact);
+    if (auto exact = material_along(sheet, bend, u); alike(exact, intervals))
+      intervals = std::move(exact);
   std::vector<Segment> lines;
   for (const auto& [from, to] : intervals)
-    lines.push_back({tree.image(sheet, bend.faces.front(), {u, from}), tree.image(sheet, bend.faces.front(), {u, to})});
+    lines.push_back({tree.image(sheet, bend.faces.front(), {u, from}),
+                     tree.image(sheet, bend.faces.front(), {u, to})});
   return lines;
 }
 
@@ -101,22 +107,24 @@ void add_sharp_lines(const Sheet& sheet, const UnfoldingTree& tree, BendId id, F
   }
 }
 
-void add_press_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend, const Range& range,
-                     FlatBend& flat) {
+void add_press_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
+                     const Range& range, FlatBend& flat) {
   const auto add = [&](double at, Angle angle) {
     for (const Segment& line : ruling_lines(sheet, tree, bend, range, at)) {
       flat.lines.push_back(line);
       flat.line_angles.push_back(angle);
     }
   };
-  for (const PressLine& press : bend.press_lines) add((press.u - range.lo) / (range.hi - range.lo), press.angle);
+  for (const PressLine& press : bend.press_lines)
+    add((press.u - range.lo) / (range.hi - range.lo), press.angle);
   if (bend.press_lines.empty()) add(0.5, bend.angle);
 }
 
 /// Of the bend lines; of press lines, side by side, their mean.
 double length_of(const Bend& bend, const std::vector<Segment>& lines) {
   double sum = 0.0;
-  for (const Segment& line : lines) sum += (line.b - line.a).norm();
+  for (const Segment& line : lines)
+    sum += (line.b - line.a).norm();
   return sum / std::max<double>(1.0, static_cast<double>(bend.press_lines.size()));
 }
 
@@ -140,7 +148,8 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree) 
       const Range range = u_range(sheet, bend);
       add_press_lines(sheet, tree, bend, range, flat);
       flat.tangent_lines = ruling_lines(sheet, tree, bend, range, 0.0);
-      for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0)) flat.tangent_lines.push_back(line);
+      for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0))
+        flat.tangent_lines.push_back(line);
     }
     flat.length = length_of(bend, flat.lines);
     result.push_back(std::move(flat));

@@ -19,11 +19,14 @@ Box2 range_of(const Sheet& sheet, BendId bend) {
   return box;
 }
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 }  // namespace
 
-BendStrips::BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend, const FacetOptions& options)
+BendStrips::BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend,
+                       const FacetOptions& options)
     : sheet_(sheet),
       face_(first_face(sheet, bend)),
       development_(std::get<Developable>(face_.surface),
@@ -58,7 +61,8 @@ void BendStrips::place_rulings(const FacetOptions& options) {
   }
   const double whole = turned.back(), radius = speed_ * (hi_ - lo_) / whole;
   const double by_chord = 2.0 * std::acos(std::max(0.0, 1.0 - options.chord / radius));
-  const int strips = std::max(1, static_cast<int>(std::ceil(whole / std::min(by_chord, options.most.radians()) - 1e-9)));
+  const int strips = std::max(
+      1, static_cast<int>(std::ceil(whole / std::min(by_chord, options.most.radians()) - 1e-9)));
   rulings_.push_back(lo_);
   size_t above = 1;
   for (int i = 1; i < strips; ++i) {
@@ -151,7 +155,8 @@ std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
     if (i > 0 && stops[i] - stops[i - 1] < 1e-12) continue;
     Vec2 p = point_at(curve, stops[i]);
     // A crossing lies on its ruling, not beside it.
-    const auto near = std::lower_bound(rulings_.begin(), rulings_.end(), p.x() - 1e-9 * (hi_ - lo_));
+    const auto near = std::lower_bound(rulings_.begin(), rulings_.end(),
+                                       p.x() - 1e-9 * (hi_ - lo_));
     if (near != rulings_.end() && std::abs(*near - p.x()) <= 1e-9 * (hi_ - lo_)) p.x() = *near;
     points.push_back(p);
   }
@@ -177,7 +182,8 @@ void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
 void BendStrips::close() {
   for (int strip = 0; strip < count(); ++strip) {
     const std::vector<Side>& sides = sides_[strip];
-    // Between neighbouring corners what lies between two sides, one above the other, is a trapezoid.
+    // Between neighbouring corners what lies between two sides, one above the other, is a
+    // trapezoid.
     std::vector<double> corners;
     for (const Side& side : sides) {
       corners.push_back(side.a.x());
@@ -190,13 +196,17 @@ void BendStrips::close() {
       std::vector<std::array<double, 2>> heights;  // of the sides across, at both ends
       for (const Side& side : sides) {
         if (side.a.x() > from || side.b.x() < to) continue;
-        const auto at = [&](double u) { return std::lerp(side.a.y(), side.b.y(), (u - side.a.x()) / (side.b.x() - side.a.x())); };
+        const auto at = [&](double u) {
+          return std::lerp(side.a.y(), side.b.y(), (u - side.a.x()) / (side.b.x() - side.a.x()));
+        };
         heights.push_back({at(from), at(to)});
       }
-      std::sort(heights.begin(), heights.end(), [](const auto& a, const auto& b) { return a[0] + a[1] < b[0] + b[1]; });
+      std::sort(heights.begin(), heights.end(),
+                [](const auto& a, const auto& b) { return a[0] + a[1] < b[0] + b[1]; });
       for (size_t k = 0; k + 1 < heights.size(); k += 2) {
         const auto &low = heights[k], &high = heights[k + 1];
-        std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}), image({from, high[0]})};
+        std::vector<Vec2> ring{image({from, low[0]}), image({to, low[1]}), image({to, high[1]}),
+                               image({from, high[0]})};
         if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
         polygons_[strip].push_back({std::move(ring), {}});
       }

@@ -11,9 +11,11 @@ namespace planish {
 class BendStrips {
  public:
   /// Rulings by equal turns of the normal.
-  BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend, const FacetOptions& options);
+  BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend,
+             const FacetOptions& options);
 
-  /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of the sheet.
+  /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of
+  /// the sheet.
   void add_loop(FaceId face, int loop, const std::vector<bool>& joined);
   /// All loops are there: makes the polygons.
   void close();
@@ -44,19 +46,21 @@ class BendStrips {
     Vec2 a, b;  ///< (u, v), a.x() <= b.x()
   };
   Vec2 image(const Vec2& uv) const { return placement_ * development_.develop(uv); }
-  double u_of_strip(int strip) const { return 0.5 * (rulings_[strip] + rulings_[static_cast<size_t>(strip) + 1]); }
+  double u_of_strip(int strip) const {
+    return 0.5 * (rulings_[strip] + rulings_[static_cast<size_t>(strip) + 1]);
+  }
   int strip_at(double u) const;
   void add_stops(const Curve2& curve, std::vector<double>& stops) const;
   std::vector<Vec2> sampled_in_strips(const Curve2& curve) const;
   void place_rulings(const FacetOptions& options);
 
   const Sheet& sheet_;
-  const Face& face_;           ///< one of its faces: all are of one surface
+  const Face& face_;  ///< one of its faces: all are of one surface
   Development development_;
   Isometry2 placement_;
   double chord_;
   double lo_, hi_, v_lo_, v_hi_;
-  double speed_ = 1.0;         ///< how long a step of u is at most, mm
+  double speed_ = 1.0;  ///< how long a step of u is at most, mm
   std::vector<double> rulings_;
   std::vector<Vec3> normals_;
   std::vector<std::vector<Side>> sides_;

@@ -134,8 +134,8 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
   const size_t open = cell.find_first_of("([");
   if (const Spelling* spelling = spelling_of(squeezed(cell.substr(0, open)))) {
     if (open == std::string::npos) return heading(*spelling, 1.0, field);
-    const std::string unit_text =
-        without_blanks(cell.substr(open + 1, cell.find_first_of(")]", open) - open - 1));
+    const std::string unit_text = without_blanks(
+        cell.substr(open + 1, cell.find_first_of(")]", open) - open - 1));
     const bool unitless = spelling->column == Column::ratio || spelling->column == Column::k;
     const bool remark = unitless && unit_text.find('%') == std::string::npos;  // as in "K (ANSI)"
     if (unit_text.empty() || remark) return heading(*spelling, 1.0, field);
@@ -152,8 +152,8 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
   const std::string whole = without_blanks(cell.substr(0, open));
   for (const UnitName& unit : kUnits) {
     if (!whole.ends_with(unit.text)) continue;
-    const Spelling* spelling =
-        spelling_of(squeezed(whole.substr(0, whole.size() - unit.text.size())));
+    const Spelling* spelling = spelling_of(
+        squeezed(whole.substr(0, whole.size() - unit.text.size())));
     if (spelling && has_unit(spelling->column, unit)) return heading(*spelling, unit.scale, field);
   }
   return std::nullopt;
@@ -174,11 +174,10 @@ Result<TableShape> TableShape::from(const CsvRecord& header, const std::string& 
     if (!found->has_value()) continue;
     auto& place = shape.headings_[(*found)->column];
     if (place) {
-      return tl::unexpected(
-          table_error(name, header.line,
-                      fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
-                                  header.fields[place->field], header.fields[i],
-                                  kColumnNames[place->column])));
+      return tl::unexpected(table_error(
+          name, header.line,
+          fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
+                      header.fields[place->field], header.fields[i], kColumnNames[place->column])));
     }
     place = **found;
   }

@@ -61,13 +61,15 @@ EdgeDistance border_distance(const Sheet& sheet) {
     surface_only.sense = face.sense;
     for (const BorderLoop& loop : face.loops)
       for (const Border& border : loop)
-        if (border.edge >= 0) edges[border.edge].push_back({surface_only, border.curve, border.edge_depth});
+        if (border.edge >= 0)
+          edges[border.edge].push_back({surface_only, border.curve, border.edge_depth});
   }
   return [edges = std::move(edges)](int edge, const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     const auto found = edges.find(edge);
     if (found == edges.end()) return least;
-    for (const SpaceBorder& border : found->second) least = std::min(least, distance_to(border, p));
+    for (const SpaceBorder& border : found->second)
+      least = std::min(least, distance_to(border, p));
     return least;
   };
 }

@@ -2,19 +2,19 @@
 #include "set_back.hpp"
 #include "unfolding_tree.hpp"
 
-#include <cmath>
 #include <planish/sheet/certificate.hpp>
+
+#include <cmath>
 
 namespace planish {
 namespace {
 
-const Face& face_at(const Sheet& sheet, FaceId id) {
-  return sheet.faces[index_of(id)];
-}
+const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[index_of(id)]; }
 
 double middle_u(const Face& face) {
   Box2 box;
-  for (const Border& border : face.loops.front()) box.add(bounds(border.curve));
+  for (const Border& border : face.loops.front())
+    box.add(bounds(border.curve));
   return (box.lo.x() + box.hi.x()) / 2;
 }
 
@@ -30,12 +30,14 @@ Result<double> area_at_half(const Sheet& made, FlattenOptions options) {
   const auto contours = chain_contours(sheet, *tree, options);
   if (!contours) return tl::unexpected(contours.error());
   double area = signed_area(contours->outer.loop);
-  for (const Contour& opening : contours->openings) area += signed_area(opening.loop);
+  for (const Contour& opening : contours->openings)
+    area += signed_area(opening.loop);
   return area;
 }
 
 /// Lengths on the reference skin itself: its development must keep them, whatever the K-factor.
-void check_lengths(const Sheet& sheet, const FlatPattern& pattern, double tolerance, Certificate& certificate) {
+void check_lengths(const Sheet& sheet, const FlatPattern& pattern, double tolerance,
+                   Certificate& certificate) {
   for (size_t f = 0; f < sheet.faces.size(); ++f) {
     const Face& face = sheet.faces[f];
     const auto* surface = std::get_if<Developable>(&face.surface);
@@ -63,7 +65,8 @@ class Refolder {
     for (size_t f = 0; f < sheet.faces.size(); ++f) {
       const auto* surface = std::get_if<Developable>(&sheet.faces[f].surface);
       neutral_.emplace_back();
-      if (surface) neutral_.back().emplace(*surface, pattern.neutral_offset[f], middle_u(sheet.faces[f]));
+      if (surface)
+        neutral_.back().emplace(*surface, pattern.neutral_offset[f], middle_u(sheet.faces[f]));
       inverse_.push_back(pattern.placement[f].inverse());
     }
   }
@@ -72,16 +75,19 @@ class Refolder {
     for (size_t i = 0; i < contour.loop.size(); ++i)
       for (const Origin& origin : contour.origins[i]) {
         if (origin.gap) continue;
-        for (const double t : {0.0, 0.3, 0.5, 0.8}) check_point(contour.loop[i], origin, t, certificate);
+        for (const double t : {0.0, 0.3, 0.5, 0.8})
+          check_point(contour.loop[i], origin, t, certificate);
       }
   }
 
  private:
-  void check_point(const Curve2& final_curve, const Origin& origin, double t, Certificate& certificate) const {
+  void check_point(const Curve2& final_curve, const Origin& origin, double t,
+                   Certificate& certificate) const {
     const Vec2 p = point_at(final_curve, nearest(final_curve, point_at(origin.image, t)).t);
     const Border& border = border_at(sheet_, origin.border);
     if (border.edge < 0) return;
-    const double deviation = distance_(border.edge, folded(origin.border.face, p, border.edge_depth));
+    const double deviation = distance_(border.edge,
+                                       folded(origin.border.face, p, border.edge_depth));
     if (!(deviation > certificate.refold_deviation)) return;
     certificate.refold_deviation = deviation;
     certificate.refold_at = p;
@@ -104,15 +110,18 @@ class Refolder {
 
 }  // namespace
 
-Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern, const EdgeDistance& distance,
-                            const FlattenOptions& options) {
+Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
+                            const EdgeDistance& distance, const FlattenOptions& options) {
   Certificate certificate;
   const auto area = area_at_half(sheet, options);
   if (!area) return tl::unexpected(area.error());
   certificate.flat_area_half = *area;
-  certificate.volume_ratio = sheet.volume > 0 ? *area * sheet.thickness / sheet.volume : std::nan("");
+  certificate.volume_ratio = sheet.volume > 0 ? *area * sheet.thickness / sheet.volume
+                                              : std::nan("");
   const double plain = sheet.volume - sheet.forms_volume - sheet.mitres_volume;
-  certificate.explained_ratio = sheet.volume > 0 && sheet.forms_measured && plain > 0 ? *area * sheet.thickness / plain : std::nan("");
+  certificate.explained_ratio = sheet.volume > 0 && sheet.forms_measured && plain > 0
+                                    ? *area * sheet.thickness / plain
+                                    : std::nan("");
   check_lengths(sheet, pattern, options.curve_tolerance, certificate);
   if (!distance) {
     certificate.refold_deviation = std::nan("");
@@ -120,7 +129,8 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern, cons
   }
   const Refolder refolder(sheet, pattern, distance);
   refolder.check(pattern.outer, certificate);
-  for (const Contour& opening : pattern.openings) refolder.check(opening, certificate);
+  for (const Contour& opening : pattern.openings)
+    refolder.check(opening, certificate);
   return certificate;
 }
 

@@ -1,7 +1,8 @@
 #include "contour.hpp"
 
-#include <algorithm>
 #include <planish/geometry/fit.hpp>
+
+#include <algorithm>
 
 namespace planish {
 namespace {
@@ -16,7 +17,8 @@ class BorderTable {
         offsets_.back().push_back(static_cast<int>(rows_.size()));
         const int count = static_cast<int>(sheet.faces[f].loops[l].size());
         for (int i = 0; i < count; ++i)
-          rows_.push_back({{FaceId{static_cast<int>(f)}, static_cast<int>(l), i}, count, -1, false});
+          rows_.push_back(
+              {{FaceId{static_cast<int>(f)}, static_cast<int>(l), i}, count, -1, false});
       }
     }
     for (const Joint& joint : sheet.joints) {
@@ -102,7 +104,8 @@ Contour finished(RawContour raw, double tolerance) {
     const size_t first = static_cast<size_t>(merged_loop.first_input[i]);
     const size_t last = static_cast<size_t>(merged_loop.first_input[(i + 1) % outputs]);
     const size_t span = outputs == 1 ? inputs : (last + inputs - first) % inputs;
-    for (size_t k = 0; k < span; ++k) contour.origins[i].push_back(raw.origins[(first + k) % inputs]);
+    for (size_t k = 0; k < span; ++k)
+      contour.origins[i].push_back(raw.origins[(first + k) % inputs]);
   }
   contour.loop = std::move(merged_loop.loop);
   return contour;
@@ -117,7 +120,8 @@ int feature_of(const Sheet& sheet, const RawContour& contour) {
 
 }  // namespace
 
-Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, const FlattenOptions& options) {
+Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree,
+                                const FlattenOptions& options) {
   const BorderTable table(sheet);
   std::vector<bool> seen(static_cast<size_t>(table.size()), false);
   Contours contours;
@@ -143,7 +147,8 @@ Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, c
     }
   }
   if (outer_area <= 0)
-    return fail(ErrorCode::closed_loop, "The sheet has no outer contour: its bends close on themselves.");
+    return fail(ErrorCode::closed_loop,
+                "The sheet has no outer contour: its bends close on themselves.");
   return contours;
 }
 

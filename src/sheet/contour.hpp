@@ -14,6 +14,7 @@ struct Contours {
 /// Walks along free borders and across joints, so that contours close by topology, not by nearness.
 /// Errors: `closed_loop` when the borders do not bound one region (every border is joined);
 /// a feature's own error when it reaches the outer contour.
-Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree, const FlattenOptions& options);
+Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree,
+                                const FlattenOptions& options);
 
 }  // namespace planish

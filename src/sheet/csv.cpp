@@ -42,8 +42,8 @@ class CsvReader {
     while (true) {
       skip_blanks();
       if (at_ < text_.size() && text_[at_] == '#') skip_comment();
-      auto field =
-          at_ < text_.size() && text_[at_] == '"' ? quoted() : Result<std::string>(plain());
+      auto field = at_ < text_.size() && text_[at_] == '"' ? quoted()
+                                                           : Result<std::string>(plain());
       if (!field) return tl::unexpected(field.error());
       record.fields.push_back(trimmed(*field));
       if (at_ >= text_.size() || text_[at_] != separator_) break;
@@ -145,9 +145,8 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
   std::string blank_head;
   if (text.size() >= 5 && (text.substr(0, 4) == "sep=" || text.substr(0, 4) == "SEP=")) {
     separator = text[4];
-    blank_head =
-        "#" +
-        std::string(text);  // Excel's hint becomes a comment, so that lines keep their numbers
+    blank_head = "#" + std::string(text);  // Excel's hint becomes a comment, so that lines keep
+                                           // their numbers
     text = blank_head;
   }
   return CsvReader(text, separator, name).records();

@@ -1,7 +1,7 @@
-#include <planish/sheet/facets.hpp>
-
 #include "bend_strips.hpp"
 #include "unfolding_tree.hpp"
+
+#include <planish/sheet/facets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,10 @@ std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
 class FacetMaker {
  public:
   FacetMaker(const Sheet& sheet, const FlatPattern& pattern, const FacetOptions& options)
-      : sheet_(sheet), pattern_(pattern), options_(options), strips_(sheet.bends.size()),
+      : sheet_(sheet),
+        pattern_(pattern),
+        options_(options),
+        strips_(sheet.bends.size()),
         facet_of_face_(sheet.faces.size(), -1) {
     for (const Joint& joint : sheet.joints) {
       mark_joined(joint.a);
@@ -44,7 +47,8 @@ class FacetMaker {
 
   const Loop& image(FaceId face, int loop) const {
     const auto f = static_cast<size_t>(index_of(face));
-    return loop == 0 ? pattern_.face_outlines[f] : pattern_.face_openings[f][static_cast<size_t>(loop) - 1];
+    return loop == 0 ? pattern_.face_outlines[f]
+                     : pattern_.face_openings[f][static_cast<size_t>(loop) - 1];
   }
   Segment image(const BorderRef& ref) const {
     const Curve2& curve = image(ref.face, ref.loop)[ref.border];
@@ -53,7 +57,8 @@ class FacetMaker {
   Segment longest_border(FaceId face) const {
     Segment longest = kNone;
     for (const Curve2& curve : image(face, 0))
-      if ((end_of(curve) - start_of(curve)).norm() > (longest.b - longest.a).norm()) longest = {start_of(curve), end_of(curve)};
+      if ((end_of(curve) - start_of(curve)).norm() > (longest.b - longest.a).norm())
+        longest = {start_of(curve), end_of(curve)};
     return longest;
   }
   std::vector<bool>& joined(FaceId face, int loop) {
@@ -68,7 +73,8 @@ class FacetMaker {
 
   // --- facets of a node ------------------------------------------------------------------------
 
-  int add(const Part& part, int parent, const Segment& hinge, double angle, std::vector<Polygon> polygons) {
+  int add(const Part& part, int parent, const Segment& hinge, double angle,
+          std::vector<Polygon> polygons) {
     made_.facets.push_back({part, parent, hinge, Angle::radians(angle), std::move(polygons)});
     return static_cast<int>(made_.facets.size()) - 1;
   }
@@ -92,7 +98,8 @@ class FacetMaker {
       else
         polygon.holes.push_back(std::move(ring));
     }
-    const int facet = add(face_at(sheet_, face).part_of, parent, hinge, angle, {std::move(polygon)});
+    const int facet = add(face_at(sheet_, face).part_of, parent, hinge, angle,
+                          {std::move(polygon)});
     facet_of_face_[index_of(face)] = facet;
     for (int loop = 0; loop < loops; ++loop) {
       const Loop& curves = image(face, loop);
@@ -118,7 +125,8 @@ class FacetMaker {
     return *strips;
   }
 
-  /// All strips of a bend; the one numbered `entry` is hinged to the parent, the others to those beside them.
+  /// All strips of a bend; the one numbered `entry` is hinged to the parent, the others to those
+  /// beside them.
   void add_bend(BendId bend, int entry, int parent, const Segment& hinge, double angle) {
     const BendStrips& strips = strips_of(bend);
     std::vector<int> facets(static_cast<size_t>(strips.count()));
@@ -127,7 +135,8 @@ class FacetMaker {
       const int up = strip > from ? strip : strip + 1;  // the ruling between both
       const Segment between = first ? hinge : strips.ruling(up);
       const double turn = first ? angle : strips.turn(from, strip);
-      const int facet = add(bend, first ? parent : facets[from], between, turn, strips.polygons(strip));
+      const int facet = add(bend, first ? parent : facets[from], between, turn,
+                            strips.polygons(strip));
       facets[strip] = facet;
       for (const BendStrips::Edge& edge : strips.edges(strip))
         made_.edges.push_back({facet, edge.line, borders_ + edge.border});
@@ -217,7 +226,8 @@ class FacetMaker {
 
   int strip_beside(const BorderRef& ref) {
     const Curve2& curve = border_at(sheet_, ref).curve;
-    return strips_of(std::get<BendId>(face_at(sheet_, ref.face).part_of)).beside(ref.face, 0.5 * (start_of(curve).x() + end_of(curve).x()));
+    return strips_of(std::get<BendId>(face_at(sheet_, ref.face).part_of))
+        .beside(ref.face, 0.5 * (start_of(curve).x() + end_of(curve).x()));
   }
 
   Vec3 normal_beside(const BorderRef& ref) {
@@ -238,7 +248,8 @@ class FacetMaker {
     const Vec3 a = normal_beside(joint.a), b = normal_beside(joint.b);
     const Face& face = face_at(sheet_, joint.a.face);
     const Curve2& curve = border_at(sheet_, joint.a).curve;
-    const Vec3 line = (skin_point(face, end_of(curve)) - skin_point(face, start_of(curve))).normalized();
+    const Vec3 line = (skin_point(face, end_of(curve)) - skin_point(face, start_of(curve)))
+                          .normalized();
     constexpr double kFoldedOver = -0.98;  // cosine near which normals do not tell the way round
     if (joint.sharp && a.dot(b) < kFoldedOver) {
       const Bend& bend = sheet_.bends[index_of(*joint.sharp)];
@@ -258,7 +269,8 @@ class FacetMaker {
     const Segment other = image(joint.b);  // runs the other way
     const Segment across{other.b, other.a};
     const Vec2 along = (hinge.b - hinge.a).normalized();
-    const double gap = std::abs(along.x() * (across.a - hinge.a).y() - along.y() * (across.a - hinge.a).x());
+    const double gap = std::abs(along.x() * (across.a - hinge.a).y() -
+                                along.y() * (across.a - hinge.a).x());
     constexpr double kNoGap = 1e-9;
     if (gap <= kNoGap) {
       add_node(joint.b, parent, hinge, turn);
@@ -276,7 +288,8 @@ class FacetMaker {
     if (std::holds_alternative<FlangeId>(face_at(sheet_, ref.face).part_of))
       add_flange(ref.face, parent, hinge, turn);
     else
-      add_bend(std::get<BendId>(face_at(sheet_, ref.face).part_of), strip_beside(ref), parent, hinge, turn);
+      add_bend(std::get<BendId>(face_at(sheet_, ref.face).part_of), strip_beside(ref), parent,
+               hinge, turn);
   }
 
   const Sheet& sheet_;
@@ -305,9 +318,11 @@ std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share) {
       placed.push_back(facets.root);
       continue;
     }
-    const Vec3 from(facet.hinge.a.x(), facet.hinge.a.y(), 0.0), to(facet.hinge.b.x(), facet.hinge.b.y(), 0.0);
+    const Vec3 from(facet.hinge.a.x(), facet.hinge.a.y(), 0.0),
+        to(facet.hinge.b.x(), facet.hinge.b.y(), 0.0);
     const Eigen::AngleAxisd turn(share * facet.angle.radians(), (to - from).normalized());
-    placed.push_back(placed[facet.parent] * Eigen::Translation3d(from) * turn * Eigen::Translation3d(-from));
+    placed.push_back(placed[facet.parent] * Eigen::Translation3d(from) * turn *
+                     Eigen::Translation3d(-from));
   }
   return placed;
 }

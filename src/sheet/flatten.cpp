@@ -4,9 +4,10 @@
 #include "set_back.hpp"
 #include "unfolding_tree.hpp"
 
+#include <planish/geometry/fit.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <planish/geometry/fit.hpp>
 
 namespace planish {
 namespace {
@@ -19,8 +20,8 @@ void add_face_outlines(UnfoldingTree& tree, FlatPattern& pattern) {
   }
 }
 
-void add_features(const Sheet& sheet, const UnfoldingTree& tree, const Contours& contours, double tolerance,
-                  FlatPattern& pattern) {
+void add_features(const Sheet& sheet, const UnfoldingTree& tree, const Contours& contours,
+                  double tolerance, FlatPattern& pattern) {
   for (size_t i = 0; i < sheet.features.size(); ++i) {
     const FormedFeature& feature = sheet.features[i];
     FlatFeature flat{feature.kind, {}};
@@ -43,7 +44,8 @@ void transform(Segment& segment, const Isometry2& motion) {
 void transform(Contour& contour, const Isometry2& motion) {
   contour.loop = transformed(contour.loop, motion);
   for (auto& origins : contour.origins)
-    for (Origin& origin : origins) origin.image = transformed(origin.image, motion);
+    for (Origin& origin : origins)
+      origin.image = transformed(origin.image, motion);
   if (motion.linear().determinant() > 0) return;
   contour.loop = reversed(contour.loop);
   std::reverse(contour.origins.begin(), contour.origins.end());
@@ -52,27 +54,38 @@ void transform(Contour& contour, const Isometry2& motion) {
 /// Moves the whole pattern; a reflection shows the sheet from its other side.
 void transform(FlatPattern& pattern, const Isometry2& motion) {
   transform(pattern.outer, motion);
-  for (Contour& opening : pattern.openings) transform(opening, motion);
-  for (Segment& slit : pattern.slits) transform(slit, motion);
+  for (Contour& opening : pattern.openings)
+    transform(opening, motion);
+  for (Segment& slit : pattern.slits)
+    transform(slit, motion);
   for (FlatBend& bend : pattern.bends) {
-    for (Segment& line : bend.lines) transform(line, motion);
-    for (Segment& line : bend.tangent_lines) transform(line, motion);
+    for (Segment& line : bend.lines)
+      transform(line, motion);
+    for (Segment& line : bend.tangent_lines)
+      transform(line, motion);
     if (motion.linear().determinant() < 0)
-      bend.direction = bend.direction == BendDirection::up ? BendDirection::down : BendDirection::up;
+      bend.direction = bend.direction == BendDirection::up ? BendDirection::down
+                                                           : BendDirection::up;
   }
   for (FlatFeature& feature : pattern.features)
-    for (Loop& outline : feature.outlines) outline = transformed(outline, motion);
-  for (FlatLabel& label : pattern.labels) label.at = motion * label.at;
-  for (Isometry2& placement : pattern.placement) placement = motion * placement;
-  for (Loop& outline : pattern.face_outlines) outline = transformed(outline, motion);
+    for (Loop& outline : feature.outlines)
+      outline = transformed(outline, motion);
+  for (FlatLabel& label : pattern.labels)
+    label.at = motion * label.at;
+  for (Isometry2& placement : pattern.placement)
+    placement = motion * placement;
+  for (Loop& outline : pattern.face_outlines)
+    outline = transformed(outline, motion);
   for (auto& openings : pattern.face_openings)
-    for (Loop& opening : openings) opening = transformed(opening, motion);
+    for (Loop& opening : openings)
+      opening = transformed(opening, motion);
 }
 
 bool other_side_up(const FlatPattern& pattern, UpSide up) {
   if (up != UpSide::automatic) return up == UpSide::other;
-  const auto ups = std::count_if(pattern.bends.begin(), pattern.bends.end(),
-                                 [](const FlatBend& bend) { return bend.direction == BendDirection::up; });
+  const auto ups = std::count_if(
+      pattern.bends.begin(), pattern.bends.end(),
+      [](const FlatBend& bend) { return bend.direction == BendDirection::up; });
   return 2 * ups < static_cast<std::ptrdiff_t>(pattern.bends.size());
 }
 
@@ -80,11 +93,13 @@ bool other_side_up(const FlatPattern& pattern, UpSide up) {
 Vec2 leading_direction(const FlatPattern& pattern) {
   Vec2 best = Vec2::Zero();
   const auto consider = [&](const Segment& line) {
-    constexpr double kClearlyLonger = 1.0 + 1e-9;  // equal lengths must not be told apart by rounding
+    constexpr double kClearlyLonger = 1.0 +
+                                      1e-9;  // equal lengths must not be told apart by rounding
     if ((line.b - line.a).norm() > best.norm() * kClearlyLonger) best = line.b - line.a;
   };
   for (const FlatBend& bend : pattern.bends)
-    for (const Segment& line : bend.lines) consider(line);
+    for (const Segment& line : bend.lines)
+      consider(line);
   if (best.norm() == 0.0)
     for (const Curve2& curve : pattern.outer.loop)
       if (const auto* line = std::get_if<Segment>(&curve)) consider(*line);
@@ -144,7 +159,8 @@ Result<FlatPattern> flatten(const Sheet& made, const FlattenOptions& options) {
     if (!moved) {
       // Corners that leave no room are mostly corners closed all round: that is the better answer.
       const auto tree = grow_unfolding_tree(made, options);
-      return tl::unexpected(!tree && tree.error().code == ErrorCode::closed_loop ? tree.error() : moved.error());
+      return tl::unexpected(!tree && tree.error().code == ErrorCode::closed_loop ? tree.error()
+                                                                                 : moved.error());
     }
     return flatten_set_back(*moved, options);
   }

@@ -9,7 +9,8 @@ void measure(FlatPattern& pattern) {
     pattern.area += signed_area(opening.loop);
     pattern.perimeter += length(opening.loop);
   }
-  for (const Segment& slit : pattern.slits) pattern.perimeter += length(Curve2(slit));
+  for (const Segment& slit : pattern.slits)
+    pattern.perimeter += length(Curve2(slit));
 }
 
 }  // namespace planish

@@ -1,8 +1,9 @@
 #include "set_back.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
 namespace planish {
@@ -36,18 +37,20 @@ class BorderMover {
 
   bool beyond(const Vec2& p) const { return (p - origin_).dot(inwards_) >= 0.0; }
 
-  /// Walks away from the border to the first crossing with the line, cuts there and shrinks what was
-  /// passed.
+  /// Walks away from the border to the first crossing with the line, cuts there and shrinks what
+  /// was passed.
   std::optional<Vec2> cut(int step) {
     for (int k = 1; k < static_cast<int>(loop_.size()); ++k) {
       Border& neighbour = at(step * k);
       const std::vector<double> hits = crossings(neighbour.curve, origin_, direction_);
       const Vec2 far = step > 0 ? end_of(neighbour.curve) : start_of(neighbour.curve);
       if (hits.empty() && !beyond(far)) continue;
-      const double t = hits.empty() ? (step > 0 ? 0.0 : 1.0) : (step > 0 ? hits.front() : hits.back());
+      const double t = hits.empty() ? (step > 0 ? 0.0 : 1.0)
+                                    : (step > 0 ? hits.front() : hits.back());
       const Vec2 corner = point_at(neighbour.curve, t);
       if (t > 0.0 && t < 1.0) {
-        neighbour.curve = step > 0 ? trimmed(neighbour.curve, t, 1.0) : trimmed(neighbour.curve, 0.0, t);
+        neighbour.curve = step > 0 ? trimmed(neighbour.curve, t, 1.0)
+                                   : trimmed(neighbour.curve, 0.0, t);
         neighbour.edge_length = 0.0;
       }
       for (int passed = 1; passed < k; ++passed) {
@@ -71,7 +74,9 @@ bool outward(const Sheet& sheet, const Joint& joint) {
 }  // namespace
 
 bool needs_setback(const Sheet& sheet) {
-  return sheet.reference_depth == 0.0 && std::any_of(sheet.joints.begin(), sheet.joints.end(), [&](const Joint& joint) { return outward(sheet, joint); });
+  return sheet.reference_depth == 0.0 &&
+         std::any_of(sheet.joints.begin(), sheet.joints.end(),
+                     [&](const Joint& joint) { return outward(sheet, joint); });
 }
 
 Result<Sheet> with_setback(const Sheet& sheet) {
@@ -85,8 +90,10 @@ Result<Sheet> with_setback(const Sheet& sheet) {
       const bool flat = std::holds_alternative<Frame>(face.surface);
       if (flat && BorderMover(face.loops[ref.loop], ref.border, setback).run()) continue;
       return fail(ErrorCode::unsupported_shape,
-                  fmt::format("Face {} has no room for the setback of {:.4g} mm that its sharp bend of {:.1f}° needs; model "
-                              "the bend with a radius.", face.source_face, setback, 2 * half_turn * 180 / std::numbers::pi),
+                  fmt::format("Face {} has no room for the setback of {:.4g} mm that its sharp "
+                              "bend of {:.1f}° needs; model "
+                              "the bend with a radius.",
+                              face.source_face, setback, 2 * half_turn * 180 / std::numbers::pi),
                   fmt::format("face {}", face.source_face));
     }
   }

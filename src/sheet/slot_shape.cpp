@@ -40,22 +40,25 @@ class Chain {
   Loop curves_;
 };
 
-/// Where the banks meet the hole or the round end about the end of the axis, left then right of the axis.
+/// Where the banks meet the hole or the round end about the end of the axis, left then right of the
+/// axis.
 std::array<Vec2, 2> banks_at_end(const Slot& slot, const Vec2& end, const Vec2& along) {
-  const double radius = slot.end_radius(), back = std::sqrt(std::max(0.0, radius * radius - slot.half_width * slot.half_width));
+  const double radius = slot.end_radius(),
+               back = std::sqrt(std::max(0.0, radius * radius - slot.half_width * slot.half_width));
   const Vec2 foot = end - back * along, aside = slot.half_width * left_of(along);
   return {foot + aside, foot - aside};
 }
 
-/// Where the bank of an open slot leaves the contour's line that comes from (or goes to) `away`, a unit vector seen from
-/// the slot's mouth: on the bank itself, or on the round end about the mouth.
+/// Where the bank of an open slot leaves the contour's line that comes from (or goes to) `away`, a
+/// unit vector seen from the slot's mouth: on the bank itself, or on the round end about the mouth.
 struct MouthCorner {
   double along_line = 0.0;  ///< distance from the mouth
   Vec2 on_bank;             ///< where the bank begins
   bool round = false;       ///< an arc about the mouth leads there
 };
 
-MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_side, const Vec2& away) {
+MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_side,
+                         const Vec2& away) {
   const Vec2 mouth = slot.axis.a, beside = slot.half_width * bank_side;
   const double forward = along.dot(away), aside = bank_side.dot(away);
   constexpr double kLevel = 1e-9;  // radians: a mouth this near to perpendicular is
@@ -67,10 +70,12 @@ MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_s
 }
 
 tl::unexpected<Error> no_room(const Slot& slot) {
-  return fail(ErrorCode::bad_option,
-              fmt::format("the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})", 2.0 * slot.half_width, slot.axis.a.x(),
-                          slot.axis.a.y()),
-              "/kerf");
+  return fail(
+      ErrorCode::bad_option,
+      fmt::format(
+          "the kerf of {:.6g} mm is too wide where the slit leaves the sheet at ({:.6g}, {:.6g})",
+          2.0 * slot.half_width, slot.axis.a.x(), slot.axis.a.y()),
+      "/kerf");
 }
 
 /// Parts of the line's parameter range 0 … 1 inside a disc and inside the band along the axis.
@@ -78,7 +83,8 @@ using Range = std::pair<double, double>;
 
 std::optional<Range> inside_disc(const Segment& line, const Vec2& center, double radius) {
   const Vec2 d = line.b - line.a, from = line.a - center;
-  const double a = d.squaredNorm(), half_b = d.dot(from), discriminant = half_b * half_b - a * (from.squaredNorm() - radius * radius);
+  const double a = d.squaredNorm(), half_b = d.dot(from),
+               discriminant = half_b * half_b - a * (from.squaredNorm() - radius * radius);
   if (!(discriminant > 0.0)) return std::nullopt;
   const double root = std::sqrt(discriminant);
   return Range{(-half_b - root) / a, (-half_b + root) / a};
@@ -105,12 +111,16 @@ std::optional<Range> inside_band(const Segment& line, const Slot& slot) {
 
 double distance(const Vec2& p, const Segment& segment) {
   const Vec2 d = segment.b - segment.a;
-  const double t = d.squaredNorm() > 0.0 ? std::clamp(d.dot(p - segment.a) / d.squaredNorm(), 0.0, 1.0) : 0.0;
+  const double t = d.squaredNorm() > 0.0
+                       ? std::clamp(d.dot(p - segment.a) / d.squaredNorm(), 0.0, 1.0)
+                       : 0.0;
   return (segment.a + t * d - p).norm();
 }
 
 double distance(const Segment& a, const Segment& b) {
-  const auto side = [](const Segment& line, const Vec2& p) { return cross(line.b - line.a, p - line.a); };
+  const auto side = [](const Segment& line, const Vec2& p) {
+    return cross(line.b - line.a, p - line.a);
+  };
   if (side(a, b.a) * side(a, b.b) < 0.0 && side(b, a.a) * side(b, a.b) < 0.0) return 0.0;
   return std::min({distance(a.a, b), distance(a.b, b), distance(b.a, a), distance(b.b, a)});
 }
@@ -125,7 +135,8 @@ std::vector<Vec2> chain_of(const Curve2& curve) {
 Loop closed_slot(const Slot& slot) {
   const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
   const auto [far_left, far_right] = banks_at_end(slot, slot.axis.b, along);
-  const auto [near_right, near_left] = banks_at_end(slot, slot.axis.a, -along);  // seen the other way
+  const auto [near_right, near_left] = banks_at_end(slot, slot.axis.a,
+                                                    -along);  // seen the other way
   Chain chain(near_left);
   chain.line_to(far_left);
   chain.arc_to(slot.axis.b, far_right);
@@ -135,17 +146,25 @@ Loop closed_slot(const Slot& slot) {
 }
 
 Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance) {
-  const std::size_t count = contour.loop.size(), next = static_cast<std::size_t>(slot.opens_at->at), before = (next + count - 1) % count;
-  const auto *coming = std::get_if<Segment>(&contour.loop[before]), *going = std::get_if<Segment>(&contour.loop[next]);
+  const std::size_t count = contour.loop.size(), next = static_cast<std::size_t>(slot.opens_at->at),
+                    before = (next + count - 1) % count;
+  const auto *coming = std::get_if<Segment>(&contour.loop[before]),
+             *going = std::get_if<Segment>(&contour.loop[next]);
   if (coming == nullptr || going == nullptr || before == next)
-    return fail(ErrorCode::unsupported_shape,
-                fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there", slot.axis.a.x(), slot.axis.a.y()));
+    return fail(
+        ErrorCode::unsupported_shape,
+        fmt::format("the slit that leaves the sheet at ({:.6g}, {:.6g}) meets a curve there",
+                    slot.axis.a.x(), slot.axis.a.y()));
   const Vec2 mouth = slot.axis.a, along = (slot.axis.b - mouth).normalized();
   const Vec2 from = (coming->a - mouth).normalized(), to = (going->b - mouth).normalized();
-  const MouthCorner in = mouth_corner(slot, along, left_of(along), from), out = mouth_corner(slot, along, -left_of(along), to);
+  const MouthCorner in = mouth_corner(slot, along, left_of(along), from),
+                    out = mouth_corner(slot, along, -left_of(along), to);
   const auto [left, right] = banks_at_end(slot, slot.axis.b, along);
-  const bool long_enough = along.dot(left - in.on_bank) > 0.0 && along.dot(right - out.on_bank) > 0.0;
-  if ((coming->a - mouth).norm() <= in.along_line + tolerance || (going->b - mouth).norm() <= out.along_line + tolerance || !long_enough) return no_room(slot);
+  const bool long_enough = along.dot(left - in.on_bank) > 0.0 &&
+                           along.dot(right - out.on_bank) > 0.0;
+  if ((coming->a - mouth).norm() <= in.along_line + tolerance ||
+      (going->b - mouth).norm() <= out.along_line + tolerance || !long_enough)
+    return no_room(slot);
 
   const Vec2 leaves = mouth + in.along_line * from, returns = mouth + out.along_line * to;
   Chain chain(leaves);
@@ -158,8 +177,10 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
   Contour opened = contour;
   opened.loop[before] = Segment{coming->a, leaves};
   opened.loop[next] = Segment{returns, going->b};
-  opened.loop.insert(opened.loop.begin() + static_cast<std::ptrdiff_t>(next), chain.curves().begin(), chain.curves().end());
-  opened.origins.insert(opened.origins.begin() + static_cast<std::ptrdiff_t>(next), chain.curves().size(), {});
+  opened.loop.insert(opened.loop.begin() + static_cast<std::ptrdiff_t>(next),
+                     chain.curves().begin(), chain.curves().end());
+  opened.origins.insert(opened.origins.begin() + static_cast<std::ptrdiff_t>(next),
+                        chain.curves().size(), {});
   return opened;
 }
 
@@ -174,10 +195,13 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
       cut(inside_disc(line, slot.axis.a, slot.half_width));
     }
     if (slot.end_radius() > 0.0)
-      for (const Vec2& hole : slot.holes()) cut(inside_disc(line, hole, slot.end_radius()));
+      for (const Vec2& hole : slot.holes())
+        cut(inside_disc(line, hole, slot.end_radius()));
   }
   std::sort(cuts.begin(), cuts.end());
-  const auto at = [&](double t) -> Vec2 { return t <= 0.0 ? line.a : t >= 1.0 ? line.b : Vec2(line.a + t * (line.b - line.a)); };
+  const auto at = [&](double t) -> Vec2 {
+    return t <= 0.0 ? line.a : t >= 1.0 ? line.b : Vec2(line.a + t * (line.b - line.a));
+  };
   std::vector<Segment> pieces;
   double done = 0.0;
   constexpr double kNothing = 1e-9;  // share of the line: rounding, no piece

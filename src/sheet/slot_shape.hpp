@@ -8,22 +8,26 @@
 
 namespace planish {
 
-/// A corner of a contour, where curve `at` begins; contour 0 is the outer one, then come the openings.
+/// A corner of a contour, where curve `at` begins; contour 0 is the outer one, then come the
+/// openings.
 struct Corner {
   int contour = 0;
   int at = 0;
 };
 
-/// A slit as it is cut: within `half_width` of its axis, with a hole about its ends inside the material.
+/// A slit as it is cut: within `half_width` of its axis, with a hole about its ends inside the
+/// material.
 struct Slot {
   Segment axis;
   double half_width = 0.0;
-  double hole = 0.0;                ///< radius, 0: none
-  std::optional<Corner> opens_at;   ///< where the axis begins; closed without
+  double hole = 0.0;               ///< radius, 0: none
+  std::optional<Corner> opens_at;  ///< where the axis begins; closed without
 
   /// Radius and places of its ends inside the material.
   double end_radius() const { return hole > half_width ? hole : half_width; }
-  std::vector<Vec2> holes() const { return opens_at ? std::vector<Vec2>{axis.b} : std::vector<Vec2>{axis.a, axis.b}; }
+  std::vector<Vec2> holes() const {
+    return opens_at ? std::vector<Vec2>{axis.b} : std::vector<Vec2>{axis.a, axis.b};
+  }
 };
 
 double distance(const Vec2& p, const Segment& segment);
@@ -35,8 +39,8 @@ std::vector<Vec2> chain_of(const Curve2& curve);
 /// The contour of a slot inside the material, clockwise.
 Loop closed_slot(const Slot& slot);
 
-/// The contour that a slot opens into, with its banks. Errors: `bad_option` (the contour's neighbouring lines are
-/// shorter than the slot is wide), `unsupported_shape` (they are no lines).
+/// The contour that a slot opens into, with its banks. Errors: `bad_option` (the contour's
+/// neighbouring lines are shorter than the slot is wide), `unsupported_shape` (they are no lines).
 Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance);
 
 /// What of a line is in no slot.

@@ -17,15 +17,20 @@ namespace {
 Result<void> check_options(const SlotOptions& options) {
   const auto check = [](double value, const char* what, const char* where) -> Result<void> {
     if (std::isfinite(value) && value >= 0.0) return {};
-    return fail(ErrorCode::bad_option, fmt::format("the {} is {} mm; it must be 0 or above", what, value), where);
+    return fail(ErrorCode::bad_option,
+                fmt::format("the {} is {} mm; it must be 0 or above", what, value), where);
   };
   if (auto sound = check(options.kerf, "kerf", "/kerf"); !sound) return sound;
-  if (auto sound = check(options.stop_hole, "stop hole's diameter", "/stop_hole"); !sound) return sound;
+  if (auto sound = check(options.stop_hole, "stop hole's diameter", "/stop_hole"); !sound)
+    return sound;
   if (!(std::isfinite(options.tolerance) && options.tolerance > 0.0))
-    return fail(ErrorCode::bad_option, fmt::format("the tolerance is {} mm; it must be above 0", options.tolerance));
+    return fail(ErrorCode::bad_option,
+                fmt::format("the tolerance is {} mm; it must be above 0", options.tolerance));
   if (options.stop_hole > 0.0 && options.stop_hole < options.kerf)
     return fail(ErrorCode::bad_option,
-                fmt::format("the stop holes have a diameter of {} mm, less than the kerf of {} mm; make them as wide at least", options.stop_hole, options.kerf),
+                fmt::format("the stop holes have a diameter of {} mm, less than the kerf of {} mm; "
+                            "make them as wide at least",
+                            options.stop_hole, options.kerf),
                 "/stop_hole");
   return {};
 }
@@ -34,7 +39,8 @@ Result<void> check_options(const SlotOptions& options) {
 template <typename Pattern>
 auto contours_of(Pattern& pattern) {
   std::vector<decltype(&pattern.outer)> contours{&pattern.outer};
-  for (auto& opening : pattern.openings) contours.push_back(&opening);
+  for (auto& opening : pattern.openings)
+    contours.push_back(&opening);
   return contours;
 }
 
@@ -46,7 +52,8 @@ void take_slits(FlatPattern& pattern, double tolerance) {
     contour = std::move(left.contour);
   };
   take(pattern.outer);
-  for (Contour& opening : pattern.openings) take(opening);
+  for (Contour& opening : pattern.openings)
+    take(opening);
   std::erase_if(pattern.openings, [](const Contour& contour) { return contour.loop.empty(); });
 }
 
@@ -55,7 +62,8 @@ std::vector<Corner> corners_at(const FlatPattern& pattern, const Vec2& p, double
   const auto contours = contours_of(pattern);
   for (std::size_t c = 0; c < contours.size(); ++c)
     for (std::size_t i = 0; i < contours[c]->loop.size(); ++i)
-      if ((start_of(contours[c]->loop[i]) - p).norm() <= tolerance) corners.push_back({static_cast<int>(c), static_cast<int>(i)});
+      if ((start_of(contours[c]->loop[i]) - p).norm() <= tolerance)
+        corners.push_back({static_cast<int>(c), static_cast<int>(i)});
   return corners;
 }
 
@@ -63,10 +71,14 @@ std::vector<Corner> corners_at(const FlatPattern& pattern, const Vec2& p, double
 Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const SlotOptions& options) {
   std::vector<Slot> slots;
   for (const Segment& slit : pattern.slits) {
-    const auto a = corners_at(pattern, slit.a, options.tolerance), b = corners_at(pattern, slit.b, options.tolerance);
+    const auto a = corners_at(pattern, slit.a, options.tolerance),
+               b = corners_at(pattern, slit.b, options.tolerance);
     if (a.size() + b.size() > 1)
-      return fail(ErrorCode::unsupported_shape, fmt::format("the slit from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is open in more than one place", slit.a.x(),
-                                                            slit.a.y(), slit.b.x(), slit.b.y()));
+      return fail(
+          ErrorCode::unsupported_shape,
+          fmt::format(
+              "the slit from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) is open in more than one place",
+              slit.a.x(), slit.a.y(), slit.b.x(), slit.b.y()));
     Slot slot{slit, 0.5 * options.kerf, 0.5 * options.stop_hole, std::nullopt};
     if (!b.empty()) slot.axis = {slit.b, slit.a};
     if (!a.empty()) slot.opens_at = a.front();
@@ -78,7 +90,8 @@ Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const SlotOptions
 
 tl::unexpected<Error> too_wide(const Slot& slot, double room) {
   return fail(ErrorCode::bad_option,
-              fmt::format("the slot from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) runs into what is {:.6g} mm beside it; choose a smaller kerf or stop hole",
+              fmt::format("the slot from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) runs into what is "
+                          "{:.6g} mm beside it; choose a smaller kerf or stop hole",
                           slot.axis.a.x(), slot.axis.a.y(), slot.axis.b.x(), slot.axis.b.y(), room),
               slot.hole > slot.half_width ? "/stop_hole" : "/kerf");
 }
@@ -90,12 +103,14 @@ Result<void> check_room_between(const std::vector<Slot>& slots) {
       const double room = distance(a.axis, b.axis);
       if (!(room > a.half_width + b.half_width)) return too_wide(a, room);
       for (const Vec2& hole : a.holes()) {
-        if (const double beside = distance(hole, b.axis); !(beside > a.hole + b.half_width)) return too_wide(a, beside);
+        if (const double beside = distance(hole, b.axis); !(beside > a.hole + b.half_width))
+          return too_wide(a, beside);
         for (const Vec2& other : b.holes())
           if (!((hole - other).norm() > a.hole + b.hole)) return too_wide(a, (hole - other).norm());
       }
       for (const Vec2& hole : b.holes())
-        if (const double beside = distance(hole, a.axis); !(beside > b.hole + a.half_width)) return too_wide(b, beside);
+        if (const double beside = distance(hole, a.axis); !(beside > b.hole + a.half_width))
+          return too_wide(b, beside);
     }
   return {};
 }
@@ -107,13 +122,17 @@ Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot
     const Loop& loop = contours[c]->loop;
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const bool opens_here = slot.opens_at && slot.opens_at->contour == static_cast<int>(c) &&
-                              (slot.opens_at->at == static_cast<int>(i) || slot.opens_at->at == static_cast<int>((i + 1) % loop.size()));
+                              (slot.opens_at->at == static_cast<int>(i) ||
+                               slot.opens_at->at == static_cast<int>((i + 1) % loop.size()));
       const std::vector<Vec2> points = chain_of(loop[i]);
       for (std::size_t k = 0; k + 1 < points.size(); ++k) {
         const Segment piece{points[k], points[k + 1]};
-        if (const double room = distance(slot.axis, piece); !opens_here && !(room > slot.half_width)) return too_wide(slot, room);
+        if (const double room = distance(slot.axis, piece);
+            !opens_here && !(room > slot.half_width))
+          return too_wide(slot, room);
         for (const Vec2& hole : slot.holes())
-          if (const double room = distance(hole, piece); !(room > slot.hole)) return too_wide(slot, room);
+          if (const double room = distance(hole, piece); !(room > slot.hole))
+            return too_wide(slot, room);
       }
     }
   }
@@ -123,7 +142,8 @@ Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot
 /// From the back, so that the corners still to come keep their numbers.
 Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double tolerance) {
   std::erase_if(slots, [](const Slot& slot) { return !slot.opens_at; });
-  std::sort(slots.begin(), slots.end(), [](const Slot& a, const Slot& b) { return a.opens_at->at > b.opens_at->at; });
+  std::sort(slots.begin(), slots.end(),
+            [](const Slot& a, const Slot& b) { return a.opens_at->at > b.opens_at->at; });
   const auto contours = contours_of(pattern);
   for (const Slot& slot : slots) {
     Contour& contour = *contours[slot.opens_at->contour];
@@ -148,11 +168,14 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
   pattern.slits.clear();
   for (const Slot& slot : slots) {
     const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
-    const double room = (slot.axis.b - slot.axis.a).norm() - slot.hole * static_cast<double>(slot.holes().size());
+    const double room = (slot.axis.b - slot.axis.a).norm() -
+                        slot.hole * static_cast<double>(slot.holes().size());
     if (!(room > 0.0)) return too_wide(slot, room);
-    pattern.slits.push_back({slot.opens_at ? slot.axis.a : Vec2(slot.axis.a + slot.hole * along), slot.axis.b - slot.hole * along});
+    pattern.slits.push_back({slot.opens_at ? slot.axis.a : Vec2(slot.axis.a + slot.hole * along),
+                             slot.axis.b - slot.hole * along});
     if (slot.hole > 0.0)
-      for (const Vec2& hole : slot.holes()) pattern.openings.push_back({{Arc{hole, slot.hole, 0.0, -2.0 * std::numbers::pi}}, {{}}});
+      for (const Vec2& hole : slot.holes())
+        pattern.openings.push_back({{Arc{hole, slot.hole, 0.0, -2.0 * std::numbers::pi}}, {{}}});
   }
   return {};
 }
@@ -160,7 +183,8 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
 void trim_bend(FlatBend& bend, const std::vector<Slot>& slots) {
   const auto sum = [](const std::vector<Segment>& lines) {
     double length = 0.0;
-    for (const Segment& line : lines) length += (line.b - line.a).norm();
+    for (const Segment& line : lines)
+      length += (line.b - line.a).norm();
     return length;
   };
   const double whole = sum(bend.lines);
@@ -172,7 +196,8 @@ void trim_bend(FlatBend& bend, const std::vector<Slot>& slots) {
       angles.push_back(i < bend.line_angles.size() ? bend.line_angles[i] : bend.angle);
     }
   for (const Segment& line : bend.tangent_lines)
-    for (const Segment& piece : outside(line, slots)) tangent_lines.push_back(piece);
+    for (const Segment& piece : outside(line, slots))
+      tangent_lines.push_back(piece);
   bend.lines = std::move(lines);
   bend.line_angles = std::move(angles);
   bend.tangent_lines = std::move(tangent_lines);
@@ -186,7 +211,8 @@ void merge_contours(FlatPattern& pattern, double tolerance) {
     std::vector<std::vector<Origin>> origins(whole.loop.size());
     const std::size_t inputs = contour->loop.size(), outputs = whole.loop.size();
     for (std::size_t i = 0; i < outputs; ++i) {
-      const auto first = static_cast<std::size_t>(whole.first_input[i]), last = static_cast<std::size_t>(whole.first_input[(i + 1) % outputs]);
+      const auto first = static_cast<std::size_t>(whole.first_input[i]),
+                 last = static_cast<std::size_t>(whole.first_input[(i + 1) % outputs]);
       const std::size_t span = outputs == 1 ? inputs : (last + inputs - first) % inputs;
       for (std::size_t k = 0; k < span; ++k) {
         const auto& known = contour->origins[(first + k) % inputs];
@@ -201,22 +227,26 @@ void merge_contours(FlatPattern& pattern, double tolerance) {
 
 Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
   if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
-  for (Contour* contour : contours_of(pattern)) contour->origins.resize(contour->loop.size());
+  for (Contour* contour : contours_of(pattern))
+    contour->origins.resize(contour->loop.size());
   take_slits(pattern, options.tolerance);
   if (pattern.slits.empty()) return pattern;
   auto slots = slots_of(pattern, options);
   if (!slots) return tl::unexpected(slots.error());
   if (auto room = check_room_between(*slots); !room) return tl::unexpected(room.error());
   for (const Slot& slot : *slots)
-    if (auto room = check_room_to_contours(pattern, slot); !room) return tl::unexpected(room.error());
+    if (auto room = check_room_to_contours(pattern, slot); !room)
+      return tl::unexpected(room.error());
   if (options.kerf > 0.0) {
     pattern.slits.clear();
-    if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened) return tl::unexpected(opened.error());
+    if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened)
+      return tl::unexpected(opened.error());
     add_closed_slots(pattern, *slots);
   } else if (auto cut = cut_as_lines(pattern, *slots); !cut) {
     return tl::unexpected(cut.error());
   }
-  for (FlatBend& bend : pattern.bends) trim_bend(bend, *slots);
+  for (FlatBend& bend : pattern.bends)
+    trim_bend(bend, *slots);
   merge_contours(pattern, options.tolerance);
   measure(pattern);
   return pattern;

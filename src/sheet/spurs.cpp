@@ -24,7 +24,8 @@ double length_of(const Segment& segment) { return (segment.b - segment.a).norm()
 /// Whether the path turns round between the two pieces and comes back on its own line.
 bool turns_round(const Segment& there, const Segment& back, double tolerance) {
   if ((there.b - there.a).dot(back.b - back.a) >= 0.0) return false;
-  return length_of(there) > length_of(back) ? distance_to_line(back.b, there) <= tolerance : distance_to_line(there.a, back) <= tolerance;
+  return length_of(there) > length_of(back) ? distance_to_line(back.b, there) <= tolerance
+                                            : distance_to_line(there.a, back) <= tolerance;
 }
 
 /// The path so far, in which no piece runs back along the one before.
@@ -67,7 +68,8 @@ class Path {
     if (before == nullptr) return std::nullopt;
     const auto* there = std::get_if<Segment>(&before->curve);
     const auto* back = std::get_if<Segment>(&after.curve);
-    if (there == nullptr || back == nullptr || !turns_round(*there, *back, tolerance_)) return std::nullopt;
+    if (there == nullptr || back == nullptr || !turns_round(*there, *back, tolerance_))
+      return std::nullopt;
     const double longer = length_of(*there) - length_of(*back);
     Rest rest;
     if (longer > tolerance_) {
@@ -89,12 +91,15 @@ class Path {
 std::optional<Segment> joined(const Segment& a, const Segment& b, double tolerance) {
   const Segment& longer = length_of(a) < length_of(b) ? b : a;
   const Segment& other = length_of(a) < length_of(b) ? a : b;
-  if (distance_to_line(other.a, longer) > tolerance || distance_to_line(other.b, longer) > tolerance) return std::nullopt;
+  if (distance_to_line(other.a, longer) > tolerance ||
+      distance_to_line(other.b, longer) > tolerance)
+    return std::nullopt;
   const Vec2 along = (longer.b - longer.a).normalized();
   const auto at = [&](const Vec2& p) { return along.dot(p - longer.a); };
   const auto [from, to] = std::minmax({at(other.a), at(other.b)});
   if (from > length_of(longer) + tolerance || to < -tolerance) return std::nullopt;
-  const Vec2 &first = at(other.a) < at(other.b) ? other.a : other.b, &last = at(other.a) < at(other.b) ? other.b : other.a;
+  const Vec2 &first = at(other.a) < at(other.b) ? other.a : other.b,
+             &last = at(other.a) < at(other.b) ? other.b : other.a;
   return Segment{from < 0.0 ? first : longer.a, to > length_of(longer) ? last : longer.b};
 }
 
@@ -120,7 +125,8 @@ std::vector<Segment> joined(std::vector<Segment> pieces, double tolerance) {
 WithoutSpurs without_spurs(const Contour& contour, double tolerance) {
   Path path(tolerance);
   for (std::size_t i = 0; i < contour.loop.size(); ++i)
-    path.append({contour.loop[i], i < contour.origins.size() ? contour.origins[i] : std::vector<Origin>{}});
+    path.append(
+        {contour.loop[i], i < contour.origins.size() ? contour.origins[i] : std::vector<Origin>{}});
   path.close();
   WithoutSpurs result;
   if (path.slits().empty()) return {contour, {}};

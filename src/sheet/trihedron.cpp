@@ -18,10 +18,12 @@ Frame border_trihedron(const Sheet& sheet, const BorderRef& ref) {
   const Face& face = sheet.faces[index_of(ref.face)];
   const Curve2& curve = face.loops[ref.loop][ref.border].curve;
   const Vec3 start = skin_point(face, start_of(curve));
-  return frame_from_axes(start, outward_normal(face, start_of(curve)), skin_point(face, end_of(curve)) - start);
+  return frame_from_axes(start, outward_normal(face, start_of(curve)),
+                         skin_point(face, end_of(curve)) - start);
 }
 
-Eigen::Isometry3d unfolding_by_steps(const Frame& parent, const Frame& child, Angle turn, double allowance) {
+Eigen::Isometry3d unfolding_by_steps(const Frame& parent, const Frame& child, Angle turn,
+                                     double allowance) {
   // The child's border runs against the parent's: its end lies where the parent's starts.
   const Vec3 along = parent.x;
   const Vec3 edge_offset = parent.origin - child.origin;
@@ -34,8 +36,8 @@ Eigen::Isometry3d unfolding_by_steps(const Frame& parent, const Frame& child, An
   return Eigen::Isometry3d(tc * (to_axis * turn_back * from_axis) * tr);
 }
 
-Eigen::Isometry3d unfolding_by_trihedra(const Frame& parent, const Frame& child, double border_length,
-                                        double allowance) {
+Eigen::Isometry3d unfolding_by_trihedra(const Frame& parent, const Frame& child,
+                                        double border_length, double allowance) {
   Frame image;
   image.origin = parent.origin + border_length * parent.x - allowance * parent.y;
   image.x = -parent.x;

@@ -1,8 +1,10 @@
 #include "unfolding_tree.hpp"
 
-#include <algorithm>
-#include <fmt/format.h>
 #include <planish/base/assert.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <queue>
 
 namespace planish {
@@ -21,13 +23,11 @@ struct Nodes {
   int count;
 };
 
-const Face& face_at(const Sheet& sheet, FaceId id) {
-  return sheet.faces[index_of(id)];
-}
+const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[index_of(id)]; }
 
-/// The border's trihedron in the developed plane of its face: a point and the direction X (MATH 4.2;
-/// Y points into the face, Z out of the plane). The direction comes from the surfaces, not from the
-/// end points, whose rounding a short border would magnify.
+/// The border's trihedron in the developed plane of its face: a point and the direction X
+/// (MATH 4.2; Y points into the face, Z out of the plane). The direction comes from the surfaces,
+/// not from the end points, whose rounding a short border would magnify.
 struct BorderFrame {
   Vec2 middle;
   Vec2 direction;
@@ -44,7 +44,8 @@ Vec3 fold_line(const Sheet& sheet, const Joint& joint) {
   const Vec3 chord = chord_on(a, border_at(sheet, joint.a));
   Vec3 line = chord;
   const auto ruling = [&](const Face& face, const BorderRef& ref) {
-    return ruling_on(std::get<Developable>(face.surface), start_of(border_at(sheet, ref).curve).x());
+    return ruling_on(std::get<Developable>(face.surface),
+                     start_of(border_at(sheet, ref).curve).x());
   };
   if (std::holds_alternative<Developable>(a.surface)) {
     line = ruling(a, joint.a);
@@ -62,7 +63,10 @@ Vec3 fold_line(const Sheet& sheet, const Joint& joint) {
 class Grower {
  public:
   Grower(const Sheet& sheet, const FlattenOptions& options)
-      : sheet_(sheet), options_(options), nodes_(sheet), joints_of_(static_cast<size_t>(nodes_.count)),
+      : sheet_(sheet),
+        options_(options),
+        nodes_(sheet),
+        joints_of_(static_cast<size_t>(nodes_.count)),
         node_placement_(static_cast<size_t>(nodes_.count)) {}
 
   Result<UnfoldingTree> run() {
@@ -74,7 +78,8 @@ class Grower {
       tree_.placement.push_back(*node_placement_[nodes_.of(face)] * mirror_of(face));
     }
     if (auto done = check_closure(); !done) return tl::unexpected(done.error());
-    for (size_t f = 0; f < sheet_.faces.size(); ++f) tree_.images.push_back(images_of(sheet_.faces[f], tree_.placement[f]));
+    for (size_t f = 0; f < sheet_.faces.size(); ++f)
+      tree_.images.push_back(images_of(sheet_.faces[f], tree_.placement[f]));
     return std::move(tree_);
   }
 
@@ -85,7 +90,8 @@ class Grower {
       auto allowance = allowance_of(BendId{static_cast<int>(i)}, bend);
       if (!allowance) return tl::unexpected(allowance.error());
       tree_.allowance.push_back(*allowance);
-      if (bend.faces.empty() && sheet_.reference_depth > 0.0) settle_hinge(bend, tree_.allowance.back());
+      if (bend.faces.empty() && sheet_.reference_depth > 0.0)
+        settle_hinge(bend, tree_.allowance.back());
       tree_.development.push_back(development_of(bend, allowance->k_factor));
     }
     for (const Face& face : sheet_.faces) {
@@ -96,7 +102,9 @@ class Grower {
   }
 
   Result<BendAllowance> allowance_of(BendId id, const Bend& bend) const {
-    const auto by = [&](const AllowanceRule& rule) { return bend_allowance(rule, sheet_.thickness, bend.inside_radius, bend.angle); };
+    const auto by = [&](const AllowanceRule& rule) {
+      return bend_allowance(rule, sheet_.thickness, bend.inside_radius, bend.angle);
+    };
     for (const auto& [single, k] : options_.bend_k)
       if (single == id) return by(ConstantK{k, "this bend"});
     return by(options_.allowance);
@@ -107,11 +115,13 @@ class Grower {
     return (bend.reference_inside ? k : 1.0 - k) * sheet_.thickness - sheet_.reference_depth;
   }
 
-  /// Between skins a sharp bend turns about the reference surface; outside the faces meet beyond it.
+  /// Between skins a sharp bend turns about the reference surface; outside the faces meet beyond
+  /// it.
   void settle_hinge(const Bend& bend, BendAllowance& allowance) const {
     const double outwards = bend.reference_inside ? 1.0 : -1.0;
     allowance.allowance = bend.angle.radians() * outwards * neutral_depth(bend, allowance.k_factor);
-    const double outside = bend.reference_inside ? sheet_.thickness - sheet_.reference_depth : sheet_.reference_depth;
+    const double outside = bend.reference_inside ? sheet_.thickness - sheet_.reference_depth
+                                                 : sheet_.reference_depth;
     allowance.deduction = 2.0 * outside_setback(0.0, outside, bend.angle) - allowance.allowance;
   }
 
@@ -154,7 +164,8 @@ class Grower {
       if (!std::holds_alternative<FlangeId>(sheet_.faces[i].part_of)) continue;
       double area = 0.0;
       for (const BorderLoop& loop : sheet_.faces[i].loops)
-        for (const Border& border : loop) area += green_area(border.curve);
+        for (const Border& border : loop)
+          area += green_area(border.curve);
       if (area > best_area) {
         best_area = area;
         best = static_cast<int>(i);
@@ -173,7 +184,8 @@ class Grower {
     std::priority_queue<std::pair<double, int>> front;
     const auto enter = [&](int node, const Isometry2& placement) {
       node_placement_[node] = placement;
-      for (const int joint : joints_of_[node]) front.emplace(joint_length(joint), joint);
+      for (const int joint : joints_of_[node])
+        front.emplace(joint_length(joint), joint);
     };
     enter(nodes_.of(face_at(sheet_, root())), Isometry2::Identity());
     while (!front.empty()) {
@@ -206,17 +218,17 @@ class Grower {
       direction = {line.dot(frame->x), line.dot(frame->y)};
     } else {
       const BendId bend = std::get<BendId>(face.part_of);
-      const Eigen::Matrix2d jacobian =
-          tree_.development[index_of(bend)].jacobian((start_of(curve) + end_of(curve)) / 2);
+      const Eigen::Matrix2d jacobian = tree_.development[index_of(bend)].jacobian(
+          (start_of(curve) + end_of(curve)) / 2);
       direction = mirror_of(face).linear() * jacobian.col(1);
       if (direction.dot(end - start) < 0) direction = -direction;
     }
     return {(start + end) / 2, direction.normalized()};
   }
 
-  /// Placement of joint.b's node given that of joint.a's: b's border trihedron goes onto a's, turned
-  /// round because both borders keep their face on the left (MATH 4.2), with the allowance of a
-  /// sharp bend between them.
+  /// Placement of joint.b's node given that of joint.a's: b's border trihedron goes onto a's,
+  /// turned round because both borders keep their face on the left (MATH 4.2), with the allowance
+  /// of a sharp bend between them.
   Isometry2 child_placement(const Joint& joint) const {
     const Vec3 line = fold_line(sheet_, joint);
     const BorderFrame parent = border_frame(joint.a, line);
@@ -231,8 +243,8 @@ class Grower {
     const double gap = joint.sharp ? gap_of(*joint.sharp) : 0.0;
     const Vec2 outwards(x.y(), -x.x());
     const double shift = joint.sharp ? shift_along(joint, line) : 0.0;
-    placement.translation() =
-        base * parent.middle + gap * outwards + shift * x - placement.linear() * child.middle;
+    placement.translation() = base * parent.middle + gap * outwards + shift * x -
+                              placement.linear() * child.middle;
     return placement;
   }
 
@@ -259,7 +271,8 @@ class Grower {
     std::vector<Loop> images;
     for (const BorderLoop& loop : face.loops) {
       Loop& image = images.emplace_back();
-      for (const Border& border : loop) image.push_back(laid(border.curve));
+      for (const Border& border : loop)
+        image.push_back(laid(border.curve));
     }
     return images;
   }
@@ -269,7 +282,8 @@ class Grower {
       const bool sharp = static_cast<int>(node) >= nodes_.flanges &&
                          sheet_.bends[node - static_cast<size_t>(nodes_.flanges)].faces.empty();
       if (!node_placement_[node] && !sharp)
-        return fail(ErrorCode::not_a_sheet, "The flanges of the sheet are not all connected by bends.");
+        return fail(ErrorCode::not_a_sheet,
+                    "The flanges of the sheet are not all connected by bends.");
     }
     return {};
   }
@@ -285,19 +299,24 @@ class Grower {
     if (tree_.closure <= options_.closure_tolerance) return {};
     const int a = face_at(sheet_, worst->a.face).source_face;
     const int b = face_at(sheet_, worst->b.face).source_face;
-    return fail(ErrorCode::closed_loop,
-                fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses by "
-                            "{:.3g} mm); a rip along the edge between face {} and face {} would open it.",
-                            tree_.closure, a, b),
-                fmt::format("edge {} between face {} and face {}", border_at(sheet_, worst->a).edge, a, b));
+    return fail(
+        ErrorCode::closed_loop,
+        fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses by "
+                    "{:.3g} mm); a rip along the edge between face {} and face {} would open it.",
+                    tree_.closure, a, b),
+        fmt::format("edge {} between face {} and face {}", border_at(sheet_, worst->a).edge, a, b));
   }
 
   double joint_mismatch(const Joint& joint) const {
     if (joint.sharp) return sharp_mismatch(joint);
     const Curve2& a = border_at(sheet_, joint.a).curve;
     const Curve2& b = border_at(sheet_, joint.b).curve;
-    return std::max((tree_.image(sheet_, joint.a.face, start_of(a)) - tree_.image(sheet_, joint.b.face, end_of(b))).norm(),
-                    (tree_.image(sheet_, joint.a.face, end_of(a)) - tree_.image(sheet_, joint.b.face, start_of(b))).norm());
+    return std::max((tree_.image(sheet_, joint.a.face, start_of(a)) -
+                     tree_.image(sheet_, joint.b.face, end_of(b)))
+                        .norm(),
+                    (tree_.image(sheet_, joint.a.face, end_of(a)) -
+                     tree_.image(sheet_, joint.b.face, start_of(b)))
+                        .norm());
   }
 
   /// The two borders of a sharp bend are parallel, one allowance apart; their ends may differ.
@@ -311,10 +330,12 @@ class Grower {
     const Vec2 outwards(x.y(), -x.x());
     const Vec2 b0 = tree_.image(sheet_, joint.b.face, end_of(b));
     const Vec2 b1 = tree_.image(sheet_, joint.b.face, start_of(b));
-    const double along = std::abs(((b0 + b1) / 2 - (a0 + a1) / 2).dot(x)) > (a1 - a0).norm() + (b1 - b0).norm()
+    const double along = std::abs(((b0 + b1) / 2 - (a0 + a1) / 2).dot(x)) >
+                                 (a1 - a0).norm() + (b1 - b0).norm()
                              ? (b0 - a0).norm()
                              : 0.0;
-    return std::max({std::abs((b0 - a0).dot(outwards) - gap), std::abs((b1 - a0).dot(outwards) - gap), along});
+    return std::max(
+        {std::abs((b0 - a0).dot(outwards) - gap), std::abs((b1 - a0).dot(outwards) - gap), along});
   }
 
   const Sheet& sheet_;

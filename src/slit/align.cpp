@@ -24,7 +24,9 @@ class Surface {
       for (int i = 0; i < kAlong; ++i)
         for (int j = 0; j <= kAcross; ++j) {
           const double s = (i + 0.5) / kAlong, r = static_cast<double>(j) / kAcross;
-          const auto on = [&](const SlitRidge& ridge) -> Vec3 { return (1.0 - r) * ridge.folded[0] + r * ridge.folded[1]; };
+          const auto on = [&](const SlitRidge& ridge) -> Vec3 {
+            return (1.0 - r) * ridge.folded[0] + r * ridge.folded[1];
+          };
           points.push_back((1.0 - s) * on(strip.ridges[quad]) + s * on(strip.ridges[quad + 1]));
           normals_.push_back(strip.quads[quad].z);
         }
@@ -99,7 +101,8 @@ Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans) {
     const Vec3 turn = by.head<3>() / size;
     const double angle = turn.norm();
     const Eigen::AngleAxisd rotation(angle, angle > 0.0 ? Vec3(turn / angle) : Vec3(Vec3::UnitX()));
-    motion = Eigen::Translation3d(centre + by.tail<3>()) * rotation * Eigen::Translation3d(-centre) * motion;
+    motion = Eigen::Translation3d(centre + by.tail<3>()) * rotation *
+             Eigen::Translation3d(-centre) * motion;
     if (by.cwiseAbs().maxCoeff() <= kStill * size) break;
   }
   return motion;

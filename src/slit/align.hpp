@@ -14,8 +14,9 @@ struct ScannedStrip {
   FoldedStrip strip;
 };
 
-/// The rigid motion that brings all points nearest to their strips (ICP): distances across the strips count in full,
-/// those along them little, so that points slide to their place. Of each strip some 4000 points are used.
+/// The rigid motion that brings all points nearest to their strips (ICP): distances across the
+/// strips count in full, those along them little, so that points slide to their place. Of each
+/// strip some 4000 points are used.
 Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans);
 
 }  // namespace planish::slit_detail

@@ -12,12 +12,17 @@ namespace {
 
 constexpr int kSamplesPerDegree = 64;
 
-int sample_count(const BezierCurve& curve) { return kSamplesPerDegree * std::max<int>(1, static_cast<int>(curve.poles.size()) - 1); }
+int sample_count(const BezierCurve& curve) {
+  return kSamplesPerDegree * std::max<int>(1, static_cast<int>(curve.poles.size()) - 1);
+}
 
 /// Gauss–Legendre on five points.
 double gauss_length(const BezierCurve& curve, double from, double to) {
-  constexpr std::array<double, 5> kNodes{-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831, 0.9061798459386640};
-  constexpr std::array<double, 5> kWeights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+  constexpr std::array<double, 5> kNodes{-0.9061798459386640, -0.5384693101056831, 0.0,
+                                         0.5384693101056831, 0.9061798459386640};
+  constexpr std::array<double, 5> kWeights{0.2369268850561891, 0.4786286704993665,
+                                           0.5688888888888889, 0.4786286704993665,
+                                           0.2369268850561891};
   const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
   double sum = 0.0;
   for (std::size_t i = 0; i < kNodes.size(); ++i)
@@ -25,11 +30,13 @@ double gauss_length(const BezierCurve& curve, double from, double to) {
   return half * sum;
 }
 
-double adaptive_length(const BezierCurve& curve, double from, double to, double whole, double tolerance, int depth) {
+double adaptive_length(const BezierCurve& curve, double from, double to, double whole,
+                       double tolerance, int depth) {
   const double middle = 0.5 * (from + to);
   const double left = gauss_length(curve, from, middle), right = gauss_length(curve, middle, to);
   if (depth == 0 || std::abs(left + right - whole) <= tolerance) return left + right;
-  return adaptive_length(curve, from, middle, left, tolerance, depth - 1) + adaptive_length(curve, middle, to, right, tolerance, depth - 1);
+  return adaptive_length(curve, from, middle, left, tolerance, depth - 1) +
+         adaptive_length(curve, middle, to, right, tolerance, depth - 1);
 }
 
 double radius_at(const BezierCurve& curve, double t) {
@@ -66,7 +73,8 @@ BezierPoint bezier_at(const BezierCurve& curve, double t) {
   const double degree = static_cast<double>(level.size()) - 1.0;
   BezierPoint result;
   for (std::size_t count = level.size(); count > 1; --count) {
-    if (count == 3) result.second = degree * (degree - 1.0) * (level[2] - 2.0 * level[1] + level[0]);
+    if (count == 3)
+      result.second = degree * (degree - 1.0) * (level[2] - 2.0 * level[1] + level[0]);
     if (count == 2) result.first = degree * (level[1] - level[0]);
     for (std::size_t i = 0; i + 1 < count; ++i)
       level[i] += t * (level[i + 1] - level[i]);
@@ -92,11 +100,13 @@ std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<
   const int count = sample_count(curve);
   std::vector<double> until{0.0};
   for (int i = 0; i < count; ++i)
-    until.push_back(until.back() + gauss_length(curve, static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+    until.push_back(until.back() + gauss_length(curve, static_cast<double>(i) / count,
+                                                static_cast<double>(i + 1) / count));
   std::vector<Vec2> points;
   for (const double length : lengths) {
     const auto after = std::upper_bound(until.begin() + 1, until.end() - 1, length);
-    const double from = *(after - 1), share = *after > from ? (length - from) / (*after - from) : 0.0;
+    const double from = *(after - 1),
+                 share = *after > from ? (length - from) / (*after - from) : 0.0;
     const double t = (static_cast<double>(after - until.begin()) - 1.0 + share) / count;
     points.push_back(bezier_at(curve, std::clamp(t, 0.0, 1.0)).point);
   }
@@ -111,7 +121,8 @@ TightestBend tightest_bend(const BezierCurve& curve, double from, double to) {
   for (int i = 0; i <= count; ++i)
     if (const double radius = radius_at(curve, at(i)); radius < least) least = radius, best = i;
   if (!(least < std::numeric_limits<double>::infinity())) return {least, from};
-  const TightestBend between = refined(curve, at(std::max(0, best - 1)), at(std::min(count, best + 1)));
+  const TightestBend between = refined(curve, at(std::max(0, best - 1)),
+                                       at(std::min(count, best + 1)));
   return between.radius < least ? between : TightestBend{least, at(best)};
 }
 
@@ -122,17 +133,21 @@ BezierSearch::BezierSearch(BezierCurve curve) : curve_(std::move(curve)) {
 }
 
 BezierSearch::Foot BezierSearch::nearest(const Vec2& p) const {
-  const auto closer = [&](const Vec2& a, const Vec2& b) { return (a - p).squaredNorm() < (b - p).squaredNorm(); };
+  const auto closer = [&](const Vec2& a, const Vec2& b) {
+    return (a - p).squaredNorm() < (b - p).squaredNorm();
+  };
   const auto best = std::min_element(samples_.begin(), samples_.end(), closer) - samples_.begin();
   const double step = 1.0 / (static_cast<double>(samples_.size()) - 1.0);
-  const double low = std::max(0.0, (static_cast<double>(best) - 1.0) * step), high = std::min(1.0, (static_cast<double>(best) + 1.0) * step);
+  const double low = std::max(0.0, (static_cast<double>(best) - 1.0) * step),
+               high = std::min(1.0, (static_cast<double>(best) + 1.0) * step);
   double t = static_cast<double>(best) * step;
   constexpr int kIterations = 20;
   BezierPoint c = bezier_at(curve_, t);
   double slope = 0.0;
   for (int i = 0; i < kIterations; ++i) {
     slope = c.first.squaredNorm() - (p - c.point).dot(c.second);
-    const double next = slope > 0.0 ? std::clamp(t + (p - c.point).dot(c.first) / slope, low, high) : t;
+    const double next = slope > 0.0 ? std::clamp(t + (p - c.point).dot(c.first) / slope, low, high)
+                                    : t;
     const double moved = std::abs(next - t);
     t = next;
     c = bezier_at(curve_, t);

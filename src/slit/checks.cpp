@@ -1,4 +1,5 @@
 #include "checks.hpp"
+
 #include "panel.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr int kFewestRidges = 3, kMostRidges = 1000, kMostStrips = 10000;
 constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
-constexpr double kLargest = 1e7;  // mm, of lengths and coordinates: 10 km
+constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
 constexpr double kHeaviest = 1e4;  // of weights: what weighs more leaves nothing of the rest
 
 tl::unexpected<Error> invalid(std::string message, std::string where) {
@@ -22,12 +23,15 @@ tl::unexpected<Error> invalid(std::string message, std::string where) {
 
 Result<void> check_length(double value, const char* what, std::string where) {
   if (value > 0.0 && value <= kLargest) return {};
-  return invalid(fmt::format("{} is {} mm; it must be above 0 and at most {:g} mm", what, value, kLargest), std::move(where));
+  return invalid(
+      fmt::format("{} is {} mm; it must be above 0 and at most {:g} mm", what, value, kLargest),
+      std::move(where));
 }
 
 Result<void> check_from_zero(double value, double most, const char* what, std::string where) {
   if (value >= 0.0 && value <= most) return {};
-  return invalid(fmt::format("{} is {}; it must be from 0 to {:g}", what, value, most), std::move(where));
+  return invalid(fmt::format("{} is {}; it must be from 0 to {:g}", what, value, most),
+                 std::move(where));
 }
 
 /// Of points and poles.
@@ -35,34 +39,52 @@ bool in_range(const auto& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <
 
 Result<void> check_place(const auto& p, const char* what, std::string where) {
   if (in_range(p)) return {};
-  return invalid(fmt::format("a coordinate of {} is beyond {:g} mm, or no number", what, kLargest), std::move(where));
+  return invalid(fmt::format("a coordinate of {} is beyond {:g} mm, or no number", what, kLargest),
+                 std::move(where));
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
   const SlitStrip& strip = sheet.strips[index];
   const std::string where = fmt::format("/sheet/strips/{}", index);
-  if (auto sound = check_length(strip.width, "the width of a strip", where + "/width"); !sound) return sound;
-  if (auto sound = check_from_zero(strip.gap, kLargest, "the gap beside a strip", where + "/gap"); !sound) return sound;
-  if (sheet.symmetric && strip.end) return invalid("strips of a symmetric sheet end at its symmetry plane; leave out where they end", where + "/end");
+  if (auto sound = check_length(strip.width, "the width of a strip", where + "/width"); !sound)
+    return sound;
+  if (auto sound = check_from_zero(strip.gap, kLargest, "the gap beside a strip", where + "/gap");
+      !sound)
+    return sound;
+  if (sheet.symmetric && strip.end)
+    return invalid(
+        "strips of a symmetric sheet end at its symmetry plane; leave out where they end",
+        where + "/end");
   const double end = sheet.end_of(index);
   if (auto sound = check_length(end, "where a strip ends", where + "/end"); !sound) return sound;
-  for (const auto& [start, key] : {std::pair{strip.left_start, "/left_start"}, std::pair{strip.right_start, "/right_start"}}) {
+  for (const auto& [start, key] :
+       {std::pair{strip.left_start, "/left_start"}, std::pair{strip.right_start, "/right_start"}}) {
     if (!start) continue;
     if (auto sound = check_length(*start, "where a slit begins", where + key); !sound) return sound;
   }
   for (const double start : sheet.start_of(index))
     if (!(start < end))
-      return invalid(fmt::format("strip {} ends at {:.6g} mm, before its slit begins at {:.6g} mm", index, end, start), where);
+      return invalid(fmt::format("strip {} ends at {:.6g} mm, before its slit begins at {:.6g} mm",
+                                 index, end, start),
+                     where);
   return {};
 }
 
 Result<void> check_curve(const BezierCurve& curve, const char* what, const std::string& where) {
-  if (curve.poles.size() < 2) return invalid(fmt::format("{} has {} poles; it needs at least 2", what, curve.poles.size()), where);
+  if (curve.poles.size() < 2)
+    return invalid(fmt::format("{} has {} poles; it needs at least 2", what, curve.poles.size()),
+                   where);
   if (curve.poles.size() > kMostPoles)
-    return invalid(fmt::format("{} has {} poles; {} are the most: describe it by fewer", what, curve.poles.size(), kMostPoles), where);
+    return invalid(fmt::format("{} has {} poles; {} are the most: describe it by fewer", what,
+                               curve.poles.size(), kMostPoles),
+                   where);
   for (std::size_t i = 0; i < curve.poles.size(); ++i)
-    if (auto sound = check_place(curve.poles[i], fmt::format("a pole of {}", what).c_str(), fmt::format("{}/bezier/{}", where, i)); !sound) return sound;
-  if (!(length(curve) > 0.0)) return invalid(fmt::format("{} has all its poles in one place", what), where);
+    if (auto sound = check_place(curve.poles[i], fmt::format("a pole of {}", what).c_str(),
+                                 fmt::format("{}/bezier/{}", where, i));
+        !sound)
+      return sound;
+  if (!(length(curve) > 0.0))
+    return invalid(fmt::format("{} has all its poles in one place", what), where);
   return {};
 }
 
@@ -71,9 +93,11 @@ Result<void> check_radius(const SlitDesign& design) {
   if (tightest.radius >= design.sheet.min_radius()) return {};
   const Vec2 at = bezier_at(design.leg_curve, tightest.t).point;
   return fail(ErrorCode::radius_too_small,
-              fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, {:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
+              fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, "
+                          "{:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
                           "{:.4g} mm at its middle",
-                          tightest.radius, at.x(), at.y(), design.sheet.thickness, design.sheet.min_radius()),
+                          tightest.radius, at.x(), at.y(), design.sheet.thickness,
+                          design.sheet.min_radius()),
               "/leg_curve");
 }
 
@@ -82,63 +106,84 @@ Result<void> check_side_of_plane(const std::vector<PanelFacet>& panel) {
   for (const PanelFacet& facet : panel)
     for (const Vec2& corner : facet.corners)
       if (const double x = facet.frame.point(corner).x(); !(x * first > 0.0))
-        return invalid(fmt::format("the leg curve meets the symmetry plane (x = {:.4g} mm after x = {:.4g} mm); it must stay on one side of x = 0", x, first),
+        return invalid(fmt::format("the leg curve meets the symmetry plane (x = {:.4g} mm after x "
+                                   "= {:.4g} mm); it must stay on one side of x = 0",
+                                   x, first),
                        "/leg_curve");
   return {};
 }
 
 const PanelFacet& facet_of(const std::vector<PanelFacet>& panel, int strip) {
-  return *std::find_if(panel.begin(), panel.end(), [&](const PanelFacet& facet) { return facet.strip == strip; });
+  return *std::find_if(panel.begin(), panel.end(),
+                       [&](const PanelFacet& facet) { return facet.strip == strip; });
 }
 
 Result<void> check_strip_number(const SlitDesign& design, int strip, const std::string& where) {
   const int count = static_cast<int>(design.sheet.strips.size());
   if (strip >= 0 && strip < count) return {};
-  return fail(ErrorCode::unknown_strip, fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, count - 1), where);
+  return fail(ErrorCode::unknown_strip,
+              fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, count - 1),
+              where);
 }
 
 Result<void> check_weights(const SlitWeights& weights) {
-  for (const auto& [value, key] : {std::pair{weights.smooth, "smooth"}, std::pair{weights.spacing, "spacing"}, std::pair{weights.anchors, "anchors"},
-                                   std::pair{weights.seat, "seat"}, std::pair{weights.spread, "spread"}, std::pair{weights.scan, "scan"}})
-    if (auto sound = check_from_zero(value, kHeaviest, "a weight", fmt::format("/weights/{}", key)); !sound) return sound;
+  for (const auto& [value, key] :
+       {std::pair{weights.smooth, "smooth"}, std::pair{weights.spacing, "spacing"},
+        std::pair{weights.anchors, "anchors"}, std::pair{weights.seat, "seat"},
+        std::pair{weights.spread, "spread"}, std::pair{weights.scan, "scan"}})
+    if (auto sound = check_from_zero(value, kHeaviest, "a weight", fmt::format("/weights/{}", key));
+        !sound)
+      return sound;
   return {};
 }
 
 Result<void> check_seat_curve(const SlitDesign& design) {
   if (!design.seat_curve) return {};
   if (!design.sheet.symmetric)
-    return invalid("a seat curve lies in the symmetry plane, and the sheet is not symmetric: leave it out and place the ends of the strips (\"ends\")",
-                   "/seat_curve");
-  if (auto sound = check_curve(*design.seat_curve, "the seat curve", "/seat_curve"); !sound) return sound;
+    return invalid(
+        "a seat curve lies in the symmetry plane, and the sheet is not symmetric: leave it out and "
+        "place the ends of the strips (\"ends\")",
+        "/seat_curve");
+  if (auto sound = check_curve(*design.seat_curve, "the seat curve", "/seat_curve"); !sound)
+    return sound;
   double width = 0.0;
   for (const SlitStrip& strip : design.sheet.strips)
     width += strip.width;
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
     return fail(ErrorCode::curve_too_short,
-                fmt::format("the seat curve is {:.6g} mm long; the ends of the strips are {:.6g} mm wide together and would cover each other", long_is, width),
+                fmt::format("the seat curve is {:.6g} mm long; the ends of the strips are {:.6g} "
+                            "mm wide together and would cover each other",
+                            long_is, width),
                 "/seat_curve");
   return {};
 }
 
-Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel, int anchor) {
+Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet>& panel,
+                          int anchor) {
   const SlitAnchor& wish = design.anchors[anchor];
   const std::string where = fmt::format("/anchors/{}", anchor);
   if (auto sound = check_strip_number(design, wish.strip, where + "/strip"); !sound) return sound;
   if (wish.ridge < 0 || wish.ridge > design.ridges)
-    return fail(ErrorCode::unknown_ridge, fmt::format("strip {} has no ridge {}; it has ridges 0 to {}", wish.strip, wish.ridge, design.ridges), where + "/ridge");
+    return fail(ErrorCode::unknown_ridge,
+                fmt::format("strip {} has no ridge {}; it has ridges 0 to {}", wish.strip,
+                            wish.ridge, design.ridges),
+                where + "/ridge");
   if (auto sound = check_place(wish.at, "an anchor", where + "/at"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, wish.strip);
   const std::size_t side = wish.side == Side::left ? 0 : 1;
   const double start = design.sheet.start_of(wish.strip)[side];
   const Vec3 from = facet.frame.point({start, facet.corners[side == 0 ? 1 : 2].y()});
   const double available = wish.ridge == 0 ? 0.0 : design.sheet.end_of(wish.strip) - start;
-  const double needed = (wish.at - from).norm() + (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
+  const double needed = (wish.at - from).norm() +
+                        (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
   constexpr double kExactly = 1e-9;
   if (needed <= available + kExactly * design.sheet.reach()) return {};
   return fail(ErrorCode::out_of_reach,
-              fmt::format("the anchor at ({:.4g}, {:.4g}, {:.4g}) mm is {:.4g} mm out of reach: the way there from the panel{} is {:.4g} mm, strip {} has "
+              fmt::format("the anchor at ({:.4g}, {:.4g}, {:.4g}) mm is {:.4g} mm out of reach: "
+                          "the way there from the panel{} is {:.4g} mm, strip {} has "
                           "{:.4g} mm",
-                          wish.at.x(), wish.at.y(), wish.at.z(), needed - available, design.sheet.symmetric ? " and on to the symmetry plane" : "", needed,
+                          wish.at.x(), wish.at.y(), wish.at.z(), needed - available,
+                          design.sheet.symmetric ? " and on to the symmetry plane" : "", needed,
                           wish.strip, available),
               where + "/at");
 }
@@ -148,27 +193,38 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
   const StripEnd& end = design.ends[strip];
   if (!end.position && !end.direction && !end.across) return {};
   if (auto sound = check_strip_number(design, strip, where); !sound) return sound;
-  if (design.sheet.symmetric) return fail(ErrorCode::bad_option, "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed", where);
-  for (const auto& [direction, key] : {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
-    if (direction && !(direction->allFinite() && direction->norm() > 0.0)) return invalid("a direction is zero or not finite", where + key);
+  if (design.sheet.symmetric)
+    return fail(
+        ErrorCode::bad_option,
+        "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed",
+        where);
+  for (const auto& [direction, key] :
+       {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
+    if (direction && !(direction->allFinite() && direction->norm() > 0.0))
+      return invalid("a direction is zero or not finite", where + key);
   if (end.direction && end.across) {
     constexpr double kPerpendicular = 1e-6;
     const double cosine = end.direction->normalized().dot(end.across->normalized());
     if (std::abs(cosine) > kPerpendicular)
-      return invalid(fmt::format("the end's direction and its ridge are {:.4g}° apart; the last ridge is at right angles to the strip",
-                                 Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees()),
-                     where + "/across");
+      return invalid(
+          fmt::format("the end's direction and its ridge are {:.4g}° apart; the last ridge is at "
+                      "right angles to the strip",
+                      Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees()),
+          where + "/across");
   }
   if (!end.position) return {};
   if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, strip);
   const auto start = design.sheet.start_of(strip);
   const double along = 0.5 * (start[0] + start[1]), available = design.sheet.end_of(strip) - along;
-  const double needed = (*end.position - facet.frame.point({along, 0.5 * (facet.corners[0].y() + facet.corners[3].y())})).norm();
+  const double needed = (*end.position - facet.frame.point({along, 0.5 * (facet.corners[0].y() +
+                                                                          facet.corners[3].y())}))
+                            .norm();
   if (needed <= available) return {};
   return fail(ErrorCode::out_of_reach,
-              fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the panel's edge, the strip is {:.4g} mm long", strip,
-                          needed - available, needed, available),
+              fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the "
+                          "panel's edge, the strip is {:.4g} mm long",
+                          strip, needed - available, needed, available),
               where + "/position");
 }
 
@@ -176,23 +232,36 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
 
 Result<void> check_sheet(const SlitDesign& design) {
   const SlitSheet& sheet = design.sheet;
-  if (auto sound = check_length(sheet.thickness, "the thickness", "/thickness"); !sound) return sound;
-  if (auto sound = check_length(sheet.panel_height, "the height of the panel", "/sheet/panel_height"); !sound) return sound;
-  if (auto sound = check_length(sheet.half_length, "the half-length", "/sheet/half_length"); !sound) return sound;
-  if (auto sound = check_from_zero(sheet.margin, kLargest, "the margin", "/sheet/margin"); !sound) return sound;
-  if (auto sound = check_from_zero(sheet.min_inside_radius, kLargest, "the smallest inside radius", "/min_inside_radius"); !sound) return sound;
+  if (auto sound = check_length(sheet.thickness, "the thickness", "/thickness"); !sound)
+    return sound;
+  if (auto sound = check_length(sheet.panel_height, "the height of the panel",
+                                "/sheet/panel_height");
+      !sound)
+    return sound;
+  if (auto sound = check_length(sheet.half_length, "the half-length", "/sheet/half_length"); !sound)
+    return sound;
+  if (auto sound = check_from_zero(sheet.margin, kLargest, "the margin", "/sheet/margin"); !sound)
+    return sound;
+  if (auto sound = check_from_zero(sheet.min_inside_radius, kLargest, "the smallest inside radius",
+                                   "/min_inside_radius");
+      !sound)
+    return sound;
   const int count = static_cast<int>(sheet.strips.size());
   if (count < 1 || count > kMostStrips)
-    return invalid(fmt::format("the sheet has {} strips; it must have 1 to {}", count, kMostStrips), "/sheet/strips");
+    return invalid(fmt::format("the sheet has {} strips; it must have 1 to {}", count, kMostStrips),
+                   "/sheet/strips");
   for (int i = 0; i < count; ++i)
     if (auto sound = check_strip(sheet, i); !sound) return sound;
   if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
-    return invalid(fmt::format("{} ridges a strip; {} to {} are possible", design.ridges, kFewestRidges, kMostRidges), "/ridges");
+    return invalid(fmt::format("{} ridges a strip; {} to {} are possible", design.ridges,
+                               kFewestRidges, kMostRidges),
+                   "/ridges");
   return {};
 }
 
 Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
-  if (auto sound = check_curve(design.leg_curve, "the leg curve", "/leg_curve"); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_curve(design.leg_curve, "the leg curve", "/leg_curve"); !sound)
+    return tl::unexpected(sound.error());
   if (auto sound = check_radius(design); !sound) return tl::unexpected(sound.error());
   auto panel = panel_of(design.sheet, design.leg_curve);
   if (!panel || !design.sheet.symmetric) return panel;
@@ -200,15 +269,21 @@ Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
   return panel;
 }
 
-Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points, int index) {
+Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points,
+                        int index) {
   const std::string where = fmt::format("/scan/{}", index);
   if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
   if (points.size() > kMostPoints)
-    return fail(ErrorCode::scan_too_large, fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip, points.size(), kMostPoints),
+    return fail(ErrorCode::scan_too_large,
+                fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip,
+                            points.size(), kMostPoints),
                 where + "/points");
-  const auto bad = std::find_if(points.begin(), points.end(), [](const Vec3& p) { return !in_range(p); });
+  const auto bad = std::find_if(points.begin(), points.end(),
+                                [](const Vec3& p) { return !in_range(p); });
   if (bad != points.end())
-    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, or that is no number", bad - points.begin() + 1, strip, kLargest),
+    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, "
+                               "or that is no number",
+                               bad - points.begin() + 1, strip, kLargest),
                    where + "/points");
   return {};
 }
@@ -227,9 +302,12 @@ Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design)
   std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[i];
-    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound)
+      return tl::unexpected(sound.error());
     if (scan.points.empty())
-      return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", scan.strip), fmt::format("/scan/{}/points", i));
+      return fail(ErrorCode::empty_scan,
+                  fmt::format("the scan of strip {} has no points", scan.strip),
+                  fmt::format("/scan/{}/points", i));
     auto& all = points[scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }

@@ -13,7 +13,9 @@ struct Box3 {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = -low;
   void add(const Vec3& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
-  bool meets(const Box3& other) const { return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all(); }
+  bool meets(const Box3& other) const {
+    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+  }
 };
 
 /// A quad with its corners in turn.
@@ -28,7 +30,10 @@ std::vector<Quad> quads_of(const FoldedStrip& strip) {
   std::vector<Quad> quads;
   for (std::size_t i = 0; i < strip.quads.size(); ++i) {
     const SlitRidge &from = strip.ridges[i], &to = strip.ridges[i + 1];
-    Quad quad{&strip.quads[i], {from.flat[0], to.flat[0], to.flat[1], from.flat[1]}, {from.folded[0], to.folded[0], to.folded[1], from.folded[1]}, {}};
+    Quad quad{&strip.quads[i],
+              {from.flat[0], to.flat[0], to.flat[1], from.flat[1]},
+              {from.folded[0], to.folded[0], to.folded[1], from.folded[1]},
+              {}};
     for (const Vec3& corner : quad.corners)
       quad.box.add(corner);
     quads.push_back(quad);
@@ -58,7 +63,9 @@ bool edges_pierce(const Quad& a, const Quad& b, double margin) {
   return false;
 }
 
-double extent_of(const FoldedStrip& strip) { return (strip.ridges.back().flat[0] - strip.ridges.front().flat[1]).norm(); }
+double extent_of(const FoldedStrip& strip) {
+  return (strip.ridges.back().flat[0] - strip.ridges.front().flat[1]).norm();
+}
 
 Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& p) {
   const Vec3 along = b - a;
@@ -72,14 +79,17 @@ bool cross(const FoldedStrip& a, const FoldedStrip& b) {
   const std::vector<Quad> first = quads_of(a), second = quads_of(b);
   for (const Quad& p : first)
     for (const Quad& q : second)
-      if (p.box.meets(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin))) return true;
+      if (p.box.meets(q.box) && (edges_pierce(p, q, margin) || edges_pierce(q, p, margin)))
+        return true;
   return false;
 }
 
-std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour, Side where_neighbour_is) {
+std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour,
+                                     Side where_neighbour_is) {
   const std::size_t own = where_neighbour_is == Side::left ? 0 : 1, theirs = 1 - own;
   const double sense = own == 0 ? 1.0 : -1.0;
-  const double width = std::abs(strip.ridges.front().flat[1].y() - strip.ridges.front().flat[0].y());
+  const double width = std::abs(strip.ridges.front().flat[1].y() -
+                                strip.ridges.front().flat[0].y());
   std::vector<HalfSpace> planes;
   for (std::size_t ridge = 1; ridge < strip.ridges.size(); ++ridge) {
     const Vec3& p = strip.ridges[ridge].folded[own];
@@ -87,7 +97,8 @@ std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip
     HalfSpace plane{static_cast<int>(ridge), static_cast<int>(own), Vec3::Zero(), 0.0};
     double height = 0.0;
     for (std::size_t quad = 0; quad < neighbour.quads.size(); ++quad) {
-      const Vec3 foot = nearest_on(neighbour.ridges[quad].folded[theirs], neighbour.ridges[quad + 1].folded[theirs], p);
+      const Vec3 foot = nearest_on(neighbour.ridges[quad].folded[theirs],
+                                   neighbour.ridges[quad + 1].folded[theirs], p);
       if ((p - foot).norm() >= least) continue;
       least = (p - foot).norm();
       plane.normal = sense * neighbour.quads[quad].y;

@@ -6,14 +6,15 @@
 
 namespace planish::slit_detail {
 
-/// Whether an edge of one strip goes through a quad of the other; touching is none. O(quads²), less where boxes
-/// are apart.
+/// Whether an edge of one strip goes through a quad of the other; touching is none. O(quads²), less
+/// where boxes are apart.
 bool cross(const FoldedStrip& a, const FoldedStrip& b);
 
-/// Planes that keep a strip on its side of a neighbour that stands: through the point of the neighbour's near border
-/// next to each of its own near ridge ends, perpendicular to the neighbour there. Ends farther from the
-/// neighbour's surface than the strip is wide are left free.
-std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour, Side where_neighbour_is);
+/// Planes that keep a strip on its side of a neighbour that stands: through the point of the
+/// neighbour's near border next to each of its own near ridge ends, perpendicular to the neighbour
+/// there. Ends farther from the neighbour's surface than the strip is wide are left free.
+std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour,
+                                     Side where_neighbour_is);
 
 /// Planes that keep a strip on its side of x = 0, `sign` being that of x there.
 std::vector<HalfSpace> planes_before_mirror(int quads, double sign);

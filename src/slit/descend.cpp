@@ -1,4 +1,5 @@
 #include "descend.hpp"
+
 #include "reach.hpp"
 
 #include <ceres/cost_function.h>
@@ -9,30 +10,34 @@
 #include <limits>
 #include <utility>
 
-// Ceres has no equality constraints, so they are eliminated: as many turned parameters as there are end conditions
-// follow from the others (EndChart), and Ceres sees those others alone, free. Every shape it tries meets the
-// conditions to rounding, no weight has to be balanced against the objective, and there are fewer unknowns, not more
-// (docs/decisions/0002).
+// Ceres has no equality constraints, so they are eliminated: as many turned parameters as there are
+// end conditions follow from the others (EndChart), and Ceres sees those others alone, free. Every
+// shape it tries meets the conditions to rounding, no weight has to be balanced against the
+// objective, and there are fewer unknowns, not more (docs/decisions/0002).
 
 namespace planish::slit_detail {
 namespace {
 
 class ObjectiveCost final : public ceres::CostFunction {
  public:
-  ObjectiveCost(const StripProblem& problem, const EndChart& chart) : problem_(problem), chart_(chart) {
+  ObjectiveCost(const StripProblem& problem, const EndChart& chart)
+      : problem_(problem), chart_(chart) {
     set_num_residuals(problem.residuals());
     mutable_parameter_block_sizes()->push_back(chart.dimensions());
   }
 
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const auto shape = chart_.shape(Eigen::Map<const Eigen::VectorXd>(parameters[0], chart_.dimensions()));
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const auto shape = chart_.shape(
+        Eigen::Map<const Eigen::VectorXd>(parameters[0], chart_.dimensions()));
     if (!shape) return false;
     Eigen::Map<Eigen::VectorXd> values(residuals, num_residuals());
     if (!jacobians || !jacobians[0]) return evaluate(problem_, *shape, values, nullptr);
     RowMatrix full(num_residuals(), problem_.parameters());
     Eigen::Ref<RowMatrix> jacobian(full);
     if (!evaluate(problem_, *shape, values, &jacobian)) return false;
-    Eigen::Map<RowMatrix>(jacobians[0], num_residuals(), chart_.dimensions()) = chart_.derivative(*shape, std::move(full));
+    Eigen::Map<RowMatrix>(jacobians[0], num_residuals(), chart_.dimensions()) = chart_.derivative(
+        *shape, std::move(full));
     return true;
   }
 
@@ -52,7 +57,8 @@ class StopWhenAsked final : public ceres::IterationCallback {
   const std::function<bool()>& stop_;
 };
 
-ceres::Solver::Options solver_options(const DescentOptions& options, ceres::IterationCallback* callback) {
+ceres::Solver::Options solver_options(const DescentOptions& options,
+                                      ceres::IterationCallback* callback) {
   ceres::Solver::Options result;
   result.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   result.max_num_iterations = options.max_iterations;
@@ -73,7 +79,8 @@ ceres::Problem::Options borrowing() {
 }
 
 /// Descends in the coordinates about one shape. Returns how far it went in them.
-double descend_in_chart(const StripProblem& problem, const DescentOptions& options, ceres::IterationCallback* callback, Descent& descent) {
+double descend_in_chart(const StripProblem& problem, const DescentOptions& options,
+                        ceres::IterationCallback* callback, Descent& descent) {
   const EndChart chart(problem, descent.p);
   ObjectiveCost cost(problem, chart);
   Eigen::VectorXd xi = Eigen::VectorXd::Zero(chart.dimensions());
@@ -90,8 +97,10 @@ double descend_in_chart(const StripProblem& problem, const DescentOptions& optio
 
 }  // namespace
 
-Descent descend(const StripProblem& problem, const StripParameters& from, const DescentOptions& options) {
-  // Far from where they are exact the coordinates may come to an edge, so what ends there goes on about a new shape.
+Descent descend(const StripProblem& problem, const StripParameters& from,
+                const DescentOptions& options) {
+  // Far from where they are exact the coordinates may come to an edge, so what ends there goes on
+  // about a new shape.
   constexpr double kFar = 0.5;
   Descent descent{from};
   StopWhenAsked callback(options.stop);

@@ -20,8 +20,9 @@ struct Descent {
   bool converged = false;
 };
 
-/// Lowers the objective from a shape that meets the end conditions, among shapes that meet them: Levenberg–
-/// Marquardt steps (Ceres) on the manifold of those shapes.
-Descent descend(const StripProblem& problem, const StripParameters& from, const DescentOptions& options);
+/// Lowers the objective from a shape that meets the end conditions, among shapes that meet them:
+/// Levenberg– Marquardt steps (Ceres) on the manifold of those shapes.
+Descent descend(const StripProblem& problem, const StripParameters& from,
+                const DescentOptions& options);
 
 }  // namespace planish::slit_detail

@@ -15,8 +15,8 @@ namespace {
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
 constexpr double kLargestFold = 2.8;  // radians
 
-/// What the curve in the plane must do, in strip lengths: how far it runs away from the panel's plane, how far
-/// along it, and at which angle to it it ends.
+/// What the curve in the plane must do, in strip lengths: how far it runs away from the panel's
+/// plane, how far along it, and at which angle to it it ends.
 struct Wanted {
   std::optional<double> away, along;
   double along_weight = 1.0;
@@ -31,26 +31,33 @@ struct Bow {
 };
 
 const EndCondition* condition_of(const StripProblem& problem, EndCondition::Of of) {
-  const auto found = std::find_if(problem.ends.begin(), problem.ends.end(), [&](const EndCondition& c) { return c.of == of; });
+  const auto found = std::find_if(problem.ends.begin(), problem.ends.end(),
+                                  [&](const EndCondition& c) { return c.of == of; });
   return found == problem.ends.end() ? nullptr : &*found;
 }
 
 Vec3 middle_of_start(const StripBase& base) {
-  return base.facet.point({0.5 * (base.start[0] + base.start[1]), 0.5 * (base.sides[0] + base.sides[1])});
+  return base.facet.point(
+      {0.5 * (base.start[0] + base.start[1]), 0.5 * (base.sides[0] + base.sides[1])});
 }
 
 /// The end is to lie in a plane (symmetric sheets).
 Wanted up_to_plane(const StripProblem& problem, const EndCondition& plane) {
   const Vec3 start = middle_of_start(problem.base);
-  const double distance = plane.value - plane.gradient.dot(start), slope = -plane.gradient.dot(problem.base.facet.z);
+  const double distance = plane.value - plane.gradient.dot(start),
+               slope = -plane.gradient.dot(problem.base.facet.z);
   constexpr double kStretched = 0.99, kParallel = 0.1;
   Wanted wanted;
   wanted.direction = distance * slope < 0.0 ? -1.0 : 1.0;
-  wanted.away = std::min(kStretched, std::abs(distance) / std::max(kParallel, std::abs(slope)) / problem.base.unit());
+  wanted.away = std::min(
+      kStretched, std::abs(distance) / std::max(kParallel, std::abs(slope)) / problem.base.unit());
   wanted.end_angle = kRightAngle;
   if (problem.seat) {
-    wanted.along = problem.base.facet.x.tail<2>().dot(0.5 * (problem.seat_places[0] + problem.seat_places[1]) - start.tail<2>()) / problem.base.unit();
-    wanted.along_weight = problem.weights.seat / std::max(problem.weights.seat, problem.weights.smooth);
+    wanted.along = problem.base.facet.x.tail<2>().dot(
+                       0.5 * (problem.seat_places[0] + problem.seat_places[1]) - start.tail<2>()) /
+                   problem.base.unit();
+    wanted.along_weight = problem.weights.seat /
+                          std::max(problem.weights.seat, problem.weights.smooth);
   }
   return wanted;
 }
@@ -62,7 +69,8 @@ Wanted up_to_point(const StripProblem& problem) {
   Vec3 place = Vec3::Zero(), direction = Vec3::Zero();
   bool placed = false, directed = false;
   for (const EndCondition& condition : problem.ends) {
-    if (condition.of == EndCondition::Of::middle) place += condition.value * condition.gradient, placed = true;
+    if (condition.of == EndCondition::Of::middle)
+      place += condition.value * condition.gradient, placed = true;
     directed |= condition.of == EndCondition::Of::along;
   }
   if (directed) {
@@ -78,13 +86,16 @@ Wanted up_to_point(const StripProblem& problem) {
     wanted.direction = away < 0.0 ? -1.0 : 1.0;
     wanted.away = std::hypot(away, way.dot(base.facet.y) / base.unit());
   }
-  if (directed) wanted.end_angle = std::atan2(-wanted.direction * direction.dot(base.facet.z), direction.dot(base.facet.x));
+  if (directed)
+    wanted.end_angle = std::atan2(-wanted.direction * direction.dot(base.facet.z),
+                                  direction.dot(base.facet.x));
   return wanted;
 }
 
 std::optional<Wanted> wanted_of(const StripProblem& problem) {
   if (problem.ends.empty()) return std::nullopt;
-  if (const EndCondition* plane = condition_of(problem, EndCondition::Of::left_end)) return up_to_plane(problem, *plane);
+  if (const EndCondition* plane = condition_of(problem, EndCondition::Of::left_end))
+    return up_to_plane(problem, *plane);
   return up_to_point(problem);
 }
 
@@ -106,7 +117,9 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
     const double second = 2.0 * folds[i] - folds[i - 1] - folds[i + 1];
     unsmooth += second * second;
   }
-  if (problem.mirrored) unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) * (folds[kPieces - 1] - folds[kPieces - 2]);
+  if (problem.mirrored)
+    unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) *
+                (folds[kPieces - 1] - folds[kPieces - 2]);
   constexpr double kMissed = 100.0;
   // Curls whose angles grow evenly are smooth too; of equals the one that bends least is meant.
   constexpr double kBending = 0.01;
@@ -114,7 +127,8 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
     unsmooth += kBending * fold * fold;
   double cost = std::max(problem.weights.smooth, 1e-6) * unsmooth;
   if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);
-  if (wanted.along) cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);
+  if (wanted.along)
+    cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);
   return cost;
 }
 
@@ -146,14 +160,16 @@ Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wan
         if (number == &Bow::end && wanted.end_angle) continue;
         Bow moved = best.bow;
         moved.*number += by;
-        if (const double cost = cost_of(moved, wanted, problem); cost < best.cost) best = {moved, cost}, lower = true;
+        if (const double cost = cost_of(moved, wanted, problem); cost < best.cost)
+          best = {moved, cost}, lower = true;
       }
     if (!lower) step *= 0.5;
   }
   return best;
 }
 
-/// Several curves run as far as they must; which is smoothest shows only when each of them does so exactly.
+/// Several curves run as far as they must; which is smoothest shows only when each of them does so
+/// exactly.
 std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& wanted) {
   constexpr std::size_t kRefined = 8;
   std::vector<Candidate> candidates = coarse_bows(problem, wanted);

@@ -20,30 +20,37 @@ Vec3 mirrored(const Vec3& v) { return {-v.x(), v.y(), v.z()}; }
 
 WholeStrip whole_strip(const FoldedStrip& strip, double sign) {
   WholeStrip whole;
-  for (const SlitRidge& ridge : strip.ridges) whole.ridges.push_back(ridge.folded);
-  for (const Frame& quad : strip.quads) whole.towards_mould.push_back(sign * quad.z);
+  for (const SlitRidge& ridge : strip.ridges)
+    whole.ridges.push_back(ridge.folded);
+  for (const Frame& quad : strip.quads)
+    whole.towards_mould.push_back(sign * quad.z);
   return whole;
 }
 
 /// The image in x = 0, run from the symmetry plane to the other panel.
 WholeStrip image_of(const WholeStrip& strip) {
   WholeStrip image;
-  for (auto ridge = strip.ridges.rbegin(); ridge != strip.ridges.rend(); ++ridge) image.ridges.push_back({mirrored((*ridge)[0]), mirrored((*ridge)[1])});
-  for (auto normal = strip.towards_mould.rbegin(); normal != strip.towards_mould.rend(); ++normal) image.towards_mould.push_back(mirrored(*normal));
+  for (auto ridge = strip.ridges.rbegin(); ridge != strip.ridges.rend(); ++ridge)
+    image.ridges.push_back({mirrored((*ridge)[0]), mirrored((*ridge)[1])});
+  for (auto normal = strip.towards_mould.rbegin(); normal != strip.towards_mould.rend(); ++normal)
+    image.towards_mould.push_back(mirrored(*normal));
   return image;
 }
 
 /// Both halves as one, where they meet.
-std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded, double sign) {
+std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded,
+                                     double sign) {
   const WholeStrip half = whole_strip(strip, sign);
   if (!folded.symmetric) return {half};
   WholeStrip image = image_of(half);
   constexpr double kMeets = 1e-6;  // of the length
-  const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(), (half.ridges.back()[1] - image.ridges.front()[1]).norm());
+  const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(),
+                              (half.ridges.back()[1] - image.ridges.front()[1]).norm());
   if (gap > kMeets * folded.reach) return {half, image};
   WholeStrip whole = half;
   whole.ridges.insert(whole.ridges.end(), image.ridges.begin() + 1, image.ridges.end());
-  whole.towards_mould.insert(whole.towards_mould.end(), image.towards_mould.begin(), image.towards_mould.end());
+  whole.towards_mould.insert(whole.towards_mould.end(), image.towards_mould.begin(),
+                             image.towards_mould.end());
   return {whole};
 }
 
@@ -52,11 +59,11 @@ constexpr double kNarrowest = 0.375;
 
 struct Setting {
   Vec3 up = Vec3::UnitY();
-  double sign = -1.0;  ///< of the sheet's normal towards the mould
+  double sign = -1.0;        ///< of the sheet's normal towards the mould
   double inset = 0.0;        ///< mm, …
   double inset_share = 0.0;  ///< …at least this share of the strip's width…
   double most_share = 0.5;   ///< …and at most this, where nobody gave it
-  double offset = 0.0;  ///< half the thickness
+  double offset = 0.0;       ///< half the thickness
   double least_lean = 0.0;
 };
 
@@ -75,41 +82,65 @@ MouldSide ground_side(const FoldedSlitSheet& folded) {
 Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
   Setting setting;
   const MouldSide ground = ground_side(folded);
-  setting.sign = (options.side == MouldSide::ground ? ground : options.side) == MouldSide::back ? -1.0 : 1.0;
+  setting.sign = (options.side == MouldSide::ground ? ground : options.side) == MouldSide::back
+                     ? -1.0
+                     : 1.0;
   if (options.up && !(options.up->allFinite() && options.up->norm() > 0.0))
-    return fail(ErrorCode::bad_option, "the direction in which the sheet is lifted off has no length", "/mould/up");
-  setting.up = options.up ? Vec3(options.up->normalized()) : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY());
+    return fail(ErrorCode::bad_option,
+                "the direction in which the sheet is lifted off has no length", "/mould/up");
+  setting.up = options.up ? Vec3(options.up->normalized())
+               : options.side == MouldSide::ground || options.side == ground ? Vec3(Vec3::UnitY())
+                                                                             : Vec3(-Vec3::UnitY());
   setting.inset = options.inset.value_or(folded.thickness);
   if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
-    return fail(ErrorCode::bad_option, fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset), "/mould/inset");
+    return fail(ErrorCode::bad_option,
+                fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset),
+                "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
-    return fail(ErrorCode::bad_option, fmt::format("the mould's base lies {} mm below its lowest point; it must be above 0", options.base), "/mould/base");
+    return fail(
+        ErrorCode::bad_option,
+        fmt::format("the mould's base lies {} mm below its lowest point; it must be above 0",
+                    options.base),
+        "/mould/base");
   const double draft = options.draft.radians();
   if (!(draft > 0.0) || !(draft < 1.5))
-    return fail(ErrorCode::bad_option, fmt::format("the mould's draft is {}°; it must be above 0 and below 86", options.draft.degrees()), "/mould/draft");
+    return fail(ErrorCode::bad_option,
+                fmt::format("the mould's draft is {}°; it must be above 0 and below 86",
+                            options.draft.degrees()),
+                "/mould/draft");
   setting.offset = 0.5 * folded.thickness;
   setting.least_lean = std::sin(draft);
   return setting;
 }
 
-bool leans_up(const Vec3& towards_mould, const Setting& setting) { return -towards_mould.dot(setting.up) >= setting.least_lean; }
+bool leans_up(const Vec3& towards_mould, const Setting& setting) {
+  return -towards_mould.dot(setting.up) >= setting.least_lean;
+}
 
 /// The ridge `at` of a rib, on its working surface.
-Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at, const Setting& setting, int number) {
+Result<std::array<Vec3, 2>> working_ridge(const WholeStrip& strip, int first, int last, int at,
+                                          const Setting& setting, int number) {
   const auto& [left, right] = strip.ridges[at];
   const auto normal = [&](int quad) -> const Vec3& { return strip.towards_mould[quad]; };
-  const Vec3 step = at == first ? normal(first) : at > last ? normal(last) : mitre(normal(at - 1), normal(at));
-  const double share = std::min(std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
+  const Vec3 step = at == first ? normal(first)
+                    : at > last ? normal(last)
+                                : mitre(normal(at - 1), normal(at));
+  const double share = std::min(
+      std::max(setting.inset / (right - left).norm(), setting.inset_share), setting.most_share);
   if (!(share < 0.5))
     return fail(ErrorCode::bad_option,
-                fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose ridge is {:.6g} mm long", setting.inset, number, (right - left).norm()),
+                fmt::format("an inset of {:.6g} mm on both sides leaves nothing of strip {}, whose "
+                            "ridge is {:.6g} mm long",
+                            setting.inset, number, (right - left).norm()),
                 "/mould/inset");
-  return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step, right + share * (left - right) + setting.offset * step};
+  return std::array<Vec3, 2>{left + share * (right - left) + setting.offset * step,
+                             right + share * (left - right) + setting.offset * step};
 }
 
 /// The facets under the quads `first` to `last` of a strip.
-Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const Setting& setting, int number) {
+Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const Setting& setting,
+                           int number) {
   MouldRib rib{number, first, {}, {}, {}};
   std::array<Vec3, 2> near{};
   for (int at = first; at <= last + 1; ++at) {
@@ -121,7 +152,9 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
           return fail(ErrorCode::radius_too_small,
-                      fmt::format("{} is folded so tightly that its side towards the mould has no length between the ridges", place(number, at - 1)),
+                      fmt::format("{} is folded so tightly that its side towards the mould has no "
+                                  "length between the ridges",
+                                  place(number, at - 1)),
                       place(number, at - 1));
       rib.facets.push_back({near[0], (*far)[0], (*far)[1], near[1]});
     }
@@ -131,7 +164,8 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
 }
 
 /// Ribs under one strip and what they leave bare.
-Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting, Mould& mould) {
+Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting,
+                      Mould& mould) {
   const int count = static_cast<int>(strip.towards_mould.size());
   for (int quad = 0; quad < count;) {
     if (!leans_up(strip.towards_mould[quad], setting)) {
@@ -139,7 +173,9 @@ Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, con
       continue;
     }
     int last = quad;
-    while (last + 1 < count && leans_up(strip.towards_mould[static_cast<std::size_t>(last) + 1], setting)) ++last;
+    while (last + 1 < count &&
+           leans_up(strip.towards_mould[static_cast<std::size_t>(last) + 1], setting))
+      ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
     if (!rib) return tl::unexpected(rib.error());
     rib->first_quad = first_number + quad;
@@ -149,16 +185,20 @@ Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, con
   return {};
 }
 
-/// Closed below the facets: top, base, sides and ends. Points: left and right of every ridge, then those below them.
+/// Closed below the facets: top, base, sides and ends. Points: left and right of every ridge, then
+/// those below them.
 Mesh closed_mesh(const MouldRib& rib, const Frame& base) {
   Mesh mesh;
   const int count = static_cast<int>(rib.facets.size());
   mesh.points = {rib.facets.front()[0], rib.facets.front()[3]};
-  for (const auto& facet : rib.facets) mesh.points.insert(mesh.points.end(), {facet[1], facet[2]});
+  for (const auto& facet : rib.facets)
+    mesh.points.insert(mesh.points.end(), {facet[1], facet[2]});
   const int below = static_cast<int>(mesh.points.size());
-  for (int i = 0; i < below; ++i) mesh.points.push_back(base.point(base.local2(mesh.points[i])));
+  for (int i = 0; i < below; ++i)
+    mesh.points.push_back(base.point(base.local2(mesh.points[i])));
 
-  const Vec3 top = (rib.facets.front()[1] - rib.facets.front()[0]).cross(rib.facets.front()[3] - rib.facets.front()[0]);
+  const Vec3 top = (rib.facets.front()[1] - rib.facets.front()[0])
+                       .cross(rib.facets.front()[3] - rib.facets.front()[0]);
   const bool as_listed = top.dot(base.z) > 0.0;
   const auto add = [&](int a, int b, int c, int d) {
     if (!as_listed) std::swap(b, d);
@@ -179,8 +219,10 @@ Mesh closed_mesh(const MouldRib& rib, const Frame& base) {
 
 std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
   std::vector<Vec2> ring{base.local2(rib.facets.front()[0])};
-  for (const auto& facet : rib.facets) ring.push_back(base.local2(facet[1]));
-  for (auto facet = rib.facets.rbegin(); facet != rib.facets.rend(); ++facet) ring.push_back(base.local2((*facet)[2]));
+  for (const auto& facet : rib.facets)
+    ring.push_back(base.local2(facet[1]));
+  for (auto facet = rib.facets.rbegin(); facet != rib.facets.rend(); ++facet)
+    ring.push_back(base.local2((*facet)[2]));
   ring.push_back(base.local2(rib.facets.front()[3]));
   if (ring_area(ring) < 0.0) std::reverse(ring.begin(), ring.end());
   return ring;
@@ -191,7 +233,8 @@ Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below
   double lowest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs)
     for (const auto& facet : rib.facets)
-      for (const Vec3& corner : facet) lowest = std::min(lowest, corner.dot(up));
+      for (const Vec3& corner : facet)
+        lowest = std::min(lowest, corner.dot(up));
   const Vec3 hint = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
   return frame_from_axes((lowest - below) * up, up, hint);
 }
@@ -200,7 +243,8 @@ double volume_of(const Mesh& mesh) {
   double sum = 0.0;
   const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
   const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
-  for (const auto& t : mesh.triangles) sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
+  for (const auto& t : mesh.triangles)
+    sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
   return sum;
 }
 
@@ -213,19 +257,23 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
     int quads = 0;
     strips.push_back(whole_strips(folded.strips[i], folded, setting.sign));
     for (const WholeStrip& strip : strips.back()) {
-      if (auto added = add_ribs(strip, static_cast<int>(i), quads, setting, mould); !added) return tl::unexpected(added.error());
+      if (auto added = add_ribs(strip, static_cast<int>(i), quads, setting, mould); !added)
+        return tl::unexpected(added.error());
       quads += static_cast<int>(strip.towards_mould.size());
     }
   }
   if (mould.ribs.empty())
-    return fail(ErrorCode::unsupported_shape, "nothing of the strips leans towards the direction in which the sheet is lifted off; choose another direction or the other side");
+    return fail(ErrorCode::unsupported_shape,
+                "nothing of the strips leans towards the direction in which the sheet is lifted "
+                "off; choose another direction or the other side");
   mould.base = base_frame(mould.ribs, setting.up, base);
   for (MouldRib& rib : mould.ribs) {
     rib.footprint = footprint_of(rib, mould.base);
     rib.mesh = closed_mesh(rib, mould.base);
     mould.volume += volume_of(rib.mesh);
   }
-  if (auto clear = check_clear(mould, strips, setting.offset); !clear) return tl::unexpected(clear.error());
+  if (auto clear = check_clear(mould, strips, setting.offset); !clear)
+    return tl::unexpected(clear.error());
   return mould;
 }
 
@@ -238,15 +286,21 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
   std::vector<Vec3> directions{up};
   for (int i = 1; i <= kSteps; ++i)
     for (const Vec3& side : towards)
-      directions.emplace_back(std::cos(i * step.radians()) * up + std::sin(i * step.radians()) * side);
+      directions.emplace_back(std::cos(i * step.radians()) * up +
+                              std::sin(i * step.radians()) * side);
   return directions;
 }
 
-/// What is tried until the ribs stand apart: what is given is kept; ribs down to half the strips' width come before a
-/// leaning mould, that before ribs of a quarter.
-std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded, const MouldOptions& options) {
-  const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up} : leaned(first.up, folded.symmetric);
-  const std::vector<std::vector<double>> shares = options.inset ? std::vector<std::vector<double>>{{0.0}} : std::vector<std::vector<double>>{{0.0, 0.125, 0.25}, {kNarrowest}};
+/// What is tried until the ribs stand apart: what is given is kept; ribs down to half the strips'
+/// width come before a leaning mould, that before ribs of a quarter.
+std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
+                           const MouldOptions& options) {
+  const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up}
+                                                  : leaned(first.up, folded.symmetric);
+  const std::vector<std::vector<double>> shares = options.inset
+                                                      ? std::vector<std::vector<double>>{{0.0}}
+                                                      : std::vector<std::vector<double>>{
+                                                            {0.0, 0.125, 0.25}, {kNarrowest}};
   std::vector<Setting> settings;
   for (const auto& group : shares)
     for (const Vec3& up : directions)
@@ -278,7 +332,8 @@ Mesh mesh_of(const Mould& mould) {
   for (const MouldRib& rib : mould.ribs) {
     const int first = static_cast<int>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), rib.mesh.points.begin(), rib.mesh.points.end());
-    for (const auto& t : rib.mesh.triangles) mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    for (const auto& t : rib.mesh.triangles)
+      mesh.triangles.push_back({first + t[0], first + t[1], first + t[2]});
   }
   return mesh;
 }

@@ -20,7 +20,10 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs) {
     if (!self_crossings(rib.footprint).empty())
-      return fail(ErrorCode::unsupported_shape, fmt::format("strip {} lies above itself, so its rib would stand in itself; choose another direction for the mould", rib.strip),
+      return fail(ErrorCode::unsupported_shape,
+                  fmt::format("strip {} lies above itself, so its rib would stand in itself; "
+                              "choose another direction for the mould",
+                              rib.strip),
                   fmt::format("strip {}", rib.strip));
     footprints.push_back({rib.footprint, {}});
     smallest = std::min(smallest, ring_area(rib.footprint));
@@ -29,7 +32,8 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
     const int first = ribs[overlap.first].strip, second = ribs[overlap.second].strip;
     return fail(ErrorCode::unsupported_shape,
-                fmt::format("the mould's ribs under strips {} and {} would stand in one another on {:.4g} mm²; choose a larger inset, another direction or "
+                fmt::format("the mould's ribs under strips {} and {} would stand in one another on "
+                            "{:.4g} mm²; choose a larger inset, another direction or "
                             "the other side",
                             first, second, overlap.area),
                 fmt::format("strip {}", first));
@@ -37,8 +41,8 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   return {};
 }
 
-/// What is seen from above: facets of ribs, quads of strips in the middle of their thickness, and what their material
-/// covers at both skins, the height always that of the skin towards the mould.
+/// What is seen from above: facets of ribs, quads of strips in the middle of their thickness, and
+/// what their material covers at both skins, the height always that of the skin towards the mould.
 enum class Layer { rib, middle, skin };
 
 /// A plane piece as it is seen from above, and its plane.
@@ -60,27 +64,35 @@ class View {
   void add(const MouldRib& rib) {
     for (std::size_t i = 0; i < rib.facets.size(); ++i) {
       carried_.insert({rib.strip, rib.first_quad + static_cast<int>(i)});
-      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i), {}, {}}, rib.facets[i], rib.facets[i]);
+      see({Layer::rib, rib.strip, rib.first_quad + static_cast<int>(i), {}, {}}, rib.facets[i],
+          rib.facets[i]);
     }
   }
 
   void add(const WholeStrip& strip, int number, int first_quad) {
     const auto skin = [&](std::size_t ridge, double sense) -> std::array<Vec3, 2> {
       const auto& normals = strip.towards_mould;
-      const Vec3 step = sense * offset_ * (ridge == 0 ? normals.front() : ridge == normals.size() ? normals.back() : mitre(normals[ridge - 1], normals[ridge]));
+      const Vec3 step = sense * offset_ *
+                        (ridge == 0                ? normals.front()
+                         : ridge == normals.size() ? normals.back()
+                                                   : mitre(normals[ridge - 1], normals[ridge]));
       return {strip.ridges[ridge][0] + step, strip.ridges[ridge][1] + step};
     };
     for (std::size_t quad = 0; quad < strip.towards_mould.size(); ++quad) {
-      const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) { return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]}; };
+      const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) {
+        return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]};
+      };
       const int own = first_quad + static_cast<int>(quad);
-      const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]), below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
+      const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]),
+                 below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
       see({Layer::middle, number, own, {}, {}}, middle, middle);
       see({Layer::skin, number, own, {}, {}}, below, below);
       see({Layer::skin, number, own, {}, {}}, below, piece(skin(quad, -1.0), skin(quad + 1, -1.0)));
     }
   }
 
-  /// A rib may stand below the sheet, also below what it does not carry; one that comes up through it may not.
+  /// A rib may stand below the sheet, also below what it does not carry; one that comes up through
+  /// it may not.
   Result<void> check_clear() const {
     constexpr double kTouching = 1e-9;  // of the smallest piece
     for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
@@ -91,19 +103,24 @@ class View {
       for (const auto& ring : overlap.outline)
         for (const Vec2& p : ring)
           if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
-            return fail(ErrorCode::unsupported_shape,
-                        fmt::format("the mould's rib under strip {} would stand in {}; choose a larger inset, another direction or the other side", rib->strip,
-                                    rib->strip == strip->strip ? "another part of that strip" : fmt::format("strip {}", strip->strip)),
-                        fmt::format("strip {}", rib->strip));
+            return fail(
+                ErrorCode::unsupported_shape,
+                fmt::format("the mould's rib under strip {} would stand in {}; choose a larger "
+                            "inset, another direction or the other side",
+                            rib->strip,
+                            rib->strip == strip->strip ? "another part of that strip"
+                                                       : fmt::format("strip {}", strip->strip)),
+                fmt::format("strip {}", rib->strip));
     }
     return {};
   }
 
  private:
-  /// The quad that a facet carries, and those carried beside it, are mitred to it. One beside it that is left bare
-  /// begins at its ridge, and may lead back below it.
+  /// The quad that a facet carries, and those carried beside it, are mitred to it. One beside it
+  /// that is left bare begins at its ridge, and may lead back below it.
   bool matters(const Seen& rib, const Seen& strip) const {
-    if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1) return strip.layer == Layer::skin;
+    if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1)
+      return strip.layer == Layer::skin;
     return strip.layer == Layer::middle && !carried_.contains({strip.strip, strip.quad});
   }
 
@@ -114,7 +131,8 @@ class View {
     constexpr double kUpright = 1e-3;  // radians: seen from above it is a line
     if (std::abs(piece.normal.z()) < kUpright) return;
     Polygon polygon;
-    for (const Vec3& corner : outline) polygon.outer.push_back(base_.local2(corner));
+    for (const Vec3& corner : outline)
+      polygon.outer.push_back(base_.local2(corner));
     smallest_ = std::min(smallest_, std::abs(ring_area(polygon.outer)));
     pieces_.push_back(piece);
     outlines_.push_back(std::move(polygon));
@@ -130,10 +148,12 @@ class View {
 
 }  // namespace
 
-Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips, double offset) {
+Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
+                         double offset) {
   if (auto apart = check_apart(mould.ribs); !apart) return apart;
   View view(mould.base, offset);
-  for (const MouldRib& rib : mould.ribs) view.add(rib);
+  for (const MouldRib& rib : mould.ribs)
+    view.add(rib);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     int quads = 0;
     for (const WholeStrip& strip : strips[i]) {

@@ -8,8 +8,8 @@
 
 namespace planish::slit_detail {
 
-/// A strip from one end to the other: ridges as they are in space, left then right, and a normal a quad, towards the
-/// mould.
+/// A strip from one end to the other: ridges as they are in space, left then right, and a normal a
+/// quad, towards the mould.
 struct WholeStrip {
   std::vector<std::array<Vec3, 2>> ridges;
   std::vector<Vec3> towards_mould;
@@ -18,9 +18,10 @@ struct WholeStrip {
 /// From a ridge to where the facets beside it meet, half the thickness from both quads.
 inline Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
 
-/// Ribs stand apart from each other, and may stand below the sheet, also below what they do not carry; one that comes up
-/// through it may not. `strips`: by strip, whole or both halves; `offset`: half the thickness.
-/// Error: `unsupported_shape`.
-Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips, double offset);
+/// Ribs stand apart from each other, and may stand below the sheet, also below what they do not
+/// carry; one that comes up through it may not. `strips`: by strip, whole or both halves; `offset`:
+/// half the thickness. Error: `unsupported_shape`.
+Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
+                         double offset);
 
 }  // namespace planish::slit_detail

@@ -2,9 +2,8 @@
 
 #include <planish/base/assert.hpp>
 
-#include <nanoflann.hpp>
-
 #include <Eigen/Eigenvalues>
+#include <nanoflann.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,7 +15,9 @@ namespace {
 struct Cloud {
   std::vector<Vec3> points;
   std::size_t kdtree_get_point_count() const { return points.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<Eigen::Index>(axis)]; }
+  double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return points[i][static_cast<Eigen::Index>(axis)];
+  }
   template <typename Box>
   bool kdtree_get_bbox(Box&) const {
     return false;
@@ -32,12 +33,15 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
   return some;
 }
 
-/// Points that a disc is laid through: a part of the strip that stays as small however many points there are.
+/// Points that a disc is laid through: a part of the strip that stays as small however many points
+/// there are.
 constexpr std::size_t kMostSurfacePoints = 16000, kPatches = 400, kFewest = 12;
 
 struct Indexed {
   Cloud cloud;
-  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3, std::size_t> index;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
+                                      std::size_t>
+      index;
   explicit Indexed(std::vector<Vec3> points) : cloud{std::move(points)}, index(3, cloud) {}
 };
 
@@ -92,11 +96,13 @@ ScannedSurface::Foot ScannedSurface::nearest(const Vec3& p) const {
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
   axes.computeDirect(spread);
-  // Directions in which the points hardly spread are across what was scanned: a surface, or traced edges.
+  // Directions in which the points hardly spread are across what was scanned: a surface, or traced
+  // edges.
   constexpr double kHardly = 0.05;
   Eigen::Matrix3d onto = Eigen::Matrix3d::Zero();
   for (int axis = 1; axis < 3; ++axis)
-    if (axes.eigenvalues()[axis] > kHardly * axes.eigenvalues()[2]) onto += axes.eigenvectors().col(axis) * axes.eigenvectors().col(axis).transpose();
+    if (axes.eigenvalues()[axis] > kHardly * axes.eigenvalues()[2])
+      onto += axes.eigenvectors().col(axis) * axes.eigenvectors().col(axis).transpose();
   const Vec3 aside = onto * (p - middle);
   const double distance = aside.norm();
   if (distance <= radius) return {middle + aside, onto};

@@ -34,9 +34,10 @@ class ScannedSurface {
   ScannedSurface(const ScannedSurface&) = delete;
   ScannedSurface& operator=(const ScannedSurface&) = delete;
 
-  /// The nearest point of the surface that was scanned: of a disc through the points about p, twice as large as they
-  /// spread, in the plane that fits them best; of traced edges, of a line. So a point slides along the surface, and noise and the spacing of
-  /// points are evened out. With its derivative with respect to p, the disc held fixed.
+  /// The nearest point of the surface that was scanned: of a disc through the points about p, twice
+  /// as large as they spread, in the plane that fits them best; of traced edges, of a line. So a
+  /// point slides along the surface, and noise and the spacing of points are evened out. With its
+  /// derivative with respect to p, the disc held fixed.
   struct Foot {
     Vec3 point = Vec3::Zero();
     Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();

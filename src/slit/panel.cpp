@@ -74,7 +74,10 @@ std::vector<PanelFacet> flat_facets(const SlitSheet& sheet) {
   double across = 0.0;
   const auto add = [&](double width, double left, double right, int strip) {
     if (!(width > 0.0)) return;
-    facets.push_back({{Vec2(0.0, across), Vec2(left, across), Vec2(right, across + width), Vec2(0.0, across + width)}, {}, strip});
+    facets.push_back({{Vec2(0.0, across), Vec2(left, across), Vec2(right, across + width),
+                       Vec2(0.0, across + width)},
+                      {},
+                      strip});
     across += width;
   };
   for (int i = 0; i < static_cast<int>(sheet.strips.size()); ++i) {
@@ -101,7 +104,8 @@ Frame upright(const Vec2& from, const Vec2& to, double across) {
 
 tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double width) {
   return fail(ErrorCode::curve_too_short,
-              fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too short for the chords of a sheet {:.6g} mm wide; make it longer or the "
+              fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too short for the chords of "
+                          "a sheet {:.6g} mm wide; make it longer or the "
                           "sheet narrower",
                           length(curve), missing, width),
               "/leg_curve");
@@ -128,7 +132,8 @@ Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCur
   }
   if (const double rest = walk.t() < 1.0 ? walk.rest() : 0.0; rest > tolerance)
     return fail(ErrorCode::curve_too_long,
-                fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of a sheet {:.6g} mm wide; make it shorter or the "
+                fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of "
+                            "a sheet {:.6g} mm wide; make it shorter or the "
                             "sheet wider",
                             length(leg_curve), rest, width),
                 "/leg_curve");
@@ -146,10 +151,12 @@ BezierCurve fitted_leg_curve(const BezierCurve& curve, const SlitSheet& sheet) {
     chords.push_back(width_of(facet));
   const double longest = length(curve) / sheet.width();
   if (!(longest > 0.0) || !std::isfinite(longest)) return curve;
-  // The curve stays and the chords are scaled: those that its end comes in the midst of are too long.
+  // The curve stays and the chords are scaled: those that its end comes in the midst of are too
+  // long.
   const auto fit = [&](double scale) {
     ChordWalk walk(curve);
-    return std::all_of(chords.begin(), chords.end(), [&](double chord) { return walk.step(scale * chord).has_value(); });
+    return std::all_of(chords.begin(), chords.end(),
+                       [&](double chord) { return walk.step(scale * chord).has_value(); });
   };
   double fitting = 0.0, too_long = longest * (1.0 + 1e-12);
   constexpr int kBisections = 100;

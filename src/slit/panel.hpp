@@ -7,12 +7,13 @@
 
 namespace planish::slit_detail {
 
-/// Share of the sheet's width by which the leg curve may be shorter or longer than what stands on it.
+/// Share of the sheet's width by which the leg curve may be shorter or longer than what stands on
+/// it.
 constexpr double kLegTolerance = 0.02;
 
-/// The panel over the leg curve: plane facets, their widths stepped along the curve as chords, so that the panel
-/// is a polygon of exactly the sheet's width and every strip begins on a straight edge of its own width.
-/// Errors: `curve_too_short`, `curve_too_long`.
+/// The panel over the leg curve: plane facets, their widths stepped along the curve as chords, so
+/// that the panel is a polygon of exactly the sheet's width and every strip begins on a straight
+/// edge of its own width. Errors: `curve_too_short`, `curve_too_long`.
 Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCurve& leg_curve);
 
 }  // namespace planish::slit_detail

@@ -13,7 +13,8 @@ constexpr double kReadinessOfAbscissae = 0.05;
 
 double largest(const Eigen::VectorXd& v) { return v.size() ? v.cwiseAbs().maxCoeff() : 0.0; }
 
-Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold, const Eigen::VectorXd& violation, double damping) {
+Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold,
+                           const Eigen::VectorXd& violation, double damping) {
   const RowMatrix derivative = end_derivative(problem, fold);
   RowMatrix weighed = derivative;
   weighed.rightCols(weighed.cols() - problem.base.quads) *= kReadinessOfAbscissae;
@@ -23,14 +24,17 @@ Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold, c
 }
 
 /// The largest share of the step that keeps folds and spacings within bounds.
-double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step, double largest_turn, double spacing_kept) {
-  double share = std::min(1.0, largest_turn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
+double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step,
+                     double largest_turn, double spacing_kept) {
+  double share = std::min(
+      1.0, largest_turn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
   const StripParameters after = p + step;
   for (int quad = 0; quad < base.quads; ++quad)
     for (int side = 0; side < 2; ++side) {
       const double now = abscissa(base, p, quad + 1, side) - abscissa(base, p, quad, side);
       const double then = abscissa(base, after, quad + 1, side) - abscissa(base, after, quad, side);
-      if (then < spacing_kept * now) share = std::min(share, (1.0 - spacing_kept) * now / (now - then));
+      if (then < spacing_kept * now)
+        share = std::min(share, (1.0 - spacing_kept) * now / (now - then));
     }
   return share;
 }
@@ -43,9 +47,13 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
   Eigen::VectorXd violation = end_violation(problem, fold);
   double damping = 1e-6;
   constexpr double kGivenUp = 1e8, kLargestTurn = 0.25, kSpacingKept = 0.5;
-  for (; reach.iterations < max_iterations && largest(violation) > 1e-2 * kEndsMet && damping < kGivenUp; ++reach.iterations) {
+  for (; reach.iterations < max_iterations && largest(violation) > 1e-2 * kEndsMet &&
+         damping < kGivenUp;
+       ++reach.iterations) {
     const Eigen::VectorXd step = least_step(problem, fold, violation, damping);
-    const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn, kSpacingKept) * step;
+    const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn,
+                                                         kSpacingKept) *
+                                               step;
     StripFold next_fold = folded(problem.base, next);
     Eigen::VectorXd next_violation = end_violation(problem, next_fold);
     if (next_violation.squaredNorm() < violation.squaredNorm() && is_shape(problem.base, next)) {
@@ -64,8 +72,8 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
 
 namespace {
 
-/// A flat strip that ends as it stands turns sideways only to second order: of what its conditions do not
-/// determine there, the least.
+/// A flat strip that ends as it stands turns sideways only to second order: of what its conditions
+/// do not determine there, the least.
 Eigen::MatrixXd solved(const Eigen::MatrixXd& conditions, const Eigen::MatrixXd& right) {
   return conditions.completeOrthogonalDecomposition().solve(right);
 }
@@ -73,7 +81,9 @@ Eigen::MatrixXd solved(const Eigen::MatrixXd& conditions, const Eigen::MatrixXd&
 }  // namespace
 
 EndChart::EndChart(const StripProblem& problem, const StripParameters& at)
-    : problem_(problem), origin_(at), qr_(end_derivative(problem, folded(problem.base, at)).transpose()) {}
+    : problem_(problem),
+      origin_(at),
+      qr_(end_derivative(problem, folded(problem.base, at)).transpose()) {}
 
 std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const {
   constexpr int kIterations = 15;
@@ -104,7 +114,8 @@ RowMatrix EndChart::derivative(const StripParameters& shape, RowMatrix jacobian)
   RowMatrix conditions = end_derivative(problem_, folded(problem_.base, shape));
   conditions.applyOnTheRight(qr_.householderQ());
   jacobian.applyOnTheRight(qr_.householderQ());
-  const Eigen::MatrixXd following = solved(conditions.leftCols(eliminated), conditions.rightCols(dimensions()));
+  const Eigen::MatrixXd following = solved(conditions.leftCols(eliminated),
+                                           conditions.rightCols(dimensions()));
   return jacobian.rightCols(dimensions()) - jacobian.leftCols(eliminated) * following;
 }
 

@@ -8,7 +8,8 @@
 
 namespace planish::slit_detail {
 
-/// End conditions count as met when none is missed by more (of the strip's length, or of a unit vector).
+/// End conditions count as met when none is missed by more (of the strip's length, or of a unit
+/// vector).
 constexpr double kEndsMet = 1e-12;
 
 /// A shape that meets the end conditions, or comes as near as was found.
@@ -19,23 +20,25 @@ struct Reach {
   bool met() const { return violation <= kEndsMet; }
 };
 
-/// Damped Gauss–Newton steps of least norm from a shape, each at most a quarter radian a ridge and never past a
-/// neighbouring ridge; abscissae move less readily than angles. O(iterations × quads).
+/// Damped Gauss–Newton steps of least norm from a shape, each at most a quarter radian a ridge and
+/// never past a neighbouring ridge; abscissae move less readily than angles. O(iterations × quads).
 Reach meet_ends(const StripProblem& problem, const StripParameters& from, int max_iterations = 200);
 
-/// Coordinates for the shapes that meet the end conditions, near one of them. The parameters are turned by an
-/// orthogonal matrix Q so that the first are those that the conditions' derivative sees there and the others, the
-/// coordinates ξ, span its null space: p = p0 + Q (η, ξ). η follows from ξ through the conditions (Newton's method).
+/// Coordinates for the shapes that meet the end conditions, near one of them. The parameters are
+/// turned by an orthogonal matrix Q so that the first are those that the conditions' derivative
+/// sees there and the others, the coordinates ξ, span its null space: p = p0 + Q (η, ξ). η follows
+/// from ξ through the conditions (Newton's method).
 class EndChart {
  public:
   EndChart(const StripProblem& problem, const StripParameters& at);
   int dimensions() const { return static_cast<int>(qr_.rows()) - conditions(); }
 
-  /// The shape with these coordinates; none where the conditions cannot be met there, or it is no shape.
+  /// The shape with these coordinates; none where the conditions cannot be met there, or it is no
+  /// shape.
   std::optional<StripParameters> shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const;
 
-  /// Derivatives with respect to the parameters at a shape become those with respect to ξ: J_ξ − J_η C_η⁻¹ C_ξ, C
-  /// the derivative of the conditions (implicit functions).
+  /// Derivatives with respect to the parameters at a shape become those with respect to ξ: J_ξ −
+  /// J_η C_η⁻¹ C_ξ, C the derivative of the conditions (implicit functions).
   RowMatrix derivative(const StripParameters& shape, RowMatrix jacobian) const;
 
  private:

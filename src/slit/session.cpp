@@ -32,7 +32,8 @@ Result<SlitSession> SlitSession::start(SlitDesign design) {
   design.scans.clear();
   design.ends.resize(design.sheet.strips.size());
   for (auto& cloud : *points)
-    content->now.slots.push_back(std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}, {}}));
+    content->now.slots.push_back(
+        std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}, {}}));
   take_seat_curve(content->now, design);
   content->now.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
   content->now.design = std::make_shared<const SlitDesign>(std::move(design));
@@ -61,7 +62,8 @@ void SlitSession::forget_edits() {
   content_->after.clear();
 }
 
-Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options, const Progress& progress) {
+Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,
+                                           const Progress& progress) {
   const auto began = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - began).count(); };
   bool cancelled = false;
@@ -111,18 +113,24 @@ const StripState& SlitSession::state(int strip) const {
 
 FoldedSlitSheet SlitSession::folded() const {
   const Snapshot& now = content_->now;
-  FoldedSlitSheet sheet{now.design->sheet.thickness, now.design->sheet.reach(), now.design->sheet.symmetric, *now.panel, {}};
+  FoldedSlitSheet sheet{now.design->sheet.thickness,
+                        now.design->sheet.reach(),
+                        now.design->sheet.symmetric,
+                        *now.panel,
+                        {}};
   for (int strip = 0; strip < now.count(); ++strip)
     sheet.strips.push_back(folded_of(now, strip));
   return sheet;
 }
 
-Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions, const SlitSolveOptions& options, const Progress& progress) {
+Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
+                                      const SlitSolveOptions& options, const Progress& progress) {
   auto session = SlitSession::start(std::move(design));
   if (!session) return session;
   for (int level = 0; level <= subdivisions; ++level) {
     if (level > 0) session->subdivide();
-    if (auto report = session->solve(options, progress); !report) return tl::unexpected(report.error());
+    if (auto report = session->solve(options, progress); !report)
+      return tl::unexpected(report.error());
   }
   return session;
 }

@@ -39,7 +39,8 @@ void number_as_subdivided(SlitDesign& design, int ridges) {
 bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
   const auto of_strip = [&](const SlitDesign& design) {
     std::vector<SlitAnchor> anchors;
-    std::copy_if(design.anchors.begin(), design.anchors.end(), std::back_inserter(anchors), [&](const SlitAnchor& anchor) { return anchor.strip == strip; });
+    std::copy_if(design.anchors.begin(), design.anchors.end(), std::back_inserter(anchors),
+                 [&](const SlitAnchor& anchor) { return anchor.strip == strip; });
     return anchors;
   };
   return of_strip(a) == of_strip(b);
@@ -63,7 +64,8 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   }
   for (int strip = 0; strip < next.count(); ++strip) {
     const auto i = static_cast<std::size_t>(strip);
-    if (all || design.ends[i] != now.design->ends[i] || !same_anchors(design, *now.design, strip)) reopen(next, strip);
+    if (all || design.ends[i] != now.design->ends[i] || !same_anchors(design, *now.design, strip))
+      reopen(next, strip);
   }
   next.design = std::make_shared<const SlitDesign>(std::move(design));
   return next;
@@ -95,7 +97,8 @@ Result<void> SlitSession::set_design(SlitDesign design) {
   auto next = with_design(now, std::move(design));
   if (!next) return tl::unexpected(next.error());
   for (int strip = 0; strip < now.count(); ++strip)
-    if (const auto& points = (*scans)[strip]; points != scan(strip)) take_scan(*next, strip, points);
+    if (const auto& points = (*scans)[strip]; points != scan(strip))
+      take_scan(*next, strip, points);
   content_->commit(std::move(*next));
   return {};
 }
@@ -118,7 +121,10 @@ Result<void> SlitSession::set_end_angle(EndAngle angle) {
 
 Result<void> SlitSession::set_end(int strip, const StripEnd& end) {
   if (strip < 0 || strip >= strip_count())
-    return fail(ErrorCode::unknown_strip, fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, strip_count() - 1), fmt::format("/ends/{}", strip));
+    return fail(
+        ErrorCode::unknown_strip,
+        fmt::format("there is no strip {}; the sheet has strips 0 to {}", strip, strip_count() - 1),
+        fmt::format("/ends/{}", strip));
   return edit([&](SlitDesign& design) { design.ends[strip] = end; });
 }
 
@@ -130,7 +136,9 @@ namespace {
 
 Result<void> check_anchor_number(const SlitDesign& design, int anchor) {
   if (anchor >= 0 && anchor < static_cast<int>(design.anchors.size())) return {};
-  return fail(ErrorCode::bad_option, fmt::format("there is no anchor {}; there are {}", anchor, design.anchors.size()), fmt::format("/anchors/{}", anchor));
+  return fail(ErrorCode::bad_option,
+              fmt::format("there is no anchor {}; there are {}", anchor, design.anchors.size()),
+              fmt::format("/anchors/{}", anchor));
 }
 
 }  // namespace
@@ -157,7 +165,8 @@ Result<Eigen::Isometry3d> SlitSession::align_scans() {
   Snapshot next = content_->now;
   std::vector<ScannedStrip> scans;
   for (int strip = 0; strip < next.count(); ++strip)
-    if (const auto& scan = next.slot(strip).scan) scans.push_back({scan->points(), folded_of(next, strip)});
+    if (const auto& scan = next.slot(strip).scan)
+      scans.push_back({scan->points(), folded_of(next, strip)});
   if (scans.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
   const Eigen::Isometry3d motion = aligning_motion(scans);
   for (int strip = 0; strip < next.count(); ++strip) {

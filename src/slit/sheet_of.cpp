@@ -19,8 +19,8 @@ struct Piece {
   int border_count() const { return static_cast<int>(corners.size()); }
 };
 
-/// The mirror image in x = 0 of a piece, which lies beyond the symmetry line of the flat sheet. Its border n − 1 − i
-/// is the image of border i.
+/// The mirror image in x = 0 of a piece, which lies beyond the symmetry line of the flat sheet. Its
+/// border n − 1 − i is the image of border i.
 Piece mirrored(const Piece& piece, double symmetry_line) {
   const auto in_space = [](Vec3 v) -> Vec3 { return {-v.x(), v.y(), v.z()}; };
   Piece image;
@@ -55,24 +55,31 @@ class Pieces {
 
  private:
   struct FacetBorders {
-    int left = 0, top = 0, right = 0;  ///< of the parts of its sides that touch neighbours, and of its top
+    int left = 0, top = 0,
+        right = 0;  ///< of the parts of its sides that touch neighbours, and of its top
   };
 
-  static int facet_index(const std::vector<PanelFacet>& panel, const PanelFacet& facet) { return static_cast<int>(&facet - panel.data()); }
+  static int facet_index(const std::vector<PanelFacet>& panel, const PanelFacet& facet) {
+    return static_cast<int>(&facet - panel.data());
+  }
 
   /// Where a neighbour is lower, its corner divides the side.
   void add_facet(const std::vector<PanelFacet>& panel, std::size_t i) {
     const auto& [bottom_left, top_left, top_right, bottom_right] = panel[i].corners;
     Piece piece{panel[i].frame, {bottom_left}};
     FacetBorders borders;
-    if (i > 0 && panel[i - 1].corners[2].x() < top_left.x()) piece.corners.push_back(panel[i - 1].corners[2]);
+    if (i > 0 && panel[i - 1].corners[2].x() < top_left.x())
+      piece.corners.push_back(panel[i - 1].corners[2]);
     piece.corners.push_back(top_left);
     borders.top = piece.border_count() - 1;
     piece.corners.push_back(top_right);
-    if (i + 1 < panel.size() && panel[i + 1].corners[1].x() < top_right.x()) piece.corners.push_back(panel[i + 1].corners[1]);
+    if (i + 1 < panel.size() && panel[i + 1].corners[1].x() < top_right.x())
+      piece.corners.push_back(panel[i + 1].corners[1]);
     borders.right = piece.border_count() - 1;
     piece.corners.push_back(bottom_right);
-    if (i > 0) seams.push_back({static_cast<int>(i) - 1, facets_.back().right, static_cast<int>(i), borders.left});
+    if (i > 0)
+      seams.push_back(
+          {static_cast<int>(i) - 1, facets_.back().right, static_cast<int>(i), borders.left});
     pieces.push_back(std::move(piece));
     facets_.push_back(borders);
   }
@@ -94,9 +101,12 @@ class Pieces {
     const std::vector<Seam> half_seams = seams;
     for (int i = 0; i < half; ++i)
       pieces.push_back(mirrored(pieces[i], symmetry_line));
-    const auto image = [&](int piece, int border) { return pieces[piece].border_count() - 1 - border; };
+    const auto image = [&](int piece, int border) {
+      return pieces[piece].border_count() - 1 - border;
+    };
     for (const Seam& seam : half_seams)
-      seams.push_back({half + seam.a, image(seam.a, seam.border_a), half + seam.b, image(seam.b, seam.border_b)});
+      seams.push_back({half + seam.a, image(seam.a, seam.border_a), half + seam.b,
+                       image(seam.b, seam.border_b)});
     for (const int quad : last_quads_)
       seams.push_back({quad, kFarRidge, half + quad, image(quad, kFarRidge)});
   }
@@ -109,13 +119,16 @@ class Pieces {
 /// Angle by which the sheet is folded where two pieces meet; positive away from its front.
 double fold_between(const Piece& a, int border, const Piece& b) {
   const std::size_t i = static_cast<std::size_t>(border), n = a.corners.size();
-  // The piece lies left of its border, so the other one's normal leans outwards where the front is convex.
-  const Vec3 along = (a.frame.point(a.corners[(i + 1) % n]) - a.frame.point(a.corners[i])).normalized();
+  // The piece lies left of its border, so the other one's normal leans outwards where the front is
+  // convex.
+  const Vec3 along = (a.frame.point(a.corners[(i + 1) % n]) - a.frame.point(a.corners[i]))
+                         .normalized();
   return std::atan2(along.dot(a.frame.z.cross(b.frame.z)), a.frame.z.dot(b.frame.z));
 }
 
 /// Which pieces are one plane: the smallest piece of each.
-std::vector<int> planes_of(std::size_t count, const std::vector<Seam>& seams, const std::vector<double>& folds) {
+std::vector<int> planes_of(std::size_t count, const std::vector<Seam>& seams,
+                           const std::vector<double>& folds) {
   std::vector<int> plane(count);
   std::iota(plane.begin(), plane.end(), 0);
   const auto root = [&](int i) {
@@ -164,10 +177,13 @@ void add_faces(Sheet& sheet, const Pieces& pieces, const std::vector<int>& plane
   }
 }
 
-void add_joints(Sheet& sheet, const Pieces& pieces, const std::vector<double>& folds, const std::vector<int>& planes) {
+void add_joints(Sheet& sheet, const Pieces& pieces, const std::vector<double>& folds,
+                const std::vector<int>& planes) {
   for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
     const Seam& seam = pieces.seams[s];
-    Joint joint{{static_cast<FaceId>(seam.a), 0, seam.border_a}, {static_cast<FaceId>(seam.b), 0, seam.border_b}, std::nullopt};
+    Joint joint{{static_cast<FaceId>(seam.a), 0, seam.border_a},
+                {static_cast<FaceId>(seam.b), 0, seam.border_b},
+                std::nullopt};
     if (planes[seam.a] != planes[seam.b]) {
       joint.sharp = static_cast<BendId>(sheet.bends.size());
       Bend bend;
@@ -187,7 +203,8 @@ void add_labels(Sheet& sheet, const FoldedSlitSheet& folded) {
     if (strip < 0) continue;
     const Vec2 top = 0.5 * (corners[1] + corners[2]), bottom = 0.5 * (corners[0] + corners[3]);
     constexpr double kBelow = 0.1;  // of the panel
-    sheet.labels.push_back({static_cast<FaceId>(facet), top + kBelow * (bottom - top), std::to_string(strip)});
+    sheet.labels.push_back(
+        {static_cast<FaceId>(facet), top + kBelow * (bottom - top), std::to_string(strip)});
   }
 }
 
@@ -236,7 +253,8 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
       if (seam.a != static_cast<int>(i)) continue;
       auto& other = corner[seam.b];
       const std::size_t n = piece.corners.size(), m = other.size();
-      const auto a = static_cast<std::size_t>(seam.border_a), b = static_cast<std::size_t>(seam.border_b);
+      const auto a = static_cast<std::size_t>(seam.border_a),
+                 b = static_cast<std::size_t>(seam.border_b);
       if (other[b] < 0) other[b] = corner[i][(a + 1) % n];
       if (other[(b + 1) % m] < 0) other[(b + 1) % m] = corner[i][a];
     }

@@ -7,7 +7,8 @@
 namespace planish::slit_detail {
 namespace {
 
-/// The strips side by side on the curve, evenly apart from its start to its end; one alone in its middle.
+/// The strips side by side on the curve, evenly apart from its start to its end; one alone in its
+/// middle.
 std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet) {
   double rest = length(curve);
   for (const SlitStrip& strip : sheet.strips)
@@ -26,7 +27,8 @@ std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet)
 
 std::vector<EndCondition> at_symmetry_plane(EndAngle angle) {
   using Of = EndCondition::Of;
-  std::vector<EndCondition> ends{{Of::left_end, Vec3::UnitX(), 0.0}, {Of::right_end, Vec3::UnitX(), 0.0}};
+  std::vector<EndCondition> ends{{Of::left_end, Vec3::UnitX(), 0.0},
+                                 {Of::right_end, Vec3::UnitX(), 0.0}};
   if (angle == EndAngle::right_angle) ends.push_back({Of::normal, Vec3::UnitX(), 0.0});
   if (angle == EndAngle::level) ends.push_back({Of::along, Vec3::UnitY(), 0.0});
   return ends;
@@ -47,7 +49,8 @@ std::vector<EndCondition> at_free_end(const StripEnd& end) {
   if (end.direction)
     for (const Vec3& across : perpendiculars(*end.direction))
       ends.push_back({Of::along, across, 0.0});
-  if (end.across && end.direction) ends.push_back({Of::across, end.direction->cross(*end.across).normalized(), 0.0});
+  if (end.across && end.direction)
+    ends.push_back({Of::across, end.direction->cross(*end.across).normalized(), 0.0});
   if (end.across && !end.direction)
     for (const Vec3& across : perpendiculars(*end.across))
       ends.push_back({Of::across, across, 0.0});
@@ -65,29 +68,41 @@ const StripParameters& parameters_of(const Snapshot& now, int strip, StripParame
 
 StripBase base_of(const Snapshot& now, int strip) {
   const SlitSheet& sheet = now.design->sheet;
-  const auto facet = std::find_if(now.panel->begin(), now.panel->end(), [&](const PanelFacet& f) { return f.strip == strip; });
-  return {facet->frame, {facet->corners[0].y(), facet->corners[3].y()}, sheet.start_of(strip), sheet.end_of(strip), now.design->ridges};
+  const auto facet = std::find_if(now.panel->begin(), now.panel->end(),
+                                  [&](const PanelFacet& f) { return f.strip == strip; });
+  return {facet->frame,
+          {facet->corners[0].y(), facet->corners[3].y()},
+          sheet.start_of(strip),
+          sheet.end_of(strip),
+          now.design->ridges};
 }
 
 void take_seat_curve(Snapshot& now, const SlitDesign& design) {
   now.seat = design.seat_curve ? std::make_shared<const BezierSearch>(*design.seat_curve) : nullptr;
-  now.seat_places = design.seat_curve ? std::make_shared<const std::vector<Vec2>>(places_along(*design.seat_curve, design.sheet)) : nullptr;
+  now.seat_places = design.seat_curve ? std::make_shared<const std::vector<Vec2>>(
+                                            places_along(*design.seat_curve, design.sheet))
+                                      : nullptr;
 }
 
-double half_sign(const Snapshot& now) { return now.panel->front().frame.point(now.panel->front().corners[0]).x() < 0.0 ? -1.0 : 1.0; }
+double half_sign(const Snapshot& now) {
+  return now.panel->front().frame.point(now.panel->front().corners[0]).x() < 0.0 ? -1.0 : 1.0;
+}
 
 StripProblem problem_of(const Snapshot& now, int strip) {
   const SlitDesign& design = *now.design;
   StripProblem problem;
   problem.base = base_of(now, strip);
-  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle) : at_free_end(design.ends[strip]);
+  problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle)
+                                        : at_free_end(design.ends[strip]);
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
-    if (anchor.strip == strip) problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
+    if (anchor.strip == strip)
+      problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
   if (design.sheet.symmetric && now.seat) {
     problem.seat = now.seat;
-    problem.seat_places = {(*now.seat_places)[2 * static_cast<std::size_t>(strip)], (*now.seat_places)[2 * static_cast<std::size_t>(strip) + 1]};
+    problem.seat_places = {(*now.seat_places)[2 * static_cast<std::size_t>(strip)],
+                           (*now.seat_places)[2 * static_cast<std::size_t>(strip) + 1]};
   }
   problem.scan = now.slot(strip).scan;
   problem.min_radius = design.sheet.min_radius();
@@ -118,8 +133,10 @@ StripParameters subdivided(const StripBase& base, const StripParameters& p) {
     fine[2 * ridge] = p[ridge];
   for (int ridge = 1; ridge < quads; ++ridge)
     for (int side = 0; side < 2; ++side)
-      fine[abscissa_index(quads, ridge, side)] =
-          0.5 * (abscissa(base, p, ridge / 2, side) + abscissa(base, p, (ridge + 1) / 2, side)) / base.unit();
+      fine[abscissa_index(quads, ridge, side)] = 0.5 *
+                                                 (abscissa(base, p, ridge / 2, side) +
+                                                  abscissa(base, p, (ridge + 1) / 2, side)) /
+                                                 base.unit();
   return fine;
 }
 

@@ -34,8 +34,8 @@ struct Snapshot {
 /// What a strip starts from.
 StripBase base_of(const Snapshot& now, int strip);
 
-/// The seat curve of a design, and the strips' places on it: side by side, evenly apart from its start to its end, one
-/// alone in its middle.
+/// The seat curve of a design, and the strips' places on it: side by side, evenly apart from its
+/// start to its end, one alone in its middle.
 void take_seat_curve(Snapshot& now, const SlitDesign& design);
 
 /// Sign of x on the modelled half.

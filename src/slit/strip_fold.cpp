@@ -8,13 +8,16 @@ namespace {
 
 /// Both ends of a ridge in the flat sheet.
 std::array<Vec2, 2> flat_ridge(const StripBase& base, const StripParameters& p, int ridge) {
-  return {Vec2(abscissa(base, p, ridge, 0), base.sides[0]), Vec2(abscissa(base, p, ridge, 1), base.sides[1])};
+  return {Vec2(abscissa(base, p, ridge, 0), base.sides[0]),
+          Vec2(abscissa(base, p, ridge, 1), base.sides[1])};
 }
 
 /// The frame turned about a line through `point`.
 Frame turned(const Frame& frame, const Vec3& point, const Vec3& axis, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
-  const auto turn = [&](const Vec3& v) -> Vec3 { return c * v + s * axis.cross(v) + (1.0 - c) * axis.dot(v) * axis; };
+  const auto turn = [&](const Vec3& v) -> Vec3 {
+    return c * v + s * axis.cross(v) + (1.0 - c) * axis.dot(v) * axis;
+  };
   Frame result;
   result.origin = point + turn(frame.origin - point);
   result.z = turn(frame.z).normalized();
@@ -37,7 +40,8 @@ StripParameters flat_parameters(const StripBase& base) {
   for (int ridge = 1; ridge < base.quads; ++ridge)
     for (int side = 0; side < 2; ++side) {
       const double start = base.start[side], share = static_cast<double>(ridge) / base.quads;
-      p[abscissa_index(base.quads, ridge, side)] = (start + share * (base.end - start)) / base.unit();
+      p[abscissa_index(base.quads, ridge, side)] = (start + share * (base.end - start)) /
+                                                   base.unit();
     }
   return p;
 }
@@ -73,14 +77,16 @@ std::vector<Twist> twists(const StripBase& base, const StripFold& fold) {
     const double l = fold.ridge_length[ridge];
     result[ridge] = {ridge, (right - left) / l, left};
     if (ridge == 0) continue;
-    const Vec3 turn = base.unit() * base.width() / (l * l) * (fold.frames[ridge].z - fold.quad(ridge).z);
+    const Vec3 turn = base.unit() * base.width() / (l * l) *
+                      (fold.frames[ridge].z - fold.quad(ridge).z);
     result[abscissa_index(base.quads, ridge, 0)] = {ridge, turn, right};
     result[abscissa_index(base.quads, ridge, 1)] = {ridge, -turn, left};
   }
   return result;
 }
 
-Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold, const std::vector<Twist>& twists, int side, int ridge) {
+Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
+                                const std::vector<Twist>& twists, int side, int ridge) {
   const Vec3& at = fold.end(side, ridge);
   Eigen::Matrix3Xd derivative(3, static_cast<Eigen::Index>(twists.size()));
   for (std::size_t q = 0; q < twists.size(); ++q) {

@@ -22,8 +22,8 @@ struct StripBase {
   double unit() const { return end - 0.5 * (start[0] + start[1]); }
 };
 
-/// The unknowns: fold angles of ridges 0 … quads−1 (radians), then the abscissae of both ends of ridges 1 …
-/// quads−1, left and right in turn, in units of the strip's length.
+/// The unknowns: fold angles of ridges 0 … quads−1 (radians), then the abscissae of both ends of
+/// ridges 1 … quads−1, left and right in turn, in units of the strip's length.
 using StripParameters = Eigen::VectorXd;
 inline int parameter_count(int quads) { return 3 * quads - 2; }
 inline int abscissa_index(int quads, int ridge, int side) { return quads + 2 * (ridge - 1) + side; }
@@ -42,10 +42,10 @@ struct Twist {
   Vec3 velocity(const Vec3& x) const { return axis.cross(x - pole); }
 };
 
-/// A strip placed quad by quad: quad i is the flat one moved by a product of rotations about ridges 0 … i
-/// (MATH 6.2), so lengths are kept whatever the parameters.
+/// A strip placed quad by quad: quad i is the flat one moved by a product of rotations about ridges
+/// 0 … i (MATH 6.2), so lengths are kept whatever the parameters.
 struct StripFold {
-  std::vector<Frame> frames;  ///< frames[0] is the facet's, frames[i+1] that of quad i
+  std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
   std::vector<double> ridge_length;       ///< of ridges 0 … quads−1
   const Frame& quad(int i) const { return frames[static_cast<std::size_t>(i) + 1]; }
@@ -53,13 +53,15 @@ struct StripFold {
 };
 StripFold folded(const StripBase& base, const StripParameters& p);
 
-/// One twist a parameter. A fold angle turns about its ridge. A ridge end that slides along its side by dx turns
-/// the ridge's line in the quad before it about the ridge's other end by w/l² dx; conjugating the fold with that
-/// turn moves what lies beyond by the difference of the turns about the normals before and after the fold.
+/// One twist a parameter. A fold angle turns about its ridge. A ridge end that slides along its
+/// side by dx turns the ridge's line in the quad before it about the ridge's other end by w/l² dx;
+/// conjugating the fold with that turn moves what lies beyond by the difference of the turns about
+/// the normals before and after the fold.
 std::vector<Twist> twists(const StripBase& base, const StripFold& fold);
 
 /// Derivative of a ridge's end with respect to all parameters.
-Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold, const std::vector<Twist>& twists, int side, int ridge);
+Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
+                                const std::vector<Twist>& twists, int side, int ridge);
 /// Derivative of a vector fixed to the last quad.
 Eigen::Matrix3Xd direction_derivative(const std::vector<Twist>& twists, const Vec3& direction);
 

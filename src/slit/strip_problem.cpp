@@ -15,27 +15,36 @@ constexpr double kThirtieths = 30.0;      // lengths count in thirtieths of the 
 Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
   const Frame& last = fold.quad(quads - 1);
   switch (of) {
-    case EndCondition::Of::left_end: return fold.end(0, quads);
-    case EndCondition::Of::right_end: return fold.end(1, quads);
-    case EndCondition::Of::middle: return 0.5 * (fold.end(0, quads) + fold.end(1, quads));
-    case EndCondition::Of::along: return last.x;
-    case EndCondition::Of::across: return last.y;
-    case EndCondition::Of::normal: return last.z;
+    case EndCondition::Of::left_end:
+      return fold.end(0, quads);
+    case EndCondition::Of::right_end:
+      return fold.end(1, quads);
+    case EndCondition::Of::middle:
+      return 0.5 * (fold.end(0, quads) + fold.end(1, quads));
+    case EndCondition::Of::along:
+      return last.x;
+    case EndCondition::Of::across:
+      return last.y;
+    case EndCondition::Of::normal:
+      return last.z;
   }
   return Vec3::Zero();
 }
 
-/// What a radius limit compares: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with derivatives.
+/// What a radius limit compares: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with
+/// derivatives.
 class RadiusTerm {
  public:
-  RadiusTerm(const StripProblem& problem, const StripParameters& p, const RadiusLimit& limit) : base_(problem.base), limit_(limit) {
+  RadiusTerm(const StripProblem& problem, const StripParameters& p, const RadiusLimit& limit)
+      : base_(problem.base), limit_(limit) {
     const double w = base_.width();
     skew_ = abscissa(base_, p, limit.ridge, 1) - abscissa(base_, p, limit.ridge, 0);
     length_ = std::hypot(skew_, w);
     angle_ = p[limit.ridge];
     tangent_ = std::tan(0.5 * std::abs(angle_));
     factor_ = 2.0 * problem.min_radius / w;
-    spacing_ = abscissa(base_, p, limit.quad + 1, limit.side) - abscissa(base_, p, limit.quad, limit.side);
+    spacing_ = abscissa(base_, p, limit.quad + 1, limit.side) -
+               abscissa(base_, p, limit.quad, limit.side);
     scale_ = base_.quads / base_.unit();
   }
 
@@ -43,7 +52,8 @@ class RadiusTerm {
 
   void add_gradient(Eigen::Ref<Eigen::RowVectorXd> row, double by) const {
     by *= scale_;
-    row[limit_.ridge] += by * factor_ * length_ * 0.5 * (1.0 + tangent_ * tangent_) * (angle_ < 0.0 ? -1.0 : 1.0);
+    row[limit_.ridge] += by * factor_ * length_ * 0.5 * (1.0 + tangent_ * tangent_) *
+                         (angle_ < 0.0 ? -1.0 : 1.0);
     add(row, limit_.ridge, 1, by * factor_ * tangent_ * skew_ / length_);
     add(row, limit_.ridge, 0, -by * factor_ * tangent_ * skew_ / length_);
     add(row, limit_.quad + 1, limit_.side, -by);
@@ -52,19 +62,27 @@ class RadiusTerm {
 
  private:
   void add(Eigen::Ref<Eigen::RowVectorXd> row, int ridge, int side, double by) const {
-    if (ridge > 0 && ridge < base_.quads) row[abscissa_index(base_.quads, ridge, side)] += by * base_.unit();
+    if (ridge > 0 && ridge < base_.quads)
+      row[abscissa_index(base_.quads, ridge, side)] += by * base_.unit();
   }
 
   const StripBase& base_;
   RadiusLimit limit_;
-  double skew_ = 0.0, length_ = 0.0, angle_ = 0.0, tangent_ = 0.0, factor_ = 0.0, spacing_ = 0.0, scale_ = 0.0;
+  double skew_ = 0.0, length_ = 0.0, angle_ = 0.0, tangent_ = 0.0, factor_ = 0.0, spacing_ = 0.0,
+         scale_ = 0.0;
 };
 
 /// Fills residuals and Jacobian row by row.
 class Rows {
  public:
-  Rows(const StripProblem& problem, const StripParameters& p, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian)
-      : problem_(problem), base_(problem.base), p_(p), residuals_(residuals), jacobian_(jacobian), fold_(folded(base_, p)) {
+  Rows(const StripProblem& problem, const StripParameters& p, Eigen::Ref<Eigen::VectorXd> residuals,
+       Eigen::Ref<RowMatrix>* jacobian)
+      : problem_(problem),
+        base_(problem.base),
+        p_(p),
+        residuals_(residuals),
+        jacobian_(jacobian),
+        fold_(folded(base_, p)) {
     if (jacobian_) {
       jacobian_->setZero();
       twists_ = twists(base_, fold_);
@@ -86,10 +104,13 @@ class Rows {
   }
 
  private:
-  double position_scale(double weight) const { return std::sqrt(weight) * kThirtieths / base_.unit(); }
+  double position_scale(double weight) const {
+    return std::sqrt(weight) * kThirtieths / base_.unit();
+  }
 
   void add_smoothness() {
-    const double scale = std::sqrt(problem_.weights.smooth) * std::pow(base_.quads / kReferenceQuads, 2.5);
+    const double scale = std::sqrt(problem_.weights.smooth) *
+                         std::pow(base_.quads / kReferenceQuads, 2.5);
     for (int i = 1; i + 1 < base_.quads; ++i) {
       residuals_[row_] = scale * (2.0 * p_[i] - p_[i - 1] - p_[i + 1]);
       if (jacobian_) {
@@ -111,11 +132,15 @@ class Rows {
     for (int side = 0; side < 2; ++side) {
       const double mean = (base_.end - base_.start[side]) / base_.quads;
       for (int quad = 0; quad < base_.quads; ++quad) {
-        const double share = (abscissa(base_, p_, quad + 1, side) - abscissa(base_, p_, quad, side)) / mean;
+        const double share = (abscissa(base_, p_, quad + 1, side) -
+                              abscissa(base_, p_, quad, side)) /
+                             mean;
         residuals_[row_] = scale * (share - 1.0) / std::sqrt(share);
         if (jacobian_) {
-          const double slope = scale * 0.5 * (share + 1.0) / (share * std::sqrt(share)) * base_.unit() / mean;
-          if (quad + 1 < base_.quads) (*jacobian_)(row_, abscissa_index(base_.quads, quad + 1, side)) = slope;
+          const double slope = scale * 0.5 * (share + 1.0) / (share * std::sqrt(share)) *
+                               base_.unit() / mean;
+          if (quad + 1 < base_.quads)
+            (*jacobian_)(row_, abscissa_index(base_.quads, quad + 1, side)) = slope;
           if (quad > 0) (*jacobian_)(row_, abscissa_index(base_.quads, quad, side)) = -slope;
         }
         ++row_;
@@ -125,7 +150,9 @@ class Rows {
 
   void add_place(int side, int ridge, const Vec3& at, double scale) {
     residuals_.segment<3>(row_) = scale * (fold_.end(side, ridge) - at);
-    if (jacobian_) jacobian_->middleRows<3>(row_) = scale * slit_detail::end_derivative(base_, fold_, twists_, side, ridge);
+    if (jacobian_)
+      jacobian_->middleRows<3>(row_) = scale * slit_detail::end_derivative(base_, fold_, twists_,
+                                                                           side, ridge);
     row_ += 3;
   }
 
@@ -137,8 +164,11 @@ class Rows {
     residuals_.segment<2>(row_) = scale * (section - foot.point);
     residuals_.segment<2>(row_ + 2) = place_scale * (section - problem_.seat_places[side]);
     if (jacobian_) {
-      const auto derivative = slit_detail::end_derivative(base_, fold_, twists_, side, base_.quads).bottomRows<2>().eval();
-      jacobian_->middleRows<2>(row_) = scale * (Eigen::Matrix2d::Identity() - foot.derivative) * derivative;
+      const auto derivative = slit_detail::end_derivative(base_, fold_, twists_, side, base_.quads)
+                                  .bottomRows<2>()
+                                  .eval();
+      jacobian_->middleRows<2>(row_) = scale * (Eigen::Matrix2d::Identity() - foot.derivative) *
+                                       derivative;
       jacobian_->middleRows<2>(row_ + 2) = place_scale * derivative;
     }
     row_ += 4;
@@ -155,19 +185,25 @@ class Rows {
     const ScannedSurface::Foot foot = problem_.scan->nearest(fold_.end(side, ridge));
     residuals_.segment<3>(row_) = scale * (fold_.end(side, ridge) - foot.point);
     if (jacobian_)
-      jacobian_->middleRows<3>(row_) =
-          scale * (Eigen::Matrix3d::Identity() - foot.derivative) * slit_detail::end_derivative(base_, fold_, twists_, side, ridge);
+      jacobian_->middleRows<3>(row_) = scale * (Eigen::Matrix3d::Identity() - foot.derivative) *
+                                       slit_detail::end_derivative(base_, fold_, twists_, side,
+                                                                   ridge);
     row_ += 3;
   }
 
   void add_inequality(const Inequality& inequality) {
-    const double root = std::sqrt(problem_.penalty), shift = inequality.multiplier / problem_.penalty;
+    const double root = std::sqrt(problem_.penalty),
+                 shift = inequality.multiplier / problem_.penalty;
     if (const auto* space = std::get_if<HalfSpace>(&inequality.what)) {
-      const double value = (space->offset - space->normal.dot(fold_.end(space->side, space->ridge))) / base_.unit() + shift;
+      const double value = (space->offset -
+                            space->normal.dot(fold_.end(space->side, space->ridge))) /
+                               base_.unit() +
+                           shift;
       residuals_[row_] = root * std::max(0.0, value);
       if (jacobian_ && value > 0.0)
-        jacobian_->row(row_) =
-            -root / base_.unit() * space->normal.transpose() * slit_detail::end_derivative(base_, fold_, twists_, space->side, space->ridge);
+        jacobian_->row(row_) = -root / base_.unit() * space->normal.transpose() *
+                               slit_detail::end_derivative(base_, fold_, twists_, space->side,
+                                                           space->ridge);
     } else {
       const RadiusTerm term(problem_, p_, std::get<RadiusLimit>(inequality.what));
       const double value = term.value() + shift;
@@ -196,16 +232,19 @@ void for_neighbours(const StripBase& base, const StripParameters& p, int ridge, 
 }
 
 double fold_radius(const StripBase& base, const StripParameters& p, int ridge, double spacing) {
-  const double length = std::hypot(abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0), base.width());
+  const double length = std::hypot(abscissa(base, p, ridge, 1) - abscissa(base, p, ridge, 0),
+                                   base.width());
   const double tangent = std::tan(0.5 * std::abs(p[ridge]));
-  return tangent > 0.0 ? 0.5 * spacing * base.width() / length / tangent : std::numeric_limits<double>::infinity();
+  return tangent > 0.0 ? 0.5 * spacing * base.width() / length / tangent
+                       : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
 
 int StripProblem::residuals() const {
   const int places = static_cast<int>(anchors.size()) + (scan ? 2 * base.quads : 0);
-  return base.quads - 2 + (mirrored ? 1 : 0) + 2 * base.quads + 3 * places + (seat ? 8 : 0) + static_cast<int>(inequalities.size());
+  return base.quads - 2 + (mirrored ? 1 : 0) + 2 * base.quads + 3 * places + (seat ? 8 : 0) +
+         static_cast<int>(inequalities.size());
 }
 
 bool is_shape(const StripBase& base, const StripParameters& p) {
@@ -217,7 +256,8 @@ bool is_shape(const StripBase& base, const StripParameters& p) {
   return true;
 }
 
-bool evaluate(const StripProblem& problem, const StripParameters& p, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian) {
+bool evaluate(const StripProblem& problem, const StripParameters& p,
+              Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian) {
   if (!is_shape(problem.base, p)) return false;
   Rows(problem, p, residuals, jacobian).fill();
   return true;
@@ -227,8 +267,11 @@ Eigen::VectorXd end_violation(const StripProblem& problem, const StripFold& fold
   Eigen::VectorXd violation(static_cast<Eigen::Index>(problem.ends.size()));
   for (std::size_t i = 0; i < problem.ends.size(); ++i) {
     const EndCondition& condition = problem.ends[i];
-    const double missed = condition.gradient.dot(end_vector(condition.of, fold, problem.base.quads)) - condition.value;
-    violation[static_cast<Eigen::Index>(i)] = condition.is_length() ? missed / problem.base.unit() : missed;
+    const double missed = condition.gradient.dot(
+                              end_vector(condition.of, fold, problem.base.quads)) -
+                          condition.value;
+    violation[static_cast<Eigen::Index>(i)] = condition.is_length() ? missed / problem.base.unit()
+                                                                    : missed;
   }
   return violation;
 }
@@ -242,7 +285,8 @@ RowMatrix end_derivative(const StripProblem& problem, const StripFold& fold) {
     const double scale = condition.is_length() ? 1.0 / problem.base.unit() : 1.0;
     for (std::size_t q = 0; q < all.size(); ++q) {
       const Vec3 velocity = condition.is_length() ? all[q].velocity(v) : Vec3(all[q].axis.cross(v));
-      derivative(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(q)) = scale * condition.gradient.dot(velocity);
+      derivative(static_cast<Eigen::Index>(i),
+                 static_cast<Eigen::Index>(q)) = scale * condition.gradient.dot(velocity);
     }
   }
   return derivative;
@@ -254,8 +298,10 @@ Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParame
   for (std::size_t i = 0; i < problem.inequalities.size(); ++i) {
     const auto& what = problem.inequalities[i].what;
     const auto* space = std::get_if<HalfSpace>(&what);
-    values[static_cast<Eigen::Index>(i)] = space ? (space->offset - space->normal.dot(fold.end(space->side, space->ridge))) / problem.base.unit()
-                                                 : RadiusTerm(problem, p, std::get<RadiusLimit>(what)).value();
+    values[static_cast<Eigen::Index>(
+        i)] = space ? (space->offset - space->normal.dot(fold.end(space->side, space->ridge))) /
+                          problem.base.unit()
+                    : RadiusTerm(problem, p, std::get<RadiusLimit>(what)).value();
   }
   return values;
 }
@@ -265,8 +311,10 @@ double end_gap(const StripProblem& problem, const StripFold& fold) {
   double largest = 0.0, middle = 0.0;
   for (std::size_t i = 0; i < problem.ends.size(); ++i) {
     const double missed = violation[static_cast<Eigen::Index>(i)] * problem.base.unit();
-    if (problem.ends[i].of == EndCondition::Of::middle) middle += missed * missed;
-    else if (problem.ends[i].is_length()) largest = std::max(largest, std::abs(missed));
+    if (problem.ends[i].of == EndCondition::Of::middle)
+      middle += missed * missed;
+    else if (problem.ends[i].is_length())
+      largest = std::max(largest, std::abs(missed));
   }
   return std::max(largest, std::sqrt(middle));
 }
@@ -281,12 +329,14 @@ Tightest tightest_fold(const StripBase& base, const StripParameters& p) {
   return tightest;
 }
 
-std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p, double min_radius) {
+std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,
+                                       double min_radius) {
   constexpr double kNear = 2.0;
   std::vector<RadiusLimit> limits;
   for (int ridge = 0; ridge < base.quads; ++ridge)
     for_neighbours(base, p, ridge, [&](int side, int quad, double spacing) {
-      if (fold_radius(base, p, ridge, spacing) < kNear * min_radius) limits.push_back({ridge, side, quad});
+      if (fold_radius(base, p, ridge, spacing) < kNear * min_radius)
+        limits.push_back({ridge, side, quad});
     });
   return limits;
 }

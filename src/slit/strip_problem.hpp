@@ -12,7 +12,8 @@ namespace planish::slit_detail {
 /// A linear condition that the strip's end must meet: gradient · v = value.
 struct EndCondition {
   enum class Of { left_end, right_end, middle, along, across, normal };
-  Of of = Of::left_end;  ///< points of the last ridge in units of the strip's length, or directions of the last quad
+  Of of = Of::left_end;  ///< points of the last ridge in units of the strip's length, or directions
+                         ///< of the last quad
   Vec3 gradient = Vec3::Zero();
   double value = 0.0;
   bool is_length() const { return of == Of::left_end || of == Of::right_end || of == Of::middle; }
@@ -25,7 +26,8 @@ struct HalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset = 0.0;
 };
-/// The arc that touches the quads on both sides of a ridge, within half of one of them, must have the least radius.
+/// The arc that touches the quads on both sides of a ridge, within half of one of them, must have
+/// the least radius.
 struct RadiusLimit {
   int ridge = 0;
   int side = 0;
@@ -42,14 +44,15 @@ struct StripAnchor {
   Vec3 at = Vec3::Zero();
 };
 
-/// What one strip is to become: end conditions, inequalities, and the objective of MATH 6.3 as a sum of squares.
-/// Lengths are divided by the strip's length.
+/// What one strip is to become: end conditions, inequalities, and the objective of MATH 6.3 as a
+/// sum of squares. Lengths are divided by the strip's length.
 ///
-/// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and keeps its
-/// value when a strip is divided more finely; at ten quads the weight is the paper's. Where a strip goes on in its
-/// mirror image so do the differences: the last one is that of θ_M−2, θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings
-/// whose sum is given equals Σ (Δ − h)²/(Δ h²) and a constant, h the mean: that is a sum of squares which vanish at
-/// equal spacing, so that Gauss–Newton steps converge. Its mean over the quads is taken.
+/// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and
+/// keeps its value when a strip is divided more finely; at ten quads the weight is the paper's.
+/// Where a strip goes on in its mirror image so do the differences: the last one is that of θ_M−2,
+/// θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings whose sum is given equals Σ (Δ − h)²/(Δ
+/// h²) and a constant, h the mean: that is a sum of squares which vanish at equal spacing, so that
+/// Gauss–Newton steps converge. Its mean over the quads is taken.
 struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;
@@ -69,14 +72,16 @@ struct StripProblem {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// False where ridges of a quad cross or a fold reaches half a turn: no shape there. The Jacobian is left out where
-/// it is null. Half the sum of squares is the objective.
-bool evaluate(const StripProblem& problem, const StripParameters& p, Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian);
+/// False where ridges of a quad cross or a fold reaches half a turn: no shape there. The Jacobian
+/// is left out where it is null. Half the sum of squares is the objective.
+bool evaluate(const StripProblem& problem, const StripParameters& p,
+              Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian);
 
 /// Ridges in order on both sides, no fold of half a turn.
 bool is_shape(const StripBase& base, const StripParameters& p);
 
-/// By how much end conditions are missed, in units of the strip's length or of a unit vector, and the derivative.
+/// By how much end conditions are missed, in units of the strip's length or of a unit vector, and
+/// the derivative.
 Eigen::VectorXd end_violation(const StripProblem& problem, const StripFold& fold);
 RowMatrix end_derivative(const StripProblem& problem, const StripFold& fold);
 
@@ -93,6 +98,7 @@ struct Tightest {
 };
 Tightest tightest_fold(const StripBase& base, const StripParameters& p);
 /// The limits that are violated or nearly so.
-std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p, double min_radius);
+std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,
+                                       double min_radius);
 
 }  // namespace planish::slit_detail

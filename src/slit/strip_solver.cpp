@@ -1,6 +1,7 @@
+#include "strip_solver.hpp"
+
 #include "first_shape.hpp"
 #include "reach.hpp"
-#include "strip_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,16 +13,22 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kHolds = 1e-7;          // of an inequality
-constexpr double kFirstPenalty = 1.0;   // a tenth of the strip's length then counts as much as its smoothness
+constexpr double kHolds = 1e-7;        // of an inequality
+constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then counts as much as its
+                                       // smoothness
 constexpr double kPenaltyGrowth = 4.0;
 constexpr int kRounds = 10, kStepsOfRound = 20;
-constexpr double kMargin = 2e-4;        // radii are led to so much more than they need, and then have it
-constexpr double kWorth = 20.0;         // times the objective that keeping an inequality may cost
-constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains of an iteration at which a start, a round are left
+constexpr double kMargin = 2e-4;  // radii are led to so much more than they need, and then have it
+constexpr double kWorth = 20.0;   // times the objective that keeping an inequality may cost
+constexpr double kRoughly = 1e-3,
+                 kFine = 1e-6;  // gains of an iteration at which a start, a round are left
 
-bool same_place(const RadiusLimit& a, const RadiusLimit& b) { return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad; }
-bool same_place(const HalfSpace& a, const HalfSpace& b) { return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5; }
+bool same_place(const RadiusLimit& a, const RadiusLimit& b) {
+  return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad;
+}
+bool same_place(const HalfSpace& a, const HalfSpace& b) {
+  return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5;
+}
 
 /// Adds what is not yet in the list; planes that moved take over their multiplier.
 template <typename Limit>
@@ -46,7 +53,8 @@ bool just_divided(const StripBase& base, const StripParameters& p) {
   return any;
 }
 
-/// New ridges take a quarter of each neighbour's fold: nearly the same shape, and smooth where it was.
+/// New ridges take a quarter of each neighbour's fold: nearly the same shape, and smooth where it
+/// was.
 StripParameters shared_out(const StripBase& base, const StripParameters& p) {
   StripParameters shared = p;
   shared[0] = 0.75 * p[0];
@@ -70,7 +78,10 @@ StripParameters smoothed(const StripBase& base, const StripParameters& p) {
 class Solver {
  public:
   Solver(StripProblem problem, const DescentOptions& options, const PlanesBroken& planes_broken)
-      : problem_(std::move(problem)), options_(options), planes_broken_(planes_broken), least_radius_(problem_.min_radius) {
+      : problem_(std::move(problem)),
+        options_(options),
+        planes_broken_(planes_broken),
+        least_radius_(problem_.min_radius) {
     problem_.penalty = kFirstPenalty;
     problem_.min_radius *= 1.0 + kMargin;
   }
@@ -88,11 +99,13 @@ class Solver {
  private:
   bool reach_from_before(const StripParameters& from) {
     if (from.size() != problem_.parameters()) return false;
-    return (just_divided(problem_.base, from) && reach_divided(shared_out(problem_.base, from))) || reach_from(from);
+    return (just_divided(problem_.base, from) && reach_divided(shared_out(problem_.base, from))) ||
+           reach_from(from);
   }
 
-  /// Of the divided shape, evened out more and more, what is nearest to a minimum: of fine strips the least unevenness weighs
-  /// more than all else, and getting rid of it step by step would crease them.
+  /// Of the divided shape, evened out more and more, what is nearest to a minimum: of fine strips
+  /// the least unevenness weighs more than all else, and getting rid of it step by step would
+  /// crease them.
   bool reach_divided(StripParameters from) {
     std::optional<StripSolution> best;
     constexpr int kPasses = 6;
@@ -125,8 +138,8 @@ class Solver {
 
   bool stopped() const { return options_.stop && options_.stop(); }
 
-  /// From a first shape, straight to the places wanted, leads into folds that no later step undoes; so they first
-  /// draw weakly, and need not be reached well.
+  /// From a first shape, straight to the places wanted, leads into folds that no later step undoes;
+  /// so they first draw weakly, and need not be reached well.
   void descend_softly() {
     constexpr int kSteps = 12;
     const SlitWeights given = problem_.weights;
@@ -159,7 +172,8 @@ class Solver {
   }
 
   std::vector<HalfSpace> planes_now_broken() const {
-    return planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p)) : std::vector<HalfSpace>{};
+    return planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p))
+                          : std::vector<HalfSpace>{};
   }
 
   /// Without what inequalities add to it.
@@ -167,7 +181,9 @@ class Solver {
     StripProblem plain = problem_;
     plain.inequalities.clear();
     Eigen::VectorXd residuals(plain.residuals());
-    return evaluate(plain, solution_.p, residuals, nullptr) ? 0.5 * residuals.squaredNorm() : std::numeric_limits<double>::infinity();
+    return evaluate(plain, solution_.p, residuals, nullptr)
+               ? 0.5 * residuals.squaredNorm()
+               : std::numeric_limits<double>::infinity();
   }
   double radius() const { return tightest_fold(problem_.base, solution_.p).radius; }
   bool is_too_tight() const { return least_radius_ > 0.0 && radius() < least_radius_; }
@@ -178,12 +194,14 @@ class Solver {
       add(problem_.inequalities, plane);
     const bool tight = is_too_tight();
     if (tight)
-      for (const RadiusLimit& limit : radius_limits(problem_.base, solution_.p, problem_.min_radius))
+      for (const RadiusLimit& limit :
+           radius_limits(problem_.base, solution_.p, problem_.min_radius))
         add(problem_.inequalities, limit);
     return tight || !planes.empty();
   }
 
-  /// First the radii alone. A way out of a neighbour that creases the strip is none: then it is left as it was.
+  /// First the radii alone. A way out of a neighbour that creases the strip is none: then it is
+  /// left as it was.
   void hold_inequalities() {
     hold_radii();
     if (!solution_.converged || planes_now_broken().empty()) return;
@@ -197,7 +215,8 @@ class Solver {
     settle();
   }
 
-  /// Where no shape was found that keeps the radii, the one that is bent least tightly at no great cost stands.
+  /// Where no shape was found that keeps the radii, the one that is bent least tightly at no great
+  /// cost stands.
   void hold_radii() {
     const std::vector<Inequality> none_needed = problem_.inequalities;
     StripSolution widest = solution_;
@@ -217,14 +236,18 @@ class Solver {
     problem_.inequalities = inequalities;
   }
 
-  /// Rounds end before they converge, on purpose; what counts is that there was time for all of them.
+  /// Rounds end before they converge, on purpose; what counts is that there was time for all of
+  /// them.
   void settle() { solution_.converged = !stopped() && descended_ < options_.max_iterations; }
 
   enum class Planes { left_out, kept };
-  void hold(Planes which, const std::function<void()>& after_round = [] {}) {
+  void hold(
+      Planes which, const std::function<void()>& after_round = [] {}) {
     problem_.penalty = kFirstPenalty;
-    for (int round = 0; round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
-      const bool any = take_in(which == Planes::kept ? planes_now_broken() : std::vector<HalfSpace>{});
+    for (int round = 0;
+         round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
+      const bool any = take_in(which == Planes::kept ? planes_now_broken()
+                                                     : std::vector<HalfSpace>{});
       if (problem_.inequalities.empty()) return;
       const Eigen::VectorXd values = inequality_values(problem_, solution_.p);
       if (!any && radius_values_hold(values)) return;
@@ -240,17 +263,20 @@ class Solver {
 
   bool radius_values_hold(const Eigen::VectorXd& values) const {
     for (std::size_t i = 0; i < problem_.inequalities.size(); ++i)
-      if (std::holds_alternative<RadiusLimit>(problem_.inequalities[i].what) && values[static_cast<Eigen::Index>(i)] > kHolds) return false;
+      if (std::holds_alternative<RadiusLimit>(problem_.inequalities[i].what) &&
+          values[static_cast<Eigen::Index>(i)] > kHolds)
+        return false;
     return true;
   }
 
-  /// Planes are only there to lead the strip out of what it runs through: a penalty does, and a multiplier would throw
-  /// it into another shape.
+  /// Planes are only there to lead the strip out of what it runs through: a penalty does, and a
+  /// multiplier would throw it into another shape.
   void update_multipliers(const Eigen::VectorXd& values) {
     for (std::size_t i = 0; i < problem_.inequalities.size(); ++i) {
       Inequality& inequality = problem_.inequalities[i];
       if (std::holds_alternative<RadiusLimit>(inequality.what))
-        inequality.multiplier = std::max(0.0, inequality.multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
+        inequality.multiplier = std::max(
+            0.0, inequality.multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
     }
   }
 
@@ -265,7 +291,8 @@ class Solver {
 
 }  // namespace
 
-StripSolution solve_strip(StripProblem problem, const StripParameters& from, const DescentOptions& options, const PlanesBroken& planes_broken) {
+StripSolution solve_strip(StripProblem problem, const StripParameters& from,
+                          const DescentOptions& options, const PlanesBroken& planes_broken) {
   return Solver(std::move(problem), options, planes_broken).run(from);
 }
 

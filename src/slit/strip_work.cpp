@@ -14,7 +14,8 @@ namespace {
 /// Ends that point the wrong way meet their condition as well as those that point the right way.
 bool ends_backwards(const StripEnd& end, const FoldedStrip& strip) {
   const Frame& last = strip.quads.back();
-  return (end.direction && end.direction->dot(last.x) < 0.0) || (end.across && end.across->dot(last.y) < 0.0);
+  return (end.direction && end.direction->dot(last.x) < 0.0) ||
+         (end.across && end.across->dot(last.y) < 0.0);
 }
 
 Eigen::AlignedBox3d box_of(const StripBase& base, const StripParameters& p) {
@@ -27,38 +28,49 @@ Eigen::AlignedBox3d box_of(const StripBase& base, const StripParameters& p) {
 }
 
 /// What is reported of a strip, measured on its shape.
-StripState measured(const Snapshot& now, int strip, const StripProblem& problem, const StripSolution& solution) {
+StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
+                    const StripSolution& solution) {
   const FoldedStrip shape = folded_strip(problem.base, solution.p);
   const StripFold fold = folded(problem.base, solution.p);
   StripState state;
   state.gap = end_gap(problem, fold);
-  const bool backwards = !now.design->sheet.symmetric && ends_backwards(now.design->ends[strip], shape);
-  state.status = !solution.reached || backwards ? StripStatus::out_of_reach : solution.converged ? StripStatus::solved : StripStatus::open;
+  const bool backwards = !now.design->sheet.symmetric &&
+                         ends_backwards(now.design->ends[strip], shape);
+  state.status = !solution.reached || backwards ? StripStatus::out_of_reach
+                 : solution.converged           ? StripStatus::solved
+                                                : StripStatus::open;
   if (!solution.reached) state.shortfall = state.gap;
   const Tightest tightest = tightest_fold(problem.base, solution.p);
   state.min_radius = tightest.radius;
   state.tightest_ridge = tightest.ridge;
   constexpr double kRounding = 1e-6;
   state.too_tight = tightest.radius < problem.min_radius * (1.0 - kRounding);
-  if (now.design->sheet.symmetric) state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) > kRounding * problem.base.unit();
+  if (now.design->sheet.symmetric)
+    state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) >
+                          kRounding * problem.base.unit();
   state.objective = solution.objective;
   if (problem.seat)
     for (const Vec3& end : shape.ridges.back().folded)
-      state.seat_distance = std::max(state.seat_distance, (problem.seat->nearest(end.tail<2>()).point - end.tail<2>()).norm());
+      state.seat_distance = std::max(
+          state.seat_distance, (problem.seat->nearest(end.tail<2>()).point - end.tail<2>()).norm());
   for (const StripAnchor& anchor : problem.anchors)
-    state.anchor_distance = std::max(state.anchor_distance, (fold.end(anchor.side, anchor.ridge) - anchor.at).norm());
+    state.anchor_distance = std::max(state.anchor_distance,
+                                     (fold.end(anchor.side, anchor.ridge) - anchor.at).norm());
   if (problem.scan) {
     double sum = 0.0;
     for (int ridge = 1; ridge <= problem.base.quads; ++ridge)
       for (int side = 0; side < 2; ++side)
-        sum += (problem.scan->nearest(fold.end(side, ridge)).point - fold.end(side, ridge)).squaredNorm();
+        sum += (problem.scan->nearest(fold.end(side, ridge)).point - fold.end(side, ridge))
+                   .squaredNorm();
     state.scan_distance = std::sqrt(sum / (2.0 * problem.base.quads));
   }
   state.iterations = solution.iterations;
   return state;
 }
 
-bool is_folded(const Snapshot& now, int strip) { return strip >= 0 && strip < now.count() && now.slot(strip).p.size(); }
+bool is_folded(const Snapshot& now, int strip) {
+  return strip >= 0 && strip < now.count() && now.slot(strip).p.size();
+}
 
 PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   std::vector<std::pair<Side, FoldedStrip>> neighbours;
@@ -71,7 +83,9 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   return [neighbours = std::move(neighbours), symmetric, sign](const FoldedStrip& shape) {
     std::vector<HalfSpace> planes;
     constexpr double kThrough = 1e-7;
-    if (symmetric && depth_behind_mirror(shape, sign) > kThrough * (shape.ridges.back().flat[0].x() - shape.ridges.front().flat[0].x()))
+    if (symmetric &&
+        depth_behind_mirror(shape, sign) >
+            kThrough * (shape.ridges.back().flat[0].x() - shape.ridges.front().flat[0].x()))
       planes = planes_before_mirror(static_cast<int>(shape.quads.size()), sign);
     for (const auto& [side, neighbour] : neighbours)
       if (cross(shape, neighbour)) {
@@ -86,13 +100,16 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
 
 StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOptions& options) {
   const StripProblem problem = problem_of(now, strip);
-  StripSolution solution = solve_strip(problem, now.slot(strip).p, options, planes_broken(now, strip, clear));
+  StripSolution solution = solve_strip(problem, now.slot(strip).p, options,
+                                       planes_broken(now, strip, clear));
   Slot slot = now.slot(strip);
   slot.p = solution.p;
   slot.state = measured(now, strip, problem, solution);
   slot.inequalities = solution.inequalities;
   slot.box = box_of(problem.base, solution.p);
-  std::erase_if(slot.inequalities, [](const Inequality& known) { return std::holds_alternative<HalfSpace>(known.what); });
+  std::erase_if(slot.inequalities, [](const Inequality& known) {
+    return std::holds_alternative<HalfSpace>(known.what);
+  });
   now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
   return solution;
 }
@@ -124,14 +141,18 @@ void note_crossings(Snapshot& now, const std::vector<int>& moved) {
 }
 
 int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentOptions& options) {
-  const auto both = [](const Snapshot& snapshot, int strip) { return snapshot.slot(strip).state.objective + snapshot.slot(strip + 1).state.objective; };
+  const auto both = [](const Snapshot& snapshot, int strip) {
+    return snapshot.slot(strip).state.objective + snapshot.slot(strip + 1).state.objective;
+  };
   std::vector<int> pairs;
   for (int strip = 0; strip + 1 < now.count(); ++strip) {
     const auto& crosses = now.slot(strip).state.crosses;
-    if (std::find(crosses.begin(), crosses.end(), strip + 1) != crosses.end()) pairs.push_back(strip);
+    if (std::find(crosses.begin(), crosses.end(), strip + 1) != crosses.end())
+      pairs.push_back(strip);
   }
   // By what they are, not by their numbers, so that a mirrored sheet is parted in the mirrored way.
-  std::stable_sort(pairs.begin(), pairs.end(), [&](int a, int b) { return both(now, a) < both(now, b); });
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [&](int a, int b) { return both(now, a) < both(now, b); });
   int iterations = 0;
   for (const int pair : pairs) {
     std::optional<Snapshot> best;

@@ -16,8 +16,9 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
 /// Notes which strips those that moved run through.
 void note_crossings(Snapshot& now, const std::vector<int>& moved);
 
-/// Neighbours that run through each other, one of them at least moved: one gives way, whichever lets both together be
-/// nearer to what is wanted. Best effort: a strip that would be creased for it stays. Returns the iterations taken.
+/// Neighbours that run through each other, one of them at least moved: one gives way, whichever
+/// lets both together be nearer to what is wanted. Best effort: a strip that would be creased for
+/// it stays. Returns the iterations taken.
 int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentOptions& options);
 
 }  // namespace planish::slit_detail

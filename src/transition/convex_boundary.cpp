@@ -17,7 +17,8 @@ namespace planish::transition_detail {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-/// Corners that turn by less (sine) are straight on, edges shorter than this share of the extent none.
+/// Corners that turn by less (sine) are straight on, edges shorter than this share of the extent
+/// none.
 constexpr double kNoCorner = 1e-9;
 
 using PlaneCurve = std::function<PlanePoint(double)>;
@@ -40,14 +41,16 @@ struct PlanePiece {
 
 PlanePiece straight(const Vec2& a, const Vec2& b, int source) {
   PlanePiece piece;
-  piece.curve = [a, d = Vec2(b - a)](double t) -> PlanePoint { return {a + t * d, d, Vec2::Zero(), Vec2::Zero()}; };
+  piece.curve = [a, d = Vec2(b - a)](double t) -> PlanePoint {
+    return {a + t * d, d, Vec2::Zero(), Vec2::Zero()};
+  };
   piece.straight = true;
   piece.source = source;
   return piece;
 }
 
-/// The curve set off to the right by d: outwards of one that runs counter-clockwise. Its third derivative is
-/// not needed by anybody and left zero.
+/// The curve set off to the right by d: outwards of one that runs counter-clockwise. Its third
+/// derivative is not needed by anybody and left zero.
 PlaneCurve set_off(PlaneCurve curve, double d) {
   if (d == 0.0) return curve;
   return [curve = std::move(curve), d](double t) -> PlanePoint {
@@ -56,25 +59,29 @@ PlaneCurve set_off(PlaneCurve curve, double d) {
     const Vec2 tangent = first / speed, outward(tangent.y(), -tangent.x());
     const double rate = turning / (speed * speed);  // of the tangent's angle
     const double speed_rate = first.dot(second) / speed;
-    const double rate_rate = cross2(first, third) / (speed * speed) - 2.0 * rate * speed_rate / speed;
+    const double rate_rate = cross2(first, third) / (speed * speed) -
+                             2.0 * rate * speed_rate / speed;
     const double new_speed = speed + d * rate;
-    return {c + d * outward, new_speed * tangent, (speed_rate + d * rate_rate) * tangent - new_speed * rate * outward,
-            Vec2::Zero()};
+    return {c + d * outward, new_speed * tangent,
+            (speed_rate + d * rate_rate) * tangent - new_speed * rate * outward, Vec2::Zero()};
   };
 }
 
 PlaneCurve ellipse(double rx, double ry, const Vec2& centre) {
   return [=](double t) -> PlanePoint {
     const double c = std::cos(t), s = std::sin(t);
-    return {centre + Vec2(rx * c, ry * s), {-rx * s, ry * c}, {-rx * c, -ry * s}, {rx * s, -ry * c}};
+    return {
+        centre + Vec2(rx * c, ry * s), {-rx * s, ry * c}, {-rx * c, -ry * s}, {rx * s, -ry * c}};
   };
 }
 
 /// The part of a circle or ellipse from one azimuth to the next, 90° further.
-PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, double from, int source) {
+PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
+                   int source) {
   PlanePiece piece;
   const bool round = rx == ry;
-  piece.curve = round ? ellipse(rx + outwards, rx + outwards, centre) : set_off(ellipse(rx, ry, centre), outwards);
+  piece.curve = round ? ellipse(rx + outwards, rx + outwards, centre)
+                      : set_off(ellipse(rx, ry, centre), outwards);
   piece.t0 = from;
   piece.t1 = from + 0.5 * kPi;
   piece.source = source;
@@ -88,7 +95,8 @@ PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, do
 
 class Shaper {
  public:
-  Shaper(double outwards, std::string pointer) : outwards_(outwards), pointer_(std::move(pointer)) {}
+  Shaper(double outwards, std::string pointer)
+      : outwards_(outwards), pointer_(std::move(pointer)) {}
 
   using Pieces = Result<std::vector<PlanePiece>>;
 
@@ -99,7 +107,8 @@ class Shaper {
     const bool reversed = ring_area(corners) < 0.0;
     if (reversed) std::reverse(corners.begin(), corners.end());
     const auto given_corner = [&](int i) { return reversed ? n - 1 - i : i; };
-    if (auto convex = check_convex(corners, given_corner); !convex) return tl::unexpected(convex.error());
+    if (auto convex = check_convex(corners, given_corner); !convex)
+      return tl::unexpected(convex.error());
     std::vector<int> turns;  // corners at which it does not go straight on
     for (int i = 0; i < n; ++i)
       if (turn_at(corners, i) > kNoCorner) turns.push_back(i);
@@ -112,16 +121,20 @@ class Shaper {
       const std::size_t next = (k + 1) % turns.size();
       const Vec2 given = turning[next] - turning[k];
       PlanePiece piece = straight(moved[k], moved[next], static_cast<int>(k));
-      const auto share = [&](int i) { return (corners[index(i % n)] - turning[k]).norm() / given.norm(); };
+      const auto share = [&](int i) {
+        return (corners[index(i % n)] - turning[k]).norm() / given.norm();
+      };
       const int last = turns[next] + (turns[next] <= turns[k] ? n : 0);
       for (int i = turns[k]; i < last; ++i) {
         const int corner = given_corner(i % n);
-        piece.edges.push_back({reversed ? given_corner((i + 1) % n) : corner, 0, share(i), i + 1 == last ? 1.0 : share(i + 1)});
+        piece.edges.push_back({reversed ? given_corner((i + 1) % n) : corner, 0, share(i),
+                               i + 1 == last ? 1.0 : share(i + 1)});
         piece.corners.push_back({corner, 0, share(i)});
       }
       if ((moved[next] - moved[k]).dot(given) <= 0.0)
         return fail(ErrorCode::radius_too_small,
-                    fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the neutral surface lies {:.4g} mm "
+                    fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the "
+                                "neutral surface lies {:.4g} mm "
                                 "within the polygon that is given",
                                 piece.edges.front().number, given.norm(), -outwards_),
                     pointer_ + "/polygon");
@@ -143,12 +156,16 @@ class Shaper {
 
   Pieces operator()(const RoundedRectangleProfile& r) const {
     const std::string key = "/rounded_rectangle";
-    if (auto sound = check_sizes({r.width, r.height}, key); !sound) return tl::unexpected(sound.error());
-    if (!(r.radius >= 0.0) || !std::isfinite(r.radius) || 2.0 * r.radius > std::min(r.width, r.height))
-      return fail(ErrorCode::invalid_input,
-                  fmt::format("the radius is {:.6g} mm; it must be from 0 to half of the shorter side, {:.6g} mm", r.radius,
-                              0.5 * std::min(r.width, r.height)),
-                  pointer_ + key + "/radius");
+    if (auto sound = check_sizes({r.width, r.height}, key); !sound)
+      return tl::unexpected(sound.error());
+    if (!(r.radius >= 0.0) || !std::isfinite(r.radius) ||
+        2.0 * r.radius > std::min(r.width, r.height))
+      return fail(
+          ErrorCode::invalid_input,
+          fmt::format(
+              "the radius is {:.6g} mm; it must be from 0 to half of the shorter side, {:.6g} mm",
+              r.radius, 0.5 * std::min(r.width, r.height)),
+          pointer_ + key + "/radius");
     const double x = 0.5 * r.width, y = 0.5 * r.height;
     if (r.radius == 0.0) return (*this)(PolygonProfile{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}});
     if (auto fits = check_radius(r.radius, key); !fits) return tl::unexpected(fits.error());
@@ -157,10 +174,12 @@ class Shaper {
 
   Pieces operator()(const ObroundProfile& o) const {
     const std::string key = "/obround";
-    if (auto sound = check_sizes({o.length, o.width}, key); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check_sizes({o.length, o.width}, key); !sound)
+      return tl::unexpected(sound.error());
     if (o.length < o.width)
       return fail(ErrorCode::invalid_input,
-                  fmt::format("the length of {:.6g} mm, over both half circles, is less than the width of {:.6g} mm",
+                  fmt::format("the length of {:.6g} mm, over both half circles, is less than the "
+                              "width of {:.6g} mm",
                               o.length, o.width),
                   pointer_ + key + "/length");
     const double radius = 0.5 * o.width;
@@ -197,37 +216,45 @@ class Shaper {
   Result<void> check_sizes(std::initializer_list<double> sizes, const std::string& key) const {
     for (const double size : sizes)
       if (!(size > 0.0) || !std::isfinite(size))
-        return fail(ErrorCode::invalid_input, fmt::format("a size is {:.6g} mm; it must be above 0", size), pointer_ + key);
+        return fail(ErrorCode::invalid_input,
+                    fmt::format("a size is {:.6g} mm; it must be above 0", size), pointer_ + key);
     return {};
   }
 
   Result<void> check_radius(double tightest, const std::string& key) const {
     if (tightest + outwards_ > kNoCorner * tightest) return {};
     return fail(ErrorCode::radius_too_small,
-                fmt::format("the thickness is too large: the neutral surface lies {:.4g} mm within the profile that is given, "
+                fmt::format("the thickness is too large: the neutral surface lies {:.4g} mm within "
+                            "the profile that is given, "
                             "whose smallest radius is {:.4g} mm",
                             -outwards_, tightest),
                 pointer_ + key);
   }
 
-  Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& key = "/polygon") const {
+  Result<void> check_polygon(const std::vector<Vec2>& corners,
+                             const std::string& key = "/polygon") const {
     const int n = static_cast<int>(corners.size());
     if (n < 3)
-      return fail(ErrorCode::too_few_corners, fmt::format("there are {} points; a profile needs three", n), pointer_ + key);
+      return fail(ErrorCode::too_few_corners,
+                  fmt::format("there are {} points; a profile needs three", n), pointer_ + key);
     double size = 0.0;
     for (const Vec2& p : corners) {
-      if (!p.allFinite()) return fail(ErrorCode::invalid_input, "a coordinate is not a finite number", pointer_ + key);
+      if (!p.allFinite())
+        return fail(ErrorCode::invalid_input, "a coordinate is not a finite number",
+                    pointer_ + key);
       size = std::max(size, (p - corners.front()).norm());
     }
     for (int i = 0; i < n; ++i)
       if ((corners[index(i)] - corners[index((i + 1) % n)]).norm() <= kNoCorner * size)
         return fail(ErrorCode::repeated_corner,
-                    fmt::format("points {} and {} lie at the same place, ({:.6g}, {:.6g})", i, (i + 1) % n,
-                                corners[index(i)].x(), corners[index(i)].y()),
+                    fmt::format("points {} and {} lie at the same place, ({:.6g}, {:.6g})", i,
+                                (i + 1) % n, corners[index(i)].x(), corners[index(i)].y()),
                     fmt::format("{}{}/{}", pointer_, key, (i + 1) % n));
     if (const auto at = self_crossings(corners); !at.empty())
       return fail(ErrorCode::self_crossing,
-                  fmt::format("the profile crosses itself at ({:.6g}, {:.6g})", at.front().x(), at.front().y()), pointer_ + key);
+                  fmt::format("the profile crosses itself at ({:.6g}, {:.6g})", at.front().x(),
+                              at.front().y()),
+                  pointer_ + key);
     if (std::abs(ring_area(corners)) <= kNoCorner * size * size)
       return fail(ErrorCode::invalid_input, "the profile encloses no area", pointer_ + key);
     return {};
@@ -249,7 +276,8 @@ class Shaper {
       const Vec2 out = (corners[index((i + 1) % n)] - corners[index(i)]).normalized();
       if (cross2(in, out) >= -kNoCorner && in.dot(out) > -1.0 + kNoCorner) continue;
       return fail(ErrorCode::profile_not_convex,
-                  fmt::format("the profile is not convex at corner {}, ({:.6g}, {:.6g}), where it turns inwards by {:.4g}°: "
+                  fmt::format("the profile is not convex at corner {}, ({:.6g}, {:.6g}), where it "
+                              "turns inwards by {:.4g}°: "
                               "divide it into convex ones",
                               given(i), corners[index(i)].x(), corners[index(i)].y(),
                               std::atan2(-cross2(in, out), in.dot(out)) * 180.0 / kPi),
@@ -270,7 +298,8 @@ class Shaper {
           return check_radius(speed * speed * speed / turning, "/spline");
         }
         return fail(ErrorCode::profile_not_convex,
-                    fmt::format("the spline is not convex at ({:.6g}, {:.6g}), between points {} and {}: move or add points",
+                    fmt::format("the spline is not convex at ({:.6g}, {:.6g}), between points {} "
+                                "and {}: move or add points",
                                 at.point.x(), at.point.y(), k, (k + 1) % points.size()),
                     fmt::format("{}/spline/{}", pointer_, k));
       }
@@ -291,7 +320,8 @@ class Shaper {
   }
 
   /// Straight sides 2x and 2y long with quarter circles between; edges are numbered from below.
-  std::vector<PlanePiece> rounded(double x, double y, double radius, const std::array<int, 4>& edges) const {
+  std::vector<PlanePiece> rounded(double x, double y, double radius,
+                                  const std::array<int, 4>& edges) const {
     const double r = radius + outwards_;
     const std::array<Vec2, 4> centres{Vec2(x, -y), Vec2(x, y), Vec2(-x, y), Vec2(-x, -y)};
     std::vector<PlanePiece> pieces;
@@ -317,8 +347,11 @@ class Shaper {
 
 Element placed(const PlanePiece& piece, const Frame& frame, bool turned) {
   Element element;
-  const auto to_space = [frame](const Vec2& v) -> Vec3 { return v.x() * frame.x + v.y() * frame.y; };
-  element.curve = [curve = piece.curve, origin = frame.origin, to_space, turned](double t) -> SpaceCurvePoint {
+  const auto to_space = [frame](const Vec2& v) -> Vec3 {
+    return v.x() * frame.x + v.y() * frame.y;
+  };
+  element.curve = [curve = piece.curve, origin = frame.origin, to_space,
+                   turned](double t) -> SpaceCurvePoint {
     const PlanePoint p = curve(turned ? -t : t);
     const Vec3 first = to_space(p.first);
     return {origin + to_space(p.point), turned ? Vec3(-first) : first, to_space(p.second)};
@@ -334,7 +367,8 @@ Element placed(const PlanePiece& piece, const Frame& frame, bool turned) {
     for (double& t : element.knots)
       t = -t;
   }
-  if (piece.circle_radius > 0.0) element.circle = Circle{frame.point(piece.circle_centre), piece.circle_radius};
+  if (piece.circle_radius > 0.0)
+    element.circle = Circle{frame.point(piece.circle_centre), piece.circle_radius};
   return element;
 }
 
@@ -342,7 +376,8 @@ Vec3 tangent(const Element& element, double t) { return element.curve(t).derivat
 
 }  // namespace
 
-Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, const Vec3& towards, const std::string& pointer) {
+Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, const Vec3& towards,
+                             const std::string& pointer) {
   auto pieces = std::visit(Shaper(outwards, pointer), profile.profile);
   if (!pieces) return tl::unexpected(pieces.error());
   Boundary boundary;
@@ -368,7 +403,8 @@ Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, cons
   }
   for (int i = 0; i < n; ++i) {
     const Element &before = boundary.element(i - 1), &after = boundary.element(i);
-    boundary.corner.push_back(tangent(before, before.t1).cross(tangent(after, after.t0)).norm() > kNoCorner);
+    boundary.corner.push_back(tangent(before, before.t1).cross(tangent(after, after.t0)).norm() >
+                              kNoCorner);
   }
   return boundary;
 }

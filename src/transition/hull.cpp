@@ -15,22 +15,24 @@ namespace {
 /// Share of the extent within which a point lies in a plane.
 constexpr double kInPlane = 1e-10;
 
-/// Places nearer to each other are one: rounding, of places that the other boundary's tangents lead to.
+/// Places nearer to each other are one: rounding, of places that the other boundary's tangents lead
+/// to.
 constexpr double kSamePlace = 5e-9;
 
-/// A place on a boundary: element plus share of its parameter. Whole numbers are where elements meet.
-/// Places count on past the end, round after round.
+/// A place on a boundary: element plus share of its parameter. Whole numbers are where elements
+/// meet. Places count on past the end, round after round.
 using Place = double;
 
-/// A plane that touches both boundaries: on each from one place to another, the same unless the plane holds an
-/// edge.
+/// A plane that touches both boundaries: on each from one place to another, the same unless the
+/// plane holds an edge.
 struct Event {
   std::array<Place, 2> from{}, to{};
 };
 
 class Walker {
  public:
-  Walker(std::array<Boundary, 2> boundaries, double size) : boundaries_(std::move(boundaries)), in_plane_(kInPlane * size) {}
+  Walker(std::array<Boundary, 2> boundaries, double size)
+      : boundaries_(std::move(boundaries)), in_plane_(kInPlane * size) {}
 
   Result<std::vector<Event>> events() {
     first_side_events();
@@ -54,14 +56,18 @@ class Walker {
   const Boundary& first() const { return boundaries_[0]; }
   const Boundary& second() const { return boundaries_[1]; }
 
-  static SpaceCurvePoint at(const Boundary& boundary, int element, double t) { return boundary.element(element).curve(t); }
+  static SpaceCurvePoint at(const Boundary& boundary, int element, double t) {
+    return boundary.element(element).curve(t);
+  }
 
-  /// Tangent lines of the first boundary that end or begin something, in order, and what they touch.
+  /// Tangent lines of the first boundary that end or begin something, in order, and what they
+  /// touch.
   void first_side_events() {
     for (int i = 0; i < first().count(); ++i) {
       const Element &before = first().element(i - 1), &here = first().element(i);
       if (first().corner_at(i) && !before.straight) add_first(i, i, before.curve(before.t1));
-      if (!here.straight && (first().corner_at(i) || !before.straight)) add_first(i, i, here.curve(here.t0));
+      if (!here.straight && (first().corner_at(i) || !before.straight))
+        add_first(i, i, here.curve(here.t0));
       if (here.straight) add_first(i, i + 1, here.curve(here.t0));
     }
   }
@@ -71,8 +77,8 @@ class Walker {
     events_.push_back({{from, low}, {to, high}});
   }
 
-  /// Where the plane through a tangent line of the first boundary touches the second, all of it on the inner
-  /// side: where the slope of the points over the line, out over up, is largest.
+  /// Where the plane through a tangent line of the first boundary touches the second, all of it on
+  /// the inner side: where the slope of the points over the line, out over up, is largest.
   std::pair<Place, Place> support(const SpaceCurvePoint& line) const {
     const Vec3 along = line.derivative.normalized(), out = along.cross(first().axis);
     const int n = second().count();
@@ -90,20 +96,25 @@ class Walker {
     }
     const Element &before = second().element(best - 1), &after = second().element(best);
     const auto height = [&](const Vec3& p) { return normal.dot(p - line.point); };
-    if (after.straight && std::abs(height(after.curve(after.t1).point)) <= in_plane_) return {best, best + 1};
-    if (before.straight && std::abs(height(before.curve(before.t0).point)) <= in_plane_) return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
-    if (!after.straight && normal.dot(after.curve(after.t0).derivative) > 0.0) return point_on(best, after, line);
+    if (after.straight && std::abs(height(after.curve(after.t1).point)) <= in_plane_)
+      return {best, best + 1};
+    if (before.straight && std::abs(height(before.curve(before.t0).point)) <= in_plane_)
+      return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
+    if (!after.straight && normal.dot(after.curve(after.t0).derivative) > 0.0)
+      return point_on(best, after, line);
     if (!before.straight && normal.dot(before.curve(before.t1).derivative) < 0.0)
       return point_on((best + n - 1) % n, before, line);
     return {best, best};
   }
 
   /// Where the slope is largest within an element.
-  std::pair<Place, Place> point_on(int element, const Element& curve, const SpaceCurvePoint& line) const {
+  std::pair<Place, Place> point_on(int element, const Element& curve,
+                                   const SpaceCurvePoint& line) const {
     const double t = falling_root(
         [&](double s) {
           const SpaceCurvePoint q = curve.curve(s);
-          return std::pair{-ahead(line, q), -line.derivative.cross(q.second).dot(q.point - line.point)};
+          return std::pair{-ahead(line, q),
+                           -line.derivative.cross(q.second).dot(q.point - line.point)};
         },
         curve.t0, curve.t1);
     const Place place = element + (t - curve.t0) / (curve.t1 - curve.t0);
@@ -126,13 +137,14 @@ class Walker {
     }
     if (last > start + n + kBack)
       return fail(ErrorCode::profile_hidden,
-                  "the planes that touch both profiles do not follow each other once round: a part of one profile is hidden behind "
+                  "the planes that touch both profiles do not follow each other once round: a part "
+                  "of one profile is hidden behind "
                   "the other");
     return {};
   }
 
-  /// Tangent lines of the second boundary that end or begin something between two planes, and what they touch
-  /// of what the first runs through meanwhile.
+  /// Tangent lines of the second boundary that end or begin something between two planes, and what
+  /// they touch of what the first runs through meanwhile.
   void fill(const Event& last, const Event& next) {
     Place here = last.to[0];
     const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
@@ -142,9 +154,11 @@ class Walker {
     const Place begin = last.to[1], end = next.from[1];
     for (int j = static_cast<int>(std::ceil(begin)); j <= end; ++j) {
       const Element &before = second().element(j - 1), &after = second().element(j);
-      if (j > begin && !before.straight && second().corner_at(j)) add(j, j, before.curve(before.t1));
+      if (j > begin && !before.straight && second().corner_at(j))
+        add(j, j, before.curve(before.t1));
       if (after.straight && j + 1 <= end) add(j, j + 1, after.curve(after.t0));
-      if (!after.straight && j < end && (second().corner_at(j) || !before.straight)) add(j, j, after.curve(after.t0));
+      if (!after.straight && j < end && (second().corner_at(j) || !before.straight))
+        add(j, j, after.curve(after.t0));
     }
   }
 
@@ -156,7 +170,8 @@ class Walker {
     const double t = falling_root(
         [&](double s) {
           const SpaceCurvePoint p = curve.curve(s);
-          return std::pair{ahead(p, line), p.second.cross(line.derivative).dot(line.point - p.point)};
+          return std::pair{ahead(p, line),
+                           p.second.cross(line.derivative).dot(line.point - p.point)};
         },
         t_of(low), t_of(high));
     return std::clamp(element + (t - curve.t0) / (curve.t1 - curve.t0), low, high);
@@ -169,11 +184,13 @@ class Walker {
 
 /// What a boundary runs through between two places, within one element.
 Stretch stretch_between(const Boundary& boundary, Place from, Place to) {
-  if (to - from < kSamePlace) to = from = std::abs(from - std::round(from)) < kSamePlace ? std::round(from) : from;
+  if (to - from < kSamePlace)
+    to = from = std::abs(from - std::round(from)) < kSamePlace ? std::round(from) : from;
   const int element = static_cast<int>(std::floor(from == to ? from : 0.5 * (from + to)));
   const Element& curve = boundary.element(element);
   const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
-  return {((element % boundary.count()) + boundary.count()) % boundary.count(), t_of(from), from == to ? t_of(from) : t_of(to)};
+  return {((element % boundary.count()) + boundary.count()) % boundary.count(), t_of(from),
+          from == to ? t_of(from) : t_of(to)};
 }
 
 /// True where `next` runs on along the curve on which `last` ends.
@@ -189,7 +206,8 @@ bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
   if (last.plane || next.plane) return false;
   for (std::size_t side = 0; side < 2; ++side)
     if (!runs_on(hull.boundaries[side], last.sides[side], next.sides[side])) return false;
-  const std::array<double, 2> behind{last.sides[0].t1 - next.sides[0].t0, last.sides[1].t1 - next.sides[1].t0};
+  const std::array<double, 2> behind{last.sides[0].t1 - next.sides[0].t0,
+                                     last.sides[1].t1 - next.sides[1].t0};
   for (std::size_t i = 1; i < next.stops.size(); ++i)
     last.stops.push_back({next.stops[i][0] + behind[0], next.stops[i][1] + behind[1]});
   for (std::size_t side = 0; side < 2; ++side)
@@ -207,7 +225,8 @@ double turning_point(const Element& element, const Vec3& up) {
       element.t0, element.t1);
 }
 
-Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double side, double size, bool from) {
+Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double side, double size,
+                         bool from) {
   const Vec3 origin = plane_of.elements.front().curve(plane_of.elements.front().t0).point;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   const Vec3 up = side * plane_of.axis;
@@ -220,13 +239,17 @@ Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double
   constexpr double kTouching = 1e-9;
   if (low > kTouching * size) return {};
   if (high <= kTouching * size)
-    return fail(ErrorCode::profiles_meet, "both profiles lie in one plane: set their frames apart", "/to/frame");
+    return fail(ErrorCode::profiles_meet, "both profiles lie in one plane: set their frames apart",
+                "/to/frame");
   const char* whose = from ? "second" : "first";
   if (low >= -kTouching * size)
-    return fail(ErrorCode::profiles_meet,
-                fmt::format("the {} profile touches the plane of the other: move them apart", whose), "/to/frame");
+    return fail(
+        ErrorCode::profiles_meet,
+        fmt::format("the {} profile touches the plane of the other: move them apart", whose),
+        "/to/frame");
   return fail(ErrorCode::profile_hidden,
-              fmt::format("the {} profile lies on both sides of the plane of the other, by {:.4g} and {:.4g} mm, so that a part of it would be "
+              fmt::format("the {} profile lies on both sides of the plane of the other, by {:.4g} "
+                          "and {:.4g} mm, so that a part of it would be "
                           "hidden inside the transition: move or turn one of them",
                           whose, -low, high),
               "/to/frame");
@@ -239,18 +262,24 @@ double ahead(const SpaceCurvePoint& p, const SpaceCurvePoint& q) {
 }
 
 Result<Hull> lateral_hull(Boundary first, Boundary second, double size) {
-  if (auto apart = check_apart(first, second, 1.0, size, true); !apart) return tl::unexpected(apart.error());
-  if (auto apart = check_apart(second, first, -1.0, size, false); !apart) return tl::unexpected(apart.error());
+  if (auto apart = check_apart(first, second, 1.0, size, true); !apart)
+    return tl::unexpected(apart.error());
+  if (auto apart = check_apart(second, first, -1.0, size, false); !apart)
+    return tl::unexpected(apart.error());
   auto events = Walker({first, second}, size).events();
   if (!events) return tl::unexpected(events.error());
   Hull hull{{std::move(first), std::move(second)}, {}};
   const auto add = [&](const Event& a, const Event& b, bool plane) {
     const std::array<Place, 2>& from = plane ? a.from : a.to;
     const std::array<Place, 2>& to = plane ? a.to : b.from;
-    HullPatch patch{plane, {stretch_between(hull.boundaries[0], from[0], to[0]), stretch_between(hull.boundaries[1], from[1], to[1])}, {}};
+    HullPatch patch{plane,
+                    {stretch_between(hull.boundaries[0], from[0], to[0]),
+                     stretch_between(hull.boundaries[1], from[1], to[1])},
+                    {}};
     patch.stops = {{patch.sides[0].t0, patch.sides[1].t0}, {patch.sides[0].t1, patch.sides[1].t1}};
     if (!patch.sides[0].moves() && !patch.sides[1].moves()) return;
-    if (hull.patches.empty() || !join(hull, hull.patches.back(), patch)) hull.patches.push_back(patch);
+    if (hull.patches.empty() || !join(hull, hull.patches.back(), patch))
+      hull.patches.push_back(patch);
   };
   for (std::size_t i = 0; i < events->size(); ++i) {
     Event next = (*events)[(i + 1) % events->size()];
@@ -261,7 +290,8 @@ Result<Hull> lateral_hull(Boundary first, Boundary second, double size) {
     add((*events)[i], next, false);
   }
   // What begins and ends the round may be one patch too.
-  if (hull.patches.size() > 1 && join(hull, hull.patches.back(), hull.patches.front())) hull.patches.erase(hull.patches.begin());
+  if (hull.patches.size() > 1 && join(hull, hull.patches.back(), hull.patches.front()))
+    hull.patches.erase(hull.patches.begin());
   return hull;
 }
 

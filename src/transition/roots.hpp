@@ -5,8 +5,8 @@
 
 namespace planish::transition_detail {
 
-/// Where f is zero between a and b, f(a) and f(b) of different signs or nearly zero; exact to rounding.
-/// `f` gives the value and its derivative.
+/// Where f is zero between a and b, f(a) and f(b) of different signs or nearly zero; exact to
+/// rounding. `f` gives the value and its derivative.
 template <typename Function>
 double root_between(const Function& f, double a, double b) {
   auto fa = f(a), fb = f(b);
@@ -29,15 +29,16 @@ double root_between(const Function& f, double a, double b) {
   return x;
 }
 
-/// Where f falls through zero between a and b. Tangents of a convex curve through one point are two, where f
-/// falls and where it rises, and close to the curve both may lie between a and b: then the interval is divided
-/// until a part falls.
+/// Where f falls through zero between a and b. Tangents of a convex curve through one point are
+/// two, where f falls and where it rises, and close to the curve both may lie between a and b: then
+/// the interval is divided until a part falls.
 template <typename Function>
 double falling_root(const Function& f, double a, double b) {
   constexpr int kFinest = 256;
   for (int parts = 1; parts <= kFinest; parts *= 4)
     for (int i = 0; i < parts; ++i) {
-      const double low = std::lerp(a, b, i / double(parts)), high = std::lerp(a, b, (i + 1) / double(parts));
+      const double low = std::lerp(a, b, i / double(parts)),
+                   high = std::lerp(a, b, (i + 1) / double(parts));
       if (f(low).first >= 0.0 && f(high).first <= 0.0) return root_between(f, low, high);
     }
   return root_between(f, a, b);

@@ -23,20 +23,27 @@ class Cutter {
   Result<Cut> at(const SeamEdge& seam) const {
     for (const GivenEdge& edge : boundary_.edges)
       if (edge.number == seam.edge) return at_share(edge.element, 0.5 * (edge.from + edge.to));
-    return fail(ErrorCode::unknown_seam, fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edges)), "/seam/edge");
+    return fail(
+        ErrorCode::unknown_seam,
+        fmt::format("the first profile has no edge {}{}", seam.edge, known(boundary_.edges)),
+        "/seam/edge");
   }
 
   /// The middle of what turns about the corner, so that both planes beside it stay whole.
   Result<Cut> at(const SeamCorner& seam) const {
     for (const GivenCorner& corner : boundary_.corners)
-      if (corner.number == seam.corner) return corner.at == 0.0 ? at_start_of(corner.element) : at_share(corner.element, corner.at);
-    return fail(ErrorCode::unknown_seam, fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corners)),
-                "/seam/corner");
+      if (corner.number == seam.corner)
+        return corner.at == 0.0 ? at_start_of(corner.element) : at_share(corner.element, corner.at);
+    return fail(
+        ErrorCode::unknown_seam,
+        fmt::format("the first profile has no corner {}{}", seam.corner, known(boundary_.corners)),
+        "/seam/corner");
   }
 
   Result<Cut> at(const SeamParameter& seam) const {
     if (!(seam.parameter >= 0.0 && seam.parameter <= 1.0))
-      return fail(ErrorCode::unknown_seam, fmt::format("the parameter is {:.6g}; it must be from 0 to 1", seam.parameter),
+      return fail(ErrorCode::unknown_seam,
+                  fmt::format("the parameter is {:.6g}; it must be from 0 to 1", seam.parameter),
                   "/seam/parameter");
     const double whole = perimeter();
     return at_length(start_of_profile() + (boundary_.turned ? -1.0 : 1.0) * seam.parameter * whole);
@@ -55,8 +62,10 @@ class Cutter {
     };
     for (int i = 0; i < ring_.count(); ++i) {
       consider({i, 0.0});
-      if (!ring_.strip(i).plane()) consider(shortest_in(i));
-      else if (ring_.strip(i).patch().sides[0].moves()) consider({i, 0.5});
+      if (!ring_.strip(i).plane())
+        consider(shortest_in(i));
+      else if (ring_.strip(i).patch().sides[0].moves())
+        consider({i, 0.5});
     }
     return best;
   }
@@ -70,7 +79,8 @@ class Cutter {
       const Element& element = boundary_.element(i);
       const double here = length_of(element);
       if (boundary_.corner_at(i) && length <= noise) return at_start_of(i);
-      if (length < here - (boundary_.corner_at(i + 1) ? noise : 0.0)) return in_element(i, parameter_at(element, length));
+      if (length < here - (boundary_.corner_at(i + 1) ? noise : 0.0))
+        return in_element(i, parameter_at(element, length));
       length = std::max(0.0, length - here);
     }
     return boundary_.corner_at(0) ? at_start_of(0) : in_element(0, boundary_.element(0).t0);
@@ -83,7 +93,8 @@ class Cutter {
     for (int i = 0; i < side.element; ++i)
       length += length_of(boundary_.element(i));
     const Element& element = boundary_.element(side.element);
-    return length + length_between(element, element.t0, side.moves() ? side.t0 : side.t1) + strip.border_length(0, 0.0, cut.at);
+    return length + length_between(element, element.t0, side.moves() ? side.t0 : side.t1) +
+           strip.border_length(0, 0.0, cut.at);
   }
 
   double perimeter() const {
@@ -100,7 +111,8 @@ class Cutter {
     bool edges = false;
     const int n = boundary_.count();
     int first = 0;
-    while (first < n && !boundary_.element(first).straight) ++first;
+    while (first < n && !boundary_.element(first).straight)
+      ++first;
     for (int k = 0; k < n && first < n; ++k) {
       const int i = (first + 1 + k) % n;
       const Element& element = boundary_.element(i);
@@ -114,7 +126,9 @@ class Cutter {
       round = 0.0;
     }
     if (edges && cuts.size() > 1) return cuts;
-    return fail(ErrorCode::invalid_input, "the first profile has no sides to make a piece of each: give 1 or 2 pieces", "/pieces");
+    return fail(ErrorCode::invalid_input,
+                "the first profile has no sides to make a piece of each: give 1 or 2 pieces",
+                "/pieces");
   }
 
   /// Cuts that would leave a sliver of a strip go to its end.
@@ -138,12 +152,16 @@ class Cutter {
     constexpr int kSamples = 32;
     int least = 0;
     for (int i = 1; i < kSamples; ++i)
-      if (length_of(strip, i / double(kSamples)) < length_of(strip, least / double(kSamples))) least = i;
-    double low = std::max(0.0, (least - 1) / double(kSamples)), high = (least + 1) / double(kSamples);
+      if (length_of(strip, i / double(kSamples)) < length_of(strip, least / double(kSamples)))
+        least = i;
+    double low = std::max(0.0, (least - 1) / double(kSamples)),
+           high = (least + 1) / double(kSamples);
     constexpr double kGolden = 0.6180339887498949, kNear = 1e-6;
     while (high - low > kNear) {
       const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      (length_of(strip, a) < length_of(strip, b) ? high : low) = length_of(strip, a) < length_of(strip, b) ? b : a;
+      (length_of(strip, a) < length_of(strip, b)
+           ? high
+           : low) = length_of(strip, a) < length_of(strip, b) ? b : a;
     }
     return {number, 0.5 * (low + high)};
   }
@@ -153,10 +171,15 @@ class Cutter {
   }
 
   static double length_between(const Element& element, double t0, double t1) {
-    return element.straight ? (element.curve(t1).point - element.curve(t0).point).norm() : arc_length(element, t0, t1);
+    return element.straight ? (element.curve(t1).point - element.curve(t0).point).norm()
+                            : arc_length(element, t0, t1);
   }
-  static double length_of(const Element& element) { return length_between(element, element.t0, element.t1); }
-  static double length_of(const Strip& strip, double at) { return transition_detail::length_of(strip, at); }
+  static double length_of(const Element& element) {
+    return length_between(element, element.t0, element.t1);
+  }
+  static double length_of(const Strip& strip, double at) {
+    return transition_detail::length_of(strip, at);
+  }
 
   double length_before(int i) const {
     double length = 0.0;
@@ -166,10 +189,12 @@ class Cutter {
   }
 
   static double parameter_at(const Element& element, double length) {
-    if (element.straight) return element.t0 + (element.t1 - element.t0) * length / length_of(element);
+    if (element.straight)
+      return element.t0 + (element.t1 - element.t0) * length / length_of(element);
     return root_between(
         [&](double t) {
-          return std::pair{length_between(element, element.t0, t) - length, element.curve(t).derivative.norm()};
+          return std::pair{length_between(element, element.t0, t) - length,
+                           element.curve(t).derivative.norm()};
         },
         element.t0, element.t1);
   }
@@ -177,14 +202,18 @@ class Cutter {
   template <typename Given>
   static std::string known(const std::vector<Given>& all) {
     if (all.empty()) return ": it has none";
-    return fmt::format(": it has 0 to {}", std::max_element(all.begin(), all.end(), [](const Given& a, const Given& b) { return a.number < b.number; })->number);
+    return fmt::format(": it has 0 to {}",
+                       std::max_element(all.begin(), all.end(), [](const Given& a, const Given& b) {
+                         return a.number < b.number;
+                       })->number);
   }
 
   /// Length from the boundary's first element to where the profile begins that was given.
   double start_of_profile() const {
     for (const GivenEdge& edge : boundary_.edges)
       if (edge.number == 0)
-        return length_before(edge.element) + (boundary_.turned ? edge.to : edge.from) * length_of(boundary_.element(edge.element));
+        return length_before(edge.element) + (boundary_.turned ? edge.to : edge.from) *
+                                                 length_of(boundary_.element(edge.element));
     return 0.0;
   }
 
@@ -194,7 +223,8 @@ class Cutter {
       const Strip& strip = ring_.strip(i);
       const Stretch& side = strip.patch().sides[0];
       const Element& here = boundary_.element(side.element);
-      if (!side.moves() || here.source != wanted.source || here.straight != wanted.straight) continue;
+      if (!side.moves() || here.source != wanted.source || here.straight != wanted.straight)
+        continue;
       const double period = wanted.period;
       const double same = period > 0.0 ? t + period * std::ceil((side.t0 - t) / period - 1e-12) : t;
       if (same < side.t0 || same >= side.t1) continue;
@@ -219,8 +249,12 @@ class Cutter {
     for (const int i : standing)
       whole += ring_.strip(i).turn(0.0, 1.0);
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
-    // Standing strips in the order in which they follow each other, which may run over the ring's end.
-    std::sort(standing.begin(), standing.end(), [&](int a, int b) { return (a - after + ring_.count()) % ring_.count() < (b - after + ring_.count()) % ring_.count(); });
+    // Standing strips in the order in which they follow each other, which may run over the ring's
+    // end.
+    std::sort(standing.begin(), standing.end(), [&](int a, int b) {
+      return (a - after + ring_.count()) % ring_.count() <
+             (b - after + ring_.count()) % ring_.count();
+    });
     double turned = 0.0;
     for (const int i : standing) {
       const double here = ring_.strip(i).turn(0.0, 1.0);
@@ -252,11 +286,13 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
     if (!sides) return sides;
     cuts = std::move(*sides);
   } else {
-    const Result<Cut> first =
-        seam ? std::visit([&](const auto& given) { return cutter.at(given); }, *seam) : Result<Cut>(cutter.shortest());
+    const Result<Cut> first = seam ? std::visit([&](const auto& given) { return cutter.at(given); },
+                                                *seam)
+                                   : Result<Cut>(cutter.shortest());
     if (!first) return tl::unexpected(first.error());
     cuts = {*first};
-    if (pieces == Pieces::two) cuts.push_back(cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter()));
+    if (pieces == Pieces::two)
+      cuts.push_back(cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter()));
   }
   for (Cut& cut : cuts)
     cut = cutter.settled(cut);
@@ -270,12 +306,14 @@ Ring begun_at(const Ring& ring, double at, double tolerance) {
   HullPatch patch = strip.patch();
   const std::vector<std::array<double, 2>> stops = std::move(patch.stops);
   const std::array<double, 2> start{strip.parameter(0, at), strip.parameter(1, at)};
-  const std::array<double, 2> period{stops.back()[0] - stops.front()[0], stops.back()[1] - stops.front()[1]};
+  const std::array<double, 2> period{stops.back()[0] - stops.front()[0],
+                                     stops.back()[1] - stops.front()[1]};
   patch.stops = {start};
   for (const auto& stop : stops)
     if (stop[0] > start[0] && stop[1] > start[1]) patch.stops.push_back(stop);
   for (std::size_t i = 1; i < stops.size(); ++i)
-    if (stops[i][0] <= start[0] || stops[i][1] <= start[1]) patch.stops.push_back({stops[i][0] + period[0], stops[i][1] + period[1]});
+    if (stops[i][0] <= start[0] || stops[i][1] <= start[1])
+      patch.stops.push_back({stops[i][0] + period[0], stops[i][1] + period[1]});
   patch.stops.push_back({start[0] + period[0], start[1] + period[1]});
   for (std::size_t side = 0; side < 2; ++side) {
     patch.sides[side].t0 = patch.stops.front()[side];
@@ -304,12 +342,14 @@ double open_seam(const Ring& ring, std::vector<StripPart>& parts) {
   constexpr double kHalfOpen = 0.005;  // mm
   const auto step = [&](const StripPart& part) {
     const Strip& strip = ring.strip(part.strip);
-    const double width = std::max(strip.border_length(0, part.from, part.to), strip.border_length(1, part.from, part.to));
+    const double width = std::max(strip.border_length(0, part.from, part.to),
+                                  strip.border_length(1, part.from, part.to));
     return std::min(kHalfOpen / width, 0.25) * (part.to - part.from);
   };
   StripPart &first = parts.front(), &last = parts.back();
   const double begin = first.from + step(first), end = last.to - step(last);
-  const double area = ring.strip(first.strip).area(first.from, begin) + ring.strip(last.strip).area(end, last.to);
+  const double area = ring.strip(first.strip).area(first.from, begin) +
+                      ring.strip(last.strip).area(end, last.to);
   first.from = begin;
   last.to = end;
   return area;

@@ -17,7 +17,8 @@ constexpr double kRight = 1e-12;
 /// Share of its distance from the origin by which a point may be off, from rounding.
 constexpr double kRounding = 1e-15;
 
-/// Knots of an element's curve after t0 and before t1, of a closed one round after round; ascending.
+/// Knots of an element's curve after t0 and before t1, of a closed one round after round;
+/// ascending.
 std::vector<double> knots_between(const Element& element, double t0, double t1) {
   std::vector<double> knots;
   for (const double t : element.knots) {
@@ -25,7 +26,8 @@ std::vector<double> knots_between(const Element& element, double t0, double t1) 
       if (t > t0 && t < t1) knots.push_back(t);
       continue;
     }
-    for (double here = t + element.period * std::ceil((t0 - t) / element.period); here < t1; here += element.period)
+    for (double here = t + element.period * std::ceil((t0 - t) / element.period); here < t1;
+         here += element.period)
       if (here > t0) knots.push_back(here);
   }
   std::sort(knots.begin(), knots.end());
@@ -66,7 +68,9 @@ Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double to
   for (std::size_t side = 0; side < 2; ++side)
     for (int i = 0; i <= kSamples; ++i) {
       const double whole = patch_.sides[side].t1 - patch_.sides[side].t0;
-      slowest[side] = whole == 0.0 ? 0.0 : std::min(slowest[side], pairing(i / double(kSamples)).rate[side] / whole);
+      slowest[side] = whole == 0.0 ? 0.0
+                                   : std::min(slowest[side],
+                                              pairing(i / double(kSamples)).rate[side] / whole);
     }
   base_ = slowest[1] > slowest[0] ? 1 : 0;
   find_breaks();
@@ -94,7 +98,9 @@ void Strip::find_right() {
   const double near = kRight + kRounding * centre.norm() / radius;
   const double turned = patch_.sides[m].t1 - patch_.sides[m].t0;
   const Vec3 up = (start.point - centre).cross(start.derivative).normalized();
-  const auto on_axis = [&](const Vec3& p) { return (p - centre).cross(up).norm() <= near * (p - centre).norm(); };
+  const auto on_axis = [&](const Vec3& p) {
+    return (p - centre).cross(up).norm() <= near * (p - centre).norm();
+  };
   double other_radius = 0.0;
   Vec3 other = point(static_cast<int>(o), patch_.sides[o].t0).point;
   if (patch_.sides[o].moves()) {
@@ -102,7 +108,9 @@ void Strip::find_right() {
     const SpaceCurvePoint there = point(static_cast<int>(o), patch_.sides[o].t0);
     const Vec3 arm = there.point - circles[o]->centre;
     if (arm.cross(start.point - centre).norm() > near * arm.norm() * radius) return;
-    if (std::abs(up.dot(arm)) > near * arm.norm() || up.cross(arm.cross(there.derivative)).norm() > near * arm.cross(there.derivative).norm()) return;
+    if (std::abs(up.dot(arm)) > near * arm.norm() ||
+        up.cross(arm.cross(there.derivative)).norm() > near * arm.cross(there.derivative).norm())
+      return;
     other = circles[o]->centre;
     other_radius = circles[o]->radius;
   }
@@ -119,7 +127,8 @@ void Strip::find_right() {
     // The apex beyond the smaller circle; the cone opens away from it.
     const double to_apex = rise * radius / (radius - other_radius);
     const Vec3 z = to_apex > 0.0 ? Vec3(-up) : up;
-    right.surface = Cone{{centre + to_apex * up, x, z.cross(x), z}, std::atan2(std::abs(radius - other_radius), std::abs(rise))};
+    right.surface = Cone{{centre + to_apex * up, x, z.cross(x), z},
+                         std::atan2(std::abs(radius - other_radius), std::abs(rise))};
     right.u1 = to_apex > 0.0 ? -turned : turned;
     const double scale = slant / std::abs(radius - other_radius);
     right.v[m] = scale * radius;
@@ -140,21 +149,25 @@ Strip::Pairing Strip::pairing(double at) const {
   return pairing;
 }
 
-// Rulings are numbered by the mean of the shares of both curves that lie behind them, since either may
-// stand still for a moment. MATH 5.3 then fixes both.
+// Rulings are numbered by the mean of the shares of both curves that lie behind them, since either
+// may stand still for a moment. MATH 5.3 then fixes both.
 Strip::Pairing Strip::solved(double at) const {
   const Stretch &a = patch_.sides[0], &b = patch_.sides[1];
   const double whole_a = a.t1 - a.t0, whole_b = b.t1 - b.t0;
-  const auto share_of = [&](const std::array<double, 2>& stop) { return (stop[0] - a.t0) / whole_a; };
+  const auto share_of = [&](const std::array<double, 2>& stop) {
+    return (stop[0] - a.t0) / whole_a;
+  };
   const auto number_of = [&](const std::array<double, 2>& stop) {
     return 0.5 * (share_of(stop) + (stop[1] - b.t0) / whole_b);
   };
   const auto above = std::find_if(patch_.stops.begin() + 1, patch_.stops.end() - 1,
                                   [&](const auto& stop) { return number_of(stop) > at; });
   const auto slopes = [&](double share) {
-    const SpaceCurvePoint p = point(0, a.t0 + share * whole_a), q = point(1, b.t0 + (2.0 * at - share) * whole_b);
+    const SpaceCurvePoint p = point(0, a.t0 + share * whole_a),
+                          q = point(1, b.t0 + (2.0 * at - share) * whole_b);
     const Vec3 arm = q.point - p.point;
-    return std::array{ahead(p, q), p.second.cross(q.derivative).dot(arm) * whole_a, p.derivative.cross(q.second).dot(arm) * whole_b};
+    return std::array{ahead(p, q), p.second.cross(q.derivative).dot(arm) * whole_a,
+                      p.derivative.cross(q.second).dot(arm) * whole_b};
   };
   const double low = share_of(*(above - 1)), high = share_of(*above);
   const double high_b = 2.0 * number_of(*above) - high, low_b = 2.0 * number_of(*(above - 1)) - low;
@@ -166,7 +179,8 @@ Strip::Pairing Strip::solved(double at) const {
       std::max(low, 2.0 * at - high_b), std::min(high, 2.0 * at - low_b));
   const auto [value, by_a, by_b] = slopes(share);
   const double rate_a = by_b == by_a ? 1.0 : 2.0 * by_b / (by_b - by_a);
-  return {{a.t0 + share * whole_a, b.t0 + (2.0 * at - share) * whole_b}, {rate_a * whole_a, (2.0 - rate_a) * whole_b}};
+  return {{a.t0 + share * whole_a, b.t0 + (2.0 * at - share) * whole_b},
+          {rate_a * whole_a, (2.0 - rate_a) * whole_b}};
 }
 
 std::array<Vec3, 2> Strip::ruling(double at) const {
@@ -213,7 +227,8 @@ Strip::Local Strip::local(double at) const {
   local.across = b_rate.dot(across);
   local.far_across = local.across + (base_ == 0 ? 1.0 : -1.0) * local.length * g_rate.dot(across);
   // n · b′ = 0 all along, so n′ · b′ = −n · b″, and n′ is across the ruling.
-  local.turn_rate = std::abs(local.normal.dot(ends[base].second)) * pair.rate[base] * pair.rate[base] / local.across;
+  local.turn_rate = std::abs(local.normal.dot(ends[base].second)) * pair.rate[base] *
+                    pair.rate[base] / local.across;
   return local;
 }
 
@@ -239,7 +254,9 @@ double Strip::border_length(int side, double from, double to) const {
 }
 
 double Strip::turn(double from, double to) const {
-  return patch_.plane || from == to ? 0.0 : integral_over([&](double at) { return local(at).turn_rate; }, breaks_between(from, to));
+  return patch_.plane || from == to ? 0.0
+                                    : integral_over([&](double at) { return local(at).turn_rate; },
+                                                    breaks_between(from, to));
 }
 
 double Strip::turned(double from, double to) const {
@@ -256,7 +273,8 @@ double Strip::turned(double from, double to) const {
   axis.normalize();
   double round = 0.0;
   for (std::size_t i = 1; i < normals.size(); ++i) {
-    const Vec3 p = normals[i - 1] - axis.dot(normals[i - 1]) * axis, q = normals[i] - axis.dot(normals[i]) * axis;
+    const Vec3 p = normals[i - 1] - axis.dot(normals[i - 1]) * axis,
+               q = normals[i] - axis.dot(normals[i]) * axis;
     round += std::atan2(axis.dot(p.cross(q)), p.dot(q));
   }
   return round > std::numbers::pi ? 2.0 * std::numbers::pi - between : between;
@@ -282,7 +300,8 @@ double Strip::distance_of_radius(double radius) const {
   double distance = 0.0;
   for (int i = 0; i <= kSamples; ++i) {
     const Local l = local(i / double(kSamples));
-    distance = std::max(distance, radius * l.turn_rate * l.length / std::max(l.across, l.far_across));
+    distance = std::max(distance,
+                        radius * l.turn_rate * l.length / std::max(l.across, l.far_across));
   }
   return distance;
 }
@@ -296,14 +315,18 @@ double Strip::tip_area(double from, double to, const Tips& tips) const {
   }
   for (std::size_t side = 0; side < 2; ++side)
     if (const double cut = tips.at_from[side]; cut > 0.0 && stands(static_cast<int>(side)))
-      area += 0.5 * cut * cut * integral([&](double at) {
-        const Local l = local(at);
-        return std::max(l.across, l.far_across) / l.length;
-      }, from, to);
+      area += 0.5 * cut * cut *
+              integral(
+                  [&](double at) {
+                    const Local l = local(at);
+                    return std::max(l.across, l.far_across) / l.length;
+                  },
+                  from, to);
   return area;
 }
 
-std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to, const Tips& tips) const {
+std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to,
+                                                     const Tips& tips) const {
   const auto [p0, q0] = ruling(from);
   const auto [p1, q1] = ruling(to);
   struct Corner {
@@ -324,8 +347,10 @@ std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to, con
   };
   std::vector<PanelCorner> cut;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner &before = corners[(i + corners.size() - 1) % corners.size()], &here = corners[i], &after = corners[(i + 1) % corners.size()];
-    cut.push_back({here.at, cut_on(here, before.at, before.edge_after), cut_on(here, after.at, here.edge_after)});
+    const Corner &before = corners[(i + corners.size() - 1) % corners.size()], &here = corners[i],
+                 &after = corners[(i + 1) % corners.size()];
+    cut.push_back({here.at, cut_on(here, before.at, before.edge_after),
+                   cut_on(here, after.at, here.edge_after)});
   }
   return cut;
 }
@@ -340,7 +365,8 @@ Strip::Part Strip::plane_part(double from, double to, const Tips& tips) const {
   Part part;
   part.from = from;
   part.to = to;
-  const Frame frame = frame_from_axes(corners[0].at, normal(0.5 * (from + to)), (stands(0) ? corners.back() : corners[1]).at - corners[0].at);
+  const Frame frame = frame_from_axes(corners[0].at, normal(0.5 * (from + to)),
+                                      (stands(0) ? corners.back() : corners[1]).at - corners[0].at);
   part.face.surface = frame;
   BorderLoop loop;
   const auto add = [&](const Vec3& a, const Vec3& b) {
@@ -365,11 +391,13 @@ Strip::Part Strip::right_part(double from, double to, const Tips& tips) const {
   part.u0 = std::lerp(right_->u0, right_->u1, from);
   part.u1 = std::lerp(right_->u0, right_->u1, to);
   part.face.surface = right_->surface;
-  const double v0 = right_->v[0] + (stands(0) ? tips.at_from[0] : 0.0), v1 = right_->v[1] + (stands(1) ? tips.at_from[1] : 0.0);
+  const double v0 = right_->v[0] + (stands(0) ? tips.at_from[0] : 0.0),
+               v1 = right_->v[1] + (stands(1) ? tips.at_from[1] : 0.0);
   const Vec2 p0(part.u0, v0), p1(part.u1, v0), q0(part.u0, v1), q1(part.u1, v1);
   const double length = std::abs(v1 - v0);
-  part.face.loops.push_back({border(Segment{p0, p1}, border_length(0, from, to)), border(Segment{p1, q1}, length),
-                             border(Segment{q1, q0}, border_length(1, from, to)), border(Segment{q0, p0}, length)});
+  part.face.loops.push_back(
+      {border(Segment{p0, p1}, border_length(0, from, to)), border(Segment{p1, q1}, length),
+       border(Segment{q1, q0}, border_length(1, from, to)), border(Segment{q0, p0}, length)});
   part.ruling_borders = {3, 1};
   return part;
 }
@@ -406,7 +434,8 @@ Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
         return {l.knot, sign * l.length};
       },
       breaks, tolerance_);
-  const double speed = std::max(border_length(0, from, to), border_length(1, from, to)) / (to - from);
+  const double speed = std::max(border_length(0, from, to), border_length(1, from, to)) /
+                       (to - from);
   const CubicSpline far = fit_cubics_on_surface(
       [&](double at) -> CurveSample {
         const Local l = local(at);
@@ -418,8 +447,9 @@ Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
   const Curve2 bottom = base_ == 0 ? near : Curve2(far);
   const Curve2 top = reversed(base_ == 0 ? Curve2(far) : near);
   const Vec2 p0 = start_of(bottom), p1 = end_of(bottom), q1 = start_of(top), q0 = end_of(top);
-  part.face.loops.push_back({border(bottom, border_length(0, from, to)), border(Segment{p1, q1}, length(to)),
-                             border(top, border_length(1, from, to)), border(Segment{q0, p0}, length(from))});
+  part.face.loops.push_back(
+      {border(bottom, border_length(0, from, to)), border(Segment{p1, q1}, length(to)),
+       border(top, border_length(1, from, to)), border(Segment{q0, p0}, length(from))});
   part.ruling_borders = {3, 1};
   return part;
 }

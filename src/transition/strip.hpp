@@ -40,44 +40,45 @@ class Strip {
   double border_length(int side, double from, double to) const;
   /// By how much the normal turns.
   double turn(double from, double to) const;
-  /// By how much its end is turned against its start, as bends are measured: between the normals, the long way round
-  /// where it turns so far.
+  /// By how much its end is turned against its start, as bends are measured: between the normals,
+  /// the long way round where it turns so far.
   double turned(double from, double to) const;
   /// A ruling on which the sheet is pressed, and by how much (radians).
   struct Press {
     double at = 0.0, turn = 0.0;
   };
-  /// Presses by equal angles: what turns between `from` and `to` is divided into `count` parts, each pressed
-  /// in its middle.
+  /// Presses by equal angles: what turns between `from` and `to` is divided into `count` parts,
+  /// each pressed in its middle.
   std::vector<Press> evenly_turned(double from, double to, int count) const;
-  /// Presses at equal distances along a side: its border is divided, each part pressed in its middle by what
-  /// turns along it.
+  /// Presses at equal distances along a side: its border is divided, each part pressed in its
+  /// middle by what turns along it.
   std::vector<Press> evenly_along(int side, double from, double to, int count) const;
-  /// Smallest radius of curvature between `from` and `to`: at mid-length of the rulings, and at the tighter
-  /// of their ends (of cones: the one away from the apex).
+  /// Smallest radius of curvature between `from` and `to`: at mid-length of the rulings, and at the
+  /// tighter of their ends (of cones: the one away from the apex).
   struct Radii {
     double middle = 0.0, end = 0.0;
   };
   Radii smallest_radii(double from, double to) const;
 
-  /// The part between two rulings as a face. Its borders: first profile, ruling at `to`, second profile,
-  /// ruling at `from`; where a side stands still its border is a point (of bends), or left out (of planes).
+  /// The part between two rulings as a face. Its borders: first profile, ruling at `to`, second
+  /// profile, ruling at `from`; where a side stands still its border is a point (of bends), or left
+  /// out (of planes).
   struct Part {
     Face face;
     std::array<int, 2> ruling_borders{};  ///< positions of the borders at `from` and `to`
     double u(double at) const { return u0 + (u1 - u0) * (at - from) / (to - from); }
     double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
   };
-  /// `tips`: how much is cut off the corners that the strip has at both ends of both sides, mm along its
-  /// rulings (where a side stands still both are one).
+  /// `tips`: how much is cut off the corners that the strip has at both ends of both sides, mm
+  /// along its rulings (where a side stands still both are one).
   struct Tips {
     std::array<double, 2> at_from{}, at_to{};
   };
   Part part(double from, double to, const Tips& tips) const;
   /// Area of what `tips` cut off.
   double tip_area(double from, double to, const Tips& tips) const;
-  /// Where the strip is a cone with its apex in a profile's corner: how far from there its radius is at least
-  /// `radius`.
+  /// Where the strip is a cone with its apex in a profile's corner: how far from there its radius
+  /// is at least `radius`.
   double distance_of_radius(double radius) const;
   bool stands(int side) const { return !patch_.sides[side].moves(); }
 
@@ -93,19 +94,22 @@ class Strip {
   struct Local {
     Ruled::Knot knot;
     double length = 0.0, length_rate = 0.0;  ///< of the ruling
-    double across = 0.0, far_across = 0.0;  ///< speed across the ruling at the base and on the other side
+    double across = 0.0,
+           far_across = 0.0;  ///< speed across the ruling at the base and on the other side
     Vec3 normal;
     double turn_rate = 0.0;
   };
   Local local(double at) const;
 
-  /// The integral of `rate` from `from` to `to`, and the rulings behind which lie `shares`, ascending, of it.
+  /// The integral of `rate` from `from` to `to`, and the rulings behind which lie `shares`,
+  /// ascending, of it.
   struct Divided {
     double whole = 0.0;
     std::vector<double> rulings;
   };
   template <typename Rate>
-  Divided divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const;
+  Divided divided(const Rate& rate, double from, double to,
+                  const std::vector<double>& shares) const;
 
   /// `from`, the rulings between at which one of the curves is less smooth, and `to`.
   std::vector<double> breaks_between(double from, double to) const;
@@ -129,12 +133,12 @@ class Strip {
   std::array<const Element*, 2> curves_;
   double tolerance_;
   std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending
-  int base_ = 0;  ///< the side that the surface is written about: it moves
+  int base_ = 0;                ///< the side that the surface is written about: it moves
   /// Of right cones and cylinders.
   struct Right {
     Developable surface;
-    double u0 = 0.0, u1 = 0.0;           ///< at rulings 0 and 1
-    std::array<double, 2> v{};           ///< of the profiles
+    double u0 = 0.0, u1 = 0.0;  ///< at rulings 0 and 1
+    std::array<double, 2> v{};  ///< of the profiles
   };
   std::optional<Right> right_;
 };

@@ -1,6 +1,5 @@
-#include "strip.hpp"
-
 #include "integral.hpp"
+#include "strip.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -8,7 +7,8 @@
 namespace planish::transition_detail {
 
 template <typename Rate>
-Strip::Divided Strip::divided(const Rate& rate, double from, double to, const std::vector<double>& shares) const {
+Strip::Divided Strip::divided(const Rate& rate, double from, double to,
+                              const std::vector<double>& shares) const {
   std::vector<PartIntegral> parts;
   const std::vector<double> breaks = breaks_between(from, to);
   for (std::size_t piece = 1; piece < breaks.size(); ++piece)
@@ -31,7 +31,8 @@ std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count
   std::vector<double> middles;
   for (int i = 0; i < count; ++i)
     middles.push_back((i + 0.5) / count);
-  const auto [whole, rulings] = divided([&](double at) { return local(at).turn_rate; }, from, to, middles);
+  const auto [whole, rulings] = divided([&](double at) { return local(at).turn_rate; }, from, to,
+                                        middles);
   std::vector<Press> presses;
   for (const double at : rulings)
     presses.push_back({at, whole / count});

@@ -7,10 +7,12 @@
 namespace planish::transition_detail {
 namespace {
 
-/// Facets of a strip, so that an arc of its widest radius leaves its chords by no more than `chord`.
+/// Facets of a strip, so that an arc of its widest radius leaves its chords by no more than
+/// `chord`.
 int facets_of(const Strip& strip, double chord) {
   if (strip.plane()) return 1;
-  const double length = std::max(strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0));
+  const double length = std::max(strip.border_length(0, 0.0, 1.0),
+                                 strip.border_length(1, 0.0, 1.0));
   const double turn = strip.turn(0.0, 1.0), radius = length / turn;
   constexpr int kMost = 4096;
   const double widest = 2.0 * std::acos(std::max(0.0, 1.0 - chord / radius));
@@ -28,8 +30,10 @@ class Mesher {
       for (int k = 1; k <= facets; ++k) {
         const bool closes = i + 1 == ring.count() && k == facets;
         const auto ruling = strip.ruling(double(k) / facets);
-        const std::array<int, 2> next = closes ? first : std::array{strip.stands(0) ? last[0] : point(ruling[0]),
-                                                                    strip.stands(1) ? last[1] : point(ruling[1])};
+        const std::array<int, 2> next = closes ? first
+                                               : std::array{
+                                                     strip.stands(0) ? last[0] : point(ruling[0]),
+                                                     strip.stands(1) ? last[1] : point(ruling[1])};
         add(last[0], next[0], next[1]);
         add(last[0], next[1], last[1]);
         last = next;
@@ -43,7 +47,9 @@ class Mesher {
     mesh_.points.push_back(p);
     return static_cast<int>(mesh_.points.size()) - 1;
   }
-  std::array<int, 2> points(const std::array<Vec3, 2>& ruling) { return {point(ruling[0]), point(ruling[1])}; }
+  std::array<int, 2> points(const std::array<Vec3, 2>& ruling) {
+    return {point(ruling[0]), point(ruling[1])};
+  }
   void add(int a, int b, int c) {
     if (a != b && b != c && c != a) mesh_.triangles.push_back({a, b, c});
   }

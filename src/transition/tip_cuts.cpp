@@ -11,11 +11,14 @@ namespace {
 /// Folds of less (sine) are none: planes and what they touch agree to rounding.
 constexpr double kSmooth = 1e-7;
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// The sharp fold between two parts that follow each other; 0 where they are smooth.
 double fold_between(const Ring& ring, const StripPart& before, const StripPart& after) {
-  const double angle = angle_between(ring.strip(before.strip).normal(before.to), ring.strip(after.strip).normal(after.from));
+  const double angle = angle_between(ring.strip(before.strip).normal(before.to),
+                                     ring.strip(after.strip).normal(after.from));
   return angle > kSmooth ? angle : 0.0;
 }
 
@@ -26,16 +29,26 @@ struct PanelCorner {
   double fold = 0.0, other_fold = 0.0;
 };
 
-std::vector<PanelCorner> corners_of(const Strip& strip, const StripPart& part, double first_fold, double last_fold) {
+std::vector<PanelCorner> corners_of(const Strip& strip, const StripPart& part, double first_fold,
+                                    double last_fold) {
   const auto [p0, q0] = strip.ruling(part.from);
   const auto [p1, q1] = strip.ruling(part.to);
-  if (strip.stands(0)) return {{0, p0, q0, q1, first_fold, last_fold}, {1, q0, p0, q1, first_fold, 0.0}, {1, q1, p0, q0, last_fold, 0.0}};
-  if (strip.stands(1)) return {{1, q0, p0, p1, first_fold, last_fold}, {0, p0, q0, p1, first_fold, 0.0}, {0, p1, q0, p0, last_fold, 0.0}};
-  return {{0, p0, q0, p1, first_fold, 0.0}, {0, p1, q1, p0, last_fold, 0.0}, {1, q0, p0, q1, first_fold, 0.0}, {1, q1, p1, q0, last_fold, 0.0}};
+  if (strip.stands(0))
+    return {{0, p0, q0, q1, first_fold, last_fold},
+            {1, q0, p0, q1, first_fold, 0.0},
+            {1, q1, p0, q0, last_fold, 0.0}};
+  if (strip.stands(1))
+    return {{1, q0, p0, p1, first_fold, last_fold},
+            {0, p0, q0, p1, first_fold, 0.0},
+            {0, p1, q0, p0, last_fold, 0.0}};
+  return {{0, p0, q0, p1, first_fold, 0.0},
+          {0, p1, q1, p0, last_fold, 0.0},
+          {1, q0, p0, q1, first_fold, 0.0},
+          {1, q1, p1, q0, last_fold, 0.0}};
 }
 
-/// How far from a panel's corner its inside is as wide as wanted: folds move there into the panel by
-/// inside · tan(fold / 2).
+/// How far from a panel's corner its inside is as wide as wanted: folds move there into the panel
+/// by inside · tan(fold / 2).
 double cut_of(const PanelCorner& corner, double inside, double radius) {
   const double opening = angle_between(corner.one_way - corner.at, corner.other_way - corner.at);
   const double moved = inside * (std::tan(0.5 * corner.fold) + std::tan(0.5 * corner.other_fold));
@@ -45,9 +58,11 @@ double cut_of(const PanelCorner& corner, double inside, double radius) {
 
 }  // namespace
 
-TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size) : near_(1e-9 * size), thickness_(spec.thickness) {
+TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size)
+    : near_(1e-9 * size), thickness_(spec.thickness) {
   constexpr double kInsideRadius = 0.1;  // in thicknesses
-  const double inside = spec.k_factor * spec.thickness, radius = inside + kInsideRadius * spec.thickness;
+  const double inside = spec.k_factor * spec.thickness,
+               radius = inside + kInsideRadius * spec.thickness;
   add_cones(ring, radius);
   add_fans(ring, pieces, inside, radius);
 }
@@ -59,8 +74,8 @@ void TipCuts::add_cones(const Ring& ring, double radius) {
         tips_.push_back({side, strip.ruling(0.0)[side], strip.distance_of_radius(radius)});
 }
 
-/// Panels at corners in which more than one fold or also a cone ends: there the mitres of all would have to meet in
-/// one point, which offset planes do not.
+/// Panels at corners in which more than one fold or also a cone ends: there the mitres of all would
+/// have to meet in one point, which offset planes do not.
 void TipCuts::add_fans(const Ring& ring, const Pieces& pieces, double inside, double radius) {
   std::vector<PanelCorner> corners;
   std::vector<Tip> folds;
@@ -78,8 +93,11 @@ void TipCuts::add_fans(const Ring& ring, const Pieces& pieces, double inside, do
     }
   const std::vector<Tip> cones = tips_;
   for (const PanelCorner& corner : corners) {
-    const auto here = [&](const Tip& tip) { return tip.side == corner.side && (tip.at - corner.at).norm() <= near_; };
-    const auto ending = std::count_if(folds.begin(), folds.end(), here) + std::count_if(cones.begin(), cones.end(), here);
+    const auto here = [&](const Tip& tip) {
+      return tip.side == corner.side && (tip.at - corner.at).norm() <= near_;
+    };
+    const auto ending = std::count_if(folds.begin(), folds.end(), here) +
+                        std::count_if(cones.begin(), cones.end(), here);
     if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
   }
 }
@@ -109,7 +127,8 @@ Result<void> TipCuts::leave_room(const Strip& strip, double from, double to) con
     const double length = (q - p).norm();
     if (cuts[0] + cuts[1] <= kMost * length) return {};
     return fail(ErrorCode::radius_too_small,
-                fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends meet in a corner they need {:.4g} mm of a line "
+                fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends "
+                            "meet in a corner they need {:.4g} mm of a line "
                             "that is {:.4g} mm long",
                             thickness_, cuts[0] + cuts[1], length),
                 "/thickness");

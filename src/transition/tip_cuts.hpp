@@ -6,9 +6,9 @@
 
 namespace planish::transition_detail {
 
-/// What is cut off at corners in which a sheet of real thickness has no room on its inside: where a cone has its
-/// apex, and where several folds meet. There the inside of what is left is as wide as that of a bend with an inside
-/// radius of a tenth of the thickness.
+/// What is cut off at corners in which a sheet of real thickness has no room on its inside: where a
+/// cone has its apex, and where several folds meet. There the inside of what is left is as wide as
+/// that of a bend with an inside radius of a tenth of the thickness.
 class TipCuts {
  public:
   using Pieces = std::vector<std::vector<StripPart>>;

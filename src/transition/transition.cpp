@@ -19,26 +19,36 @@ using namespace transition_detail;
 
 /// How far the neutral surface lies outside the face that the sizes are given for.
 double set_off(const TransitionSpec& spec) {
-  const double share = spec.sizes_are == SizesAre::inside ? 0.0 : spec.sizes_are == SizesAre::mid ? 0.5 : 1.0;
+  const double share = spec.sizes_are == SizesAre::inside ? 0.0
+                       : spec.sizes_are == SizesAre::mid  ? 0.5
+                                                          : 1.0;
   return (spec.k_factor - share) * spec.thickness;
 }
 
 Result<void> check_numbers(const TransitionSpec& spec) {
   if (!(spec.thickness > 0.0) || !std::isfinite(spec.thickness))
-    return fail(ErrorCode::invalid_input, fmt::format("the thickness is {} mm; it must be above 0", spec.thickness), "/thickness");
+    return fail(ErrorCode::invalid_input,
+                fmt::format("the thickness is {} mm; it must be above 0", spec.thickness),
+                "/thickness");
   if (!(spec.k_factor >= 0.0 && spec.k_factor <= 1.0))
-    return fail(ErrorCode::invalid_input, fmt::format("the K-factor is {}; it must be from 0 to 1", spec.k_factor), "/k_factor");
+    return fail(ErrorCode::invalid_input,
+                fmt::format("the K-factor is {}; it must be from 0 to 1", spec.k_factor),
+                "/k_factor");
   const auto* count = std::get_if<PressCount>(&spec.pressing);
   const auto* angle = std::get_if<PressAngle>(&spec.pressing);
   const auto* chord = std::get_if<PressChord>(&spec.pressing);
-  if ((count && count->count < 1) || (angle && !(angle->largest > Angle())) || (chord && !(chord->largest > 0.0)))
-    return fail(ErrorCode::invalid_input, "press lines need a count, a largest angle or a chord above 0", "/press_lines");
+  if ((count && count->count < 1) || (angle && !(angle->largest > Angle())) ||
+      (chord && !(chord->largest > 0.0)))
+    return fail(ErrorCode::invalid_input,
+                "press lines need a count, a largest angle or a chord above 0", "/press_lines");
   return {};
 }
 
 Result<void> check_frame(const Frame& frame, const char* where) {
   for (const Vec3& v : {frame.origin, frame.x, frame.y, frame.z})
-    if (!v.allFinite()) return fail(ErrorCode::invalid_input, "a coordinate of the frame is not a finite number", where);
+    if (!v.allFinite())
+      return fail(ErrorCode::invalid_input, "a coordinate of the frame is not a finite number",
+                  where);
   return {};
 }
 
@@ -91,7 +101,8 @@ Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
     const double radius = strip.smallest_radii(0.0, 1.0).end;
     if (radius > inside) continue;
     return fail(ErrorCode::radius_too_small,
-                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a radius of {:.4g} mm and needs more than "
+                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a "
+                            "radius of {:.4g} mm and needs more than "
                             "{:.4g} mm, the part of the thickness that lies inside it",
                             spec.thickness, radius, inside),
                 "/thickness");
@@ -107,36 +118,45 @@ double wanted_presses(const Strip& strip, double from, double to, const Pressing
     if (from == 0.0 && to == 1.0) return count->count;
     // What a seam divides shares the lines.
     const double whole = strip.turn(0.0, 1.0);
-    const auto up_to = [&](double at) { return std::round(count->count * strip.turn(0.0, at) / whole); };
+    const auto up_to = [&](double at) {
+      return std::round(count->count * strip.turn(0.0, at) / whole);
+    };
     return std::max(1.0, up_to(to) - up_to(from));
   }
-  if (const auto* angle = std::get_if<PressAngle>(&pressing)) return lines(strip.turn(from, to) / angle->largest.radians());
+  if (const auto* angle = std::get_if<PressAngle>(&pressing))
+    return lines(strip.turn(from, to) / angle->largest.radians());
   if (const auto* chord = std::get_if<PressChord>(&pressing))
-    return lines(std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) / chord->largest);
+    return lines(std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) /
+                 chord->largest);
   return 0.0;
 }
 
 /// Errors: `invalid_input`, more lines than anybody presses.
-Result<void> check_presses(const Ring& ring, const std::vector<std::vector<StripPart>>& pieces, const Pressing& pressing) {
+Result<void> check_presses(const Ring& ring, const std::vector<std::vector<StripPart>>& pieces,
+                           const Pressing& pressing) {
   constexpr double kMostLines = 2000.0;  // of a bend
   for (const auto& parts : pieces)
     for (const StripPart& part : parts) {
       const Strip& strip = ring.strip(part.strip);
       if (strip.plane()) continue;
-      if (const double lines = wanted_presses(strip, part.from, part.to, pressing); lines > kMostLines)
+      if (const double lines = wanted_presses(strip, part.from, part.to, pressing);
+          lines > kMostLines)
         return fail(ErrorCode::invalid_input,
-                    fmt::format("a bend would be pressed on {:.4g} lines; {:.0f} are the most: give a smaller count, or a larger angle or chord",
+                    fmt::format("a bend would be pressed on {:.4g} lines; {:.0f} are the most: "
+                                "give a smaller count, or a larger angle or chord",
                                 lines, kMostLines),
                     "/press_lines");
     }
   return {};
 }
 
-std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to, const Pressing& pressing) {
+std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to,
+                                     const Pressing& pressing) {
   const int count = static_cast<int>(wanted_presses(strip, from, to, pressing));
   if (count == 0) return {};
   if (!std::holds_alternative<PressChord>(pressing)) return strip.evenly_turned(from, to, count);
-  return strip.evenly_along(strip.border_length(1, from, to) > strip.border_length(0, from, to) ? 1 : 0, from, to, count);
+  return strip.evenly_along(
+      strip.border_length(1, from, to) > strip.border_length(0, from, to) ? 1 : 0, from, to, count);
 }
 
 /// Names of points on both profiles, as templates have them.
@@ -151,7 +171,8 @@ class RulingNames {
       return same(other.points[0], points[0]) && same(other.points[1], points[1]);
     });
     if (known != lengths.end()) return {known->from, known->to};
-    lengths.push_back({name(0, points[0]), name(1, points[1]), points, (points[1] - points[0]).norm(), piece, press});
+    lengths.push_back({name(0, points[0]), name(1, points[1]), points,
+                       (points[1] - points[0]).norm(), piece, press});
     return {lengths.back().from, lengths.back().to};
   }
 
@@ -163,10 +184,12 @@ class RulingNames {
     const Boundary& boundary = hull_.boundaries[side];
     for (const GivenCorner& corner : boundary.corners) {
       const Element& element = boundary.element(corner.element);
-      if (same(element.curve(std::lerp(element.t0, element.t1, corner.at)).point, p)) return letter(corner.number, side == 0 ? 'A' : 'a');
+      if (same(element.curve(std::lerp(element.t0, element.t1, corner.at)).point, p))
+        return letter(corner.number, side == 0 ? 'A' : 'a');
     }
     auto& known = points_[side];
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Vec3& other) { return same(other, p); });
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const Vec3& other) { return same(other, p); });
     const auto number = found - known.begin() + 1;
     if (found == known.end()) known.push_back(p);
     return fmt::format("{}{}", number, side == 0 ? "" : "'");
@@ -245,7 +268,8 @@ class PieceMaker {
   /// Of a line of the bend that was added last; lines are numbered with u growing.
   std::string press_number(const Strip::Part& part, std::size_t line, std::size_t lines) const {
     const std::string bend = fmt::format("B{}", sheet_.bends.size());
-    return lines == 1 ? bend : fmt::format("{}.{}", bend, part.u1 < part.u0 ? lines - line : line + 1);
+    return lines == 1 ? bend
+                      : fmt::format("{}.{}", bend, part.u1 < part.u0 ? lines - line : line + 1);
   }
 
   /// Of a point on the ruling `at`.
@@ -256,12 +280,14 @@ class PieceMaker {
     return {u, ruling_on(surface, u).dot(p - point_on(surface, {u, 0.0}))};
   }
 
-  Bend bend_of(const Strip& strip, const StripPart& range, const Strip::Part& part, const std::vector<Strip::Press>& presses) const {
+  Bend bend_of(const Strip& strip, const StripPart& range, const Strip::Part& part,
+               const std::vector<Strip::Press>& presses) const {
     Bend bend;
     bend.kind = strip.bend_kind();
     bend.faces = {next_face()};
     bend.angle = Angle::radians(strip.turned(range.from, range.to));
-    bend.inside_radius = std::max(0.0, strip.smallest_radii(range.from, range.to).middle - spec_.k_factor * spec_.thickness);
+    bend.inside_radius = std::max(
+        0.0, strip.smallest_radii(range.from, range.to).middle - spec_.k_factor * spec_.thickness);
     for (const Strip::Press& press : presses)
       bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
     if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
@@ -270,7 +296,8 @@ class PieceMaker {
 
   /// Smooth, or folded sharply.
   void join(const StripPart& before, const StripPart& after, const Strip::Part& part) {
-    const Vec3 a = ring_.strip(before.strip).normal(before.to), b = ring_.strip(after.strip).normal(after.from);
+    const Vec3 a = ring_.strip(before.strip).normal(before.to),
+               b = ring_.strip(after.strip).normal(after.from);
     Joint joint{last_border_, {next_face(), 0, part.ruling_borders[0]}, std::nullopt};
     constexpr double kSmooth = 1e-7;  // sine; planes and what they touch agree to rounding
     if (const double sine = a.cross(b).norm(); sine > kSmooth) {
@@ -313,8 +340,10 @@ struct Division {
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
   if (auto sound = check_numbers(spec); !sound) return tl::unexpected(sound.error());
-  if (auto sound = check_frame(spec.from.frame, "/from/frame"); !sound) return tl::unexpected(sound.error());
-  if (auto sound = check_frame(spec.to.frame, "/to/frame"); !sound) return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.from.frame, "/from/frame"); !sound)
+    return tl::unexpected(sound.error());
+  if (auto sound = check_frame(spec.to.frame, "/to/frame"); !sound)
+    return tl::unexpected(sound.error());
   Division division;
   auto ring = ring_of(spec, options, division.size);
   if (!ring) return tl::unexpected(ring.error());
@@ -329,24 +358,31 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
   }
   for (std::size_t i = 0; i < cuts->size(); ++i)
     division.pieces.push_back(parts_between(*ring, (*cuts)[i], (*cuts)[(i + 1) % cuts->size()]));
-  if (auto pressed = check_presses(*ring, division.pieces, spec.pressing); !pressed) return tl::unexpected(pressed.error());
+  if (auto pressed = check_presses(*ring, division.pieces, spec.pressing); !pressed)
+    return tl::unexpected(pressed.error());
   division.ring = std::move(*ring);
   return division;
 }
 
 }  // namespace
 
-Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options, const Progress& progress) {
+Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options,
+                                   const Progress& progress) {
   if (!(options.mesh_chord > 0.0))
-    return fail(ErrorCode::bad_option, fmt::format("The chord of a mesh is {} mm; it must be positive.", options.mesh_chord));
+    return fail(
+        ErrorCode::bad_option,
+        fmt::format("The chord of a mesh is {} mm; it must be positive.", options.mesh_chord));
   const auto division = divided(spec, options);
   if (!division) return tl::unexpected(division.error());
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
   const Ring& ring = division->ring;
   Transition transition;
   for (const Strip& strip : ring.strips) {
-    transition.patches.push_back({strip.kind(), strip.area(0.0, 1.0), {strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0)},
-                                  Angle::radians(strip.turn(0.0, 1.0))});
+    transition.patches.push_back(
+        {strip.kind(),
+         strip.area(0.0, 1.0),
+         {strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0)},
+         Angle::radians(strip.turn(0.0, 1.0))});
     transition.area += transition.patches.back().area;
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += transition.patches.back().border[side];
@@ -362,11 +398,13 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
   return transition;
 }
 
-Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options) {
+Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
+                                               const TransitionOptions& options) {
   auto division = divided(spec, options);
   if (!division) return tl::unexpected(division.error());
   const Ring& ring = division->ring;
-  const double open = division->pieces.size() == 1 ? open_seam(ring, division->pieces.front()) : 0.0;
+  const double open = division->pieces.size() == 1 ? open_seam(ring, division->pieces.front())
+                                                   : 0.0;
   const TipCuts tips(ring, division->pieces, spec, division->size);
   std::vector<FoldedPiece> pieces;
   for (const auto& parts : division->pieces) {
@@ -374,7 +412,8 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
     piece.cut_area = open;
     for (const StripPart& part : parts) {
       const Strip& strip = ring.strip(part.strip);
-      if (auto room = tips.leave_room(strip, part.from, part.to); !room) return tl::unexpected(room.error());
+      if (auto room = tips.leave_room(strip, part.from, part.to); !room)
+        return tl::unexpected(room.error());
       piece.cut_area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
     }
     double whole = 0.0;
@@ -383,7 +422,8 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const
     constexpr double kMostCut = 0.1;
     if (piece.cut_area > kMostCut * whole)
       return fail(ErrorCode::radius_too_small,
-                  fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in which bends meet would have to be cut until {:.0f} % "
+                  fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in "
+                              "which bends meet would have to be cut until {:.0f} % "
                               "of it are gone",
                               spec.thickness, 100.0 * piece.cut_area / whole),
                   "/thickness");

@@ -1,12 +1,13 @@
-#include "solid_reader.hpp"
 #include "face_volume.hpp"
+
+#include "solid_reader.hpp"
 
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepGProp.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
-#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
@@ -14,12 +15,12 @@
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
-
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-// Volumes from borders against closed forms, and against the kernel's own integration over the faces.
+// Volumes from borders against closed forms, and against the kernel's own integration over the
+// faces.
 
 namespace planish::brep {
 namespace {
@@ -40,9 +41,12 @@ double by_kernel(const TopoDS_Shape& shape) {
 gp_Ax2 slanted() { return gp_Ax2(gp_Pnt(11, -7, 4), gp_Dir(1, 2, 5)); }
 
 TEST(FaceVolume, OfCylindersAndConesAnywhere) {
-  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCylinder(slanted(), 6, 20).Shape()), pi * 36 * 20, 1e-9 * pi * 720);
-  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCone(slanted(), 8, 5, 12).Shape()), pi / 3 * 12 * (64 + 40 + 25), 1e-9 * 1621);
-  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCone(slanted(), 8, 0, 12).Shape()), pi / 3 * 12 * 64, 1e-9 * 804);
+  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCylinder(slanted(), 6, 20).Shape()), pi * 36 * 20,
+              1e-9 * pi * 720);
+  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCone(slanted(), 8, 5, 12).Shape()),
+              pi / 3 * 12 * (64 + 40 + 25), 1e-9 * 1621);
+  EXPECT_NEAR(by_borders(BRepPrimAPI_MakeCone(slanted(), 8, 0, 12).Shape()), pi / 3 * 12 * 64,
+              1e-9 * 804);
 }
 
 TEST(FaceVolume, OfAPieceOfPipeBetweenTwoAngles) {
@@ -53,7 +57,9 @@ TEST(FaceVolume, OfAPieceOfPipeBetweenTwoAngles) {
 }
 
 TEST(PatchVolume, OfSpheresTorusesAndSplines) {
-  const auto near = [](const TopoDS_Shape& shape, double expected) { EXPECT_NEAR(by_borders(shape), expected, 1e-8 * expected); };
+  const auto near = [](const TopoDS_Shape& shape, double expected) {
+    EXPECT_NEAR(by_borders(shape), expected, 1e-8 * expected);
+  };
   near(BRepPrimAPI_MakeSphere(slanted(), 9).Shape(), 4.0 / 3 * pi * 729);
   near(BRepPrimAPI_MakeTorus(slanted(), 12, 3).Shape(), 2 * pi * pi * 12 * 9);
   const TopoDS_Shape cone = BRepPrimAPI_MakeCone(slanted(), 8, 5, 12).Shape();
@@ -63,13 +69,18 @@ TEST(PatchVolume, OfSpheresTorusesAndSplines) {
 TEST(FaceVolume, AgreesWithTheKernelWhereCutsRunAcross) {
   const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 40).Shape();
   const TopoDS_Shape cone = BRepPrimAPI_MakeCone(12, 6, 40).Shape();
-  const TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-30, 2, 15), gp_Dir(1, 0, 0.3)), 4, 60).Shape();
-  const TopoDS_Shape wedge = BRepPrimAPI_MakeBox(gp_Ax2(gp_Pnt(-50, -50, 20), gp_Dir(1, 0.2, 3)), 100, 100, 100).Shape();
+  const TopoDS_Shape
+      tool = BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(-30, 2, 15), gp_Dir(1, 0, 0.3)), 4, 60).Shape();
+  const TopoDS_Shape wedge = BRepPrimAPI_MakeBox(gp_Ax2(gp_Pnt(-50, -50, 20), gp_Dir(1, 0.2, 3)),
+                                                 100, 100, 100)
+                                 .Shape();
   for (const TopoDS_Shape& whole : {cylinder, cone})
-    for (const TopoDS_Shape& part : {BRepAlgoAPI_Cut(whole, tool).Shape(), BRepAlgoAPI_Cut(whole, wedge).Shape(),
-                                     BRepAlgoAPI_Common(whole, wedge).Shape()}) {
+    for (const TopoDS_Shape& part :
+         {BRepAlgoAPI_Cut(whole, tool).Shape(), BRepAlgoAPI_Cut(whole, wedge).Shape(),
+          BRepAlgoAPI_Common(whole, wedge).Shape()}) {
       const double kernel = by_kernel(part);
-      EXPECT_NEAR(by_borders(part), kernel, 1e-6 * kernel) << "as closely as the kernel's intersection curves lie on both";
+      EXPECT_NEAR(by_borders(part), kernel, 1e-6 * kernel)
+          << "as closely as the kernel's intersection curves lie on both";
     }
 }
 

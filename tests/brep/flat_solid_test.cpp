@@ -71,8 +71,8 @@ TEST(FlatSolid, OfASplineOutlineIsSound) {
 }
 
 TEST(FlatSolid, OfACircleIsSound) {
-  const SolidCheck check =
-      flat(pattern({Arc{{5, 5}, 20, 0.3, 2 * pi}}, {circular_opening({5, 5}, 4)}, 1.5));
+  const SolidCheck check = flat(
+      pattern({Arc{{5, 5}, 20, 0.3, 2 * pi}}, {circular_opening({5, 5}, 4)}, 1.5));
   EXPECT_NEAR(check.volume, 1.5 * pi * (400 - 16), 1e-6);
   EXPECT_EQ(check.cylinders, 2);
   EXPECT_EQ(check.planes, 2);

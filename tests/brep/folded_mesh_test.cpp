@@ -32,9 +32,9 @@ double volume_in(const Mesh& mesh) {
 double area_of(const Mesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
-    sum +=
-        0.5 *
-        (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+    sum += 0.5 * (mesh.points[t[1]] - mesh.points[t[0]])
+                     .cross(mesh.points[t[2]] - mesh.points[t[0]])
+                     .norm();
   return sum;
 }
 
@@ -83,7 +83,8 @@ TEST(FoldedMesh, OfRandomSheetsIsClosedAtAnySize) {
 }
 
 TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
-  const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(90), 3.0, up}, Straight{30}}, 40.0, 2.0);
+  const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(90), 3.0, up}, Straight{30}}, 40.0,
+                            2.0);
   const auto file = read_step_text(folded_solid_step(sheet, "strip").value(), "strip");
   ASSERT_TRUE(file.has_value());
   const Body& body = file->bodies.front();

@@ -45,18 +45,23 @@ SolidCheck expect_one_shell(const Sheet& sheet) {
 }
 
 Sheet creased(double width) {
-  return strip({Straight{30}, Crease{Angle::degrees(60), BendDirection::up}, Straight{20}, Crease{Angle::degrees(25), BendDirection::down}, Straight{10}}, width, 1.5);
+  return strip({Straight{30}, Crease{Angle::degrees(60), BendDirection::up}, Straight{20},
+                Crease{Angle::degrees(25), BendDirection::down}, Straight{10}},
+               width, 1.5);
 }
 
 TEST(FoldedSurface, IsOneShellWhoseFacesShareTheirEdges) {
-  for (const Sheet& sheet : {l_bracket(), l_bracket_down(), u_channel(), z_profile(), staircase(3), box(), plate_with_holes(), cone_joined(), lofted_corner(), creased(15)})
+  for (const Sheet& sheet :
+       {l_bracket(), l_bracket_down(), u_channel(), z_profile(), staircase(3), box(),
+        plate_with_holes(), cone_joined(), lofted_corner(), creased(15)})
     expect_one_shell(sheet);
 }
 
 TEST(FoldedSurface, HasTheAreaOfTheReferenceSkin) {
   EXPECT_NEAR(expect_one_shell(l_bracket()).area, 40 * (50 + 30 + 3 * pi / 2), 1e-6);
   EXPECT_NEAR(expect_one_shell(l_bracket_down()).area, 40 * (50 + 30 + 5 * pi / 2), 1e-6);
-  EXPECT_NEAR(expect_one_shell(truncated_cone(20, 40, 50, Angle::degrees(300), 1.5)).area, pi * 60 * std::hypot(20, 50) * 300 / 360, 1e-6);
+  EXPECT_NEAR(expect_one_shell(truncated_cone(20, 40, 50, Angle::degrees(300), 1.5)).area,
+              pi * 60 * std::hypot(20, 50) * 300 / 360, 1e-6);
   const SolidCheck check = expect_one_shell(creased(15));
   EXPECT_NEAR(check.area, 15 * 60, 1e-9);
   EXPECT_EQ(check.planes, 3);

@@ -12,7 +12,8 @@ namespace {
 
 /// Corners at the origin and on the axes.
 Mesh tetrahedron() {
-  return {{Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(0, 30, 0), Vec3(0, 0, 40)}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  return {{Vec3(0, 0, 0), Vec3(20, 0, 0), Vec3(0, 30, 0), Vec3(0, 0, 40)},
+          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
 }
 
 ErrorCode code_of(const Mesh& mesh) {
@@ -39,7 +40,9 @@ TEST(MeshSolid, MakesOneFaceOfTrianglesInOnePlane) {
   Mesh mesh = tetrahedron();
   for (int i = 0; i < 8; ++i)
     mesh.points.emplace_back(100.0 + (i & 1 ? 30 : 0), i & 2 ? 20 : 0, i & 4 ? 10 : 0);
-  for (const auto& [a, b, c, d] : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4}, std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+  for (const auto& [a, b, c, d] :
+       {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+        std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
     mesh.triangles.push_back({4 + a, 4 + b, 4 + c});
     mesh.triangles.push_back({4 + a, 4 + c, 4 + d});
   }

@@ -5,31 +5,30 @@
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepAlgoAPI_Fuse.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepFilletAPI_MakeChamfer.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_MakeThickSolid.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
-#include <BRepOffsetAPI_MakeThickSolid.hxx>
-#include <gp_Elips.hxx>
-#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <gp_Ax2.hxx>
+#include <gp_Elips.hxx>
 #include <gp_Pln.hxx>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-// Solids modelled with the kernel, as a CAD system would: what the recogniser must see in them, and what
-// it must refuse.
+// Solids modelled with the kernel, as a CAD system would: what the recogniser must see in them, and
+// what it must refuse.
 
 namespace planish::test {
 namespace {
@@ -108,14 +107,16 @@ TEST(RecognizePlate, CutsACountersinkToItsBoreAndDrawsItsRim) {
 TEST(RecognizePlate, DrawsBothOutlinesOfASlantedCut) {
   const gp_Ax2 slanted(gp_Pnt(50, 30, 1), gp_Dir(1, 0, 2));
   TopoDS_Shape tool = BRepPrimAPI_MakeCylinder(slanted, 4, 50).Shape();
-  tool = BRepAlgoAPI_Fuse(tool, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(50, 30, 1), gp_Dir(-1, 0, -2)), 4, 50).Shape());
+  tool = BRepAlgoAPI_Fuse(
+      tool, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(50, 30, 1), gp_Dir(-1, 0, -2)), 4, 50).Shape());
   const auto seen = see(BRepAlgoAPI_Cut(plate(100, 60, 2), tool).Shape());
   ASSERT_TRUE(seen) << seen.error().message;
   ASSERT_EQ(seen->flat.features.size(), 1u);
   EXPECT_EQ(seen->flat.features.front().kind, "slanted cut");
   const Box2 near = bounds(seen->flat.openings.front().loop);
   const Box2 far = bounds(seen->flat.features.front().outlines.front());
-  EXPECT_NEAR(((near.lo + near.hi) - (far.lo + far.hi)).norm() / 2, 1.0, 1e-4) << "2 mm deep at tan 1/2";
+  EXPECT_NEAR(((near.lo + near.hi) - (far.lo + far.hi)).norm() / 2, 1.0, 1e-4)
+      << "2 mm deep at tan 1/2";
   EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-6);
 }
 
@@ -129,14 +130,16 @@ TopoDS_Shape broken_edges(const TopoDS_Shape& shape, double t, double size) {
     const TopoDS_Edge edge = TopoDS::Edge(edges(i));
     const gp_Pnt a = BRep_Tool::Pnt(TopExp::FirstVertex(edge));
     const gp_Pnt b = BRep_Tool::Pnt(TopExp::LastVertex(edge));
-    const bool skin = std::abs(a.Z() - b.Z()) < 1e-9 && (std::abs(a.Z()) < 1e-9 || std::abs(a.Z() - t) < 1e-9);
+    const bool skin = std::abs(a.Z() - b.Z()) < 1e-9 &&
+                      (std::abs(a.Z()) < 1e-9 || std::abs(a.Z() - t) < 1e-9);
     if (skin) maker.Add(size, edge);
   }
   return maker.Shape();
 }
 
 TEST(RecognizePlate, IsAsWideAsItsChamferedRimReaches) {
-  const TopoDS_Shape part = broken_edges<BRepFilletAPI_MakeChamfer>(drilled(plate(100, 60, 3), 40, 30, 6), 3, 0.5);
+  const TopoDS_Shape part = broken_edges<BRepFilletAPI_MakeChamfer>(
+      drilled(plate(100, 60, 3), 40, 30, 6), 3, 0.5);
   const auto seen = see(part);
   ASSERT_TRUE(seen) << seen.error().message;
   EXPECT_NEAR(seen->flat.area, 6000 - pi * 36, 1e-6) << "bore and outer size before chamfering";
@@ -151,8 +154,13 @@ TEST(RecognizePlate, IsAsWideAsItsRoundedRimReaches) {
 }
 
 TEST(RecognizePlate, FillsAPocketAndABossAndDrawsThem) {
-  TopoDS_Shape part = BRepAlgoAPI_Cut(plate(100, 60, 3), BRepPrimAPI_MakeBox(gp_Pnt(10, 10, 2), 20, 10, 5).Shape()).Shape();
-  part = BRepAlgoAPI_Fuse(part, BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(70, 30, 3), gp_Dir(0, 0, 1)), 4, 6).Shape()).Shape();
+  TopoDS_Shape part = BRepAlgoAPI_Cut(plate(100, 60, 3),
+                                      BRepPrimAPI_MakeBox(gp_Pnt(10, 10, 2), 20, 10, 5).Shape())
+                          .Shape();
+  part = BRepAlgoAPI_Fuse(
+             part,
+             BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(70, 30, 3), gp_Dir(0, 0, 1)), 4, 6).Shape())
+             .Shape();
   const auto seen = see(part);
   ASSERT_TRUE(seen) << seen.error().message;
   EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
@@ -162,8 +170,8 @@ TEST(RecognizePlate, FillsAPocketAndABossAndDrawsThem) {
   EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-9);
 }
 
-/// A quarter ellipse extruded and thickened, as systems write it: extrusion and offset surfaces that are
-/// no cylinders.
+/// A quarter ellipse extruded and thickened, as systems write it: extrusion and offset surfaces
+/// that are no cylinders.
 TopoDS_Shape elliptic_shell(double a, double b, double width, double t) {
   const gp_Elips ellipse(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), a, b);
   const TopoDS_Shape edge = BRepBuilderAPI_MakeEdge(ellipse, 0.0, pi / 2).Shape();
@@ -184,11 +192,13 @@ TEST(RecognizeGeneralBend, UnrollsAnEllipticShellToItsArcLength) {
   EXPECT_NEAR(recognized->sheet.bends.front().angle.degrees(), 90.0, 0.01);
   const auto flat = flatten(recognized->sheet, {.allowance = ConstantK{0.5, "test"}});
   ASSERT_TRUE(flat) << flat.error().message;
-  // A parallel curve is longer by distance times turn; which side the shell grew to shows in the volume.
+  // A parallel curve is longer by distance times turn; which side the shell grew to shows in the
+  // volume.
   const double arc = a * std::comp_ellint_2(std::sqrt(1 - b * b / (a * a)));
   const double outside = width * (arc + t / 2 * pi / 2);
   const double inside = width * (arc - t / 2 * pi / 2);
-  const double expected = std::abs(flat->area - outside) < std::abs(flat->area - inside) ? outside : inside;
+  const double expected = std::abs(flat->area - outside) < std::abs(flat->area - inside) ? outside
+                                                                                         : inside;
   EXPECT_NEAR(flat->area, expected, 1e-6 * expected);
   const auto certificate = certify(recognized->sheet, *flat, recognized->distance);
   ASSERT_TRUE(certificate);
@@ -204,40 +214,57 @@ TEST(RecognizeRefusal, OfSolidBlocksAndBars) {
 }
 
 TEST(RecognizeRefusal, OfPipesAsClosedLoops) {
-  const TopoDS_Shape pipe = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 100).Shape(), BRepPrimAPI_MakeCylinder(18, 100).Shape()).Shape();
+  const TopoDS_Shape pipe = BRepAlgoAPI_Cut(BRepPrimAPI_MakeCylinder(20, 100).Shape(),
+                                            BRepPrimAPI_MakeCylinder(18, 100).Shape())
+                                .Shape();
   const Error error = refusal_of(pipe);
   EXPECT_EQ(error.code, ErrorCode::closed_loop);
 }
 
 TEST(RecognizeRefusal, OfSquareTubesWithTheRip) {
-  const TopoDS_Shape tube = BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 40, 200).Shape(),
-                                            BRepPrimAPI_MakeBox(gp_Pnt(2, 2, -1), 36, 36, 202).Shape()).Shape();
+  const TopoDS_Shape tube = BRepAlgoAPI_Cut(
+                                BRepPrimAPI_MakeBox(40, 40, 200).Shape(),
+                                BRepPrimAPI_MakeBox(gp_Pnt(2, 2, -1), 36, 36, 202).Shape())
+                                .Shape();
   const Error error = refusal_of(tube);
   EXPECT_EQ(error.code, ErrorCode::closed_loop) << error.message;
 }
 
 TEST(RecognizeRefusal, OfDomesAsDoublyCurved) {
-  const TopoDS_Shape half = BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(30).Shape(), BRepPrimAPI_MakeSphere(28).Shape()).Shape();
-  const TopoDS_Shape dome = BRepAlgoAPI_Cut(half, BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, -50), 100, 100, 50).Shape()).Shape();
+  const TopoDS_Shape half = BRepAlgoAPI_Cut(BRepPrimAPI_MakeSphere(30).Shape(),
+                                            BRepPrimAPI_MakeSphere(28).Shape())
+                                .Shape();
+  const TopoDS_Shape dome = BRepAlgoAPI_Cut(
+                                half,
+                                BRepPrimAPI_MakeBox(gp_Pnt(-50, -50, -50), 100, 100, 50).Shape())
+                                .Shape();
   const Error error = refusal_of(dome);
-  EXPECT_TRUE(error.code == ErrorCode::doubly_curved || error.code == ErrorCode::not_a_sheet) << error.message;
+  EXPECT_TRUE(error.code == ErrorCode::doubly_curved || error.code == ErrorCode::not_a_sheet)
+      << error.message;
 }
 
 TEST(RecognizeRefusal, OfTeeJoints) {
-  const TopoDS_Shape tee = BRepAlgoAPI_Fuse(plate(100, 60, 2), BRepPrimAPI_MakeBox(gp_Pnt(49, 0, 2), 2, 60, 40).Shape()).Shape();
+  const TopoDS_Shape tee = BRepAlgoAPI_Fuse(
+                               plate(100, 60, 2),
+                               BRepPrimAPI_MakeBox(gp_Pnt(49, 0, 2), 2, 60, 40).Shape())
+                               .Shape();
   const Error error = refusal_of(tee);
   EXPECT_EQ(exit_status(error.code), 4) << error.message;
 }
 
 TEST(RecognizeRefusal, OfWedgesWhoseThicknessVaries) {
   TopoDS_Shape wedge = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
-  const TopoDS_Shape half_space = BRepPrimAPI_MakeBox(gp_Ax2(gp_Pnt(-10, -10, 2), gp_Dir(-0.05, 0, 1)), 200, 200, 50).Shape();
+  const TopoDS_Shape half_space = BRepPrimAPI_MakeBox(
+                                      gp_Ax2(gp_Pnt(-10, -10, 2), gp_Dir(-0.05, 0, 1)), 200, 200,
+                                      50)
+                                      .Shape();
   wedge = BRepAlgoAPI_Cut(wedge, half_space).Shape();
   EXPECT_EQ(exit_status(refusal_of(wedge).code), 4);
 }
 
 TEST(ReadStep, TellsSurfacesFromSolids) {
-  const auto file = as_file(BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0, 10, 0, 10).Shape());
+  const auto file = as_file(
+      BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), 0, 10, 0, 10).Shape());
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::shell_not_solid);
 }
@@ -247,7 +274,8 @@ TEST(ReadStep, NamesWhatIsWrongWithAFile) {
   EXPECT_EQ(read_step_text("solid cube\nfacet", "a.stl").error().code, ErrorCode::not_step);
   const auto text = brep::guarded([&] { return brep::step_text(plate(10, 10, 1), "part"); });
   ASSERT_TRUE(text);
-  EXPECT_EQ(read_step_text(text->substr(0, text->size() / 2), "a.step").error().code, ErrorCode::truncated_file);
+  EXPECT_EQ(read_step_text(text->substr(0, text->size() / 2), "a.step").error().code,
+            ErrorCode::truncated_file);
   EXPECT_EQ(read_step("/no/such/file.step").error().code, ErrorCode::cannot_read);
 }
 
@@ -258,10 +286,13 @@ TEST(ReadStep, ConvertsInchesToMillimetres) {
   const std::string metric = "( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )";
   const size_t at = text->find(metric);
   ASSERT_NE(at, std::string::npos);
-  text->replace(at, metric.size(), "( CONVERSION_BASED_UNIT('INCH',#99001) LENGTH_UNIT() NAMED_UNIT(#99002) )");
+  text->replace(at, metric.size(),
+                "( CONVERSION_BASED_UNIT('INCH',#99001) LENGTH_UNIT() NAMED_UNIT(#99002) )");
   const size_t end = text->rfind("ENDSEC;");
-  text->insert(end, "#99001=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#99003);\n#99002=DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n"
-                    "#99003=( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n");
+  text->insert(end,
+               "#99001=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#99003);\n#99002=DIMENSIONAL_"
+               "EXPONENTS(1.,0.,0.,0.,0.,0.,0.);\n"
+               "#99003=( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n");
   const auto file = read_step_text(*text, "inch.step");
   ASSERT_TRUE(file) << file.error().message;
   const auto recognized = recognize(file->bodies.front());

@@ -10,7 +10,6 @@
 #include <ShapeUpgrade_ShapeDivideAngle.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +44,8 @@ Result<Laid> lay(const Body& body) {
 }
 
 Result<Laid> lay_rewritten(const Body& body, const Rewrite& rewrite) {
-  const auto text = brep::guarded([&] { return brep::step_text(rewrite(body.shape().solid), "rewritten"); });
+  const auto text = brep::guarded(
+      [&] { return brep::step_text(rewrite(body.shape().solid), "rewritten"); });
   if (!text) return tl::unexpected(text.error());
   const auto file = read_step_text(*text, "rewritten.step");
   if (!file) return tl::unexpected(file.error());
@@ -54,7 +54,8 @@ Result<Laid> lay_rewritten(const Body& body, const Rewrite& rewrite) {
 
 double perimeter(const FlatPattern& flat) {
   double sum = length(flat.outer.loop);
-  for (const Contour& opening : flat.openings) sum += length(opening.loop);
+  for (const Contour& opening : flat.openings)
+    sum += length(opening.loop);
   return sum;
 }
 
@@ -64,13 +65,15 @@ std::vector<fs::path> some_parts() {
   constexpr uintmax_t kLargest = 600'000;  // bytes
   for (const auto& entry : fs::directory_iterator(kParts)) {
     const std::string name = entry.path().filename();
-    if (entry.path().extension() == ".step" && (name.starts_with("sm") || name.starts_with("sharp")) && entry.file_size() < kLargest)
+    if (entry.path().extension() == ".step" &&
+        (name.starts_with("sm") || name.starts_with("sharp")) && entry.file_size() < kLargest)
       parts.push_back(entry.path());
   }
   std::sort(parts.begin(), parts.end());
   constexpr size_t kEvery = 6;
   std::vector<fs::path> chosen;
-  for (size_t i = 0; i < parts.size(); i += kEvery) chosen.push_back(parts[i]);
+  for (size_t i = 0; i < parts.size(); i += kEvery)
+    chosen.push_back(parts[i]);
   return chosen;
 }
 
@@ -98,16 +101,19 @@ class Rewritten : public ::testing::Test {
       EXPECT_NEAR(again->sheet.thickness, as_is->sheet.thickness, 1e-4 * as_is->sheet.thickness);
       EXPECT_EQ(again->flat.bends.size(), as_is->flat.bends.size());
       // Where cuts are not normal to the sheet, which skin the pattern is drawn from decides.
-      const double slanted = std::isfinite(as_is->explained) ? std::abs(as_is->explained - 1) : 1e-3;
+      const double slanted = std::isfinite(as_is->explained) ? std::abs(as_is->explained - 1)
+                                                             : 1e-3;
       EXPECT_NEAR(again->flat.area, as_is->flat.area, (1e-5 + 2 * slanted) * as_is->flat.area);
-      EXPECT_NEAR(perimeter(again->flat), perimeter(as_is->flat), 1e-4 * perimeter(as_is->flat) + 1e-4 * extent);
+      EXPECT_NEAR(perimeter(again->flat), perimeter(as_is->flat),
+                  1e-4 * perimeter(as_is->flat) + 1e-4 * extent);
     }
     EXPECT_GT(compared, 5);
   }
 };
 
 TEST_F(Rewritten, WithEverythingAsSplines) {
-  keeps_patterns([](const TopoDS_Shape& shape) { return BRepBuilderAPI_NurbsConvert(shape, true).Shape(); });
+  keeps_patterns(
+      [](const TopoDS_Shape& shape) { return BRepBuilderAPI_NurbsConvert(shape, true).Shape(); });
 }
 
 TEST_F(Rewritten, WithSurfacesOfRevolution) {

@@ -1,4 +1,5 @@
 #include "support/round_trip.hpp"
+
 #include "support/sheets.hpp"
 
 #include <planish/brep/step.hpp>
@@ -18,22 +19,28 @@ namespace planish::test {
 namespace {
 
 TEST(RoundTrip, GivesBackBentStrips) {
-  for (const Sheet& sheet : {l_bracket(), u_channel(), z_profile(), staircase(5), hem()}) expect_round_trip(sheet);
+  for (const Sheet& sheet : {l_bracket(), u_channel(), z_profile(), staircase(5), hem()})
+    expect_round_trip(sheet);
 }
 
 TEST(RoundTrip, GivesBackClosedAndTeardropHems) {
-  expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(180), 0.005, BendDirection::up}, Straight{12}}, 20.0, 1.0));
-  expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(210), 1.5, BendDirection::up}, Straight{5}}, 20.0, 1.0));
+  expect_round_trip(
+      strip({Straight{40}, Turn{Angle::degrees(180), 0.005, BendDirection::up}, Straight{12}}, 20.0,
+            1.0));
+  expect_round_trip(strip(
+      {Straight{40}, Turn{Angle::degrees(210), 1.5, BendDirection::up}, Straight{5}}, 20.0, 1.0));
 }
 
 TEST(RoundTrip, GivesBackBendsBeyondHalfATurn) {
-  expect_round_trip(strip({Straight{40}, Turn{Angle::degrees(250), 8.0, BendDirection::up}, Straight{4}}, 20.0, 1.0));
+  expect_round_trip(strip(
+      {Straight{40}, Turn{Angle::degrees(250), 8.0, BendDirection::up}, Straight{4}}, 20.0, 1.0));
   expect_round_trip(strip({Turn{Angle::degrees(340), 12.0, BendDirection::up}}, 30.0, 1.0));
 }
 
 TEST(RoundTrip, GivesBackBoxesConesAndPlates) {
-  for (const Sheet& sheet : {box(), cone_joined(), truncated_cone(30, 50, 40, Angle::degrees(300), 1.5),
-                             plate_with_holes(), ring(40, 15, 3)})
+  for (const Sheet& sheet :
+       {box(), cone_joined(), truncated_cone(30, 50, 40, Angle::degrees(300), 1.5),
+        plate_with_holes(), ring(40, 15, 3)})
     expect_round_trip(sheet);
 }
 
@@ -97,7 +104,8 @@ TEST(RoundTrip, GivesBackObliqueConesWhoseRectangleOfParametersHoldsTheApex) {
 
 TEST(RoundTrip, DoesNotDependOnPlaceOrScale) {
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.rotate(Eigen::AngleAxisd(0.7, Vec3(3, -1, 2).normalized())).pretranslate(Vec3(1000, -500, 70));
+  motion.rotate(Eigen::AngleAxisd(0.7, Vec3(3, -1, 2).normalized()))
+      .pretranslate(Vec3(1000, -500, 70));
   expect_round_trip(moved(box(), motion));
   expect_round_trip(scaled(z_profile(), 10.0));
 }

@@ -16,12 +16,15 @@ constexpr double kPi = std::numbers::pi;
 
 Connection joined(const PlateStructure& structure, const ConnectOptions& options = {}) {
   auto connection = connect(structure, options);
-  EXPECT_TRUE(connection) << (connection ? "" : connection.error().message + " at " + connection.error().where);
+  EXPECT_TRUE(connection) << (connection
+                                  ? ""
+                                  : connection.error().message + " at " + connection.error().where);
   return connection ? *connection : Connection{};
 }
 
 FlatPattern flat(const Connection& connection, double k = 0.44) {
-  auto pattern = flatten(connection.sheet, {.allowance = ConstantK{k, "test"}, .root = connection.root});
+  auto pattern = flatten(connection.sheet,
+                         {.allowance = ConstantK{k, "test"}, .root = connection.root});
   EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
   return pattern ? *pattern : FlatPattern{};
 }
@@ -34,8 +37,11 @@ void expect_tangent(const Connection& connection) {
     const Curve2& ca = a.loops[joint.a.loop][joint.a.border].curve;
     const Curve2& cb = b.loops[joint.b.loop][joint.b.border].curve;
     for (const double t : {0.0, 0.3, 1.0}) {
-      EXPECT_LT((skin_point(a, point_at(ca, t)) - skin_point(b, point_at(cb, 1.0 - t))).norm(), 1e-9);
-      EXPECT_LT((outward_normal(a, point_at(ca, t)) - outward_normal(b, point_at(cb, 1.0 - t))).norm(), 1e-10);
+      EXPECT_LT((skin_point(a, point_at(ca, t)) - skin_point(b, point_at(cb, 1.0 - t))).norm(),
+                1e-9);
+      EXPECT_LT(
+          (outward_normal(a, point_at(ca, t)) - outward_normal(b, point_at(cb, 1.0 - t))).norm(),
+          1e-10);
     }
   }
 }
@@ -104,7 +110,8 @@ TEST(Connect, JoinsEdgesThatRunApartByAConeWithoutExtension) {
   EXPECT_NEAR(std::abs(bend.line.slope), k, 1e-9);
   EXPECT_NEAR(bend.extension_area, 0.0, 1e-6);
   ASSERT_TRUE(bend.apex);
-  EXPECT_LT((bend.frame.origin + *bend.apex * bend.frame.d).norm(), 1e-6) << "the apex lies where the edges meet";
+  EXPECT_LT((bend.frame.origin + *bend.apex * bend.frame.d).norm(), 1e-6)
+      << "the apex lies where the edges meet";
   // MATH 3.3.
   const double phi = std::atan(k), omega = std::atan(std::sin(phi) * std::tan(kPi / 4));
   ASSERT_TRUE(bend.half_angle);
@@ -112,9 +119,12 @@ TEST(Connect, JoinsEdgesThatRunApartByAConeWithoutExtension) {
   EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
   expect_tangent(c);
   // The sector of the neutral surface, between the straight lines from corner to corner.
-  const double theta = std::atan(std::tan(phi) / std::sin(omega)), sector = 2 * theta * std::sin(omega);
+  const double theta = std::atan(std::tan(phi) / std::sin(omega)),
+               sector = 2 * theta * std::sin(omega);
   const double shift = (0.44 - 0.5) * t / std::tan(omega);
-  const auto triangle = [&](double x) { return 0.5 * std::pow(std::hypot(x, k * x) + shift, 2) * std::sin(sector); };
+  const auto triangle = [&](double x) {
+    return 0.5 * std::pow(std::hypot(x, k * x) + shift, 2) * std::sin(sector);
+  };
   const FlatPattern pattern = flat(c);
   const double plate = 300.0 * (300 - k * 350);
   EXPECT_NEAR(pattern.area, 2 * plate + triangle(500) - triangle(200), 1e-6 * pattern.area);
@@ -142,7 +152,8 @@ TEST(Connect, RollsAPipeOfItsOwn) {
 TEST(Connect, RollsATruncatedConeOfItsOwn) {
   PlateStructure s;
   s.thickness = 2.0;
-  s.bends = {{.inside_radii = std::array{60.0, 30.0}, .angle = Angle::degrees(300), .length = 100.0}};
+  s.bends = {
+      {.inside_radii = std::array{60.0, 30.0}, .angle = Angle::degrees(300), .length = 100.0}};
   const FlatPattern pattern = flat(joined(s), 0.5);
   // Lateral area of the mid-surface frustum whose ends lie on the normals of the inner one.
   const double tangent = 30.0 / 100.0, cosine = 1 / std::hypot(1, tangent), slant = 100.0 / cosine;
@@ -154,7 +165,10 @@ TEST(Connect, CurvesOnBehindAnEdge) {
   PlateStructure s;
   s.thickness = 2.0;
   s.plates = {rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0})};
-  s.bends = {{.between = {"A"}, .edges = {std::vector{2}}, .inside_radius = 30.0, .angle = Angle::degrees(180)}};
+  s.bends = {{.between = {"A"},
+              .edges = {std::vector{2}},
+              .inside_radius = 30.0,
+              .angle = Angle::degrees(180)}};
   const Connection c = joined(s);
   expect_tangent(c);
   EXPECT_NEAR(flat(c, 0.5).area, 200 * (100 + kPi * 31.0), 1e-6);
@@ -175,8 +189,12 @@ TEST(Connect, CurvesOnBehindAnEdge) {
 PlateStructure lofted(double t = 2.0) {
   PlateStructure s;
   s.thickness = t;
-  s.plates = {{"A", {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}}, {}},
-              {"B", {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}}, {}}};
+  s.plates = {{"A",
+               {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}},
+               {}},
+              {"B",
+               {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}},
+               {}}};
   s.bends = {{.between = {"A", "B"},
               .edges = {std::vector{2}, std::vector{3}},
               .surface = SurfaceChoice::general,
@@ -223,7 +241,8 @@ TEST(Connect, DoesNotDependOnPlaceHandScaleOrOrder) {
   for (const PlateStructure& s : {angle_pair(14.0), tray(), cone_pair(), u_pair()}) {
     const double area = flat(joined(s)).area;
     Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    motion.rotate(Eigen::AngleAxisd(0.8, Vec3(1, 2, -3).normalized())).pretranslate(Vec3(4000, -300, 50));
+    motion.rotate(Eigen::AngleAxisd(0.8, Vec3(1, 2, -3).normalized()))
+        .pretranslate(Vec3(4000, -300, 50));
     EXPECT_NEAR(flat(joined(moved(s, motion))).area, area, 1e-8 * area);
     EXPECT_NEAR(flat(joined(mirrored(s))).area, area, 1e-9 * area);
     EXPECT_NEAR(flat(joined(scaled(s, 10.0))).area, 100 * area, 1e-7 * area);
@@ -251,7 +270,10 @@ TEST(Connect, FollowsAPlateThatIsMoved) {
 
 TEST(Connect, KeepsWhatWasGivenWhenAPlateIsMoved) {
   PlateStructure s = angle_pair(14.0);
-  s.bends = {{.between = {"A", "B"}, .edges = {std::vector{2}, std::vector{0}}, .inside_radius = 5.0, .lateral = LateralBoundary::arc}};
+  s.bends = {{.between = {"A", "B"},
+              .edges = {std::vector{2}, std::vector{0}},
+              .inside_radius = 5.0,
+              .lateral = LateralBoundary::arc}};
   const Connection before = joined(s);
   for (Vec3& p : s.plates[1].outline)
     p += Vec3(30, 2, 1);
@@ -275,7 +297,9 @@ TEST(Connect, JoinsTheSamePlatesWhenOneIsMoved) {
   ASSERT_TRUE(after) << after.error().message;
   for (std::size_t b = 0; b < before.bends.size(); ++b) {
     EXPECT_EQ(after->bends[b].plates, before.bends[b].plates);
-    if (before.bends[b].request.between[0] == "right" || before.bends[b].request.between[1] == "right") continue;
+    if (before.bends[b].request.between[0] == "right" ||
+        before.bends[b].request.between[1] == "right")
+      continue;
     EXPECT_EQ(after->bends[b].inside_radius, before.bends[b].inside_radius);
     EXPECT_EQ(after->bends[b].edges, before.bends[b].edges);
   }
@@ -299,7 +323,8 @@ TEST(Connect, MakesAConeOfASlopeAndARadius) {
   ASSERT_EQ(c.bends.size(), 1u);
   EXPECT_EQ(c.bends[0].kind, BendKind::cone);
   EXPECT_NEAR(c.bends[0].line.slope, 0.1, 1e-12);
-  // At mid-length the tangent line is as far from the intersection line as the radius of the mid-surface.
+  // At mid-length the tangent line is as far from the intersection line as the radius of the
+  // mid-surface.
   EXPECT_NEAR(c.bends[0].line.at(c.bends[0].frame.local(0, {350, 0, 0}).x()), 41.5, 1e-9);
 }
 
@@ -315,7 +340,8 @@ TEST(Connect, OpensTheSeamOfAFullTurnForASolid) {
     widest = std::max({widest, start_of(border.curve).x(), end_of(border.curve).x()});
   EXPECT_LT(widest, 2 * kPi - 0.5 * 0.01 / 51);
   EXPECT_GT(widest, 2 * kPi - 2.0 * 0.01 / 51);
-  EXPECT_EQ(with_open_seam(open).faces[0].loops[0][0].edge_length, open.faces[0].loops[0][0].edge_length);
+  EXPECT_EQ(with_open_seam(open).faces[0].loops[0][0].edge_length,
+            open.faces[0].loops[0][0].edge_length);
 }
 
 }  // namespace

@@ -10,7 +10,8 @@
 #include <numbers>
 #include <optional>
 
-// The exact search against a search of everything, written from MATH 3 with nothing in common with it.
+// The exact search against a search of everything, written from MATH 3 with nothing in common with
+// it.
 
 namespace planish::test {
 namespace {
@@ -26,7 +27,8 @@ struct Candidate {
 };
 
 double shift_of(const Corners& c) {
-  return std::abs(c[0].front().x() - c[1].front().x()) + std::abs(c[0].back().x() - c[1].back().x());
+  return std::abs(c[0].front().x() - c[1].front().x()) +
+         std::abs(c[0].back().x() - c[1].back().x());
 }
 
 double span_at(const Corners& c, EdgeKind kind, double psi, double k, double q) {
@@ -77,7 +79,8 @@ std::optional<double> least(const Corners& c, EdgeKind kind, const Cost& cost) {
       for (const auto& side : c)
         for (const Vec2& p : side) {
           const double h = k * p.x() - q;
-          if (h < -1e-9 || (kind == EdgeKind::facing ? h > p.y() + 1e-9 : h < p.y() - 1e-9)) feasible = false;
+          if (h < -1e-9 || (kind == EdgeKind::facing ? h > p.y() + 1e-9 : h < p.y() - 1e-9))
+            feasible = false;
         }
       if (!feasible) continue;
       const double value = cost(k, q);
@@ -103,13 +106,16 @@ std::vector<Candidate> everything(const Sides& sides, Angle beta) {
         for (const auto& right : runs(b)) {
           Candidate candidate{a.kind, {left, right}};
           const Corners& c = candidate.corners;
-          const auto span = least(c, a.kind, [&](double k, double q) { return span_at(c, a.kind, psi, k, q); });
+          const auto span = least(
+              c, a.kind, [&](double k, double q) { return span_at(c, a.kind, psi, k, q); });
           if (!span) continue;
           candidate.span = *span;
-          candidate.width = 0.5 * (left.back().x() - left.front().x() + right.back().x() - right.front().x());
+          candidate.width = 0.5 * (left.back().x() - left.front().x() + right.back().x() -
+                                   right.front().x());
           candidate.single = left.size() == 2 && right.size() == 2;
           if (candidate.single)
-            candidate.length = *least(c, a.kind, [&](double k, double q) { return length_at(c, a.kind, psi, k, q); });
+            candidate.length = *least(
+                c, a.kind, [&](double k, double q) { return length_at(c, a.kind, psi, k, q); });
           all.push_back(std::move(candidate));
         }
     }
@@ -125,7 +131,8 @@ const Candidate* reference_of(const std::vector<Candidate>& all) {
   return best;
 }
 
-const Candidate* best_of(const std::vector<Candidate>& all, const Candidate& reference, double trade_off) {
+const Candidate* best_of(const std::vector<Candidate>& all, const Candidate& reference,
+                         double trade_off) {
   const Candidate* best = nullptr;
   for (const Candidate& c : all) {
     if (c.span - reference.span > trade_off * (c.width - reference.width) + 1e-7) continue;
@@ -138,7 +145,8 @@ const Candidate* best_of(const std::vector<Candidate>& all, const Candidate& ref
 
 void expect_optimum(const Sides& sides, Angle beta, double trade_off) {
   const std::vector<Candidate> all = everything(sides, beta);
-  const auto found = search_edges(sides, beta, {.trade_off = trade_off, .line = {}, .edges = {}, .alternatives = 0});
+  const auto found = search_edges(
+      sides, beta, {.trade_off = trade_off, .line = {}, .edges = {}, .alternatives = 0});
   const Candidate* reference = reference_of(all);
   if (reference == nullptr) {
     EXPECT_FALSE(found);
@@ -159,7 +167,8 @@ Sides random_sides(std::mt19937& random, EdgeKind kind, int most) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   Sides sides;
   for (auto& side : sides) {
-    OutlineStyle style{count(random), 40.0 * unit(random), 0.4 * unit(random) - 0.2, unit(random) < 0.4, unit(random) < 0.3};
+    OutlineStyle style{count(random), 40.0 * unit(random), 0.4 * unit(random) - 0.2,
+                       unit(random) < 0.4, unit(random) < 0.3};
     side = only(viable_chains(random_outline(random, style)), kind);
   }
   return sides;
@@ -185,8 +194,10 @@ RC_GTEST_PROP(EdgeSearch, FindsTheOptimumOfWholePlates, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   Sides sides;
   for (auto& side : sides)
-    side = viable_chains(random_outline(random, {*rc::gen::inRange(1, 4), 30.0, 0.1, false, false}));
-  expect_optimum(sides, Angle::degrees(*rc::gen::inRange(20, 170)), *rc::gen::element(0.5, 1.0, 3.0));
+    side = viable_chains(
+        random_outline(random, {*rc::gen::inRange(1, 4), 30.0, 0.1, false, false}));
+  expect_optimum(sides, Angle::degrees(*rc::gen::inRange(20, 170)),
+                 *rc::gen::element(0.5, 1.0, 3.0));
   RC_ASSERT(!::testing::Test::HasFailure());
 }
 
@@ -225,21 +236,24 @@ RC_GTEST_PROP(EdgeSearch, DoesNotDependOnSideHandPlaceOrScale, ()) {
 TEST(EdgeSearch, TakesEqualEdgesAllAtOnce) {
   // Collinear edges of one length: everything fits, at no cost.
   std::vector<Vec2> outline;
-  for (int i = 0; i <= 50; ++i) outline.emplace_back(4.0 * i, 30.0);
+  for (int i = 0; i <= 50; ++i)
+    outline.emplace_back(4.0 * i, 30.0);
   outline.emplace_back(200.0, 100.0);
   outline.emplace_back(0.0, 100.0);
   const auto chains = only(viable_chains(outline), EdgeKind::facing);
   const auto found = search_edges({chains, chains}, Angle::degrees(90), {});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->best.width, 200.0, 1e-9);
-  EXPECT_NEAR(found->best.span, std::numbers::pi / 2 * 30.0, 0.02 * 47) << "Ψ̃ is that of slope 0.3";
+  EXPECT_NEAR(found->best.span, std::numbers::pi / 2 * 30.0, 0.02 * 47) << "Ψ̃ is at slope 0.3";
   EXPECT_NEAR(found->best.line.at(100.0), 30.0, 1e-9);
 }
 
 TEST(EdgeSearch, KeepsToEdgesThatAreGiven) {
   std::mt19937 random(7);
-  const auto a = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})), EdgeKind::facing);
-  const auto b = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})), EdgeKind::facing);
+  const auto a = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})),
+                      EdgeKind::facing);
+  const auto b = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})),
+                      EdgeKind::facing);
   const std::vector<int> wanted{a[0].edges[4], a[0].edges[3]};
   EdgeSearchOptions options;
   options.edges[0] = wanted;
@@ -255,10 +269,13 @@ TEST(EdgeSearch, KeepsToEdgesThatAreGiven) {
 
 TEST(EdgeSearch, KeepsToALineThatIsGiven) {
   std::mt19937 random(11);
-  const auto a = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})), EdgeKind::facing);
-  const auto b = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})), EdgeKind::facing);
-  for (const GivenLine& line : {GivenLine{.slope = 0.0}, GivenLine{.slope = 0.02}, GivenLine{.slope = 0.0, .offset = -10.0},
-                                GivenLine{.apex = -900.0}}) {
+  const auto a = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})),
+                      EdgeKind::facing);
+  const auto b = only(viable_chains(random_outline(random, {8, 20.0, 0.0, false, false})),
+                      EdgeKind::facing);
+  for (const GivenLine& line :
+       {GivenLine{.slope = 0.0}, GivenLine{.slope = 0.02}, GivenLine{.slope = 0.0, .offset = -10.0},
+        GivenLine{.apex = -900.0}}) {
     EdgeSearchOptions options;
     options.line = line;
     const auto found = search_edges({a, b}, Angle::degrees(90), options);
@@ -309,13 +326,17 @@ TEST(ViableChains, GoesOverTheFirstCorner) {
 
 TEST(ArcFactor, IsTheArcOverTheHeight) {
   const double beta = 1.1, alpha = std::numbers::pi - beta;
-  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, 0.0), alpha / std::tan(alpha / 2), 1e-12);
-  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, 1e-6), alpha / std::tan(alpha / 2), 1e-9);
+  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, 0.0), alpha / std::tan(alpha / 2),
+              1e-12);
+  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, 1e-6), alpha / std::tan(alpha / 2),
+              1e-9);
   // A circle about the cone's axis, from tangent line to tangent line, measured in space.
   const double k = 0.3, phi = std::atan(k), tangent = std::tan(beta / 2);
   const double omega = std::atan(std::sin(phi) * tangent);
-  const Vec3 e1(0, std::sin(beta / 2), std::cos(beta / 2)), e2(0, -std::sin(beta / 2), std::cos(beta / 2));
-  const Vec3 g1 = Vec3(std::cos(phi), 0, 0) + std::sin(phi) * e1, g2 = Vec3(std::cos(phi), 0, 0) + std::sin(phi) * e2;
+  const Vec3 e1(0, std::sin(beta / 2), std::cos(beta / 2)),
+      e2(0, -std::sin(beta / 2), std::cos(beta / 2));
+  const Vec3 g1 = Vec3(std::cos(phi), 0, 0) + std::sin(phi) * e1,
+             g2 = Vec3(std::cos(phi), 0, 0) + std::sin(phi) * e2;
   // The axis makes the angle ω with both rulings, in the plane between them.
   const double psi = std::atan(std::tan(phi) / std::cos(beta / 2));
   const Vec3 a(std::cos(psi), 0, std::sin(psi));
@@ -324,7 +345,8 @@ TEST(ArcFactor, IsTheArcOverTheHeight) {
   const Vec3 r1 = g1 - g1.dot(a) * a, r2 = g2 - g2.dot(a) * a;
   const double turn = std::acos(r1.dot(r2) / (r1.norm() * r2.norm()));
   // Height of the ends above the line: sin φ for rulings of length one.
-  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, k), turn * r1.norm() / std::sin(phi), 1e-9);
+  EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::facing, k),
+              turn * r1.norm() / std::sin(phi), 1e-9);
   EXPECT_NEAR(arc_factor(Angle::radians(beta), EdgeKind::averted, k),
               (2 * std::numbers::pi - turn) * r1.norm() / std::sin(phi), 1e-9);
 }
@@ -335,7 +357,9 @@ RC_GTEST_PROP(SmallestExtension, IsTheLeastOfAllVertices, ()) {
   const Sides sides = random_sides(random, kind, 9);
   const Corners corners{sides[0].front().corners, sides[1].front().corners};
   const auto fit = smallest_extension(corners, kind);
-  const auto brute = least(corners, kind, [&](double k, double q) { return extension_area(corners, kind, {k, q}); });
+  const auto brute = least(corners, kind, [&](double k, double q) {
+    return extension_area(corners, kind, {k, q});
+  });
   RC_ASSERT(fit.has_value() == brute.has_value());
   if (!brute) return;
   RC_ASSERT(std::abs(fit->area - *brute) <= 1e-9 * std::max(1.0, *brute) + 1e-6);

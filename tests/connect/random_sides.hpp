@@ -8,13 +8,14 @@
 
 namespace planish::test {
 
-/// An outline in (x, y) of a side: `edges` edges towards the intersection line, as many away from it.
+/// An outline in (x, y) of a side: `edges` edges towards the intersection line, as many away from
+/// it.
 struct OutlineStyle {
   int edges = 4;
   double roughness = 30.0;  ///< mm that the corners' heights vary
   double lean = 0.0;        ///< slope of the whole
   bool convex = false;
-  bool equal = false;       ///< edges of one length, heights in steps: many ties
+  bool equal = false;  ///< edges of one length, heights in steps: many ties
 };
 
 inline std::vector<Vec2> random_outline(std::mt19937& random, const OutlineStyle& style) {

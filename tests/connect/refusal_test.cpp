@@ -69,7 +69,9 @@ TEST(ConnectRefuses, PlatesAndEdgesThatDoNotExist) {
 
 TEST(ConnectRefuses, LoopsAndPlatesLeftAlone) {
   PlateStructure s = tray();
-  s.bends = {{.between = {"floor", "front"}}, {.between = {"floor", "left"}}, {.between = {"front", "left"}}};
+  s.bends = {{.between = {"floor", "front"}},
+             {.between = {"floor", "left"}},
+             {.between = {"front", "left"}}};
   expect_refused(s, ErrorCode::bend_loop, "/bends/2", "front");
   s.bends.pop_back();
   expect_refused(s, ErrorCode::not_connected, "/bends", "back");
@@ -103,8 +105,10 @@ TEST(ConnectRefuses, PlatesInOnePlaneOrBesideEachOther) {
 TEST(ConnectRefuses, ValuesThatDoNotFitAndSaysWhichDo) {
   PlateStructure s = cone_pair(0.2, 200, 500);
   s.bends = {{.between = {"A", "B"}, .slope = 0.5}};
-  // From half the thickness and the smallest radius above the line at x = 200 to the edge at x = 500, y = 100.
-  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/slope", fmt::format("{:.6g}", (100.0 - 1.501) / 300.0));
+  // From half the thickness and the smallest radius above the line at x = 200 to the edge at x =
+  // 500, y = 100.
+  expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/slope",
+                 fmt::format("{:.6g}", (100.0 - 1.501) / 300.0));
   s.bends = {{.between = {"A", "B"}, .aperture = Angle::degrees(80)}};
   expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/aperture", "up to");
   s.bends = {{.between = {"A", "B"}, .inside_radii = std::array{10.0, 400.0}}};
@@ -142,7 +146,8 @@ TEST(ConnectRefuses, HolesThatMeetTheOutlineOrEachOther) {
   PlateStructure s = angle_pair(14.0);
   s.plates[0].holes = {square(20, 50, 0, 30)};
   expect_refused(s, ErrorCode::self_crossing, "/plates/0/holes/0", "outline");
-  for (const auto& second : {square(40, 60, 40, 60), square(30, 40, 35, 45), square(20, 50, 30, 50), square(50, 80, 30, 50)}) {
+  for (const auto& second : {square(40, 60, 40, 60), square(30, 40, 35, 45), square(20, 50, 30, 50),
+                             square(50, 80, 30, 50)}) {
     s.plates[0].holes = {square(20, 50, 30, 50), second};
     expect_refused(s, ErrorCode::self_crossing, "/plates/0/holes/1", "hole 0");
   }
@@ -154,7 +159,10 @@ TEST(ConnectRefuses, AnEdgeThatTwoSectionsBegin) {
   PlateStructure s;
   s.thickness = 2.0;
   s.plates = {rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0})};
-  s.bends = {{.between = {"A"}, .edges = {std::vector{0}}, .inside_radius = 10.0, .angle = Angle::degrees(90)}};
+  s.bends = {{.between = {"A"},
+              .edges = {std::vector{0}},
+              .inside_radius = 10.0,
+              .angle = Angle::degrees(90)}};
   s.bends.push_back(s.bends[0]);
   expect_refused(s, ErrorCode::unknown_edge, "/bends/1/edges", "another bend");
 }
@@ -169,7 +177,10 @@ TEST(ConnectRefuses, ConesOfParallelPlatesAndOfSectionsWithOneRadius) {
   expect_refused(s, ErrorCode::no_bend_fits, "/bends/0/inside_radius", "18.5");
   PlateStructure pipe;
   pipe.thickness = 2.0;
-  pipe.bends = {{.surface = SurfaceChoice::cone, .inside_radius = 50.0, .angle = Angle::degrees(90), .length = 100.0}};
+  pipe.bends = {{.surface = SurfaceChoice::cone,
+                 .inside_radius = 50.0,
+                 .angle = Angle::degrees(90),
+                 .length = 100.0}};
   expect_refused(pipe, ErrorCode::invalid_input, "/bends/0/surface", "inside_radii");
 }
 

@@ -40,7 +40,8 @@ inline PlateStructure tray(double gap = 8.0, double thickness = 3.0) {
 
 /// Two plates at a right angle whose facing edges run apart: a cone joins them without extension.
 /// Their edges lie on y = k x on both sides, x from x0 to x1.
-inline PlateStructure cone_pair(double k = 0.2, double x0 = 200, double x1 = 500, double thickness = 3.0) {
+inline PlateStructure cone_pair(double k = 0.2, double x0 = 200, double x1 = 500,
+                                double thickness = 3.0) {
   PlateStructure s;
   s.thickness = thickness;
   s.plates = {{"A", {{x0, k * x0, 0}, {x1, k * x1, 0}, {x1, 300, 0}, {x0, 300, 0}}, {}},

@@ -7,16 +7,22 @@
 namespace planish::oracle {
 namespace {
 
-constexpr Bounds kNothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+constexpr Bounds kNothing{std::numeric_limits<double>::infinity(),
+                          -std::numeric_limits<double>::infinity()};
 
-Bounds hull(const Bounds& a, const Bounds& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+Bounds hull(const Bounds& a, const Bounds& b) {
+  return {std::min(a.low, b.low), std::max(a.high, b.high)};
+}
 
-Bounds common(const Bounds& a, const Bounds& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
+Bounds common(const Bounds& a, const Bounds& b) {
+  return {std::max(a.low, b.low), std::min(a.high, b.high)};
+}
 
 Bounds operator+(const Bounds& a, const Bounds& b) { return {a.low + b.low, a.high + b.high}; }
 
 Bounds operator*(double factor, const Bounds& a) {
-  return factor < 0.0 ? Bounds{factor * a.high, factor * a.low} : Bounds{factor * a.low, factor * a.high};
+  return factor < 0.0 ? Bounds{factor * a.high, factor * a.low}
+                      : Bounds{factor * a.low, factor * a.high};
 }
 
 bool empty(const Bounds& a) { return a.low > a.high; }
@@ -58,7 +64,8 @@ Bounds LineBounds::height(double x) const {
   std::array<Bounds, 2> of_side{kNothing, kNothing};
   for (std::size_t i = 0; i < 2; ++i)
     for (const Edge& edge : edges_[i])
-      if (const Bounds bounds = height(edge, x); !empty(bounds)) of_side[i] = hull(of_side[i], bounds);
+      if (const Bounds bounds = height(edge, x); !empty(bounds))
+        of_side[i] = hull(of_side[i], bounds);
   return common(of_side[0], of_side[1]);
 }
 

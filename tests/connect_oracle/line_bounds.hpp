@@ -18,8 +18,8 @@ struct BoundedCorner {
   Bounds height;
 };
 
-/// What is true of every tangent line that uses at least one edge on each side: the numbers that make
-/// big M tight.
+/// What is true of every tangent line that uses at least one edge on each side: the numbers that
+/// make big M tight.
 class LineBounds {
  public:
   /// Corners of both chains, x growing. Empty where no edge of a side admits a line.

@@ -12,8 +12,8 @@ namespace planish::oracle {
 
 inline constexpr double kNoBend = std::numeric_limits<double>::infinity();
 
-/// Corners moved and scaled so that the solver's absolute tolerances mean the same for every pair: their
-/// x lies in [−½, ½] · kSize.
+/// Corners moved and scaled so that the solver's absolute tolerances mean the same for every pair:
+/// their x lies in [−½, ½] · kSize.
 struct Normal {
   static constexpr double kSize = 10.0;
   double centre = 0.0, scale = 1.0;
@@ -34,7 +34,9 @@ struct Normal {
         p = scale * Vec2(p.x() - centre, p.y());
     return corners;
   }
-  TangentLine back(double slope, double offset) const { return {slope, offset / scale + slope * centre}; }
+  TangentLine back(double slope, double offset) const {
+    return {slope, offset / scale + slope * centre};
+  }
 };
 
 inline double most(const std::vector<Vec2>& corners) {
@@ -57,7 +59,8 @@ inline Linear extension(const LineColumns& line, EdgeKind kind, const Vec2& p) {
 }
 
 inline double shift_of(const Corners& c) {
-  return std::abs(c[0].front().x() - c[1].front().x()) + std::abs(c[0].back().x() - c[1].back().x());
+  return std::abs(c[0].front().x() - c[1].front().x()) +
+         std::abs(c[0].back().x() - c[1].back().x());
 }
 
 /// The best tangent line for given corners.

@@ -20,7 +20,8 @@ Model quiet_exact_model(double seconds) {
   Model model(Cbc_newModel(), &Cbc_deleteModel);
   const std::string tolerance = fmt::format("{:g}", kSolverTolerance);
   // "increment" is what a solution must be better by to be looked for: 1e-5 unless told.
-  for (const char* name : {"primalTolerance", "dualTolerance", "integerTolerance", "increment", "allowableGap"})
+  for (const char* name :
+       {"primalTolerance", "dualTolerance", "integerTolerance", "increment", "allowableGap"})
     Cbc_setParameter(model.get(), name, tolerance.c_str());
   Cbc_setParameter(model.get(), "ratioGap", "0");
   // With rows of big M neither cuts nor heuristics are worth their time here: four times slower.
@@ -110,15 +111,18 @@ Solution LinearProgram::solve(double seconds) const {
     start.push_back(static_cast<CoinBigIndex>(index.size()));
   }
   const Model model = quiet_exact_model(seconds);
-  Cbc_loadProblem(model.get(), static_cast<int>(columns), static_cast<int>(rows_.size()), start.data(), index.data(),
-                  factors.data(), low_.data(), high_.data(), cost.data(), row_low.data(), row_high.data());
+  Cbc_loadProblem(model.get(), static_cast<int>(columns), static_cast<int>(rows_.size()),
+                  start.data(), index.data(), factors.data(), low_.data(), high_.data(),
+                  cost.data(), row_low.data(), row_high.data());
   for (const Column column : binaries_)
     Cbc_setInteger(model.get(), column);
   Cbc_solve(model.get());
   Solution solution{outcome_of(model.get()), {}};
   // A relaxation's values are no solution: only what branch and bound kept counts.
-  const double* values = binaries_.empty() ? Cbc_getColSolution(model.get()) : Cbc_bestSolution(model.get());
-  if (values != nullptr && solution.outcome != Outcome::infeasible) solution.values.assign(values, values + columns);
+  const double* values = binaries_.empty() ? Cbc_getColSolution(model.get())
+                                           : Cbc_bestSolution(model.get());
+  if (values != nullptr && solution.outcome != Outcome::infeasible)
+    solution.values.assign(values, values + columns);
   return solution;
 }
 

@@ -11,7 +11,8 @@
 namespace planish::oracle {
 namespace {
 
-/// A corner of a chain in a program: what says that it is selected (1, else 0), and the line's height.
+/// A corner of a chain in a program: what says that it is selected (1, else 0), and the line's
+/// height.
 struct SelectableCorner {
   Vec2 at;
   Linear selected, height;
@@ -19,7 +20,8 @@ struct SelectableCorner {
 };
 
 /// a ≤ b where the corner is selected; `excess` is what a − b can be at most where it is not.
-void at_most_if(LinearProgram& program, const SelectableCorner& corner, const Linear& a, const Linear& b, double excess) {
+void at_most_if(LinearProgram& program, const SelectableCorner& corner, const Linear& a,
+                const Linear& b, double excess) {
   program.at_most(a, b + std::max(0.0, excess) * (1.0 - corner.selected));
 }
 
@@ -96,7 +98,8 @@ int first_set(const Solution& solution, const std::vector<Column>& columns) {
   return static_cast<int>(std::find_if(columns.begin(), columns.end(), set) - columns.begin());
 }
 
-/// [99]: left and right corner of the one edge of a side, each a vector of binaries with a single one.
+/// [99]: left and right corner of the one edge of a side, each a vector of binaries with a single
+/// one.
 struct EdgeColumns {
   std::vector<Column> left, right;
 };
@@ -121,19 +124,21 @@ Linear height_if_selected(Model& model, const SelectableCorner& corner, double c
 }
 
 /// ½Ψ̃ b̄ and the mean extension of a side.
-Linear mean_length(Model& model, const std::vector<Vec2>& side, const EdgeColumns& edge, double psi, double cap) {
+Linear mean_length(Model& model, const std::vector<Vec2>& side, const EdgeColumns& edge, double psi,
+                   double cap) {
   Linear length;
   for (std::size_t j = 0; j < side.size(); ++j) {
     const auto corner = model.corner(side[j], Linear::of(edge.left[j]) + Linear::of(edge.right[j]));
     require_feasible(model.program, corner, model.kind);
     const Linear height = height_if_selected(model, corner, cap);
-    length += 0.5 * (0.5 * psi * height + extension_sign(model.kind) * (side[j].y() * corner.selected - height));
+    length += 0.5 * (0.5 * psi * height +
+                     extension_sign(model.kind) * (side[j].y() * corner.selected - height));
   }
   return length;
 }
 
-/// Length of the shortest bend of averted edges with a level tangent line, at the highest of its four
-/// corners: there is one, so the optimum is no longer.
+/// Length of the shortest bend of averted edges with a level tangent line, at the highest of its
+/// four corners: there is one, so the optimum is no longer.
 double level_length(const Corners& corners, double psi) {
   double best = kNoBend;
   for (auto a = corners[0].begin(); a + 1 != corners[0].end(); ++a)
@@ -148,10 +153,12 @@ double level_length(const Corners& corners, double psi) {
 
 /// Averted: (½Ψ̃ + 1)(b̄₁ + b̄₂) − ȳ₁ − ȳ₂ is at most the length of a bend there is.
 double highest_of_shortest(const Corners& corners, double psi) {
-  return 2.0 * (level_length(corners, psi) + most(corners[0]) + most(corners[1])) / (0.5 * psi + 1.0);
+  return 2.0 * (level_length(corners, psi) + most(corners[0]) + most(corners[1])) /
+         (0.5 * psi + 1.0);
 }
 
-/// [114]: a run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to the last.
+/// [114]: a run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to the
+/// last.
 struct RunColumns {
   std::vector<Column> from, to;
   Linear selected(std::size_t j) const { return Linear::of(from[j]) + Linear::of(to[j]) - 1.0; }
@@ -187,8 +194,10 @@ Linear right_end(const std::vector<Vec2>& side, const RunColumns& run) {
 
 /// ½Ψ̃ times the greatest height, and the greatest extension of a side.
 Linear span_of(Model& model, const std::vector<Vec2>& side, const RunColumns& run, double psi) {
-  const Linear tallest = Linear::of(model.program.continuous(0.0, std::numeric_limits<double>::max()));
-  const Linear longest = Linear::of(model.program.continuous(0.0, std::numeric_limits<double>::max()));
+  const Linear tallest = Linear::of(
+      model.program.continuous(0.0, std::numeric_limits<double>::max()));
+  const Linear longest = Linear::of(
+      model.program.continuous(0.0, std::numeric_limits<double>::max()));
   for (std::size_t j = 0; j < side.size(); ++j) {
     const auto corner = model.corner(side[j], run.selected(j));
     const double y = side[j].y();
@@ -202,8 +211,9 @@ Linear span_of(Model& model, const std::vector<Vec2>& side, const RunColumns& ru
 
 /// Averted: ½Ψ̃ Σ H + Σ (H − y) is at most the span that the greatest width allows.
 double highest_of_widest(const Corners& corners, double psi, const Wanted& wanted) {
-  const double allowed =
-      wanted.reference_span + wanted.trade_off * std::max(0.0, width_of(corners) - wanted.reference_width);
+  const double allowed = wanted.reference_span +
+                         wanted.trade_off *
+                             std::max(0.0, width_of(corners) - wanted.reference_width);
   return (allowed + most(corners[0]) + most(corners[1])) / (0.5 * psi + 1.0);
 }
 
@@ -221,14 +231,16 @@ double width_of(const Corners& c) {
   return 0.5 * (c[0].back().x() - c[0].front().x() + c[1].back().x() - c[1].front().x());
 }
 
-MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, double psi, double seconds) {
+MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, double psi,
+                                  double seconds) {
   const Normal normal({chain1.corners, chain2.corners});
   const Corners corners = normal.of({chain1.corners, chain2.corners});
   const double cap = highest_of_shortest(corners, psi);
   auto model = model_of(corners, chain1.kind, cap);
   if (!model) return {Outcome::infeasible, kNoBend, {}, {}};
   LinearProgram& program = model->program;
-  const std::array<EdgeColumns, 2> edges{one_edge(program, corners[0].size()), one_edge(program, corners[1].size())};
+  const std::array<EdgeColumns, 2> edges{one_edge(program, corners[0].size()),
+                                         one_edge(program, corners[1].size())};
   Linear length;
   for (std::size_t i = 0; i < 2; ++i)
     length += mean_length(*model, corners[i], edges[i], psi, cap);
@@ -250,7 +262,8 @@ MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, doub
   return reference;
 }
 
-MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, const Wanted& given, double seconds) {
+MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, const Wanted& given,
+                         double seconds) {
   const Normal normal({chain1.corners, chain2.corners});
   const Corners corners = normal.of({chain1.corners, chain2.corners});
   Wanted wanted = scaled(given, normal.scale);
@@ -258,7 +271,8 @@ MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, c
   auto model = model_of(corners, chain1.kind, highest_of_widest(corners, psi, wanted));
   if (!model) return {Outcome::infeasible, 0.0, {}, kNoBend};
   LinearProgram& program = model->program;
-  const std::array<RunColumns, 2> runs{one_run(program, corners[0].size()), one_run(program, corners[1].size())};
+  const std::array<RunColumns, 2> runs{one_run(program, corners[0].size()),
+                                       one_run(program, corners[1].size())};
   std::array<Linear, 2> left, right;
   Linear width, span;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -268,7 +282,8 @@ MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, c
     span += span_of(*model, corners[i], runs[i], psi);
   }
   span += absolute(program, left[0] - left[1]) + absolute(program, right[0] - right[1]);
-  program.at_most(span - wanted.reference_span, wanted.trade_off * (width - wanted.reference_width));
+  program.at_most(span - wanted.reference_span,
+                  wanted.trade_off * (width - wanted.reference_width));
   program.minimise(-1.0 * width);
   const Solution solution = program.solve(seconds);
   MilpTopology topology{solution.outcome, 0.0, {}, kNoBend};

@@ -7,7 +7,8 @@
 #include <optional>
 #include <random>
 
-// The exact search against the mixed-integer programs of the thesis, solved by an independent program.
+// The exact search against the mixed-integer programs of the thesis, solved by an independent
+// program.
 
 namespace planish::oracle {
 namespace {
@@ -36,8 +37,10 @@ std::optional<Reference> shortest_of(const Sides& sides, Angle beta) {
     const MilpReference found = minimum_length_bend(a, b, psi);
     ASSERT_NE(found.outcome, Outcome::stopped);
     if (found.outcome == Outcome::infeasible || (best && best->length <= found.length)) return;
-    best = {found.length, a.kind,
-            {corners_of(a, found.edges[0], found.edges[0]), corners_of(b, found.edges[1], found.edges[1])}};
+    best = {found.length,
+            a.kind,
+            {corners_of(a, found.edges[0], found.edges[0]),
+             corners_of(b, found.edges[1], found.edges[1])}};
   });
   return best;
 }
@@ -74,32 +77,36 @@ Corners corners_of_choice(const Sides& sides, const EdgeChoice& choice) {
 
 /// Of references of one length either may be meant: that of the search, if it is as short by the
 /// oracle's own reckoning.
-void settle_tie(Reference& reference, const Sides& sides, const EdgeSearch& found, Angle beta, double close) {
+void settle_tie(Reference& reference, const Sides& sides, const EdgeSearch& found, Angle beta,
+                double close) {
   const Corners theirs = corners_of_choice(sides, found.reference);
-  const double length =
-      smallest_length(theirs, found.reference.kind, arc_factor(beta, found.reference.kind, kLinearisedSlope));
+  const double length = smallest_length(theirs, found.reference.kind,
+                                        arc_factor(beta, found.reference.kind, kLinearisedSlope));
   ASSERT_NEAR(length, reference.length, close) << "the reference is not the shortest bend";
   reference = {length, found.reference.kind, theirs};
 }
 
 void expect_agreement(const Sides& sides, Angle beta, double trade_off) {
   const double close = kAgreement * extent_of(sides);
-  const auto found =
-      search_edges(sides, beta, {.trade_off = trade_off, .line = {}, .edges = {}, .alternatives = 0});
+  const auto found = search_edges(
+      sides, beta, {.trade_off = trade_off, .line = {}, .edges = {}, .alternatives = 0});
   auto reference = shortest_of(sides, beta);
   ASSERT_EQ(found.has_value(), reference.has_value());
   if (!reference) return;
   EXPECT_NEAR(found->reference_length, reference->length, close);
   ASSERT_NO_FATAL_FAILURE(settle_tie(*reference, sides, *found, beta, close));
   const double psi = arc_factor(beta, reference->kind, kLinearisedSlope);
-  const Wanted wanted{smallest_span(reference->corners, reference->kind, psi), width_of(reference->corners), trade_off};
+  const Wanted wanted{smallest_span(reference->corners, reference->kind, psi),
+                      width_of(reference->corners), trade_off};
   EXPECT_NEAR(found->reference.span, wanted.reference_span, close);
   EXPECT_NEAR(found->reference.width, wanted.reference_width, close);
   const MilpTopology widest = widest_of(sides, beta, wanted);
   EXPECT_NEAR(found->best.width, widest.width, close);
-  EXPECT_LE(found->best.span, widest.span + close) << "of several as wide, the search has one that is longer";
+  EXPECT_LE(found->best.span, widest.span + close)
+      << "of several as wide, the search has one that is longer";
   const auto same_run = [&](std::size_t i) {
-    return found->best.runs[i].first == widest.runs[i].first && found->best.runs[i].last == widest.runs[i].last;
+    return found->best.runs[i].first == widest.runs[i].first &&
+           found->best.runs[i].last == widest.runs[i].last;
   };
   if (same_run(0) && same_run(1)) {
     EXPECT_NEAR(found->best.span, widest.span, close);

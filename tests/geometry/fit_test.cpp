@@ -213,7 +213,9 @@ TEST(FitCubics, OfAPointIsThatPoint) {
 TEST(FitCubicsOnSurface, HoldsWhatIsMeasuredAlongRulings) {
   // On a cylinder of 200 mm radius a step of u is 200 mm long, and an oblique cut rises by as much.
   constexpr double kRadius = 200.0, kTolerance = 1e-7;
-  const auto cut = [](double u) { return CurveSample{{u, kRadius * std::sin(u)}, {1.0, kRadius * std::cos(u)}}; };
+  const auto cut = [](double u) {
+    return CurveSample{{u, kRadius * std::sin(u)}, {1.0, kRadius * std::cos(u)}};
+  };
   const CubicSpline spline = fit_cubics_on_surface(cut, 0.0, 2.0, kRadius, kTolerance);
   for (int i = 0; i <= 1000; ++i) {
     const Vec2 p = point_at(spline, i / 1000.0);
@@ -383,8 +385,8 @@ TEST(ToArcs, NeedsFewArcs) {
   for (int i = 0; i < n; ++i) {
     const double t = (i + 0.5) * 2 * pi / n;
     const double speed2 = a * a * std::pow(std::sin(t), 2) + b * b * std::pow(std::cos(t), 2);
-    const double rate =
-        3 * a * b * (a * a - b * b) * std::abs(std::sin(t) * std::cos(t)) / std::pow(speed2, 3);
+    const double rate = 3 * a * b * (a * a - b * b) * std::abs(std::sin(t) * std::cos(t)) /
+                        std::pow(speed2, 3);
     needed += std::cbrt(rate / (324 * tolerance)) * std::sqrt(speed2) * 2 * pi / n;
   }
   const auto arcs = static_cast<double>(to_arcs(spline, tolerance).size());

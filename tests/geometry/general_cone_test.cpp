@@ -105,15 +105,15 @@ RC_GTEST_PROP(ConicArc, HasItsOwnDerivatives, ()) {
 RC_GTEST_PROP(ConicArc, OfEqualTangentsIsACircularArc, ()) {
   // Tangents of length R tan(α/2), centre at distance R / cos(α/2).
   const double radius = any(1, 100), turn = any(0.01, 3.0);
-  const Frame f =
-      frame_from_normal(any_point(100), Vec3(any(0.1, 1), any(-1, 1), any(-1, 1)).normalized());
+  const Frame f = frame_from_normal(any_point(100),
+                                    Vec3(any(0.1, 1), any(-1, 1), any(-1, 1)).normalized());
   const auto at = [&](double r, double azimuth) {
     return f.point(r * Vec2(std::cos(azimuth), std::sin(azimuth)));
   };
   const double start = any(0, 6);
-  const SpaceCurve arc =
-      conic_arc(at(radius, start), at(radius / std::cos(turn / 2), start + turn / 2),
-                at(radius, start + turn));
+  const SpaceCurve arc = conic_arc(at(radius, start),
+                                   at(radius / std::cos(turn / 2), start + turn / 2),
+                                   at(radius, start + turn));
   for (int i = 0; i <= 10; ++i)
     RC_ASSERT((arc(i / 10.0).point - at(radius, start + turn * i / 10)).norm() <=
               1e-9 * radius / turn);

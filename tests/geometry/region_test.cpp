@@ -126,8 +126,8 @@ TEST(PolygonOf, KeepsHolesAndComesNearTheArea) {
 }
 
 TEST(Overlaps, FindsTheCommonSquare) {
-  const std::vector<Overlap> found =
-      overlaps({{box(0, 0, 10, 10), {}}, {box(8, 7, 20, 20), {}}}, 0, 1e-9);
+  const std::vector<Overlap> found = overlaps({{box(0, 0, 10, 10), {}}, {box(8, 7, 20, 20), {}}}, 0,
+                                              1e-9);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].first, 0);
   EXPECT_EQ(found[0].second, 1);

@@ -277,7 +277,8 @@ RC_GTEST_PROP(UnrollRuled, SeenFromTheOtherSideIsTheMirrorImage, ()) {
   const double reach = (front.develop(c.uv) - front.develop(last)).norm();
   RC_ASSERT(std::abs(back.develop({-c.uv.x(), c.uv.y()}).norm() - reach) <= 1e-9);
   // At a knot the speed of an offset jumps by O(h²)·offset, and either side may be meant.
-  for (const Ruled::Knot& knot : c.surface.knots) RC_PRE(std::abs(knot.u - c.uv.x()) > 1e-6);
+  for (const Ruled::Knot& knot : c.surface.knots)
+    RC_PRE(std::abs(knot.u - c.uv.x()) > 1e-6);
   const double area = front.jacobian(c.uv).determinant();
   RC_ASSERT(std::abs(back.jacobian({-c.uv.x(), c.uv.y()}).determinant() - area) <= 1e-9);
 }

@@ -73,8 +73,8 @@ inline FlatBend& add_bend(FlatPattern& pattern, const Segment& line, const BendS
 /// An L laid flat: `first` | bend along y | `second`, 40 wide, the bend's middle at x = 0.
 inline FlatPattern flat_l(double first, double second, const BendShape& shape = {}) {
   const double half = 0.5 * zone_width(shape);
-  FlatPattern pattern =
-      flat_plate(shifted(rectangle(first + second + 2.0 * half, 40.0), Vec2(-half - first, 0.0)));
+  FlatPattern pattern = flat_plate(
+      shifted(rectangle(first + second + 2.0 * half, 40.0), Vec2(-half - first, 0.0)));
   add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)}, shape);
   return pattern;
 }

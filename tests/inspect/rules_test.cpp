@@ -317,8 +317,8 @@ TEST(BendRelief, IsNotAskedForWhereTheEdgeIsSteppedBack) {
 TEST(BendRelief, IsNotAskedForAtFreeEnds) {
   // Edges square to the bend, slanting outwards or inwards by up to 60°.
   for (const double slope : {0.0, 0.5, -0.5, 1.7, -1.7}) {
-    FlatPattern pattern =
-        flat_plate(polygon({{-20, 0}, {20, 0}, {20, 40 + 20 * slope}, {-20, 40 - 20 * slope}}));
+    FlatPattern pattern = flat_plate(
+        polygon({{-20, 0}, {20, 0}, {20, 40 + 20 * slope}, {-20, 40 - 20 * slope}}));
     const double half = 0.5 * test::zone_width();
     FlatBend& bend = test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
     bend.tangent_lines = {{Vec2(-half, 0), Vec2(-half, 40 - half * slope)},

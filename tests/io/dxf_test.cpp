@@ -65,8 +65,9 @@ TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {
   FlatPattern pattern = bracket();
   pattern.slits = {{{70, 60}, {140, 60}}, {{70, 80}, {200, 80}}};
   EXPECT_THAT(kinds_and_layers(dxf(pattern)),
-              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE INTERIOR_PROFILES", "LINE INTERIOR_PROFILES",
-                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE INTERIOR_PROFILES",
+                          "LINE INTERIOR_PROFILES", "CIRCLE INTERIOR_PROFILES",
+                          "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
   pattern.slits.front().a.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(dxf_text(pattern));
 }
@@ -199,8 +200,8 @@ TEST(Dxf, TellsItsUnitsAndExtents) {
 }
 
 TEST(Dxf, HasNothingInR12ThatR12DoesNotKnow) {
-  const std::string text =
-      dxf(bracket_with_petal(), {.version = DxfVersion::r12, .splines = Splines::keep});
+  const std::string text = dxf(bracket_with_petal(),
+                               {.version = DxfVersion::r12, .splines = Splines::keep});
   for (const char* word : {"LWPOLYLINE", "SPLINE", "ELLIPSE", "AcDb", "OBJECTS", "BLOCK_RECORD"}) {
     EXPECT_THAT(text, Not(HasSubstr("\n" + std::string(word)))) << word;
   }
@@ -224,8 +225,8 @@ TEST(Dxf, WritesNoTextDimensionOrExponent) {
 }
 
 TEST(Dxf, WritesRealsThatReadBackTheSame) {
-  FlatPattern pattern =
-      blank(polygon({{1.0 / 3.0, -2e5 / 7.0}, {1e5 * kPi, 0.1}, {1e-7 / 3.0, 3.0}}));
+  FlatPattern pattern = blank(
+      polygon({{1.0 / 3.0, -2e5 / 7.0}, {1e5 * kPi, 0.1}, {1e-7 / 3.0, 3.0}}));
   const Reader read(dxf(pattern));
   ASSERT_THAT(read.polylines, SizeIs(1));
   for (std::size_t i = 0; i < 3; ++i) {
@@ -250,8 +251,8 @@ double area(const Reader::Outline& outline) {
 /// Corners on a circle of radius 100, joined by lines and by arcs of −108° to 108°.
 Loop wheel(const std::vector<int>& sweeps) {
   const auto corner = [&](std::size_t i) {
-    const double a =
-        2.0 * kPi * static_cast<double>(i % sweeps.size()) / static_cast<double>(sweeps.size());
+    const double a = 2.0 * kPi * static_cast<double>(i % sweeps.size()) /
+                     static_cast<double>(sweeps.size());
     return Vec2(100.0 * std::cos(a), 100.0 * std::sin(a));
   };
   Loop loop;
@@ -263,8 +264,8 @@ Loop wheel(const std::vector<int>& sweeps) {
     }
     const Vec2 chord = corner(i + 1) - corner(i);
     const double radius = chord.norm() / (2.0 * std::sin(std::abs(sweep) / 2.0));
-    const double start =
-        std::atan2(chord.y(), chord.x()) - sweep / 2.0 - (sweep > 0 ? kPi / 2 : -kPi / 2);
+    const double start = std::atan2(chord.y(), chord.x()) - sweep / 2.0 -
+                         (sweep > 0 ? kPi / 2 : -kPi / 2);
     const Vec2 center = corner(i) - radius * Vec2(std::cos(start), std::sin(start));
     loop.emplace_back(Arc{center, radius, start, sweep});
   }

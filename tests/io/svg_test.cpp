@@ -214,7 +214,8 @@ TEST(Labels, OfPointsStandOutsideInOneSizeAndMeetNothing) {
     const auto box = corners(placed[i]);
     for (std::size_t j = 0; j < i; ++j) {
       const auto other = corners(placed[j]);
-      EXPECT_FALSE(box[0].y() < other[2].y() && other[0].y() < box[2].y() && box[0].x() < other[2].x() && other[0].x() < box[2].x());
+      EXPECT_FALSE(box[0].y() < other[2].y() && other[0].y() < box[2].y() &&
+                   box[0].x() < other[2].x() && other[0].x() < box[2].x());
     }
   }
 }

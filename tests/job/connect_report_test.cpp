@@ -197,8 +197,8 @@ Sheet flaring_walls() {
   test::SheetBuilder builder(1.0);
   const FaceId base = builder.flange(Frame{}, {test::rectangle(40, 40)});
   for (const int border : {1, 2}) {
-    const test::Rim rim =
-        builder.bend(builder.rim(base, border), test::Turn{Angle::degrees(90), 2});
+    const test::Rim rim = builder.bend(builder.rim(base, border),
+                                       test::Turn{Angle::degrees(90), 2});
     builder.flange_behind(rim, {test::polygon({{0, 0}, {40, 0}, {110, 40}, {-70, 40}})});
   }
   return builder.finish();

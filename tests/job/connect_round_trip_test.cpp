@@ -19,7 +19,8 @@ void expect_connect_round_trip(const PlateStructure& structure, double tolerance
 }
 
 TEST(ConnectRoundTrip, GivesBackWhatWasJoined) {
-  for (const PlateStructure& s : {angle_pair(14.0), tray(), u_pair()}) expect_connect_round_trip(s);
+  for (const PlateStructure& s : {angle_pair(14.0), tray(), u_pair()})
+    expect_connect_round_trip(s);
 }
 
 TEST(ConnectRoundTrip, GivesBackCones) { expect_connect_round_trip(cone_pair(), 1e-5); }
@@ -27,8 +28,12 @@ TEST(ConnectRoundTrip, GivesBackCones) { expect_connect_round_trip(cone_pair(), 
 TEST(ConnectRoundTrip, GivesBackObliqueCones) {
   PlateStructure s;
   s.thickness = 2.0;
-  s.plates = {{"A", {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}}, {}},
-              {"B", {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}}, {}}};
+  s.plates = {{"A",
+               {{200, -170, 0}, {200, 170, 0}, {190.4, 176, 36}, {120, 0, 300}, {190.4, -176, 36}},
+               {}},
+              {"B",
+               {{170, 200, 0}, {-170, 200, 0}, {-176, 190.4, 36}, {0, 120, 300}, {176, 190.4, 36}},
+               {}}};
   s.bends = {{.between = {"A", "B"},
               .edges = {std::vector{2}, std::vector{3}},
               .surface = SurfaceChoice::general,
@@ -50,13 +55,15 @@ TEST(ConnectRoundTrip, GivesBackPipesAndCones) {
 }
 
 TEST(ConnectRoundTrip, GivesBackEveryLateralBoundary) {
-  for (const LateralBoundary lateral : {LateralBoundary::straight, LateralBoundary::arc, LateralBoundary::corner}) {
+  for (const LateralBoundary lateral :
+       {LateralBoundary::straight, LateralBoundary::arc, LateralBoundary::corner}) {
     PlateStructure cylinder = angle_pair(14.0);
     cylinder.plates[1] = rectangle_plate("B", {30, 114, 20}, {140, 0, 0}, {0, 0, 100});
     cylinder.bends = {{.between = {"A", "B"}, .lateral = lateral}};
     expect_connect_round_trip(cylinder, 1e-5);
     PlateStructure cone = cone_pair();
-    for (Vec3& p : cone.plates[1].outline) p.x() += p.x() < 300 ? 30 : -20;
+    for (Vec3& p : cone.plates[1].outline)
+      p.x() += p.x() < 300 ? 30 : -20;
     cone.bends = {{.between = {"A", "B"}, .lateral = lateral}};
     expect_connect_round_trip(cone, 1e-5);
   }
@@ -64,10 +71,13 @@ TEST(ConnectRoundTrip, GivesBackEveryLateralBoundary) {
 
 /// A rectangle at the line where two planes meet, turned a little, with random size and distance.
 Plate random_plate(const std::string& id, const Vec3& e, const Vec3& d) {
-  const auto number = [](int low, int high) { return 0.1 * *rc::gen::inRange(10 * low, 10 * high); };
+  const auto number = [](int low, int high) {
+    return 0.1 * *rc::gen::inRange(10 * low, 10 * high);
+  };
   const double width = number(60, 200), height = number(50, 150), away = number(15, 60);
   const double turn = 0.01 * *rc::gen::inRange(-30, 30), shift = number(-40, 40);
-  const Vec3 along = std::cos(turn) * d + std::sin(turn) * e, up = std::cos(turn) * e - std::sin(turn) * d;
+  const Vec3 along = std::cos(turn) * d + std::sin(turn) * e,
+             up = std::cos(turn) * e - std::sin(turn) * d;
   const double lowest = std::min(0.0, std::sin(turn) * width);
   return rectangle_plate(id, shift * d + (away - lowest) * e, width * along, height * up);
 }
@@ -81,10 +91,11 @@ RC_GTEST_PROP(ConnectRoundTrip, GivesBackRandomPairs, ()) {
               random_plate("B", {0, std::cos(beta), std::sin(beta)}, d)};
   const auto connection = connect(s);
   if (!connection) {
-    // Plates may be too near for the thickness, or lie so far beside each other that the extension of one
-    // would run over it; nothing else may go wrong.
+    // Plates may be too near for the thickness, or lie so far beside each other that the extension
+    // of one would run over it; nothing else may go wrong.
     const ErrorCode code = connection.error().code;
-    RC_ASSERT(code == ErrorCode::radius_too_small || code == ErrorCode::no_common_width || code == ErrorCode::overlap);
+    RC_ASSERT(code == ErrorCode::radius_too_small || code == ErrorCode::no_common_width ||
+              code == ErrorCode::overlap);
     RC_DISCARD();
   }
   expect_round_trip(connection->sheet, 1e-5);
@@ -96,8 +107,9 @@ Plate irregular_plate(const std::string& id, std::mt19937& random, const Vec3& e
   std::uniform_int_distribution<int> count(1, 6);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   Plate plate{id, {}, {}};
-  for (const Vec2& p : random_outline(random, {count(random), 25.0 * unit(random), 0.3 * unit(random) - 0.15,
-                                               unit(random) < 0.5, false}))
+  for (const Vec2& p :
+       random_outline(random, {count(random), 25.0 * unit(random), 0.3 * unit(random) - 0.15,
+                               unit(random) < 0.5, false}))
     plate.outline.push_back(p.x() * d + p.y() * e);
   return plate;
 }
@@ -110,13 +122,15 @@ RC_GTEST_PROP(ConnectRoundTrip, GivesBackIrregularPairs, ()) {
   s.plates = {irregular_plate("A", random, Vec3::UnitY(), Vec3::UnitX()),
               irregular_plate("B", random, {0, std::cos(beta), std::sin(beta)}, Vec3::UnitX())};
   s.bends = {{.between = {"A", "B"},
-              .lateral = *rc::gen::element(LateralBoundary::automatic, LateralBoundary::arc, LateralBoundary::corner),
+              .lateral = *rc::gen::element(LateralBoundary::automatic, LateralBoundary::arc,
+                                           LateralBoundary::corner),
               .trade_off = *rc::gen::element(0.0, 1.0, 3.0)}};
   const auto connection = connect(s);
   if (!connection) {
     RC_LOG() << connection.error().message;
     RC_ASSERT(connection.error().code == ErrorCode::radius_too_small ||
-              connection.error().code == ErrorCode::no_common_width || connection.error().code == ErrorCode::overlap);
+              connection.error().code == ErrorCode::no_common_width ||
+              connection.error().code == ErrorCode::overlap);
     RC_DISCARD();
   }
   RC_ASSERT(connection->bends[0].extension_area >= 0.0);

@@ -3,18 +3,19 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <iomanip>
+#include <map>
 #include <set>
-#include <unistd.h>
 
-// Real parts made by others (../shared/parts beside the repository). Every part unfolds, or is refused for
-// its reason; what differs from the parts' labels is named, with its cause, in corpus_exceptions.json.
+// Real parts made by others (../shared/parts beside the repository). Every part unfolds, or is
+// refused for its reason; what differs from the parts' labels is named, with its cause, in
+// corpus_exceptions.json.
 
 namespace planish::test {
 namespace {
@@ -61,7 +62,8 @@ class Corpus : public ::testing::Test {
       EXPECT_LE(off, 1e-3) << "volume ratio " << report.certificate.volume_ratio;
     }
     if (strict && !row["thickness"].is_null()) {
-      EXPECT_NEAR(report.sheet.thickness, row["thickness"].get<double>(), 0.02 * row["thickness"].get<double>());
+      EXPECT_NEAR(report.sheet.thickness, row["thickness"].get<double>(),
+                  0.02 * row["thickness"].get<double>());
     }
     EXPECT_LE(report.certificate.length_error, 0.01);
     EXPECT_LE(report.certificate.refold_deviation, 0.02);
@@ -73,7 +75,8 @@ class Corpus : public ::testing::Test {
     ASSERT_TRUE(text) << text.error().message;
     const fs::path path = folder_ / (id + ".dxf");
     ASSERT_TRUE(write_file(path, *text));
-    std::ofstream(folder_ / "list.tsv", std::ios::app) << path.string() << '\t' << std::setprecision(17) << flat.area << "\t1e-4\n";
+    std::ofstream(folder_ / "list.tsv", std::ios::app)
+        << path.string() << '\t' << std::setprecision(17) << flat.area << "\t1e-4\n";
   }
 
   void check_refusal(const Json& row, const Error& refusal) {
@@ -81,7 +84,8 @@ class Corpus : public ::testing::Test {
     static const std::map<std::string, std::set<std::string>> kCodes{
         {"tube", {"closed_loop", "doubly_curved", "thickness_not_constant"}},
         {"closed_corner", {"closed_loop", "doubly_curved"}},
-        {"not_sheet", {"not_a_sheet", "thickness_not_constant", "doubly_curved", "closed_loop", "overlap"}}};
+        {"not_sheet",
+         {"not_a_sheet", "thickness_not_constant", "doubly_curved", "closed_loop", "overlap"}}};
     const std::string code(code_name(refusal.code));
     EXPECT_FALSE(refusal.message.empty());
     EXPECT_EQ(exit_status(refusal.code), 4) << code << ": " << refusal.message;
@@ -98,11 +102,13 @@ class Corpus : public ::testing::Test {
     const auto report = job::unfold(request_for(kParts / (id + ".step")));
     ASSERT_TRUE(report) << report.error().message;
     const Json exception = exception_for(id);
-    const bool must_refuse = row["class"] == "tube" || row["class"] == "closed_corner" || row["class"] == "not_sheet";
+    const bool must_refuse = row["class"] == "tube" || row["class"] == "closed_corner" ||
+                             row["class"] == "not_sheet";
     if (report->refusal) {
       check_refusal(row, *report->refusal);
     } else {
-      EXPECT_TRUE(!must_refuse || exception.value("unfolds", false)) << "unfolded, but is labelled " << row["class"];
+      EXPECT_TRUE(!must_refuse || exception.value("unfolds", false))
+          << "unfolded, but is labelled " << row["class"];
       EXPECT_FALSE(exception.contains("refused")) << "unfolds now: take it off the list";
       check_pattern(row, *report);
     }
@@ -122,16 +128,19 @@ TEST_F(Corpus, EveryBodyUnfoldsOrIsRefusedForItsReasonAndEveryDxfReadsBack) {
     ++parts;
   }
   EXPECT_GT(parts, 150);
-  const std::string check = "/usr/bin/python3 '" + (kSource / "../../tools/check_dxf.py").string() + "' --list '" +
-                            (folder_ / "list.tsv").string() + "' > '" + (folder_ / "dxf.json").string() + "'";
-  EXPECT_EQ(std::system(check.c_str()), 0) << read_json(folder_ / "dxf.json").dump(1).substr(0, 4000);
+  const std::string check = "/usr/bin/python3 '" + (kSource / "../../tools/check_dxf.py").string() +
+                            "' --list '" + (folder_ / "list.tsv").string() + "' > '" +
+                            (folder_ / "dxf.json").string() + "'";
+  EXPECT_EQ(std::system(check.c_str()), 0)
+      << read_json(folder_ / "dxf.json").dump(1).substr(0, 4000);
 }
 
 TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
   for (const Json& row : manifest_) {
     if (row["class"] != "assembly") continue;
     SCOPED_TRACE(row["id"].get<std::string>());
-    const auto reports = job::unfold_all(request_for(kParts / (row["id"].get<std::string>() + ".step")));
+    const auto reports = job::unfold_all(
+        request_for(kParts / (row["id"].get<std::string>() + ".step")));
     ASSERT_TRUE(reports) << reports.error().message;
     EXPECT_GE(reports->size(), 1u);
     for (const job::UnfoldReport& report : *reports)
@@ -140,11 +149,15 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
         EXPECT_FALSE(report.refusal->message.empty());
       }
     for (const Json& known : manifest_) {
-      const bool member = known["class"] == "sheet_metal" && known["repo"] == row["repo"] && known["path"] == row["path"];
+      const bool member = known["class"] == "sheet_metal" && known["repo"] == row["repo"] &&
+                          known["path"] == row["path"];
       if (!member || exception_for(known["id"]).contains("refused")) continue;
-      const bool found = std::any_of(reports->begin(), reports->end(), [&](const job::UnfoldReport& report) {
-        return report.has_pattern() && std::abs(report.sheet.volume - known["volume"].get<double>()) < 1e-3 * report.sheet.volume;
-      });
+      const bool found = std::any_of(
+          reports->begin(), reports->end(), [&](const job::UnfoldReport& report) {
+            return report.has_pattern() &&
+                   std::abs(report.sheet.volume - known["volume"].get<double>()) <
+                       1e-3 * report.sheet.volume;
+          });
       EXPECT_TRUE(found) << "the sheet " << known["id"] << " did not unfold out of the assembly";
     }
   }

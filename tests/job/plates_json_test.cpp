@@ -121,7 +121,8 @@ TEST(PlatesJson, TurnsLengthsIntoMillimetresAndNothingElse) {
 
 TEST(PlatesJson, TakesSectionsWithFreeEndsAndOfTheirOwn) {
   const auto read = parse_plates(R"({"units": "m", "thickness": 0.002, "plates": [], "bends": [
-      {"between": [], "surface": "cone", "inside_radii": [0.1, 0.2], "angle": 360, "length": 0.5}]})",
+      {"between": [], "surface": "cone", "inside_radii": [0.1, 0.2], "angle": 360,
+       "length": 0.5}]})",
                                  "p.json");
   ASSERT_TRUE(read.has_value()) << read.error().message;
   const BendRequest& pipe = read->structure.bends[0];
@@ -284,8 +285,8 @@ TEST(PlatesJson, FindsTheLineAndColumnOfAMistake) {
 }
 
 TEST(PlatesJson, TakesNoKeyTwice) {
-  const Error error =
-      error_of(R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");
+  const Error error = error_of(
+      R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");
   EXPECT_EQ(error.code, ErrorCode::invalid_input);
   EXPECT_THAT(error.message, HasSubstr("\"id\" stands twice"));
 }

@@ -52,7 +52,8 @@ TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
   asked.bend_k = {{"B1", 0.3}, {"B12", 0.5}};
   const auto options = flatten_options(made, asked);
   ASSERT_TRUE(options.has_value());
-  EXPECT_EQ(options->bend_k, (std::vector<std::pair<BendId, double>>{{BendId{0}, 0.3}, {BendId{11}, 0.5}}));
+  EXPECT_EQ(options->bend_k,
+            (std::vector<std::pair<BendId, double>>{{BendId{0}, 0.3}, {BendId{11}, 0.5}}));
   for (const char* wrong : {"B0", "B13", "B", "F1", "b1", "B01", ""}) {
     asked.bend_k = {{wrong, 0.3}};
     const auto refused = flatten_options(made, asked);

@@ -26,9 +26,11 @@ TEST(SlitSolids, SurfaceOfAChairIsOneShell) {
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::shell_not_solid);
   std::size_t shells = 0, faces = 0;
-  for (std::size_t at = text->find("OPEN_SHELL("); at != std::string::npos; at = text->find("OPEN_SHELL(", at + 1))
+  for (std::size_t at = text->find("OPEN_SHELL("); at != std::string::npos;
+       at = text->find("OPEN_SHELL(", at + 1))
     ++shells;
-  for (std::size_t at = text->find("ADVANCED_FACE("); at != std::string::npos; at = text->find("ADVANCED_FACE(", at + 1))
+  for (std::size_t at = text->find("ADVANCED_FACE("); at != std::string::npos;
+       at = text->find("ADVANCED_FACE(", at + 1))
     ++faces;
   EXPECT_EQ(shells, 1u);
   EXPECT_EQ(faces, sheet.faces.size());

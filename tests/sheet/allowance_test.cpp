@@ -144,8 +144,8 @@ TEST(Din6935, CompensationIsContinuousAt90DegreesAndVanishesWhenFlat) {
 
 TEST(Din6935, UpTo90DegreesCompensationIsTheNegativeDeduction) {
   for (const double bend_angle : {15.0, 30.0, 60.0, 90.0}) {
-    const double deduction =
-        allowance_of(Din6935{}, 2.0, 3.0, Angle::degrees(bend_angle)).deduction;
+    const double deduction = allowance_of(Din6935{}, 2.0, 3.0, Angle::degrees(bend_angle))
+                                 .deduction;
     EXPECT_NEAR(din6935_compensation(3.0, 2.0, Angle::degrees(180 - bend_angle)), -deduction,
                 1e-12);
   }
@@ -264,22 +264,22 @@ TEST(SizeTable, IsTrilinearOnAGrid) {
 }
 
 TEST(AllowanceTable, GivesBackItsRows) {
-  const BendTable table =
-      by_size(BendTable::Value::allowance, true, {{2, 2, 90, 4.6}, {2, 2, 45, 2.2}});
+  const BendTable table = by_size(BendTable::Value::allowance, true,
+                                  {{2, 2, 90, 4.6}, {2, 2, 45, 2.2}});
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, kRight).allowance, 4.6, 1e-12);
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(45)).allowance, 2.2, 1e-12);
 }
 
 TEST(AllowanceTable, IsLinearInTheRadius) {
-  const BendTable table =
-      by_size(BendTable::Value::allowance, false, {{1, 2, 0, 3.0}, {3, 2, 0, 6.4}});
+  const BendTable table = by_size(BendTable::Value::allowance, false,
+                                  {{1, 2, 0, 3.0}, {3, 2, 0, 6.4}});
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, kRight).allowance, 4.7, 1e-12);
 }
 
 TEST(AllowanceTable, WithoutAnglesIsOf90DegreeBends) {
   const double k = 0.42;
-  const BendTable table =
-      by_size(BendTable::Value::allowance, false, {{2, 2, 0, kPi / 2 * (2 + k * 2)}});
+  const BendTable table = by_size(BendTable::Value::allowance, false,
+                                  {{2, 2, 0, kPi / 2 * (2 + k * 2)}});
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(30)).k_factor, k, 1e-12);
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(30)).allowance, kPi / 6 * (2 + k * 2),
               1e-12);
@@ -327,11 +327,11 @@ TEST(DeductionTable, OfAnImpossibleLengthIsRefusedWithItsRow) {
 }
 
 TEST(AllowanceTable, MayHaveKAtTheSkinDespiteRounding) {
-  const BendTable outer =
-      by_size(BendTable::Value::allowance, true, {{0.3, 0.7, 33, 33 * kPi / 180 * (0.3 + 0.7)}});
+  const BendTable outer = by_size(BendTable::Value::allowance, true,
+                                  {{0.3, 0.7, 33, 33 * kPi / 180 * (0.3 + 0.7)}});
   EXPECT_NEAR(allowance_of(outer, 0.7, 0.3, Angle::degrees(33)).k_factor, 1.0, 1e-12);
-  const BendTable inner =
-      by_size(BendTable::Value::allowance, true, {{0.3, 0.7, 33, 33 * kPi / 180 * 0.3}});
+  const BendTable inner = by_size(BendTable::Value::allowance, true,
+                                  {{0.3, 0.7, 33, 33 * kPi / 180 * 0.3}});
   EXPECT_NEAR(allowance_of(inner, 0.7, 0.3, Angle::degrees(33)).k_factor, 0.0, 1e-12);
 }
 

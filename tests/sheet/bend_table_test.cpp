@@ -173,8 +173,8 @@ TEST(ParseBendTable, RefusesValuesThatNoBendHas) {
 }
 
 TEST(ParseBendTable, RefusesTwoValuesForOneBend) {
-  const std::string message =
-      refusal("material,r,t,k\nsteel,1,2,0.4\nsteel,2,2,0.4\nalu,1,2,0.3\n", "table.csv:4");
+  const std::string message = refusal("material,r,t,k\nsteel,1,2,0.4\nsteel,2,2,0.4\nalu,1,2,0.3\n",
+                                      "table.csv:4");
   EXPECT_THAT(message, HasSubstr("on line 2"));
   EXPECT_THAT(message, HasSubstr("one material"));
 }
@@ -185,8 +185,8 @@ TEST(ParseBendTable, RefusesWhatIsNoText) {
 }
 
 TEST(ParseBendTable, FeedsBendAllowance) {
-  const auto bend =
-      bend_allowance(parsed("r,t,angle,bd\n2,2,90,3.5\n"), 2.0, 2.0, Angle::degrees(90));
+  const auto bend = bend_allowance(parsed("r,t,angle,bd\n2,2,90,3.5\n"), 2.0, 2.0,
+                                   Angle::degrees(90));
   ASSERT_TRUE(bend.has_value());
   EXPECT_NEAR(bend->deduction, 3.5, 1e-12);
   EXPECT_EQ(bend->source, "table table.csv, row 1 (R 2 mm, T 2 mm, 90°)");

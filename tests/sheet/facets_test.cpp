@@ -24,9 +24,12 @@ FlatPattern laid(const Sheet& sheet, UpSide up = UpSide::automatic) {
   return *pattern;
 }
 
-Vec3 placed(const Eigen::Isometry3d& motion, const Vec2& p) { return motion * Vec3(p.x(), p.y(), 0.0); }
+Vec3 placed(const Eigen::Isometry3d& motion, const Vec2& p) {
+  return motion * Vec3(p.x(), p.y(), 0.0);
+}
 
-/// Largest distance of what folded facets of flanges hold from the middle of their flange's material in space.
+/// Largest distance of what folded facets of flanges hold from the middle of their flange's
+/// material in space.
 double off_flanges(const Sheet& sheet, const FlatPattern& pattern, const Facets& facets) {
   const auto motions = folded(facets);
   double off = 0.0;
@@ -34,7 +37,8 @@ double off_flanges(const Sheet& sheet, const FlatPattern& pattern, const Facets&
     const auto* frame = std::get_if<Frame>(&sheet.faces[f].surface);
     if (!frame) continue;
     const Vec2 flat = start_of(pattern.face_outlines[f].front());
-    const Vec3 wanted = frame->point(pattern.placement[f].inverse() * flat) - (0.5 * sheet.thickness - sheet.reference_depth) * frame->z;
+    const Vec3 wanted = frame->point(pattern.placement[f].inverse() * flat) -
+                        (0.5 * sheet.thickness - sheet.reference_depth) * frame->z;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < facets.facets.size(); ++i)
       if (facets.facets[i].part == sheet.faces[f].part_of)
@@ -58,9 +62,17 @@ double area_of(const Facets& facets) {
 
 const std::vector<std::pair<const char*, Sheet>>& samples() {
   static const std::vector<std::pair<const char*, Sheet>> sheets{
-      {"l_bracket", l_bracket()},   {"l_bracket_down", l_bracket_down()}, {"u_channel", u_channel()},   {"z_profile", z_profile()},
-      {"hem", hem()},               {"turn_of_250", turn_of_250()},       {"box", box()},               {"cone_joined", cone_joined()},
-      {"staircase", staircase(6)},  {"slot_across_bend", slot_across_bend()}, {"plate_with_holes", plate_with_holes()}};
+      {"l_bracket", l_bracket()},
+      {"l_bracket_down", l_bracket_down()},
+      {"u_channel", u_channel()},
+      {"z_profile", z_profile()},
+      {"hem", hem()},
+      {"turn_of_250", turn_of_250()},
+      {"box", box()},
+      {"cone_joined", cone_joined()},
+      {"staircase", staircase(6)},
+      {"slot_across_bend", slot_across_bend()},
+      {"plate_with_holes", plate_with_holes()}};
   return sheets;
 }
 
@@ -75,15 +87,18 @@ TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
 TEST(Facets, ComeNearerWithSmallerTurns) {
   const Sheet sheet = cone_joined();
   const FlatPattern pattern = laid(sheet);
-  const double coarse = off_flanges(sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(12)}));
-  const double fine = off_flanges(sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(3)}));
+  const double coarse = off_flanges(
+      sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(12)}));
+  const double fine = off_flanges(
+      sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(3)}));
   EXPECT_LT(fine, coarse / 10.0);  // of second order
 }
 
 TEST(Facets, CoverThePattern) {
   for (const auto& [name, sheet] : samples()) {
     const FlatPattern pattern = laid(sheet);
-    EXPECT_NEAR(area_of(facets_of(sheet, pattern, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4) << name;
+    EXPECT_NEAR(area_of(facets_of(sheet, pattern, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4)
+        << name;
   }
   const Sheet tube = rolled();
   const FlatPattern pattern = laid(tube);
@@ -121,7 +136,8 @@ void expect_border_lengths(const Sheet& sheet, std::vector<double> wanted) {
 
 TEST(Facets, EdgesOfOneBorderHaveOneNumber) {
   const double pi = std::numbers::pi;
-  expect_border_lengths(plate_with_holes(), {100, 60, 100, 60, 2 * pi * 5, 2 * pi * 3.3, 12, 4 * pi, 12, 4 * pi});
+  expect_border_lengths(plate_with_holes(),
+                        {100, 60, 100, 60, 2 * pi * 5, 2 * pi * 3.3, 12, 4 * pi, 12, 4 * pi});
   const double bend = 0.5 * pi * (3.0 + 0.5 * 2.0);
   expect_border_lengths(l_bracket(), {50, 40, 50, bend, bend, 30, 40, 30});
 }
@@ -162,7 +178,8 @@ TEST(Facets, AreHingedWhereTheSheetIs) {
     for (const Facet& facet : facets_of(sheet, pattern).facets) {
       if (facet.parent < 0) continue;
       for (const Vec2& p : {facet.hinge.a, facet.hinge.b})
-        EXPECT_TRUE(((p - box.lo).array() > -1e-6).all() && ((box.hi - p).array() > -1e-6).all()) << name;
+        EXPECT_TRUE(((p - box.lo).array() > -1e-6).all() && ((box.hi - p).array() > -1e-6).all())
+            << name;
       EXPECT_GT((facet.hinge.b - facet.hinge.a).norm(), 0.0) << name;
     }
   }

@@ -31,23 +31,28 @@ void expect_strip(const std::vector<StripPart>& parts, double width, double thic
   EXPECT_NEAR(std::max(size.x(), size.y()), std::max(expected, width), 1e-9 * expected);
   EXPECT_NEAR(std::min(size.x(), size.y()), std::min(expected, width), 1e-9 * expected);
   EXPECT_NEAR(pattern.perimeter, 2 * (expected + width), 1e-9 * expected);
-  EXPECT_EQ(pattern.outer.loop.size(), 4u) << "collinear sides of flanges and bends must be one line";
+  EXPECT_EQ(pattern.outer.loop.size(), 4u)
+      << "collinear sides of flanges and bends must be one line";
 }
 
 TEST(FlattenStrip, HasTheClosedFormLengthForAnyTurnUpOrDown) {
   for (const double degrees : {1.0, 45.0, 90.0, 135.0, 180.0, 250.0})
     for (const BendDirection direction : {BendDirection::up, BendDirection::down})
-      expect_strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
+      expect_strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}},
+                   40.0, 2.0);
 }
 
 TEST(FlattenStrip, TakesTheKOfSingleBendsBeforeTheRule) {
   const double radius = 3.0, thickness = 2.0;
-  const std::vector<StripPart> parts{Straight{50}, Turn{Angle::degrees(90), radius, BendDirection::up}, Straight{30},
-                                     Turn{Angle::degrees(60), radius, BendDirection::down}, Straight{20}};
+  const std::vector<StripPart> parts{
+      Straight{50}, Turn{Angle::degrees(90), radius, BendDirection::up}, Straight{30},
+      Turn{Angle::degrees(60), radius, BendDirection::down}, Straight{20}};
   const Sheet sheet = strip(parts, 40.0, thickness);
-  const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .bend_k = {{BendId{1}, 0.3}}});
+  const auto pattern = flatten(sheet,
+                               {.allowance = ConstantK{kK, "test"}, .bend_k = {{BendId{1}, 0.3}}});
   ASSERT_TRUE(pattern.has_value());
-  const double expected = 100.0 + pi / 2 * (radius + kK * thickness) + pi / 3 * (radius + 0.3 * thickness);
+  const double expected = 100.0 + pi / 2 * (radius + kK * thickness) +
+                          pi / 3 * (radius + 0.3 * thickness);
   EXPECT_NEAR(pattern->area, 40.0 * expected, 1e-9 * expected);
   EXPECT_EQ(pattern->bends[1].allowance.k_factor, 0.3);
   const auto refused = flatten(sheet, {.bend_k = {{BendId{0}, 1.5}}});
@@ -67,7 +72,8 @@ TEST(FlattenStrip, UnrollsPartsWithoutAnyFlange) {
 TEST(FlattenStrip, SetsSharpCornersBackOnTheOutsideAndSpacesThemOnTheInside) {
   for (const BendDirection direction : {BendDirection::up, BendDirection::down})
     expect_strip({Straight{50}, Crease{Angle::degrees(90), direction}, Straight{30},
-                  Crease{Angle::degrees(60), BendDirection::up}, Straight{20}}, 40.0, 2.0);
+                  Crease{Angle::degrees(60), BendDirection::up}, Straight{20}},
+                 40.0, 2.0);
 }
 
 TEST(FlattenStaircase, KeepsTheClosedFormUpToAThousandFlanges) {
@@ -120,10 +126,12 @@ TEST(FlattenOpenings, KeepCirclesAsFullCircles) {
 
 TEST(FlattenOpenings, AcrossABendAreRoundWhenMadeRound) {
   for (const double diameter : {6.0, 30.0}) {
-    const Sheet sheet = diameter < 10.0 ? hole_in_bend(diameter, kK) : hole_across_bend(diameter, kK);
+    const Sheet sheet = diameter < 10.0 ? hole_in_bend(diameter, kK)
+                                        : hole_across_bend(diameter, kK);
     const FlatPattern pattern = flat(sheet);
     ASSERT_EQ(pattern.openings.size(), 1u);
-    EXPECT_NEAR(-signed_area(pattern.openings.front().loop), pi * diameter * diameter / 4, 1e-4 * diameter * diameter);
+    EXPECT_NEAR(-signed_area(pattern.openings.front().loop), pi * diameter * diameter / 4,
+                1e-4 * diameter * diameter);
     EXPECT_EQ(pattern.bends.front().lines.size(), 2u) << "the bend line stops at the hole";
   }
 }
@@ -139,7 +147,8 @@ TEST(FlattenOpenings, InterruptABendWithoutMakingALoop) {
 TEST(FlattenBox, HasFourBendLinesAsLongAsTheWalls) {
   const FlatPattern pattern = flat(box());
   ASSERT_EQ(pattern.bends.size(), 4u);
-  for (const FlatBend& bend : pattern.bends) EXPECT_EQ(bend.direction, BendDirection::up);
+  for (const FlatBend& bend : pattern.bends)
+    EXPECT_EQ(bend.direction, BendDirection::up);
 }
 
 TEST(FlattenUpSide, MirrorsThePatternAndTurnsTheBendsRound) {
@@ -148,7 +157,8 @@ TEST(FlattenUpSide, MirrorsThePatternAndTurnsTheBendsRound) {
   const auto down = flatten(sheet, {.up = UpSide::other});
   ASSERT_TRUE(up && down);
   EXPECT_NEAR(up->area, down->area, 1e-9);
-  for (size_t i = 0; i < up->bends.size(); ++i) EXPECT_NE(up->bends[i].direction, down->bends[i].direction);
+  for (size_t i = 0; i < up->bends.size(); ++i)
+    EXPECT_NE(up->bends[i].direction, down->bends[i].direction);
   EXPECT_GT(signed_area(down->outer.loop), 0.0);
 }
 
@@ -187,7 +197,8 @@ TEST(FlattenFormedFeature, IsDrawnAndNotCut) {
   Sheet sheet = plate_with_holes();
   const double plain = flat(sheet).area;
   sheet.features.push_back({"formed", FaceId{0}, {}, -1, {}});
-  for (Border& border : sheet.faces.front().loops[1]) border.feature = 0;
+  for (Border& border : sheet.faces.front().loops[1])
+    border.feature = 0;
   const FlatPattern pattern = flat(sheet);
   EXPECT_NEAR(pattern.area, plain + pi * 25.0, 1e-9 * plain);
   EXPECT_EQ(pattern.openings.size(), 2u);
@@ -208,20 +219,24 @@ TEST(FlattenMetamorphic, MovingChangesNothingAndScalingScales) {
 TEST(BorderTrihedra, BothFormsOfTheUnfoldingMotionAgreeWithThePlacement) {
   for (const double degrees : {30.0, 90.0, 200.0})
     for (const BendDirection direction : {BendDirection::up, BendDirection::down}) {
-      const Sheet sheet = strip({Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
+      const Sheet sheet = strip(
+          {Straight{50}, Turn{Angle::degrees(degrees), 3.0, direction}, Straight{30}}, 40.0, 2.0);
       const double sign = direction == BendDirection::up ? 1.0 : -1.0;
       const double allowance = Angle::degrees(degrees).radians() * (3.0 + kK * 2.0);
       // The flanges' own borders at the bend: joints run flange–bend and bend–flange.
       const auto flange_side = [&](const Joint& joint) {
-        const bool a_flat = std::holds_alternative<Frame>(sheet.faces[index_of(joint.a.face)].surface);
+        const bool a_flat = std::holds_alternative<Frame>(
+            sheet.faces[index_of(joint.a.face)].surface);
         return a_flat ? joint.a : joint.b;
       };
       const Frame parent = border_trihedron(sheet, flange_side(sheet.joints.front()));
       const Frame child = border_trihedron(sheet, flange_side(sheet.joints.back()));
-      const auto steps = unfolding_by_steps(parent, child, Angle::radians(sign * Angle::degrees(degrees).radians()), allowance);
+      const auto steps = unfolding_by_steps(
+          parent, child, Angle::radians(sign * Angle::degrees(degrees).radians()), allowance);
       const auto trihedra = unfolding_by_trihedra(parent, child, 40.0, allowance);
       EXPECT_LT((steps.matrix() - trihedra.matrix()).cwiseAbs().maxCoeff(), 1e-12) << degrees;
-      const auto pattern = flatten(sheet, {.allowance = ConstantK{kK, "test"}, .up = UpSide::reference});
+      const auto pattern = flatten(sheet,
+                                   {.allowance = ConstantK{kK, "test"}, .up = UpSide::reference});
       ASSERT_TRUE(pattern);
       // Distances in the pattern are distances after T: both far corners of the child flange.
       const Face& far = sheet.faces[index_of(sheet.flanges.back().faces.front())];
@@ -229,17 +244,21 @@ TEST(BorderTrihedra, BothFormsOfTheUnfoldingMotionAgreeWithThePlacement) {
       for (const Border& border : far.loops.front()) {
         const Vec2 uv = start_of(border.curve);
         const Vec3 unfolded = trihedra * skin_point(far, uv);
-        const Vec2 in_pattern = pattern->placement[index_of(sheet.flanges.back().faces.front())] * uv;
-        const Vec2 origin = pattern->placement[index_of(sheet.flanges.front().faces.front())] * Vec2(0, 0);
-        EXPECT_NEAR((unfolded - skin_point(near, Vec2(0, 0))).norm(), (in_pattern - origin).norm(), 1e-10);
+        const Vec2 in_pattern = pattern->placement[index_of(sheet.flanges.back().faces.front())] *
+                                uv;
+        const Vec2 origin = pattern->placement[index_of(sheet.flanges.front().faces.front())] *
+                            Vec2(0, 0);
+        EXPECT_NEAR((unfolded - skin_point(near, Vec2(0, 0))).norm(), (in_pattern - origin).norm(),
+                    1e-10);
         EXPECT_NEAR(std::get<Frame>(near.surface).local(unfolded).z(), 0.0, 1e-10);
       }
     }
 }
 
 TEST(CertificateOfAStrip, HasTheVolumeLengthsAndRefoldOfItsSolid) {
-  for (const Sheet& sheet : {l_bracket(), u_channel(), z_profile(), box(), cone_joined(), plate_with_holes(),
-                             hole_across_bend(30.0, kK), truncated_cone(30, 50, 40, Angle::degrees(300), 1.5)}) {
+  for (const Sheet& sheet :
+       {l_bracket(), u_channel(), z_profile(), box(), cone_joined(), plate_with_holes(),
+        hole_across_bend(30.0, kK), truncated_cone(30, 50, 40, Angle::degrees(300), 1.5)}) {
     const FlattenOptions options{.allowance = ConstantK{kK, "test"}};
     const auto pattern = flatten(sheet, options);
     ASSERT_TRUE(pattern);

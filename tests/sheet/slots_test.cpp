@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-// A plate of 300 × 200 with slits of no width: closed ones are openings run there and back, open ones stretches of the
-// outer contour.
+// A plate of 300 × 200 with slits of no width: closed ones are openings run there and back, open
+// ones stretches of the outer contour.
 
 namespace planish::test {
 namespace {
@@ -37,7 +37,9 @@ FlatPattern closed_slit() {
 }
 
 /// A slit from the right side inwards to (180, 80).
-FlatPattern open_slit() { return plate({{0, 0}, {300, 0}, {300, 80}, {180, 80}, {300, 80}, {300, 200}, {0, 200}}); }
+FlatPattern open_slit() {
+  return plate({{0, 0}, {300, 0}, {300, 80}, {180, 80}, {300, 80}, {300, 200}, {0, 200}});
+}
 
 FlatPattern cut(const FlatPattern& pattern, const SlotOptions& options) {
   auto result = cut_slits(pattern, options);
@@ -114,30 +116,39 @@ TEST(Slots, OpenSlotBelongsToTheOuterContour) {
 TEST(Slots, OpenSlotHasOneStopHole) {
   const FlatPattern pattern = cut(open_slit(), {.kerf = 4.0, .stop_hole = 10.0});
   const double angle = hole_angle(2, 5), banks = 120 - std::sqrt(21.0);
-  EXPECT_NEAR(pattern.area, kPlate - (banks * 4 + pi * 25 - 0.5 * 25 * (2 * angle - std::sin(2 * angle))), 1e-9);
+  EXPECT_NEAR(pattern.area,
+              kPlate - (banks * 4 + pi * 25 - 0.5 * 25 * (2 * angle - std::sin(2 * angle))), 1e-9);
 }
 
 TEST(Slots, SlitBesideAShorterStripEndsInAQuarterOfItsRoundEnd) {
   // The lower strip ends at 250, the upper one at 300.
-  const FlatPattern pattern = cut(plate({{0, 0}, {250, 0}, {250, 80}, {180, 80}, {300, 80}, {300, 200}, {0, 200}}), {.kerf = 4.0});
+  const FlatPattern pattern = cut(
+      plate({{0, 0}, {250, 0}, {250, 80}, {180, 80}, {300, 80}, {300, 200}, {0, 200}}),
+      {.kerf = 4.0});
   expect_meeting(pattern.outer.loop);
   EXPECT_NEAR(pattern.area, kPlate - 50 * 80 - (70 * 4 + 0.5 * pi * 4 + 0.25 * pi * 4), 1e-9);
 }
 
 TEST(Slots, SlantedMouthIsCutToTheSlantedSide) {
   // The right side leans: from (300, 0) to (320, 200), the slit leaves it at (308, 80).
-  const FlatPattern pattern = cut(plate({{0, 0}, {300, 0}, {308, 80}, {180, 80}, {308, 80}, {320, 200}, {0, 200}}), {.kerf = 4.0});
+  const FlatPattern pattern = cut(
+      plate({{0, 0}, {300, 0}, {308, 80}, {180, 80}, {308, 80}, {320, 200}, {0, 200}}),
+      {.kerf = 4.0});
   expect_meeting(pattern.outer.loop);
-  // One bank meets the side; beyond the mouth's perpendicular the other one ends in its round end, from there to the side.
+  // One bank meets the side; beyond the mouth's perpendicular the other one ends in its round end,
+  // from there to the side.
   const double lean = std::atan(0.1);
   const double whole = 300 * 200 + 0.5 * 20 * 200;
-  EXPECT_NEAR(pattern.area, whole - (128 * 4 + 0.5 * pi * 4 + 0.5 * 4 * lean - 0.5 * 2 * 2 * std::tan(lean)), 1e-9);
+  EXPECT_NEAR(pattern.area,
+              whole - (128 * 4 + 0.5 * pi * 4 + 0.5 * 4 * lean - 0.5 * 2 * 2 * std::tan(lean)),
+              1e-9);
 }
 
 TEST(Slots, OpeningsWithAWidthStayAndLoseTheirSlits) {
   FlatPattern pattern = plate();
   // Clockwise: an opening of 20 × 10 with a slit of 30 at its corner.
-  pattern.openings.push_back(polygon({{100, 80}, {100, 90}, {120, 90}, {120, 80}, {150, 80}, {120, 80}}));
+  pattern.openings.push_back(
+      polygon({{100, 80}, {100, 90}, {120, 90}, {120, 80}, {150, 80}, {120, 80}}));
   const FlatPattern lines = cut(pattern, {});
   ASSERT_EQ(lines.openings.size(), 1u);
   EXPECT_EQ(lines.openings[0].loop.size(), 4u);
@@ -145,7 +156,8 @@ TEST(Slots, OpeningsWithAWidthStayAndLoseTheirSlits) {
   EXPECT_NEAR(lines.area, kPlate - 200, 1e-9);
   const FlatPattern slots = cut(pattern, {.kerf = 2.0});
   expect_meeting(slots.openings[0].loop);
-  // Beyond the mouth at the corner only half of the band and a quarter of the round end are in material.
+  // Beyond the mouth at the corner only half of the band and a quarter of the round end are in
+  // material.
   EXPECT_NEAR(slots.area, kPlate - 200 - (30 * 2 + 0.5 * pi + 0.25 * pi), 1e-9);
 }
 
@@ -163,7 +175,8 @@ TEST(Slots, BendLinesEndAtTheSlotsSides) {
   EXPECT_NEAR(trimmed.lines[0].b.y(), 78.0, 1e-9);
   EXPECT_NEAR(trimmed.lines[1].a.y(), 82.0, 1e-9);
   EXPECT_NEAR(trimmed.lines[2].a.x(), 205.0, 1e-9);
-  EXPECT_NEAR((trimmed.lines[4].a - trimmed.lines[3].b).norm(), 10.0, 1e-9) << "through the middle of the hole";
+  EXPECT_NEAR((trimmed.lines[4].a - trimmed.lines[3].b).norm(), 10.0, 1e-9)
+      << "through the middle of the hole";
   EXPECT_NEAR(trimmed.tangent_lines[0].a.y(), 82.0, 1e-9);
   double sum = 0.0;
   for (const Segment& line : trimmed.lines)
@@ -180,8 +193,10 @@ TEST(Slots, PatternsWithoutSlitsStayAsTheyAre) {
 }
 
 TEST(Slots, RefusesOptionsThatAreNone) {
-  for (const SlotOptions& options : {SlotOptions{.kerf = -1.0}, SlotOptions{.stop_hole = -1.0}, SlotOptions{.kerf = 4.0, .stop_hole = 3.0},
-                                     SlotOptions{.kerf = std::nan("")}, SlotOptions{.tolerance = 0.0}}) {
+  for (const SlotOptions& options :
+       {SlotOptions{.kerf = -1.0}, SlotOptions{.stop_hole = -1.0},
+        SlotOptions{.kerf = 4.0, .stop_hole = 3.0}, SlotOptions{.kerf = std::nan("")},
+        SlotOptions{.tolerance = 0.0}}) {
     const auto result = cut_slits(closed_slit(), options);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::bad_option);
@@ -192,7 +207,8 @@ TEST(Slots, RefusesAKerfWiderThanAStrip) {
   FlatPattern pattern = closed_slit();
   pattern.openings.push_back(polygon({{100, 90}, {200, 90}}));
   EXPECT_TRUE(cut_slits(pattern, {.kerf = 9.9}));
-  for (const SlotOptions& options : {SlotOptions{.kerf = 10.0}, SlotOptions{.kerf = 4.0, .stop_hole = 10.0}}) {
+  for (const SlotOptions& options :
+       {SlotOptions{.kerf = 10.0}, SlotOptions{.kerf = 4.0, .stop_hole = 10.0}}) {
     const auto result = cut_slits(pattern, options);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::bad_option);

@@ -51,7 +51,8 @@ TEST(Bezier, NearestPointHasItsFootPerpendicular) {
     constexpr double kStep = 1e-6;
     for (int axis = 0; axis < 2; ++axis) {
       const Vec2 step = kStep * Vec2::Unit(axis);
-      const Vec2 slope = (search.nearest(p + step).point - search.nearest(p - step).point) / (2 * kStep);
+      const Vec2 slope = (search.nearest(p + step).point - search.nearest(p - step).point) /
+                         (2 * kStep);
       EXPECT_NEAR((slope - foot.derivative.col(axis)).norm(), 0.0, 1e-7);
     }
   }
@@ -60,7 +61,8 @@ TEST(Bezier, NearestPointHasItsFootPerpendicular) {
 }
 
 TEST(Bezier, PointsAtLengthsLieThere) {
-  const auto points = points_at_lengths(BezierCurve{{{0, 0}, {3, 0}, {3, 0}, {10, 0}}}, {0.0, 2.5, 10.0, 20.0});
+  const auto points = points_at_lengths(BezierCurve{{{0, 0}, {3, 0}, {3, 0}, {10, 0}}},
+                                        {0.0, 2.5, 10.0, 20.0});
   EXPECT_NEAR(points[1].x(), 2.5, 1e-3);
   EXPECT_NEAR(points[2].x(), 10.0, 1e-12);
   EXPECT_NEAR(points[3].x(), 10.0, 1e-12);
@@ -83,11 +85,16 @@ TEST(Panel, StandsOnChordsOfTheStripsWidths) {
     const PanelFacet& facet = (*panel)[i];
     EXPECT_DOUBLE_EQ(facet.corners[0].y(), across);
     across = facet.corners[3].y();
-    const Vec3 left = facet.frame.point(facet.corners[0]), right = facet.frame.point(facet.corners[3]);
+    const Vec3 left = facet.frame.point(facet.corners[0]),
+               right = facet.frame.point(facet.corners[3]);
     EXPECT_NEAR((right - left).norm(), facet.corners[3].y() - facet.corners[0].y(), 1e-13 * 60);
-    EXPECT_NEAR((search.nearest({left.x(), left.z()}).point - Vec2(left.x(), left.z())).norm(), 0.0, 1e-10);
+    EXPECT_NEAR((search.nearest({left.x(), left.z()}).point - Vec2(left.x(), left.z())).norm(), 0.0,
+                1e-10);
     if (i > 0) {
-      EXPECT_NEAR(((*panel)[i - 1].frame.point((*panel)[i - 1].corners[2]) - facet.frame.point(facet.corners[1])).norm(), 0.0, 1e-12 * 60);
+      EXPECT_NEAR(((*panel)[i - 1].frame.point((*panel)[i - 1].corners[2]) -
+                   facet.frame.point(facet.corners[1]))
+                      .norm(),
+                  0.0, 1e-12 * 60);
     }
   }
   EXPECT_NEAR(across, 60.0, 1e-12);
@@ -115,7 +122,8 @@ void expect_fitted(const BezierCurve& curve, const SlitSheet& sheet) {
 }
 
 TEST(FittedLegCurve, EndsWhereTheStripsEnd) {
-  const SlitSheet equal = sheet_of_widths({60, 60, 60, 60}, 0, 0), uneven = sheet_of_widths({40, 25, 70}, 8, 12);
+  const SlitSheet equal = sheet_of_widths({60, 60, 60, 60}, 0, 0),
+                  uneven = sheet_of_widths({40, 25, 70}, 8, 12);
   for (const SlitSheet& sheet : {equal, uneven}) {
     expect_fitted({{{300, 0}, {300, 10}}}, sheet);
     expect_fitted({{{300, 0}, {420, 300}, {420, 500}, {250, 900}}}, sheet);
@@ -124,7 +132,8 @@ TEST(FittedLegCurve, EndsWhereTheStripsEnd) {
 }
 
 TEST(FittedLegCurve, OfALineIsAsLongAsTheSheetIsWide) {
-  const BezierCurve fitted = fitted_leg_curve({{{300, 50}, {300, 60}}}, sheet_of_widths({40, 25}, 5, 10));
+  const BezierCurve fitted = fitted_leg_curve({{{300, 50}, {300, 60}}},
+                                              sheet_of_widths({40, 25}, 5, 10));
   EXPECT_NEAR(length(fitted), 40 + 25 + 2 * 5 + 10.0, 1e-9);
 }
 

@@ -24,7 +24,8 @@ SlitDesign one_strip(int ridges) {
 }
 
 TEST(KnownShape, ArcOfAPolygonIsFoundFromItsEnd) {
-  // Ten equal folds of 9° on equal spacings: the smoothest curve to its own end, with no cost at all.
+  // Ten equal folds of 9° on equal spacings: the smoothest curve to its own end, with no cost at
+  // all.
   SlitDesign design = one_strip(10);
   const double fold = kPi / 20;
   Vec3 end(100, 50, 15);
@@ -41,9 +42,10 @@ TEST(KnownShape, ArcOfAPolygonIsFoundFromItsEnd) {
   EXPECT_NEAR(session.state(0).min_radius, 10.0 / std::tan(fold / 2), 1e-2);
 }
 
-/// Ends of ridges of a strip folded by given angles at given flat abscissae, by rotations of points one after the
-/// other, last fold first.
-std::vector<std::array<Vec3, 2>> folded_by_hand(const std::vector<double>& folds, const std::vector<std::array<double, 2>>& along) {
+/// Ends of ridges of a strip folded by given angles at given flat abscissae, by rotations of points
+/// one after the other, last fold first.
+std::vector<std::array<Vec3, 2>> folded_by_hand(const std::vector<double>& folds,
+                                                const std::vector<std::array<double, 2>>& along) {
   std::vector<std::array<Vec3, 2>> flat;
   for (const auto& x : along)
     flat.push_back({Vec3(100, x[0], 0), Vec3(100, x[1], 30)});
@@ -51,7 +53,8 @@ std::vector<std::array<Vec3, 2>> folded_by_hand(const std::vector<double>& folds
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (auto& p : ends[i])
       for (std::size_t k = std::min(i, folds.size()); k-- > 0;)
-        p = flat[k][0] + Eigen::AngleAxisd(folds[k], (flat[k][1] - flat[k][0]).normalized()) * (p - flat[k][0]);
+        p = flat[k][0] +
+            Eigen::AngleAxisd(folds[k], (flat[k][1] - flat[k][0]).normalized()) * (p - flat[k][0]);
   return ends;
 }
 
@@ -65,7 +68,8 @@ TEST(KnownShape, StripOfKnownAnglesIsFoundFromItsCorners) {
     for (int i = 0; i < quads; ++i)
       folds.push_back(0.25 + 0.15 * unit(random));
     for (int i = 1; i < quads; ++i)
-      along.push_back({50 + 200.0 / quads * (i + 0.25 * unit(random)), 50 + 200.0 / quads * (i + 0.25 * unit(random))});
+      along.push_back({50 + 200.0 / quads * (i + 0.25 * unit(random)),
+                       50 + 200.0 / quads * (i + 0.25 * unit(random))});
     along.push_back({250, 250});
     const auto ends = folded_by_hand(folds, along);
     SlitDesign design = one_strip(quads);
@@ -87,7 +91,9 @@ TEST(KnownShape, StripThatNothingBendsGoesOnStraight) {
   const auto folded = session.folded();
   for (const SlitRidge& ridge : folded.strips[0].ridges)
     for (std::size_t side = 0; side < 2; ++side)
-      EXPECT_NEAR((ridge.folded[side] - Vec3(100, ridge.flat[side].x(), ridge.flat[side].y())).norm(), 0.0, 1e-9);
+      EXPECT_NEAR(
+          (ridge.folded[side] - Vec3(100, ridge.flat[side].x(), ridge.flat[side].y())).norm(), 0.0,
+          1e-9);
 }
 
 TEST(KnownShape, StripTooShortStopsShortByWhatIsMissing) {
@@ -101,7 +107,8 @@ TEST(KnownShape, StripTooShortStopsShortByWhatIsMissing) {
 }
 
 TEST(KnownShape, SymmetricArchOfRightLengthIsAQuarterOfAPolygon) {
-  // From upright to level: ten folds of 8.18…° (ten of eleven parts, the last quad is half of one across the plane).
+  // From upright to level: ten folds of 8.18…° (ten of eleven parts, the last quad is half of one
+  // across the plane).
   SlitDesign design = one_strip(10);
   design.sheet.symmetric = true;
   const double fold = kPi / 20, h = 20.0;

@@ -51,7 +51,8 @@ void expect_on_the_skin(const FoldedSlitSheet& folded, const Mould& mould, doubl
       EXPECT_TRUE(seen.emplace(rib.strip, quad).second);
       for (const Vec3& corner : rib.facets[i]) {
         const Quad& above = quads[quad];
-        EXPECT_NEAR((corner - above.on).dot(above.front), side * 0.5 * folded.thickness, 1e-9) << rib.strip << ' ' << quad;
+        EXPECT_NEAR((corner - above.on).dot(above.front), side * 0.5 * folded.thickness, 1e-9)
+            << rib.strip << ' ' << quad;
       }
     }
   }
@@ -90,7 +91,9 @@ FoldedSlitSheet level() {
   frame.z = Vec3::UnitY();
   frame.origin = Vec3(0, 100, 0);
   for (const double along : {0.0, 80.0, 200.0})
-    strip.ridges.push_back({{Vec2(along, 0), Vec2(along, 50)}, {frame.point({along, 0}), frame.point({along, 50})}, Angle()});
+    strip.ridges.push_back({{Vec2(along, 0), Vec2(along, 50)},
+                            {frame.point({along, 0}), frame.point({along, 50})},
+                            Angle()});
   strip.quads = {frame, frame};
   folded.strips = {strip};
   return folded;
@@ -187,7 +190,8 @@ TEST(Mould, GrowsByItsBase) {
 }
 
 TEST(Mould, NarrowsItsRibsUntilTheyStandApart) {
-  // Seen from above two strips of 50 overlap by 12: with insets of a quarter, 12.5, the upper one's rib passes the lower.
+  // Seen from above two strips of 50 overlap by 12: with insets of a quarter, 12.5, the upper one's
+  // rib passes the lower.
   FoldedSlitSheet folded = level();
   folded.strips.push_back(folded.strips.front());
   for (auto& ridge : folded.strips.back().ridges)
@@ -202,8 +206,10 @@ TEST(Mould, NarrowsItsRibsUntilTheyStandApart) {
 }
 
 TEST(Mould, RefusesOptionsThatAreNone) {
-  for (const MouldOptions& options : {MouldOptions{.up = Vec3(0, 0, 0)}, MouldOptions{.base = 0.0}, MouldOptions{.base = std::nan("")}, MouldOptions{.inset = -1.0},
-                                      MouldOptions{.inset = 25.0}, MouldOptions{.draft = Angle::degrees(0)}})
+  for (const MouldOptions& options :
+       {MouldOptions{.up = Vec3(0, 0, 0)}, MouldOptions{.base = 0.0},
+        MouldOptions{.base = std::nan("")}, MouldOptions{.inset = -1.0},
+        MouldOptions{.inset = 25.0}, MouldOptions{.draft = Angle::degrees(0)}})
     EXPECT_EQ(code_of(level(), options), ErrorCode::bad_option);
 }
 
@@ -225,8 +231,8 @@ TEST(Mould, LeansUntilItsRibsStandApart) {
   const Mould leaning = mould(folded, {.inset = 0.0});
   EXPECT_EQ(leaning.ribs.size(), 2u);
   expect_on_the_skin(folded, leaning, -1.0);
-  // Leaned forward by a, the upper rib, 3 mm below its strip, passes the lower strip where 37 sin a > 10 cos a: from
-  // 15.1° on.
+  // Leaned forward by a, the upper rib, 3 mm below its strip, passes the lower strip where 37 sin a
+  // > 10 cos a: from 15.1° on.
   EXPECT_NEAR(leaning.base.z.y(), std::cos(Angle::degrees(20).radians()), 1e-12);
   EXPECT_LT(leaning.base.z.z(), 0.0);
   EXPECT_EQ(code_of(folded, {.up = Vec3::UnitY(), .inset = 0.0}), ErrorCode::unsupported_shape);
@@ -244,7 +250,8 @@ TEST(Mould, RefusesStripsAboveOneAnother) {
 TEST(Mould, RefusesFoldsTighterThanTheSheetIsThick) {
   FoldedSlitSheet folded = level();
   folded.thickness = 500.0;
-  // Folded downwards: the facets below lose 250 · tan 20° = 91 mm on both sides of the ridge, the first has 80.
+  // Folded downwards: the facets below lose 250 · tan 20° = 91 mm on both sides of the ridge, the
+  // first has 80.
   FoldedStrip& strip = folded.strips.front();
   const Angle fold = Angle::degrees(40);
   const auto turned = [&](double angle, const Vec3& about) {

@@ -9,7 +9,8 @@
 namespace planish::test {
 namespace {
 
-void expect_refused(const SlitDesign& design, ErrorCode code, const std::string& where, const std::string& in_message = "") {
+void expect_refused(const SlitDesign& design, ErrorCode code, const std::string& where,
+                    const std::string& in_message = "") {
   const auto session = SlitSession::start(design);
   ASSERT_FALSE(session) << "started, but " << code_name(code) << " was due at " << where;
   EXPECT_EQ(code_name(session.error().code), code_name(code)) << session.error().message;
@@ -18,7 +19,8 @@ void expect_refused(const SlitDesign& design, ErrorCode code, const std::string&
 }
 
 template <typename Change>
-void expect_chair_refused(const Change& change, ErrorCode code, const std::string& where, const std::string& in_message = "") {
+void expect_chair_refused(const Change& change, ErrorCode code, const std::string& where,
+                          const std::string& in_message = "") {
   SlitDesign design = chair();
   change(design);
   expect_refused(design, code, where, in_message);
@@ -29,25 +31,48 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 TEST(SlitRefuses, SheetsThatAreNone) {
   using D = SlitDesign;
   expect_chair_refused([](D& d) { d.sheet.thickness = 0; }, ErrorCode::invalid_input, "/thickness");
-  expect_chair_refused([](D& d) { d.sheet.panel_height = -1; }, ErrorCode::invalid_input, "/sheet/panel_height", "-1");
-  expect_chair_refused([](D& d) { d.sheet.half_length = kNan; }, ErrorCode::invalid_input, "/sheet/half_length");
-  expect_chair_refused([](D& d) { d.sheet.strips.clear(); }, ErrorCode::invalid_input, "/sheet/strips", "0 strips");
-  expect_chair_refused([](D& d) { d.sheet.strips[3].width = 0; }, ErrorCode::invalid_input, "/sheet/strips/3/width");
-  expect_chair_refused([](D& d) { d.sheet.strips[3].gap = -2; }, ErrorCode::invalid_input, "/sheet/strips/3/gap");
-  expect_chair_refused([](D& d) { d.sheet.strips[1].end = 700; }, ErrorCode::invalid_input, "/sheet/strips/1/end");
-  expect_chair_refused([](D& d) { d.sheet.strips[1].left_start = 900; }, ErrorCode::invalid_input, "/sheet/strips/1", "884");
+  expect_chair_refused([](D& d) { d.sheet.panel_height = -1; }, ErrorCode::invalid_input,
+                       "/sheet/panel_height", "-1");
+  expect_chair_refused([](D& d) { d.sheet.half_length = kNan; }, ErrorCode::invalid_input,
+                       "/sheet/half_length");
+  expect_chair_refused([](D& d) { d.sheet.strips.clear(); }, ErrorCode::invalid_input,
+                       "/sheet/strips", "0 strips");
+  expect_chair_refused([](D& d) { d.sheet.strips[3].width = 0; }, ErrorCode::invalid_input,
+                       "/sheet/strips/3/width");
+  expect_chair_refused([](D& d) { d.sheet.strips[3].gap = -2; }, ErrorCode::invalid_input,
+                       "/sheet/strips/3/gap");
+  expect_chair_refused([](D& d) { d.sheet.strips[1].end = 700; }, ErrorCode::invalid_input,
+                       "/sheet/strips/1/end");
+  expect_chair_refused([](D& d) { d.sheet.strips[1].left_start = 900; }, ErrorCode::invalid_input,
+                       "/sheet/strips/1", "884");
   expect_chair_refused([](D& d) { d.ridges = 2; }, ErrorCode::invalid_input, "/ridges", "2");
-  expect_chair_refused([](D& d) { d.sheet.min_inside_radius = -1; }, ErrorCode::invalid_input, "/min_inside_radius");
+  expect_chair_refused([](D& d) { d.sheet.min_inside_radius = -1; }, ErrorCode::invalid_input,
+                       "/min_inside_radius");
 }
 
 TEST(SlitRefuses, CurvesTooShortOrTooLong) {
   using D = SlitDesign;
-  expect_chair_refused([](D& d) { d.leg_curve = {{{360, 0}, {360, 340}}}; }, ErrorCode::curve_too_short, "/leg_curve", "20 mm too short");
-  expect_chair_refused([](D& d) { d.leg_curve = {{{360, 0}, {360, 375}}}; }, ErrorCode::curve_too_long, "/leg_curve", "15 mm too long");
-  expect_chair_refused([](D& d) { d.seat_curve = BezierCurve{{{330, 0}, {330, 300}}}; }, ErrorCode::curve_too_short, "/seat_curve", "300");
-  expect_chair_refused([](D& d) { d.leg_curve.poles.resize(1); }, ErrorCode::invalid_input, "/leg_curve");
-  expect_chair_refused([](D& d) { d.leg_curve.poles[2].x() = kNan; }, ErrorCode::invalid_input, "/leg_curve/bezier/2");
-  expect_chair_refused([](D& d) { d.seat_curve->poles.assign(3, Vec2(1, 2)); }, ErrorCode::invalid_input, "/seat_curve");
+  expect_chair_refused(
+      [](D& d) {
+        d.leg_curve = {{{360, 0}, {360, 340}}};
+      },
+      ErrorCode::curve_too_short, "/leg_curve", "20 mm too short");
+  expect_chair_refused(
+      [](D& d) {
+        d.leg_curve = {{{360, 0}, {360, 375}}};
+      },
+      ErrorCode::curve_too_long, "/leg_curve", "15 mm too long");
+  expect_chair_refused(
+      [](D& d) {
+        d.seat_curve = BezierCurve{{{330, 0}, {330, 300}}};
+      },
+      ErrorCode::curve_too_short, "/seat_curve", "300");
+  expect_chair_refused([](D& d) { d.leg_curve.poles.resize(1); }, ErrorCode::invalid_input,
+                       "/leg_curve");
+  expect_chair_refused([](D& d) { d.leg_curve.poles[2].x() = kNan; }, ErrorCode::invalid_input,
+                       "/leg_curve/bezier/2");
+  expect_chair_refused([](D& d) { d.seat_curve->poles.assign(3, Vec2(1, 2)); },
+                       ErrorCode::invalid_input, "/seat_curve");
   SlitDesign within = chair();
   within.leg_curve = {{{360, 0}, {360, 363}}};
   EXPECT_TRUE(SlitSession::start(within));
@@ -57,45 +82,94 @@ TEST(SlitRefuses, CurvesTooShortOrTooLong) {
 
 TEST(SlitRefuses, LegCurvesThatCannotStand) {
   using D = SlitDesign;
-  expect_chair_refused([](D& d) { d.leg_curve = {{{100, 0}, {-100, 300}}}; }, ErrorCode::invalid_input, "/leg_curve", "symmetry plane");
+  expect_chair_refused(
+      [](D& d) {
+        d.leg_curve = {{{100, 0}, {-100, 300}}};
+      },
+      ErrorCode::invalid_input, "/leg_curve", "symmetry plane");
   // A parabola x = s²/(2·1.5) has a radius of 1.5 mm at its vertex; 4 mm of thickness need 2.
-  const auto tight = [](D& d) { d.leg_curve = {{{360 + 900 / 3.0, -30}, {360 - 900 / 3.0, 0}, {360 + 900 / 3.0, 30}}}; };
+  const auto tight = [](D& d) {
+    d.leg_curve = {{{360 + 900 / 3.0, -30}, {360 - 900 / 3.0, 0}, {360 + 900 / 3.0, 30}}};
+  };
   expect_chair_refused(tight, ErrorCode::radius_too_small, "/leg_curve", "1.5 mm");
 }
 
 TEST(SlitRefuses, NegativeWeights) {
   using D = SlitDesign;
-  expect_chair_refused([](D& d) { d.weights.smooth = -0.1; }, ErrorCode::invalid_input, "/weights/smooth", "-0.1");
-  expect_chair_refused([](D& d) { d.weights.seat = kNan; }, ErrorCode::invalid_input, "/weights/seat");
+  expect_chair_refused([](D& d) { d.weights.smooth = -0.1; }, ErrorCode::invalid_input,
+                       "/weights/smooth", "-0.1");
+  expect_chair_refused([](D& d) { d.weights.seat = kNan; }, ErrorCode::invalid_input,
+                       "/weights/seat");
   SlitSession session = started(chair());
   EXPECT_EQ(session.set_weights({.scan = -1}).error().where, "/weights/scan");
 }
 
 TEST(SlitRefuses, AnchorsOnWhatIsNotThere) {
   const Vec3 at(180, 450, 30);
-  expect_chair_refused([&](SlitDesign& d) { d.anchors = {{0, 5, Side::left, at}, {6, 5, Side::left, at}}; }, ErrorCode::unknown_strip, "/anchors/1/strip", "6");
-  expect_chair_refused([&](SlitDesign& d) { d.anchors = {{-1, 5, Side::left, at}}; }, ErrorCode::unknown_strip, "/anchors/0/strip");
-  expect_chair_refused([&](SlitDesign& d) { d.anchors = {{0, 11, Side::left, at}}; }, ErrorCode::unknown_ridge, "/anchors/0/ridge", "11");
-  expect_chair_refused([&](SlitDesign& d) { d.anchors = {{0, 5, Side::left, {kNan, 0, 0}}}; }, ErrorCode::invalid_input, "/anchors/0/at");
+  expect_chair_refused(
+      [&](SlitDesign& d) {
+        d.anchors = {{0, 5, Side::left, at}, {6, 5, Side::left, at}};
+      },
+      ErrorCode::unknown_strip, "/anchors/1/strip", "6");
+  expect_chair_refused(
+      [&](SlitDesign& d) {
+        d.anchors = {{-1, 5, Side::left, at}};
+      },
+      ErrorCode::unknown_strip, "/anchors/0/strip");
+  expect_chair_refused(
+      [&](SlitDesign& d) {
+        d.anchors = {{0, 11, Side::left, at}};
+      },
+      ErrorCode::unknown_ridge, "/anchors/0/ridge", "11");
+  expect_chair_refused(
+      [&](SlitDesign& d) {
+        d.anchors = {{0, 5, Side::left, {kNan, 0, 0}}};
+      },
+      ErrorCode::invalid_input, "/anchors/0/at");
 }
 
 TEST(SlitRefuses, AnchorsOutOfReachSayingHowFar) {
   // From (360, 420, 0) up by 200 and on to the plane 360 away: 560 of 464 mm.
-  expect_chair_refused([](SlitDesign& d) { d.anchors = {{0, 5, Side::left, {360, 620, 0}}}; }, ErrorCode::out_of_reach, "/anchors/0/at", "96 mm");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.anchors = {{0, 5, Side::left, {360, 620, 0}}};
+      },
+      ErrorCode::out_of_reach, "/anchors/0/at", "96 mm");
   // The ridge on the panel does not move.
-  expect_chair_refused([](SlitDesign& d) { d.anchors = {{0, 0, Side::left, {360, 423, 0}}}; }, ErrorCode::out_of_reach, "/anchors/0/at", "3 mm");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.anchors = {{0, 0, Side::left, {360, 423, 0}}};
+      },
+      ErrorCode::out_of_reach, "/anchors/0/at", "3 mm");
   SlitSession session = started(chair());
-  EXPECT_EQ(session.add_anchor({0, 5, Side::left, {360, 620, 0}}).error().code, ErrorCode::out_of_reach);
+  EXPECT_EQ(session.add_anchor({0, 5, Side::left, {360, 620, 0}}).error().code,
+            ErrorCode::out_of_reach);
   EXPECT_FALSE(session.can_undo());
   EXPECT_EQ(session.move_anchor(0, {0, 0, 0}).error().code, ErrorCode::bad_option);
   EXPECT_EQ(session.remove_anchor(-1).error().where, "/anchors/-1");
 }
 
 TEST(SlitRefuses, ScansEmptyOrHuge) {
-  expect_chair_refused([](SlitDesign& d) { d.scans = {{0, {}}}; }, ErrorCode::empty_scan, "/scan/0/points");
-  expect_chair_refused([](SlitDesign& d) { d.scans = {{9, {Vec3::Zero()}}}; }, ErrorCode::unknown_strip, "/scan/0/strip");
-  expect_chair_refused([](SlitDesign& d) { d.scans = {{0, std::vector<Vec3>(2'000'001, Vec3::Zero())}}; }, ErrorCode::scan_too_large, "/scan/0/points", "2000001");
-  expect_chair_refused([](SlitDesign& d) { d.scans = {{0, {Vec3(0, kNan, 0)}}}; }, ErrorCode::invalid_input, "/scan/0/points");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.scans = {{0, {}}};
+      },
+      ErrorCode::empty_scan, "/scan/0/points");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.scans = {{9, {Vec3::Zero()}}};
+      },
+      ErrorCode::unknown_strip, "/scan/0/strip");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.scans = {{0, std::vector<Vec3>(2'000'001, Vec3::Zero())}};
+      },
+      ErrorCode::scan_too_large, "/scan/0/points", "2000001");
+  expect_chair_refused(
+      [](SlitDesign& d) {
+        d.scans = {{0, {Vec3(0, kNan, 0)}}};
+      },
+      ErrorCode::invalid_input, "/scan/0/points");
   SlitSession session = started(chair());
   EXPECT_EQ(session.align_scans().error().code, ErrorCode::empty_scan);
 }

@@ -20,15 +20,18 @@ inline SlitDesign chair() {
   return design;
 }
 
-/// Strips of different widths, lengths and starts over a curved leg, with free ends: one placed and directed, one placed,
-/// one directed, one left alone.
+/// Strips of different widths, lengths and starts over a curved leg, with free ends: one placed and
+/// directed, one placed, one directed, one left alone.
 inline SlitDesign asymmetric() {
   SlitDesign design;
   design.sheet.thickness = 1.5;
   design.sheet.panel_height = 200.0;
   design.sheet.half_length = 300.0;
   design.sheet.symmetric = false;
-  design.sheet.strips = {{.width = 40, .gap = 10}, {.width = 30, .left_start = 200, .right_start = 230, .end = 560}, {.width = 25, .gap = 5, .left_start = 230, .right_start = 215}, {.width = 35, .end = 480}};
+  design.sheet.strips = {{.width = 40, .gap = 10},
+                         {.width = 30, .left_start = 200, .right_start = 230, .end = 560},
+                         {.width = 25, .gap = 5, .left_start = 230, .right_start = 215},
+                         {.width = 35, .end = 480}};
   design.sheet.margin = 12.0;
   design.leg_curve = {{{100, 0}, {125, 55}, {118, 110}, {92, 150}}};
   design.ends.resize(3);

@@ -12,7 +12,9 @@ double largest_difference(const FoldedSlitSheet& a, const FoldedSlitSheet& b) {
   for (std::size_t s = 0; s < a.strips.size(); ++s)
     for (std::size_t r = 0; r < a.strips[s].ridges.size(); ++r)
       for (std::size_t side = 0; side < 2; ++side)
-        worst = std::max(worst, (a.strips[s].ridges[r].folded[side] - b.strips[s].ridges[r].folded[side]).norm());
+        worst = std::max(
+            worst,
+            (a.strips[s].ridges[r].folded[side] - b.strips[s].ridges[r].folded[side]).norm());
   return worst;
 }
 
@@ -22,7 +24,9 @@ double isometry_error(const FoldedSlitSheet& folded) {
   for (const FoldedStrip& strip : folded.strips)
     for (std::size_t i = 0; i + 1 < strip.ridges.size(); ++i) {
       const SlitRidge &a = strip.ridges[i], &b = strip.ridges[i + 1];
-      const auto off = [&](const Vec2& p, const Vec2& q, const Vec3& x, const Vec3& y) { worst = std::max(worst, std::abs((p - q).norm() - (x - y).norm())); };
+      const auto off = [&](const Vec2& p, const Vec2& q, const Vec3& x, const Vec3& y) {
+        worst = std::max(worst, std::abs((p - q).norm() - (x - y).norm()));
+      };
       for (std::size_t s = 0; s < 2; ++s)
         for (std::size_t t = 0; t < 2; ++t)
           off(a.flat[s], b.flat[t], a.folded[s], b.folded[t]);
@@ -120,7 +124,8 @@ TEST(SlitSession, MirroredCurvesGiveTheMirroredForm) {
         for (std::size_t side = 0; side < 2; ++side) {
           const Vec3& p = a.strips[strip].ridges[ridge].folded[side];
           const Vec3& q = b.strips[a.strips.size() - 1 - strip].ridges[ridge].folded[1 - side];
-          EXPECT_LT((Vec3(p.x(), p.y(), 360 - p.z()) - q).norm(), 0.5) << lean << " strip " << strip << " ridge " << ridge;
+          EXPECT_LT((Vec3(p.x(), p.y(), 360 - p.z()) - q).norm(), 0.5)
+              << lean << " strip " << strip << " ridge " << ridge;
         }
   }
 }
@@ -142,8 +147,12 @@ TEST(SlitSession, IsNotBentTighterForARadiusItCannotKeep) {
     design.sheet.min_inside_radius = radius;
     const SlitSession held = solved(design);
     for (int strip = 0; strip < held.strip_count(); ++strip) {
-      EXPECT_GE(held.state(strip).min_radius, 0.999 * std::min(free.state(strip).min_radius, radius)) << radius << " strip " << strip;
-      EXPECT_EQ(held.state(strip).too_tight, held.state(strip).min_radius < design.sheet.min_radius()) << radius << " strip " << strip;
+      EXPECT_GE(held.state(strip).min_radius,
+                0.999 * std::min(free.state(strip).min_radius, radius))
+          << radius << " strip " << strip;
+      EXPECT_EQ(held.state(strip).too_tight,
+                held.state(strip).min_radius < design.sheet.min_radius())
+          << radius << " strip " << strip;
     }
   }
 }
@@ -157,7 +166,8 @@ TEST(SlitSession, TakesADesignByWhatDiffers) {
   auto report = session.solve();
   ASSERT_TRUE(report);
   EXPECT_EQ(report->strips_solved, 1);
-  for (int again = 0; again < 10 && !session.solve()->converged; ++again) {}
+  for (int again = 0; again < 10 && !session.solve()->converged; ++again) {
+  }
   ASSERT_TRUE(session.set_design(design));
   report = session.solve();
   EXPECT_EQ(report->strips_solved, 0);
@@ -187,7 +197,8 @@ TEST(SlitSession, TenTimesTheSizeGivesTenTimesTheForm) {
   const auto a = solved(chair()).folded(), b = solved(large).folded();
   for (std::size_t s = 0; s < 3; ++s)
     for (std::size_t r = 0; r < a.strips[s].ridges.size(); ++r)
-      EXPECT_NEAR((10.0 * a.strips[s].ridges[r].folded[0] - b.strips[s].ridges[r].folded[0]).norm(), 0.0, 1e-2);
+      EXPECT_NEAR((10.0 * a.strips[s].ridges[r].folded[0] - b.strips[s].ridges[r].folded[0]).norm(),
+                  0.0, 1e-2);
 }
 
 TEST(SlitSession, SubdivisionLeavesTheShape) {
@@ -199,9 +210,13 @@ TEST(SlitSession, SubdivisionLeavesTheShape) {
   for (std::size_t s = 0; s < coarse.strips.size(); ++s) {
     ASSERT_EQ(fine.strips[s].ridges.size(), 41u);
     for (std::size_t r = 0; r < coarse.strips[s].ridges.size(); ++r) {
-      EXPECT_NEAR(fine.strips[s].ridges[4 * r].fold.radians(), coarse.strips[s].ridges[r].fold.radians(), 1e-15);
+      EXPECT_NEAR(fine.strips[s].ridges[4 * r].fold.radians(),
+                  coarse.strips[s].ridges[r].fold.radians(), 1e-15);
       for (std::size_t side = 0; side < 2; ++side)
-        EXPECT_NEAR((fine.strips[s].ridges[4 * r].folded[side] - coarse.strips[s].ridges[r].folded[side]).norm(), 0.0, 1e-11);
+        EXPECT_NEAR(
+            (fine.strips[s].ridges[4 * r].folded[side] - coarse.strips[s].ridges[r].folded[side])
+                .norm(),
+            0.0, 1e-11);
     }
     for (std::size_t r = 0; r < 40; ++r)
       EXPECT_TRUE(r % 4 == 0 || fine.strips[s].ridges[r].fold.radians() == 0.0);
@@ -244,7 +259,8 @@ TEST(SlitSession, UndoAndRedoBringTheShapesBack) {
   SlitSession session = solved(chair());
   EXPECT_FALSE(session.can_undo());
   const auto first = session.folded();
-  ASSERT_TRUE(session.add_anchor({1, 5, Side::right, first.strips[1].ridges[5].folded[1] + Vec3(0, 15, 0)}));
+  ASSERT_TRUE(session.add_anchor(
+      {1, 5, Side::right, first.strips[1].ridges[5].folded[1] + Vec3(0, 15, 0)}));
   ASSERT_TRUE(session.solve());
   const auto second = session.folded();
   EXPECT_GT(largest_difference(first, second), 1.0);
@@ -318,7 +334,9 @@ TEST(Crossing, OfStripsThatGoThroughEachOtherIsSeen) {
     FoldedStrip s;
     s.quads = {frame};
     for (const double along : {0.0, 100.0})
-      s.ridges.push_back({{Vec2(along, 0), Vec2(along, 20)}, {frame.point({along, 0}), frame.point({along, 20})}, {}});
+      s.ridges.push_back({{Vec2(along, 0), Vec2(along, 20)},
+                          {frame.point({along, 0}), frame.point({along, 20})},
+                          {}});
     return s;
   };
   Frame across = frame_from_axes({50, 10, -30}, Vec3::UnitX(), Vec3::UnitZ());
@@ -331,9 +349,11 @@ TEST(Crossing, OfStripsThatGoThroughEachOtherIsSeen) {
 }
 
 TEST(SlitScan, OfAKnownChairIsFollowed) {
-  // A chair bent by an anchor, its ridge ends moved at random by up to half a millimetre: what a scanner would see.
+  // A chair bent by an anchor, its ridge ends moved at random by up to half a millimetre: what a
+  // scanner would see.
   SlitDesign known = chair();
-  known.anchors = {{1, 5, Side::left, solved(chair()).folded().strips[1].ridges[5].folded[0] + Vec3(0, 25, 0)}};
+  known.anchors = {
+      {1, 5, Side::left, solved(chair()).folded().strips[1].ridges[5].folded[0] + Vec3(0, 25, 0)}};
   known.weights.anchors = 1.0;
   const auto shape = solved(known, 1).folded();
   std::mt19937 random(3);
@@ -344,9 +364,13 @@ TEST(SlitScan, OfAKnownChairIsFollowed) {
   for (std::size_t r = 0; r + 1 < shape.strips[1].ridges.size(); ++r)
     for (int i = 0; i < 20; ++i)
       for (int j = 0; j <= 20; ++j) {
-        const auto on = [&](const SlitRidge& ridge) -> Vec3 { return ridge.folded[0] + j / 20.0 * (ridge.folded[1] - ridge.folded[0]); };
+        const auto on = [&](const SlitRidge& ridge) -> Vec3 {
+          return ridge.folded[0] + j / 20.0 * (ridge.folded[1] - ridge.folded[0]);
+        };
         const Vec3 noise(unit(random), unit(random), unit(random));
-        scan.points.push_back(on(shape.strips[1].ridges[r]) + i / 20.0 * (on(shape.strips[1].ridges[r + 1]) - on(shape.strips[1].ridges[r])) + noise);
+        scan.points.push_back(
+            on(shape.strips[1].ridges[r]) +
+            i / 20.0 * (on(shape.strips[1].ridges[r + 1]) - on(shape.strips[1].ridges[r])) + noise);
       }
   const SlitSession blind = solved(chair(), 1);
   design.scans = {scan};
@@ -365,7 +389,8 @@ TEST(SlitScan, OfAKnownChairIsFollowed) {
   EXPECT_GT(distance(blind.folded()), 10.0);
   EXPECT_LT(distance(session.folded()), 3.0);
   EXPECT_LT(session.state(1).scan_distance, 0.5);
-  // What was scanned, without its noise, is met within the noise and what facets of 22 mm leave an arc of 75 mm by.
+  // What was scanned, without its noise, is met within the noise and what facets of 22 mm leave an
+  // arc of 75 mm by.
   const FoldedStrip found = session.folded().strips[1];
   for (std::size_t r = 0; r < 21; ++r)
     for (const Vec3& p : shape.strips[1].ridges[r].folded) {
@@ -373,7 +398,8 @@ TEST(SlitScan, OfAKnownChairIsFollowed) {
       for (std::size_t quad = 0; quad < found.quads.size(); ++quad) {
         const Vec3 local = found.quads[quad].local(p);
         const double from = found.ridges[quad].flat[0].x(), to = found.ridges[quad + 1].flat[0].x();
-        if (local.x() > from - 60 && local.x() < to + 60) least = std::min(least, std::abs(local.z()));
+        if (local.x() > from - 60 && local.x() < to + 60)
+          least = std::min(least, std::abs(local.z()));
       }
       EXPECT_LT(least, 0.5 + 22.0 * 22.0 / (8.0 * 75.0)) << r;
     }
@@ -394,12 +420,14 @@ TEST(SlitScan, IsAlignedByARigidMotion) {
   }
   const auto found = session.align_scans();
   ASSERT_TRUE(found) << found.error().message;
-  // Moved by 9 mm and 1.7°; the surface is known at points up to 7.5 mm apart, and 252 pairs level that out.
+  // Moved by 9 mm and 1.7°; the surface is known at points up to 7.5 mm apart, and 252 pairs level
+  // that out.
   EXPECT_NEAR((*found * motion).translation().norm(), 0.0, 1.0);
   EXPECT_NEAR(Eigen::AngleAxisd((*found * motion).linear()).angle(), 0.0, 0.002);
   for (int strip = 0; strip < 6; ++strip)
     for (std::size_t i = 0; i < session.scan(strip).size(); ++i)
-      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[strip].ridges[i / 2].folded[i % 2]).norm(), 0.0, 1.0);
+      EXPECT_NEAR((session.scan(strip)[i] - shape.strips[strip].ridges[i / 2].folded[i % 2]).norm(),
+                  0.0, 1.0);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-// The developed pattern is the sheet that was cut. Every face is given in the coordinates of the flat sheet, so laid
-// flat from one face, every other one must stay exactly where it is.
+// The developed pattern is the sheet that was cut. Every face is given in the coordinates of the
+// flat sheet, so laid flat from one face, every other one must stay exactly where it is.
 
 namespace planish::test {
 namespace {
@@ -28,12 +28,17 @@ void expect_to_be_the_cut_sheet(const SlitSession& session, double area, double 
   const Isometry2 back = pattern.placement[0].inverse();
   for (std::size_t i = 0; i < sheet.faces.size(); ++i)
     for (const Border& border : sheet.faces[i].loops.front())
-      EXPECT_NEAR((back * (pattern.placement[i] * start_of(border.curve)) - start_of(border.curve)).norm(), 0.0, 1e-9 * size) << i;
+      EXPECT_NEAR(
+          (back * (pattern.placement[i] * start_of(border.curve)) - start_of(border.curve)).norm(),
+          0.0, 1e-9 * size)
+          << i;
   EXPECT_LE(pattern.closure, 1e-9 * size);
   EXPECT_NEAR(pattern.area, area, 1e-9 * area);
 }
 
-TEST(SheetOf, ChairLiesFlatAsItWasCut) { expect_to_be_the_cut_sheet(solved(chair(), 1), 2 * 884.0 * 360.0, 1768); }
+TEST(SheetOf, ChairLiesFlatAsItWasCut) {
+  expect_to_be_the_cut_sheet(solved(chair(), 1), 2 * 884.0 * 360.0, 1768);
+}
 
 TEST(SheetOf, ChairOnACurvedLegLiesFlatAsItWasCut) {
   SlitDesign design = chair();
@@ -76,8 +81,8 @@ TEST(MeshOf, HasTheAreaOfTheSheetAndSharesRidges) {
   }
   EXPECT_NEAR(area, 2 * 884.0 * 360.0, 1e-6);
   EXPECT_EQ(mesh.triangles.size(), 2u * 132);
-  // Two points a ridge inside the strips, in both halves and on the symmetry plane; of each panel its corners, the tops
-  // of facets being ridges.
+  // Two points a ridge inside the strips, in both halves and on the symmetry plane; of each panel
+  // its corners, the tops of facets being ridges.
   EXPECT_LE(mesh.points.size(), 2u * (6 * 10 * 2 + 14) + 6 * 2);
 }
 

@@ -33,7 +33,10 @@ TEST(SlitSheetSlots, ChairHasFiveSlitsInsideTheSheet) {
   const FlatPattern slots = cut(flat, {.kerf = 2.0, .stop_hole = 6.0});
   EXPECT_EQ(slots.openings.size(), 5u);
   const double angle = std::asin(1.0 / 3.0);
-  EXPECT_NEAR(slots.area, 1768 * 360.0 - 5 * (2 * (928 - 2 * std::sqrt(8.0)) + 2 * (pi * 9 - 0.5 * 9 * (2 * angle - std::sin(2 * angle)))), 1e-5);
+  EXPECT_NEAR(slots.area,
+              1768 * 360.0 - 5 * (2 * (928 - 2 * std::sqrt(8.0)) +
+                                  2 * (pi * 9 - 0.5 * 9 * (2 * angle - std::sin(2 * angle)))),
+              1e-5);
   for (const FlatBend& bend : slots.bends)
     for (const Segment& line : bend.lines)
       EXPECT_LE((line.b - line.a).norm(), 422.0);
@@ -43,7 +46,8 @@ TEST(SlitSheetSlots, StripsWithFreeEndsOpenTheOuterContour) {
   const SlitDesign design = asymmetric();
   const FlatPattern flat = flattened(design);
   const FlatPattern lines = cut(flat, {});
-  // From 200 to the end of strip 0 at 500, and from 200 to that of strip 3 at 480; between the others there are gaps.
+  // From 200 to the end of strip 0 at 500, and from 200 to that of strip 3 at 480; between the
+  // others there are gaps.
   EXPECT_NEAR(lines.area, flat.area, 1e-6);
   EXPECT_EQ(lines.slits.size(), 2u);
   EXPECT_TRUE(lines.openings.empty());

@@ -41,10 +41,12 @@ StripProblem problem_with_everything(int quads) {
   problem.base = some_base(quads);
   problem.mirrored = true;
   using Of = EndCondition::Of;
-  problem.ends = {{Of::left_end, Vec3(1, 2, -1), 3}, {Of::right_end, Vec3::UnitX(), 0}, {Of::middle, Vec3::UnitY(), 5},
-                  {Of::along, Vec3::UnitY(), 0},     {Of::across, Vec3(1, 1, 0), 0},    {Of::normal, Vec3::UnitX(), 0}};
+  problem.ends = {{Of::left_end, Vec3(1, 2, -1), 3}, {Of::right_end, Vec3::UnitX(), 0},
+                  {Of::middle, Vec3::UnitY(), 5},    {Of::along, Vec3::UnitY(), 0},
+                  {Of::across, Vec3(1, 1, 0), 0},    {Of::normal, Vec3::UnitX(), 0}};
   problem.anchors = {{quads / 2, 0, {10, 20, 30}}, {quads, 1, {-40, 10, 0}}};
-  problem.seat = std::make_shared<const BezierSearch>(BezierCurve{{{-600, -600}, {300, -200}, {-100, 500}, {700, 900}}});
+  problem.seat = std::make_shared<const BezierSearch>(
+      BezierCurve{{{-600, -600}, {300, -200}, {-100, 500}, {700, 900}}});
   problem.seat_places = {Vec2(1, 2), Vec2(30, -4)};
   std::vector<Vec3> points;
   for (int i = 0; i < 5; ++i)
@@ -52,21 +54,27 @@ StripProblem problem_with_everything(int quads) {
   problem.scan = std::make_shared<const ScannedSurface>(points);
   problem.min_radius = 150.0;
   problem.penalty = 10.0;
-  problem.inequalities = {{RadiusLimit{1, 0, 0}, 0.5}, {RadiusLimit{1, 1, 1}, 3.0}, {RadiusLimit{0, 0, 0}, 3.0}, {HalfSpace{2, 1, Vec3(0.6, 0, 0.8), 1e4}, 0.0}, {HalfSpace{2, 0, Vec3::UnitX(), -1e5}, 0.0}};
+  problem.inequalities = {{RadiusLimit{1, 0, 0}, 0.5},
+                          {RadiusLimit{1, 1, 1}, 3.0},
+                          {RadiusLimit{0, 0, 0}, 3.0},
+                          {HalfSpace{2, 1, Vec3(0.6, 0, 0.8), 1e4}, 0.0},
+                          {HalfSpace{2, 0, Vec3::UnitX(), -1e5}, 0.0}};
   return problem;
 }
 
 RC_GTEST_PROP(StripFold, KeepsSidesAndDiagonalsOfEveryQuad, ()) {
   const int quads = *rc::gen::inRange(3, 60);
   const StripBase base = some_base(quads);
-  const FoldedStrip strip = folded_strip(base, random_parameters(base, *rc::gen::arbitrary<unsigned>(), 3.0));
+  const FoldedStrip strip = folded_strip(
+      base, random_parameters(base, *rc::gen::arbitrary<unsigned>(), 3.0));
   for (std::size_t i = 0; i + 1 < strip.ridges.size(); ++i) {
     const SlitRidge &near = strip.ridges[i], &far = strip.ridges[i + 1];
     const std::array<Vec2, 4> flat{near.flat[0], far.flat[0], far.flat[1], near.flat[1]};
     const std::array<Vec3, 4> folded{near.folded[0], far.folded[0], far.folded[1], near.folded[1]};
     for (std::size_t a = 0; a < 4; ++a)
       for (std::size_t b = a + 1; b < 4; ++b)
-        RC_ASSERT(std::abs((folded[a] - folded[b]).norm() - (flat[a] - flat[b]).norm()) <= 1e-12 * 560.0);
+        RC_ASSERT(std::abs((folded[a] - folded[b]).norm() - (flat[a] - flat[b]).norm()) <=
+                  1e-12 * 560.0);
     for (std::size_t a = 0; a < 4; ++a)
       RC_ASSERT((strip.quads[i].point(flat[a]) - folded[a]).norm() <= 1e-11 * 560.0);
   }
@@ -105,8 +113,14 @@ TEST(StripDerivatives, OfRidgeEndsAreDifferences) {
     const auto all = twists(base, fold);
     for (int ridge = 0; ridge <= base.quads; ++ridge)
       for (int side = 0; side < 2; ++side) {
-        const auto expected = differences([&](const StripParameters& x) -> Eigen::VectorXd { return folded(base, x).end(side, ridge); }, p);
-        EXPECT_LE((end_derivative(base, fold, all, side, ridge) - expected).cwiseAbs().maxCoeff(), 1e-6 * base.unit()) << ridge;
+        const auto expected = differences(
+            [&](const StripParameters& x) -> Eigen::VectorXd {
+              return folded(base, x).end(side, ridge);
+            },
+            p);
+        EXPECT_LE((end_derivative(base, fold, all, side, ridge) - expected).cwiseAbs().maxCoeff(),
+                  1e-6 * base.unit())
+            << ridge;
       }
   }
 }
@@ -135,14 +149,19 @@ TEST(StripDerivatives, OfEndConditionsAreDifferences) {
   const StripProblem problem = problem_with_everything(6);
   for (unsigned seed = 0; seed < 10; ++seed) {
     const StripParameters p = random_parameters(problem.base, seed, 1.0);
-    const auto expected = differences([&](const StripParameters& x) { return end_violation(problem, folded(problem.base, x)); }, p);
-    EXPECT_LE((end_derivative(problem, folded(problem.base, p)) - expected).cwiseAbs().maxCoeff(), 1e-7);
+    const auto expected = differences(
+        [&](const StripParameters& x) { return end_violation(problem, folded(problem.base, x)); },
+        p);
+    EXPECT_LE((end_derivative(problem, folded(problem.base, p)) - expected).cwiseAbs().maxCoeff(),
+              1e-7);
   }
 }
 
 TEST(StripDerivatives, InCoordinatesOfShapesThatMeetTheirEndsAreDifferences) {
   StripProblem problem = problem_with_everything(9);
-  problem.ends = {{EndCondition::Of::left_end, Vec3::UnitX(), 60}, {EndCondition::Of::right_end, Vec3::UnitX(), 60}, {EndCondition::Of::normal, Vec3::UnitX(), 0}};
+  problem.ends = {{EndCondition::Of::left_end, Vec3::UnitX(), 60},
+                  {EndCondition::Of::right_end, Vec3::UnitX(), 60},
+                  {EndCondition::Of::normal, Vec3::UnitX(), 0}};
   const Reach reach = meet_ends(problem, random_parameters(problem.base, 5, 0.3));
   ASSERT_TRUE(reach.met()) << reach.violation;
   const EndChart chart(problem, reach.p);
@@ -160,7 +179,8 @@ TEST(StripDerivatives, InCoordinatesOfShapesThatMeetTheirEndsAreDifferences) {
   Eigen::Ref<RowMatrix> jacobian(full);
   ASSERT_TRUE(evaluate(problem, *shape, residuals, &jacobian));
   const auto expected = differences(residuals_at, at);
-  EXPECT_LE((chart.derivative(*shape, full) - expected).cwiseAbs().maxCoeff(), 1e-6 * expected.cwiseAbs().maxCoeff());
+  EXPECT_LE((chart.derivative(*shape, full) - expected).cwiseAbs().maxCoeff(),
+            1e-6 * expected.cwiseAbs().maxCoeff());
 }
 
 TEST(StripObjective, KeepsItsSmoothnessUnderSubdivision) {
@@ -192,7 +212,8 @@ TEST(StripObjective, TakesTheBarrierOfSpacingsUpToAConstant) {
     double barrier = 0.0;
     for (int side = 0; side < 2; ++side)
       for (int i = 0; i < 6; ++i)
-        barrier += (problem.base.end - problem.base.start[side]) / 6 / (abscissa(problem.base, p, i + 1, side) - abscissa(problem.base, p, i, side));
+        barrier += (problem.base.end - problem.base.start[side]) / 6 /
+                   (abscissa(problem.base, p, i + 1, side) - abscissa(problem.base, p, i, side));
     return residuals.squaredNorm() - barrier / 6;
   };
   EXPECT_NEAR(difference(1), difference(2), 1e-12);

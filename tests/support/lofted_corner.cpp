@@ -68,16 +68,16 @@ Sheet lofted_corner(const LoftedCorner& corner) {
   const double r0 = (corner.p0 - corner.apex).norm(), r1 = (corner.p1 - corner.apex).norm();
   const double k = corner.near, w = corner.width;
   SheetBuilder builder(corner.thickness);
-  const FaceId first =
-      builder.flange(tangent_plane(corner, cone, 0.0),
-                     {polygon({{0, k * r0}, {0, r0}, {-w, r0}, {-k * w, k * r0}})});
+  const FaceId first = builder.flange(
+      tangent_plane(corner, cone, 0.0),
+      {polygon({{0, k * r0}, {0, r0}, {-w, r0}, {-k * w, k * r0}})});
   const FaceId second = builder.flange(tangent_plane(corner, cone, 1.0),
                                        {polygon({{0, r1}, {0, k * r1}, {k * w, k * r1}, {w, r1}})});
   const CubicSpline near = near_border(corner);
-  const FaceId bend =
-      builder.bend_face(builder.new_bend(bend_of(corner, cone)), cone, 1,
-                        {{near, Segment{end_of(Curve2(near)), {1, 0}}, Segment{{1, 0}, {0, 0}},
-                          Segment{{0, 0}, start_of(Curve2(near))}}});
+  const FaceId bend = builder.bend_face(
+      builder.new_bend(bend_of(corner, cone)), cone, 1,
+      {{near, Segment{end_of(Curve2(near)), {1, 0}}, Segment{{1, 0}, {0, 0}},
+        Segment{{0, 0}, start_of(Curve2(near))}}});
   builder.join({first, 0, 0}, {bend, 0, 3});
   builder.join({bend, 0, 1}, {second, 0, 0});
   return builder.finish();

@@ -64,7 +64,8 @@ class Planner {
 
  private:
   double uniform(double lo, double hi) {
-    return lo + (hi - lo) * static_cast<double>(random_()) / static_cast<double>(std::mt19937::max());
+    return lo +
+           (hi - lo) * static_cast<double>(random_()) / static_cast<double>(std::mt19937::max());
   }
   int below(int n) { return std::min(n - 1, static_cast<int>(uniform(0, n))); }
 
@@ -102,8 +103,8 @@ void Planner::grow() {
   Plan& parent = plans_[plan.parent];
   plan.side = below(static_cast<int>(parent.corners.size()));
   if (std::ranges::count(parent.sides_used, plan.side) > 0) return;
-  const Vec2 side =
-      parent.corners[(plan.side + 1) % parent.corners.size()] - parent.corners[plan.side];
+  const Vec2 side = parent.corners[(plan.side + 1) % parent.corners.size()] -
+                    parent.corners[plan.side];
   const double room = side.norm() - 2 * clearance_;
   if (room < 12) return;
   const double width = below(3) == 0 ? room : uniform(12, room);
@@ -128,8 +129,8 @@ void Planner::place(Plan& plan) const {
   plan.frame = {far.origin + rim.length * far.y, -far.y, far.x, far.z};
   const double arc = plan.turn.angle.radians() * (plan.turn.inside_radius + 0.5 * thickness_);
   const Vec2 start = parent.flat * parent.frame.local2(rim.frame.origin);
-  const Vec2 along =
-      parent.flat.linear() * Vec2(rim.frame.y.dot(parent.frame.x), rim.frame.y.dot(parent.frame.y));
+  const Vec2 along = parent.flat.linear() *
+                     Vec2(rim.frame.y.dot(parent.frame.x), rim.frame.y.dot(parent.frame.y));
   const Vec2 out(along.y(), -along.x());
   plan.flat.linear() << -along, out;
   plan.flat.translation() = start + rim.length * along + arc * out;

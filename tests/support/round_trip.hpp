@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-// Sheet → solid → STEP → recognise → flatten must give what flattening the sheet gives. For the tests of
-// brep and of what is above it.
+// Sheet → solid → STEP → recognise → flatten must give what flattening the sheet gives. For the
+// tests of brep and of what is above it.
 
 namespace planish::test {
 
@@ -30,7 +30,8 @@ inline Traits traits_of(const FlatPattern& pattern) {
   Traits traits{pattern.area, pattern.perimeter, {}, pattern.openings.size(), {}};
   traits.size = smallest_rectangle(sampled(pattern.outer.loop, 0.001)).size;
   for (const FlatBend& bend : pattern.bends)
-    traits.bends.push_back({std::round(bend.angle.degrees() * 1e4) / 1e4, std::round(bend.inside_radius * 1e4) / 1e4, bend.length});
+    traits.bends.push_back({std::round(bend.angle.degrees() * 1e4) / 1e4,
+                            std::round(bend.inside_radius * 1e4) / 1e4, bend.length});
   std::sort(traits.bends.begin(), traits.bends.end());
   return traits;
 }
@@ -69,7 +70,8 @@ inline void expect_round_trip(const Sheet& sheet, double tolerance = 1e-6) {
   EXPECT_EQ(b.openings, a.openings);
   ASSERT_EQ(b.bends.size(), a.bends.size());
   for (size_t i = 0; i < a.bends.size(); ++i)
-    for (size_t k = 0; k < 3; ++k) EXPECT_NEAR(b.bends[i][k], a.bends[i][k], 1e-3 + tolerance * a.bends[i][k]);
+    for (size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(b.bends[i][k], a.bends[i][k], 1e-3 + tolerance * a.bends[i][k]);
   const auto certificate = certify(again.sheet, *after, again.distance, options);
   ASSERT_TRUE(certificate);
   EXPECT_NEAR(certificate->volume_ratio, 1.0, 1e-5);

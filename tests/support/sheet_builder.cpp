@@ -143,9 +143,9 @@ Rim SheetBuilder::bend(const Rim& rim, const Turn& turn) {
   const bool up = turn.direction == BendDirection::up;
   const BendId id = new_bend({BendKind::cylinder, {}, turn.angle, turn.inside_radius, up});
   const double v_start = up ? rim.length : 0.0;
-  const FaceId face =
-      bend_face(id, cylinder_behind(rim, turn, sheet_.thickness), up ? -1 : 1,
-                {bend_rectangle(0.0, turn.angle.radians(), rim.length - v_start, v_start)});
+  const FaceId face = bend_face(
+      id, cylinder_behind(rim, turn, sheet_.thickness), up ? -1 : 1,
+      {bend_rectangle(0.0, turn.angle.radians(), rim.length - v_start, v_start)});
   continue_from(rim, face);
   return {turned(rim.frame, turn, sheet_.thickness), rim.length, BorderRef{face, 0, 2}, {}};
 }
@@ -164,8 +164,8 @@ Rim SheetBuilder::bend(const Rim& rim, const ConeTurn& turn) {
                   turn.half_angle.radians()};
 
   const double cos_turned = cosine * cosine * std::cos(u) + sine * sine;
-  const double turned =
-      u <= std::numbers::pi ? std::acos(cos_turned) : 2 * std::numbers::pi - std::acos(cos_turned);
+  const double turned = u <= std::numbers::pi ? std::acos(cos_turned)
+                                              : 2 * std::numbers::pi - std::acos(cos_turned);
   const double far_distance = turn.near_distance + rim.length;
   const double mid_radius = 0.5 * (turn.near_distance + far_distance) * sine / cosine;
   const bool up = turn.direction == BendDirection::up;

@@ -102,12 +102,12 @@ Sheet slot_across_bend(double slot, const Opened& part) {
   const double w = part.width, l = part.first, a = part.turn.angle.radians();
   const double y0 = 0.5 * (w - slot), y1 = 0.5 * (w + slot);
 
-  const FaceId first =
-      first_flange(builder, part, y0, y1,
-                   notch_of({{l, y0}, {l - slot_depth, y0}, {l - slot_depth, y1}, {l, y1}}));
-  const FaceId second =
-      second_flange(builder, bend.far, part, y0, y1,
-                    notch_of({{y0, 0}, {y0, slot_depth}, {y1, slot_depth}, {y1, 0}}));
+  const FaceId first = first_flange(
+      builder, part, y0, y1,
+      notch_of({{l, y0}, {l - slot_depth, y0}, {l - slot_depth, y1}, {l, y1}}));
+  const FaceId second = second_flange(
+      builder, bend.far, part, y0, y1,
+      notch_of({{y0, 0}, {y0, slot_depth}, {y1, slot_depth}, {y1, 0}}));
   const BendId id = bend_of(builder, part);
   const FaceId low = builder.bend_face(id, bend.cylinder, bend.sense,
                                        {bend.loop({{0, y0}, {0, 0}, {a, 0}, {a, y0}})});
@@ -126,9 +126,9 @@ Sheet slot_into_bend(double slot, const Opened& part) {
   const double w = part.width, l = part.first, a = part.turn.angle.radians();
   const double y0 = 0.5 * (w - slot), y1 = 0.5 * (w + slot);
 
-  const FaceId first =
-      first_flange(builder, part, y0, y1,
-                   notch_of({{l, y0}, {l - slot_depth, y0}, {l - slot_depth, y1}, {l, y1}}));
+  const FaceId first = first_flange(
+      builder, part, y0, y1,
+      notch_of({{l, y0}, {l - slot_depth, y0}, {l - slot_depth, y1}, {l, y1}}));
   const FaceId second = second_flange(builder, bend.far, part, 0, 0, {});
   const FaceId face = builder.bend_face(
       bend_of(builder, part), bend.cylinder, bend.sense,
@@ -169,9 +169,9 @@ Sheet hole_across_bend(double diameter, double k, const Opened& part) {
   // tangent line of the first flange and as far before that of the second.
   const FaceId first = first_flange(builder, part, y0, y1,
                                     {Arc{{part.first + half, 0.5 * w}, r, pi + beta, -2 * beta}});
-  const FaceId second =
-      second_flange(builder, bend.far, part, y0, y1,
-                    {Arc{{0.5 * w, -half}, r, pi / 2 + std::atan2(h, half), -2 * beta}});
+  const FaceId second = second_flange(
+      builder, bend.far, part, y0, y1,
+      {Arc{{0.5 * w, -half}, r, pi / 2 + std::atan2(h, half), -2 * beta}});
   const BendId id = bend_of(builder, part);
   const double gap = pi - 2 * beta;
   const FaceId low = builder.bend_face(

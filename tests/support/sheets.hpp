@@ -76,9 +76,10 @@ Sheet cone_joined(const ConeJoint& joint = {});
 Sheet truncated_cone(double r1, double r2, double height, Angle sweep, double thickness);
 
 /// Two plates like those of a transition at one of its corners, triangles with the corner at `apex`
-/// cut off, tangent to the oblique cone between them: the cone over the conic arc from p0 to p1. Both
-/// plates are `width` wide at the arc, all three end at `near` of the way from the apex. The outward
-/// normal of the reference skin is that of c′ × (c − apex): turn p0 and p1 round for the other skin.
+/// cut off, tangent to the oblique cone between them: the cone over the conic arc from p0 to p1.
+/// Both plates are `width` wide at the arc, all three end at `near` of the way from the apex. The
+/// outward normal of the reference skin is that of c′ × (c − apex): turn p0 and p1 round for the
+/// other skin.
 struct LoftedCorner {
   Vec3 apex{0, 0, 100};
   Vec3 p0{60, -20, 0}, tangent_point{62, 34, 0}, p1{10, 45, 0};

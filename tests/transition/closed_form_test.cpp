@@ -52,7 +52,9 @@ TEST(MakeTransition, MakesAConeFrustumBothWaysUp) {
     EXPECT_EQ(transition.pieces[0].bends[0].kind, BendKind::cone);
     for (const Contour& contour : {laid_flat(transition.pieces[0], spec).outer}) {
       ASSERT_EQ(contour.loop.size(), 4u);
-      EXPECT_EQ(std::count_if(contour.loop.begin(), contour.loop.end(), [](const Curve2& c) { return std::holds_alternative<Arc>(c); }), 2);
+      EXPECT_EQ(std::count_if(contour.loop.begin(), contour.loop.end(),
+                              [](const Curve2& c) { return std::holds_alternative<Arc>(c); }),
+                2);
     }
   }
 }
@@ -60,10 +62,13 @@ TEST(MakeTransition, MakesAConeFrustumBothWaysUp) {
 TEST(MakeTransition, MakesAnObliqueCylinder) {
   for (const Vec3& axis : {Vec3(30, 0, 80), Vec3(-20, 55, 60)}) {
     const TransitionSpec spec = between(EllipseProfile{50, 50}, EllipseProfile{50, 50}, axis);
-    const double area = simpson([&](double t) { return axis.cross(50.0 * Vec3(-std::sin(t), std::cos(t), 0.0)).norm(); }, 0, 2 * kPi);
+    const double area = simpson(
+        [&](double t) { return axis.cross(50.0 * Vec3(-std::sin(t), std::cos(t), 0.0)).norm(); }, 0,
+        2 * kPi);
     expect_sizes(spec, area, 2.0 * kPi * 50, 2.0 * kPi * 50);
     // The section across the axis is an ellipse.
-    EXPECT_NEAR(area / axis.norm(), ellipse_perimeter(50, 50 * axis.z() / axis.norm()), 1e-9 * area);
+    EXPECT_NEAR(area / axis.norm(), ellipse_perimeter(50, 50 * axis.z() / axis.norm()),
+                1e-9 * area);
   }
 }
 
@@ -72,8 +77,10 @@ TEST(MakeTransition, MakesAnObliqueConeFrustum) {
     const double r1 = 50, rise = 80;
     const Vec3 second(35, -12, rise);
     const Vec3 apex = second * (r1 / (r1 - r2));
-    const double area = std::abs(circle_cone_area(apex, Vec3::Zero(), r1, 0, 2 * kPi) - circle_cone_area(apex, second, r2, 0, 2 * kPi));
-    expect_sizes(between(EllipseProfile{r1, r1}, EllipseProfile{r2, r2}, second), area, 2 * kPi * r1, 2 * kPi * r2);
+    const double area = std::abs(circle_cone_area(apex, Vec3::Zero(), r1, 0, 2 * kPi) -
+                                 circle_cone_area(apex, second, r2, 0, 2 * kPi));
+    expect_sizes(between(EllipseProfile{r1, r1}, EllipseProfile{r2, r2}, second), area,
+                 2 * kPi * r1, 2 * kPi * r2);
   }
 }
 
@@ -81,7 +88,8 @@ TEST(MakeTransition, MakesAPrismAndAPyramidFrustum) {
   const TransitionSpec prism = between(regular_polygon(6, 40), regular_polygon(6, 40), {0, 0, 30});
   expect_sizes(prism, 6 * 40 * 30, 240, 240);
   EXPECT_EQ(kinds_of(made(prism)), std::vector(6, PatchKind::plane));
-  const TransitionSpec pyramid = between(regular_polygon(6, 40), regular_polygon(6, 25), {0, 0, 30});
+  const TransitionSpec pyramid = between(regular_polygon(6, 40), regular_polygon(6, 25),
+                                         {0, 0, 30});
   expect_sizes(pyramid, 6 * 0.5 * (40 + 25) * std::hypot(30, 15 * std::cos(kPi / 6)), 240, 150);
   const Transition transition = made(pyramid);
   EXPECT_EQ(kinds_of(transition), std::vector(6, PatchKind::plane));
@@ -107,7 +115,8 @@ TEST(MakeTransition, MakesATwistedPrismOfTriangles) {
 TEST(MakeTransition, MakesFourTrianglesAndFourConesOfASquareToACircle) {
   for (const double radius : {30.0, 50.0, 90.0}) {
     const double rise = 80, half = 50;
-    const TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{radius, radius}, {0, 0, rise});
+    const TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{radius, radius},
+                                        {0, 0, rise});
     const double triangle = half * std::hypot(rise, half - radius);
     const double cone = circle_cone_area({half, half, 0}, {0, 0, rise}, radius, 0, kPi / 2);
     expect_sizes(spec, 4 * triangle + 4 * cone, 400, 2 * kPi * radius);
@@ -116,19 +125,22 @@ TEST(MakeTransition, MakesFourTrianglesAndFourConesOfASquareToACircle) {
     EXPECT_EQ(count_of(transition, PatchKind::cone), 4);
     for (const TransitionPatch& patch : transition.patches) {
       EXPECT_NEAR(patch.area / (patch.kind == PatchKind::plane ? triangle : cone), 1.0, 1e-9);
-      EXPECT_NEAR(patch.border[1], patch.kind == PatchKind::plane ? 0.0 : 0.5 * kPi * radius, 1e-9 * radius);
+      EXPECT_NEAR(patch.border[1], patch.kind == PatchKind::plane ? 0.0 : 0.5 * kPi * radius,
+                  1e-9 * radius);
     }
   }
 }
 
 TEST(MakeTransition, MakesTheSameOfACircleToASquare) {
   const TransitionSpec spec = between(EllipseProfile{30, 30}, rectangle(100, 100), {0, 0, 80});
-  const double area = 4 * 50 * std::hypot(80, 20) + 4 * circle_cone_area({50, 50, 80}, Vec3::Zero(), 30, 0, kPi / 2);
+  const double area = 4 * 50 * std::hypot(80, 20) +
+                      4 * circle_cone_area({50, 50, 80}, Vec3::Zero(), 30, 0, kPi / 2);
   expect_sizes(spec, area, 2 * kPi * 30, 400);
 }
 
 TEST(MakeTransition, TakesTheTangentPointsOnACircleBesideTheSquare) {
-  // The edge x = 50 and the circle about (20, −15) touch the plane at the point farthest towards +x.
+  // The edge x = 50 and the circle about (20, −15) touch the plane at the point farthest towards
+  // +x.
   const Vec3 centre(20, -15, 80);
   const TransitionSpec spec = between(rectangle(100, 100), EllipseProfile{30, 30}, centre);
   double area = 0.0;
@@ -146,13 +158,15 @@ TEST(MakeTransition, MeasuresEllipsesByEllipticIntegrals) {
   const double rise = 60;
   // A cylinder over an ellipse.
   const double round = ellipse_perimeter(70, 30);
-  expect_sizes(between(EllipseProfile{70, 30}, EllipseProfile{70, 30}, {0, 0, rise}), round * rise, round, round);
+  expect_sizes(between(EllipseProfile{70, 30}, EllipseProfile{70, 30}, {0, 0, rise}), round * rise,
+               round, round);
   // A cone over an ellipse: similar ones, apex on the axis.
   const Vec3 apex(0, 0, 2 * rise);
   const auto c = [](double t) { return Vec3(70 * std::cos(t), 30 * std::sin(t), 0); };
   const auto c_prime = [](double t) { return Vec3(-70 * std::sin(t), 30 * std::cos(t), 0); };
   const double whole = cone_area(apex, c, c_prime, 0, 2 * kPi);
-  expect_sizes(between(EllipseProfile{70, 30}, EllipseProfile{35, 15}, {0, 0, rise}), 0.75 * whole, round, 0.5 * round);
+  expect_sizes(between(EllipseProfile{70, 30}, EllipseProfile{35, 15}, {0, 0, rise}), 0.75 * whole,
+               round, 0.5 * round);
 }
 
 TEST(MakeTransition, PairsEllipsesWhereTheirTangentsAreParallel) {
@@ -162,8 +176,12 @@ TEST(MakeTransition, PairsEllipsesWhereTheirTangentsAreParallel) {
     const Vec2 n(rx * std::cos(t), ry * std::sin(t));
     return Vec3(rx * n.x() / n.norm(), ry * n.y() / n.norm(), z);
   };
-  const auto h = [](double rx, double ry, double t) { return std::hypot(rx * std::cos(t), ry * std::sin(t)); };
-  const auto bend = [&](double rx, double ry, double t) { return rx * rx * ry * ry / std::pow(h(rx, ry, t), 3); };
+  const auto h = [](double rx, double ry, double t) {
+    return std::hypot(rx * std::cos(t), ry * std::sin(t));
+  };
+  const auto bend = [&](double rx, double ry, double t) {
+    return rx * rx * ry * ry / std::pow(h(rx, ry, t), 3);
+  };
   const double area = simpson(
       [&](double t) {
         const Vec3 arm = point(40, 55, t, rise) - point(70, 30, t, 0);
@@ -179,10 +197,13 @@ TEST(MakeTransition, PairsEllipsesWhereTheirTangentsAreParallel) {
 TEST(MakeTransition, MakesRoundedRectanglesOfPlanesAndCones) {
   // A loft of straight sides and right quarter cones.
   const double rise = 60;
-  const TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 20}, RoundedRectangleProfile{100, 60, 10}, {0, 0, rise});
-  const double slant = std::hypot(rise, 10.0), area = 2 * (80 + 40) * slant + kPi * (20 + 10) * slant;
+  const TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 20},
+                                      RoundedRectangleProfile{100, 60, 10}, {0, 0, rise});
+  const double slant = std::hypot(rise, 10.0),
+               area = 2 * (80 + 40) * slant + kPi * (20 + 10) * slant;
   expect_sizes(spec, area, 2 * (80 + 40) + 2 * kPi * 20, 2 * (80 + 40) + 2 * kPi * 10);
-  const TransitionSpec straight = between(ObroundProfile{120, 40}, ObroundProfile{120, 40}, {0, 0, rise});
+  const TransitionSpec straight = between(ObroundProfile{120, 40}, ObroundProfile{120, 40},
+                                          {0, 0, rise});
   expect_sizes(straight, (160 + kPi * 40) * rise, 160 + kPi * 40, 160 + kPi * 40);
 }
 

@@ -25,7 +25,8 @@ struct Sampler {
     const std::array<Vec2, 4> centres{Vec2(x, y), Vec2(-x, y), Vec2(-x, -y), Vec2(x, -y)};
     for (int i = 0; i < 4; ++i) {
       quarter(centres[i], r, r, i);
-      const Vec2 end = centres[i] + r * Vec2(std::cos(0.5 * kPi * (i + 1)), std::sin(0.5 * kPi * (i + 1)));
+      const Vec2 end = centres[i] +
+                       r * Vec2(std::cos(0.5 * kPi * (i + 1)), std::sin(0.5 * kPi * (i + 1)));
       const Vec2 next = centres[(i + 1) % 4];
       if ((next - centres[i]).norm() > 0.0) points.push_back(end);
     }
@@ -36,11 +37,14 @@ struct Sampler {
       quarter(Vec2::Zero(), e.rx, e.ry, i);
   }
   void operator()(const RoundedRectangleProfile& r) {
-    if (r.radius > 0.0) return rounded(0.5 * r.width - r.radius, 0.5 * r.height - r.radius, r.radius);
+    if (r.radius > 0.0)
+      return rounded(0.5 * r.width - r.radius, 0.5 * r.height - r.radius, r.radius);
     const double x = 0.5 * r.width, y = 0.5 * r.height;
     points = {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
   }
-  void operator()(const ObroundProfile& o) { rounded(0.5 * (o.length - o.width), 0.0, 0.5 * o.width); }
+  void operator()(const ObroundProfile& o) {
+    rounded(0.5 * (o.length - o.width), 0.0, 0.5 * o.width);
+  }
   void operator()(const SplineProfile& s) {
     const OracleSpline spline(s.points);
     for (std::size_t k = 0; k < spline.count(); ++k)
@@ -88,7 +92,9 @@ struct Tangent {
     }
     return round_tangent(0.5 * r.width - r.radius, 0.5 * r.height - r.radius, r.radius, p);
   }
-  Vec2 operator()(const ObroundProfile& o) const { return round_tangent(0.5 * (o.length - o.width), 0.0, 0.5 * o.width, p); }
+  Vec2 operator()(const ObroundProfile& o) const {
+    return round_tangent(0.5 * (o.length - o.width), 0.0, 0.5 * o.width, p);
+  }
   Vec2 operator()(const SplineProfile& s) const {
     const OracleSpline spline(s.points);
     double least = std::numeric_limits<double>::infinity();
@@ -125,9 +131,10 @@ Vec3 mean(const std::vector<Vec3>& ring) {
   return sum / static_cast<double>(ring.size());
 }
 
-/// Of the corners of `other`, the one that the plane hinged at the edge a–b meets first from outside; of
-/// those in one plane with it the first or, with `last`, the last as the ring runs.
-std::size_t farthest_out(const Vec3& a, const Vec3& b, const Vec3& axis, const std::vector<Vec3>& other, int wanted) {
+/// Of the corners of `other`, the one that the plane hinged at the edge a–b meets first from
+/// outside; of those in one plane with it the first or, with `last`, the last as the ring runs.
+std::size_t farthest_out(const Vec3& a, const Vec3& b, const Vec3& axis,
+                         const std::vector<Vec3>& other, int wanted) {
   const Vec3 out = (b - a).cross(axis).normalized();
   std::size_t best = 0;
   double steepest = -std::numeric_limits<double>::infinity();
@@ -144,27 +151,33 @@ std::size_t farthest_out(const Vec3& a, const Vec3& b, const Vec3& axis, const s
   return slope > steepest - kSame ? beside : best;
 }
 
-double triangle(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * (b - a).cross(c - a).norm(); }
+double triangle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return 0.5 * (b - a).cross(c - a).norm();
+}
 
 }  // namespace
 
-OracleSpline::OracleSpline(std::vector<Vec2> points) : points_(std::move(points)), seconds_(points_.size(), Vec2::Zero()) {
+OracleSpline::OracleSpline(std::vector<Vec2> points)
+    : points_(std::move(points)), seconds_(points_.size(), Vec2::Zero()) {
   const std::size_t n = points_.size();
   for (std::size_t i = 0; i < n; ++i)
     chords_.push_back((point(i + 1) - point(i)).norm());
-  // The rows of the system are dominated by their diagonals two to one: each sweep halves the error.
+  // The rows of the system are dominated by their diagonals two to one: each sweep halves the
+  // error.
   for (int sweep = 0; sweep < 80; ++sweep)
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t before = (i + n - 1) % n;
       const double h = chords_[before], k = chords_[i];
       const Vec2 bend = (point(i + 1) - point(i)) / k - (point(i) - point(before)) / h;
-      seconds_[i] = (6.0 * bend - h * seconds_[before] - k * seconds_[(i + 1) % n]) / (2.0 * (h + k));
+      seconds_[i] = (6.0 * bend - h * seconds_[before] - k * seconds_[(i + 1) % n]) /
+                    (2.0 * (h + k));
     }
 }
 
 std::array<Vec2, 2> OracleSpline::at(std::size_t i, double share) const {
   const double h = chords_[i], a = 1.0 - share, b = share;
-  const Vec2 &p = point(i), &q = point(i + 1), &m = seconds_[i], &n = seconds_[(i + 1) % points_.size()];
+  const Vec2 &p = point(i), &q = point(i + 1), &m = seconds_[i],
+             &n = seconds_[(i + 1) % points_.size()];
   const double s = h * h / 6.0;
   return {a * p + b * q + s * ((a * a * a - a) * m + (b * b * b - b) * n),
           q - p + s * ((1.0 - 3.0 * a * a) * m + (3.0 * b * b - 1.0) * n)};
@@ -217,7 +230,9 @@ double lateral_area(std::vector<Vec3> first, std::vector<Vec3> second) {
 }
 
 double oracle_area(const PlacedProfile& first, const PlacedProfile& second, int fineness) {
-  const auto sum = [&](int parts) { return lateral_area(sampled_in_space(first, parts), sampled_in_space(second, parts)); };
+  const auto sum = [&](int parts) {
+    return lateral_area(sampled_in_space(first, parts), sampled_in_space(second, parts));
+  };
   const double coarse = sum(fineness), fine = sum(2 * fineness);
   return fine + (fine - coarse) / 3.0;
 }

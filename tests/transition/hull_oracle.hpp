@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-// An independent look at transitions: profiles as densely sampled polygons, and the lateral faces of the
-// convex hull of two of them by search.
+// An independent look at transitions: profiles as densely sampled polygons, and the lateral faces
+// of the convex hull of two of them by search.
 
 namespace planish::test {
 
@@ -24,7 +24,8 @@ class OracleSpline {
   std::vector<double> chords_;
 };
 
-/// Corners of polygons; of curves `fineness` points a quarter (a spline: a piece), straight sides whole.
+/// Corners of polygons; of curves `fineness` points a quarter (a spline: a piece), straight sides
+/// whole.
 std::vector<Vec2> sampled_profile(const Profile& profile, int fineness);
 std::vector<Vec3> sampled_in_space(const PlacedProfile& profile, int fineness);
 
@@ -34,8 +35,9 @@ Vec2 tangent_at(const Profile& profile, const Vec2& p);
 /// Length of a profile: sums of chords at two densities, extrapolated.
 double oracle_perimeter(const Profile& profile);
 
-/// Area of the lateral faces of the convex hull of two polygons in two planes, each on one side of the
-/// other's: a triangle stands on each edge, its tip the corner of the other polygon that lies farthest out.
+/// Area of the lateral faces of the convex hull of two polygons in two planes, each on one side of
+/// the other's: a triangle stands on each edge, its tip the corner of the other polygon that lies
+/// farthest out.
 double lateral_area(std::vector<Vec3> first, std::vector<Vec3> second);
 
 /// The same of two profiles, extrapolated from two densities.

@@ -6,22 +6,23 @@
 #include <algorithm>
 #include <cmath>
 
-// What the surface between any two convex profiles must be, against the profiles themselves and against the
-// hull of dense polygons on them.
+// What the surface between any two convex profiles must be, against the profiles themselves and
+// against the hull of dense polygons on them.
 
 namespace planish::test {
 namespace {
 
 constexpr double kExtent = 100.0;  // mm: random profiles are larger
 
-/// Calls f(normal away from the hull, point on the first profile, point on the second) for the rulings at
-/// some shares of every face.
+/// Calls f(normal away from the hull, point on the first profile, point on the second) for the
+/// rulings at some shares of every face.
 template <typename Function>
 void at_rulings(const Sheet& sheet, const std::vector<double>& shares, const Function& f) {
   for (const Face& face : sheet.faces) {
     const BorderLoop& loop = face.loops.front();
     if (const auto* frame = std::get_if<Frame>(&face.surface)) {
-      f(frame->z, frame->point(start_of(loop.front().curve)), frame->point(start_of(loop.back().curve)));
+      f(frame->z, frame->point(start_of(loop.front().curve)),
+        frame->point(start_of(loop.back().curve)));
       continue;
     }
     const auto& surface = std::get<Developable>(face.surface);
@@ -52,7 +53,8 @@ RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
   for (const auto* profile : {&spec.from, &spec.to})
     for (const Vec3& p : sampled_in_space(*profile, 10))
       box.extend(p);
-  // At the ends of faces, which are knots, normals are exact; between knots within (tolerance / reach)^¾.
+  // At the ends of faces, which are knots, normals are exact; between knots within (tolerance /
+  // reach)^¾.
   const double tolerance = TransitionOptions{}.tolerance * box.diagonal().norm();
   const auto touches = [&](const Vec3& normal, const Vec3& p, const Vec3& q, double limit) {
     RC_ASSERT(std::abs(normal.dot((q - p).normalized())) < limit);
@@ -60,7 +62,9 @@ RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
     RC_ASSERT(largest_lean(spec.to, normal, q) < limit);
   };
   for (const Sheet& piece : made(spec).pieces) {
-    at_rulings(piece, {0.0, 1.0}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) { touches(normal, p, q, 1e-10); });
+    at_rulings(piece, {0.0, 1.0}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) {
+      touches(normal, p, q, 1e-10);
+    });
     at_rulings(piece, {0.13, 0.5, 0.77}, [&](const Vec3& normal, const Vec3& p, const Vec3& q) {
       touches(normal, p, q, std::pow(tolerance / (q - p).norm(), 0.75));
     });
@@ -71,8 +75,9 @@ RC_GTEST_PROP(TransitionSurface, TouchesBothProfilesAlongEveryRuling, ()) {
 bool at_corner(const PlacedProfile& profile, const Vec3& p) {
   const auto* polygon = std::get_if<PolygonProfile>(&profile.profile);
   if (!polygon) return false;
-  return std::any_of(polygon->corners.begin(), polygon->corners.end(),
-                     [&](const Vec2& corner) { return (profile.frame.point(corner) - p).norm() < 1e-9 * kExtent; });
+  return std::any_of(polygon->corners.begin(), polygon->corners.end(), [&](const Vec2& corner) {
+    return (profile.frame.point(corner) - p).norm() < 1e-9 * kExtent;
+  });
 }
 
 /// Rulings as they are found, not as surfaces interpolate them: press lines lie anywhere.
@@ -81,13 +86,17 @@ RC_GTEST_PROP(TransitionSurface, HasOneTangentPlaneAlongEveryRuling, ()) {
   TransitionSpec spec = random_transition(random);
   spec.pressing = PressCount{9};
   for (const TrueLength& ruling : made(spec).true_lengths) {
-    if (ruling.press.empty() || at_corner(spec.from, ruling.points[0]) || at_corner(spec.to, ruling.points[1])) continue;
+    if (ruling.press.empty() || at_corner(spec.from, ruling.points[0]) ||
+        at_corner(spec.to, ruling.points[1]))
+      continue;
     const Vec3 along = (ruling.points[1] - ruling.points[0]).normalized();
     std::array<Vec3, 2> normals;
     for (std::size_t side = 0; side < 2; ++side) {
       const PlacedProfile& profile = side == 0 ? spec.from : spec.to;
       const Vec2 tangent = tangent_at(profile.profile, profile.frame.local2(ruling.points[side]));
-      normals[side] = (tangent.x() * profile.frame.x + tangent.y() * profile.frame.y).cross(along).normalized();
+      normals[side] = (tangent.x() * profile.frame.x + tangent.y() * profile.frame.y)
+                          .cross(along)
+                          .normalized();
     }
     RC_ASSERT(normals[0].cross(normals[1]).norm() < 1e-10);
   }
@@ -98,19 +107,22 @@ RC_GTEST_PROP(TransitionSurface, HasBothProfilesOnOneSideOfEveryTangentPlane, ()
   const TransitionSpec spec = random_transition(random);
   const auto from = sampled_in_space(spec.from, 60), to = sampled_in_space(spec.to, 60);
   for (const Sheet& piece : made(spec).pieces)
-    at_rulings(piece, {0.0, 0.21, 0.5, 0.86, 1.0}, [&](const Vec3& normal, const Vec3& p, const Vec3&) {
-      for (const auto* ring : {&from, &to})
-        for (const Vec3& corner : *ring)
-          RC_ASSERT(normal.dot(corner - p) < 1e-9 * kExtent);
-    });
+    at_rulings(piece, {0.0, 0.21, 0.5, 0.86, 1.0},
+               [&](const Vec3& normal, const Vec3& p, const Vec3&) {
+                 for (const auto* ring : {&from, &to})
+                   for (const Vec3& corner : *ring)
+                     RC_ASSERT(normal.dot(corner - p) < 1e-9 * kExtent);
+               });
 }
 
-/// Pairs at which a tangent of the wrong side was taken once: it has two through a point, close to each other.
+/// Pairs at which a tangent of the wrong side was taken once: it has two through a point, close to
+/// each other.
 TEST(TransitionSurface, OfPairsWithTwoTangentsCloseToEachOther) {
   for (const unsigned seed : {441u, 1129u, 1245u, 1362u}) {
     std::mt19937 random(seed);
     const TransitionSpec spec = random_transition(random);
-    EXPECT_NEAR(made(spec).area / oracle_area(spec.from, spec.to, 100), 1.0, 2e-6) << "seed " << seed;
+    EXPECT_NEAR(made(spec).area / oracle_area(spec.from, spec.to, 100), 1.0, 2e-6)
+        << "seed " << seed;
   }
 }
 
@@ -128,7 +140,8 @@ RC_GTEST_PROP(TransitionSurface, OfPolygonsIsTheirHull, ()) {
   TransitionSpec spec = random_transition(random);
   spec.from.profile = PolygonProfile{sampled_profile(spec.from.profile, 2)};
   spec.to.profile = PolygonProfile{sampled_profile(spec.to.profile, 3)};
-  const double expected = lateral_area(sampled_in_space(spec.from, 1), sampled_in_space(spec.to, 1));
+  const double expected = lateral_area(sampled_in_space(spec.from, 1),
+                                       sampled_in_space(spec.to, 1));
   const Transition transition = made(spec);
   RC_ASSERT(std::abs(transition.area / expected - 1.0) < 1e-11);
   for (const TransitionPatch& patch : transition.patches)
@@ -149,7 +162,8 @@ RC_GTEST_PROP(TransitionSurface, LaysFlatWithItsAreaAndItsBorders, ()) {
     RC_ASSERT(std::abs(flat_border_length(transition, spec, profiles[side]) / length - 1.0) < 1e-9);
   }
   const FlattenOptions options = flatten_options(spec);
-  const auto certificate = certify(transition.pieces[0], pattern, border_distance(transition.pieces[0]), options);
+  const auto certificate = certify(transition.pieces[0], pattern,
+                                   border_distance(transition.pieces[0]), options);
   RC_ASSERT(certificate.has_value());
   RC_LOG() << certificate->refold_deviation << ' ' << certificate->length_error << '\n';
   RC_ASSERT(certificate->refold_deviation < 1e-5);

@@ -16,7 +16,9 @@ TEST(TransitionSizes, AreThoseOfTheFaceTheyAreGivenFor) {
     TransitionSpec spec = between(EllipseProfile{r, r}, EllipseProfile{r, r}, {0, 0, 80});
     spec.thickness = t;
     spec.k_factor = k;
-    for (const auto& [face, share] : {std::pair{SizesAre::inside, 0.0}, std::pair{SizesAre::mid, 0.5}, std::pair{SizesAre::outside, 1.0}}) {
+    for (const auto& [face, share] :
+         {std::pair{SizesAre::inside, 0.0}, std::pair{SizesAre::mid, 0.5},
+          std::pair{SizesAre::outside, 1.0}}) {
       spec.sizes_are = face;
       const double neutral = r + (k - share) * t;
       expect_sizes(spec, 2 * kPi * neutral * 80, 2 * kPi * neutral, 2 * kPi * neutral);
@@ -41,9 +43,12 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
     spec.from.profile = rectangle(90, 60);
     spec.from.frame = frame_at(Vec3::Zero());
     const auto from = sampled_in_space(spec.from, 1);
-    if (std::any_of(from.begin(), from.end(), [&](const Vec3& p) { return spec.to.frame.local(p).z() > -1.0; })) continue;
+    if (std::any_of(from.begin(), from.end(),
+                    [&](const Vec3& p) { return spec.to.frame.local(p).z() > -1.0; }))
+      continue;
     const double whole = made(spec).area;
-    for (const auto& [pieces, count] : {std::pair{Pieces::one, 1u}, std::pair{Pieces::two, 2u}, std::pair{Pieces::per_side, 4u}}) {
+    for (const auto& [pieces, count] : {std::pair{Pieces::one, 1u}, std::pair{Pieces::two, 2u},
+                                        std::pair{Pieces::per_side, 4u}}) {
       spec.pieces = pieces;
       const Transition transition = made(spec);
       ASSERT_EQ(transition.pieces.size(), count) << "seed " << seed;
@@ -51,13 +56,17 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
       EXPECT_NEAR(flat_area(transition, spec) / whole, 1.0, 1e-9) << "seed " << seed;
       std::vector<std::array<double, 2>> seams;  // lengths at the beginning and the end of pieces
       for (const Sheet& piece : transition.pieces) {
-        const BorderLoop &first = piece.faces.front().loops.front(), &last = piece.faces.back().loops.front();
+        const BorderLoop &first = piece.faces.front().loops.front(),
+                         &last = piece.faces.back().loops.front();
         const bool whole_side = last.size() == 4 || last[0].edge_length > 0.0;
-        const auto index = whole_side && lies_on(piece.faces.back(), last[0], spec.from) ? 1u : last.size() == 4 ? 1u : 0u;
+        const auto index = whole_side && lies_on(piece.faces.back(), last[0], spec.from) ? 1u
+                           : last.size() == 4                                            ? 1u
+                                                                                         : 0u;
         seams.push_back({first.back().edge_length, last[index].edge_length});
       }
       for (std::size_t i = 0; i < seams.size(); ++i)
-        EXPECT_NEAR(seams[i][1], seams[(i + 1) % seams.size()][0], 1e-9 * seams[i][1]) << "seed " << seed;
+        EXPECT_NEAR(seams[i][1], seams[(i + 1) % seams.size()][0], 1e-9 * seams[i][1])
+            << "seed " << seed;
     }
   }
 }
@@ -79,9 +88,11 @@ TEST(TransitionPressing, TurnsEachPatchAsManyTimesAsTheAngleAsks) {
     for (const PressLine& line : b.press_lines)
       sum += line.angle.radians();
     // Of which patch: the one of the same turn.
-    const bool known = std::any_of(turns.begin(), turns.end(), [&](double turn) { return std::abs(turn - sum) < 1e-11; });
+    const bool known = std::any_of(turns.begin(), turns.end(),
+                                   [&](double turn) { return std::abs(turn - sum) < 1e-11; });
     EXPECT_TRUE(known) << sum;
-    EXPECT_EQ(b.press_lines.size(), static_cast<std::size_t>(std::ceil(sum / Angle::degrees(7.0).radians() - 1e-9)));
+    EXPECT_EQ(b.press_lines.size(),
+              static_cast<std::size_t>(std::ceil(sum / Angle::degrees(7.0).radians() - 1e-9)));
     turned += sum;
     ++bend;
   }
@@ -108,10 +119,13 @@ TEST(TransitionPressing, ByChordPutsLinesAtEqualDistancesAlongTheWiderProfile) {
   }
   const auto arc = [](double a, double b) {
     const double turn = std::remainder(b - a, 2 * kPi);
-    return std::abs(simpson([](double t) { return std::hypot(90 * std::sin(t), 40 * std::cos(t)); }, a, a + turn, 200));
+    return std::abs(simpson([](double t) { return std::hypot(90 * std::sin(t), 40 * std::cos(t)); },
+                            a, a + turn, 200));
   };
   for (std::size_t i = 2; i < eccentric.size(); ++i)  // the first is the seam
-    EXPECT_NEAR(arc(eccentric[i - 1], eccentric[i]), perimeter / static_cast<double>(lines.size()), 1e-5) << i;
+    EXPECT_NEAR(arc(eccentric[i - 1], eccentric[i]), perimeter / static_cast<double>(lines.size()),
+                1e-5)
+        << i;
   double turned = 0.0;
   for (const PressLine& line : lines)
     turned += line.angle.radians();
@@ -147,12 +161,14 @@ TEST(TransitionMesh, IsARingWhoseFacetsLeaveTheSurfaceByTheirChord) {
       if (!edges.contains({edge.second, edge.first}))
         openings += (mesh.points[edge.second] - mesh.points[edge.first]).norm();
     }
-    EXPECT_NEAR(openings, transition->perimeters[0] + transition->perimeters[1], 0.1 * chord * transition->perimeters[1]);
+    EXPECT_NEAR(openings, transition->perimeters[0] + transition->perimeters[1],
+                0.1 * chord * transition->perimeters[1]);
   }
 }
 
 TEST(TransitionMesh, NeedsAChordAboveZero) {
-  const auto refused = make_transition(between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80}), {.mesh_chord = 0.0});
+  const auto refused = make_transition(
+      between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80}), {.mesh_chord = 0.0});
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
 }
@@ -169,18 +185,23 @@ TEST(TransitionPressing, ByCountPutsThatManyLinesOnEachPatch) {
   }
 }
 
-/// The normals between which a press line bends the sheet are those in the middle between it and its neighbours.
+/// The normals between which a press line bends the sheet are those in the middle between it and
+/// its neighbours.
 TEST(TransitionPressing, AngleOfALineIsThatOfTheSurfaceAboutIt) {
-  TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 20}, EllipseProfile{30, 30}, {0, 0, 80});
+  TransitionSpec spec = between(RoundedRectangleProfile{120, 80, 20}, EllipseProfile{30, 30},
+                                {0, 0, 80});
   spec.pressing = PressAngle{Angle::degrees(6.0)};
   const Transition transition = made(spec);
   for (const Sheet& sheet : transition.pieces)
     for (const Bend& bend : sheet.bends) {
       const auto& surface = std::get<Developable>(sheet.faces[index_of(bend.faces[0])].surface);
       for (std::size_t i = 1; i < bend.press_lines.size(); ++i) {
-        const Vec3 a = normal_on(surface, bend.press_lines[i - 1].u), b = normal_on(surface, bend.press_lines[i].u);
-        // The surface turns about moving rulings, so its normals differ a little less than it turns.
-        const double between_lines = std::atan2(a.cross(b).norm(), a.dot(b)), pressed = bend.press_lines[i].angle.radians();
+        const Vec3 a = normal_on(surface, bend.press_lines[i - 1].u),
+                   b = normal_on(surface, bend.press_lines[i].u);
+        // The surface turns about moving rulings, so its normals differ a little less than it
+        // turns.
+        const double between_lines = std::atan2(a.cross(b).norm(), a.dot(b)),
+                     pressed = bend.press_lines[i].angle.radians();
         EXPECT_LE(between_lines, pressed * (1 + 1e-3));
         EXPECT_GE(between_lines, pressed * 0.9);
       }
@@ -203,8 +224,10 @@ TEST(TransitionLabels, StandInTheNetAsFarApartAsTheTrueLengthsSay) {
       for (const FlatPattern& net : nets)
         for (const FlatLabel& a : net.labels)
           for (const FlatLabel& b : net.labels)
-            found = found || (a.text == length.from && b.text == length.to && std::abs((a.at - b.at).norm() - length.length) < 1e-7);
-      EXPECT_TRUE(found) << "seed " << seed << ": " << length.from << " – " << length.to << ", " << length.length;
+            found = found || (a.text == length.from && b.text == length.to &&
+                              std::abs((a.at - b.at).norm() - length.length) < 1e-7);
+      EXPECT_TRUE(found) << "seed " << seed << ": " << length.from << " – " << length.to << ", "
+                         << length.length;
     }
   }
 }
@@ -226,7 +249,8 @@ Vec2 beginning(const TransitionSpec& spec) {
   Vec2 on_profile = Vec2::Constant(1e9);
   double nearest = 1e9;
   for (const double t : {0.0, 1.0}) {
-    const Vec3 p = spec.from.frame.local(skin_point(sheet.faces.front(), point_at(ruling.curve, t)));
+    const Vec3 p = spec.from.frame.local(
+        skin_point(sheet.faces.front(), point_at(ruling.curve, t)));
     if (std::abs(p.z()) >= nearest) continue;
     nearest = std::abs(p.z());
     on_profile = p.head<2>();
@@ -258,7 +282,8 @@ TEST(TransitionSeams, BeginWhereTheyAreWanted) {
   expect_at(rounded, SeamEdge{3}, {-60, 0}, "left");
   const double straight = 100, side = 60, arc = 5 * kPi, around = 2 * (straight + side) + 4 * arc;
   expect_at(rounded, SeamParameter{straight / around}, {50, -40}, "end of edge 0");
-  expect_at(rounded, SeamParameter{(straight + 0.5 * arc) / around}, {50 + 10 * std::sqrt(0.5), -30 - 10 * std::sqrt(0.5)}, "middle of an arc");
+  expect_at(rounded, SeamParameter{(straight + 0.5 * arc) / around},
+            {50 + 10 * std::sqrt(0.5), -30 - 10 * std::sqrt(0.5)}, "middle of an arc");
   const ObroundProfile obround{140, 60};
   expect_at(obround, SeamEdge{0}, {0, -30}, "below");
   expect_at(obround, SeamEdge{1}, {0, 30}, "above");
@@ -266,11 +291,13 @@ TEST(TransitionSeams, BeginWhereTheyAreWanted) {
   expect_at(obround, SeamParameter{(80 + 0.5 * half) / (160 + 2 * half)}, {70, 0}, "right end");
   expect_at(EllipseProfile{60, 60}, SeamParameter{0.0}, {60, 0}, "beginning of a circle");
   expect_at(EllipseProfile{60, 60}, SeamParameter{1.0}, {60, 0}, "end of a circle");
-  expect_at(EllipseProfile{60, 60}, SeamParameter{1.0 / 3.0}, {-30, 30 * std::sqrt(3.0)}, "third of a circle");
+  expect_at(EllipseProfile{60, 60}, SeamParameter{1.0 / 3.0}, {-30, 30 * std::sqrt(3.0)},
+            "third of a circle");
   expect_at(EllipseProfile{70, 40}, SeamParameter{0.25}, {0, 40}, "quarter of an ellipse");
   expect_at(triangle, SeamParameter{0.0}, {-60, -40}, "start of edge 0");
   const double slant = std::hypot(60.0, 110.0);
-  expect_at(triangle, SeamParameter{(120 + 0.25 * slant) / (120 + 2 * slant)}, {45, -12.5}, "on edge 1");
+  expect_at(triangle, SeamParameter{(120 + 0.25 * slant) / (120 + 2 * slant)}, {45, -12.5},
+            "on edge 1");
   // Points of a spline lie on it; the curve begins at the first.
   SplineProfile spline;
   for (int i = 0; i < 12; ++i)
@@ -303,7 +330,8 @@ TEST(TransitionSeams, LeaveNoSliversOfPatches) {
       for (const Face& face : piece.faces) {
         double longest = 0.0;
         for (const Border& border : face.loops.front())
-          if (lies_on(face, border, spec.from) || lies_on(face, border, spec.to)) longest = std::max(longest, border.edge_length);
+          if (lies_on(face, border, spec.from) || lies_on(face, border, spec.to))
+            longest = std::max(longest, border.edge_length);
         EXPECT_GT(longest, 1e-8) << "seed " << seed;
       }
   }
@@ -311,9 +339,11 @@ TEST(TransitionSeams, LeaveNoSliversOfPatches) {
 
 TEST(TransitionSeams, OnCornersWhereAPolygonGoesStraightOn) {
   // A rectangle with two more corners below, to another polygon and to a circle.
-  const PolygonProfile cornered{{{-60, -40}, {-20, -40}, {30, -40}, {60, -40}, {60, 40}, {-60, 40}}};
+  const PolygonProfile cornered{
+      {{-60, -40}, {-20, -40}, {30, -40}, {60, -40}, {60, 40}, {-60, 40}}};
   for (const Profile& other : {Profile(rectangle(50, 70)), Profile(EllipseProfile{25, 25})}) {
-    TransitionSpec spec = between(cornered, other, {5, 3, 70}), plain = between(rectangle(120, 80), other, {5, 3, 70});
+    TransitionSpec spec = between(cornered, other, {5, 3, 70}),
+                   plain = between(rectangle(120, 80), other, {5, 3, 70});
     EXPECT_NEAR(made(spec).area / made(plain).area, 1.0, 1e-12);
     EXPECT_EQ(made(spec).patches.size(), made(plain).patches.size());
     const auto expect_at = [&](Seam seam, const Vec2& wanted) {
@@ -343,7 +373,8 @@ TEST(TransitionPressing, CountsTheLinesOfAPatchThatASeamDivides) {
     const Transition transition = made(spec);
     const auto& bends = transition.pieces.at(0).bends;
     ASSERT_EQ(bends.size(), 5u);
-    EXPECT_EQ(bends.front().press_lines.size() + bends.back().press_lines.size(), static_cast<std::size_t>(std::max(count, 2)));
+    EXPECT_EQ(bends.front().press_lines.size() + bends.back().press_lines.size(),
+              static_cast<std::size_t>(std::max(count, 2)));
   }
 }
 

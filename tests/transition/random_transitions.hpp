@@ -24,13 +24,16 @@ inline Profile random_profile(std::mt19937& random) {
       if (unit(random) < 0.5) std::reverse(polygon.corners.begin(), polygon.corners.end());
       return polygon;
     }
-    case 1: return rectangle(between(40, 120), between(40, 120));
+    case 1:
+      return rectangle(between(40, 120), between(40, 120));
     case 2: {
       const double radius = between(20, 80);
       return EllipseProfile{radius, radius};
     }
-    case 3: return EllipseProfile{between(30, 80), between(30, 80)};
-    case 4: return RoundedRectangleProfile{between(60, 140), between(60, 140), between(5, 28)};
+    case 3:
+      return EllipseProfile{between(30, 80), between(30, 80)};
+    case 4:
+      return RoundedRectangleProfile{between(60, 140), between(60, 140), between(5, 28)};
     case 5: {
       const double width = between(30, 80);
       return ObroundProfile{width + between(5, 70), width};
@@ -48,8 +51,8 @@ inline Profile random_profile(std::mt19937& random) {
   }
 }
 
-/// A plane pose in which each profile lies wholly on one side of the other's plane; often one with parallel
-/// edges or planes.
+/// A plane pose in which each profile lies wholly on one side of the other's plane; often one with
+/// parallel edges or planes.
 inline TransitionSpec random_transition(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0.0, 1.0);
   const auto often_zero = [&](double value) { return unit(random) < 0.4 ? 0.0 : value; };
@@ -58,7 +61,8 @@ inline TransitionSpec random_transition(std::mt19937& random) {
   spec.from.profile = random_profile(random);
   spec.to.profile = random_profile(random);
   spec.from.frame = frame_at(Vec3::Zero(), 0.0, often_zero(2.0 * kPi * unit(random)));
-  const double tilt = often_zero(kPi / 3 * unit(random)), twist = often_zero(2.0 * kPi * unit(random));
+  const double tilt = often_zero(kPi / 3 * unit(random)),
+               twist = often_zero(2.0 * kPi * unit(random));
   const Vec3 aside(often_zero(160 * unit(random) - 80), often_zero(160 * unit(random) - 80), 0);
   const Eigen::AngleAxisd turned(2.0 * kPi * unit(random), Vec3::UnitZ());
   const auto from = sampled_in_space(spec.from, 50);
@@ -70,7 +74,8 @@ inline TransitionSpec random_transition(std::mt19937& random) {
         *axis = turned * *axis;
     const auto to = sampled_in_space(spec.to, 50);
     const bool above = std::all_of(to.begin(), to.end(), [](const Vec3& p) { return p.z() > 5.0; });
-    const bool below = std::all_of(from.begin(), from.end(), [&](const Vec3& p) { return frame.local(p).z() < -5.0; });
+    const bool below = std::all_of(from.begin(), from.end(),
+                                   [&](const Vec3& p) { return frame.local(p).z() < -5.0; });
     if (above && below) break;
   }
   return spec;
@@ -79,7 +84,8 @@ inline TransitionSpec random_transition(std::mt19937& random) {
 inline Eigen::Isometry3d random_motion(std::mt19937& random) {
   std::uniform_real_distribution<double> around(-1.0, 1.0);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.rotate(Eigen::Quaterniond(around(random), around(random), around(random), around(random)).normalized());
+  motion.rotate(Eigen::Quaterniond(around(random), around(random), around(random), around(random))
+                    .normalized());
   motion.pretranslate(300.0 * Vec3(around(random), around(random), around(random)));
   return motion;
 }

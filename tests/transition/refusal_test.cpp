@@ -10,17 +10,22 @@
 namespace planish::test {
 namespace {
 
-void expect_refused(const TransitionSpec& spec, ErrorCode code, const std::string& where, const std::string& in_message = "") {
+void expect_refused(const TransitionSpec& spec, ErrorCode code, const std::string& where,
+                    const std::string& in_message = "") {
   const auto transition = make_transition(spec);
   ASSERT_FALSE(transition) << "made, but " << code_name(code) << " was due at " << where;
   EXPECT_EQ(code_name(transition.error().code), code_name(code)) << transition.error().message;
   EXPECT_EQ(transition.error().where, where) << transition.error().message;
-  EXPECT_NE(transition.error().message.find(in_message), std::string::npos) << transition.error().message;
+  EXPECT_NE(transition.error().message.find(in_message), std::string::npos)
+      << transition.error().message;
 }
 
-TransitionSpec square_to_circle() { return between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80}); }
+TransitionSpec square_to_circle() {
+  return between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
+}
 
-void expect_profile_refused(const Profile& profile, ErrorCode code, const std::string& where, const std::string& in_message = "") {
+void expect_profile_refused(const Profile& profile, ErrorCode code, const std::string& where,
+                            const std::string& in_message = "") {
   TransitionSpec spec = square_to_circle();
   spec.from.profile = profile;
   expect_refused(spec, code, "/from/profile" + where, in_message);
@@ -30,19 +35,27 @@ void expect_profile_refused(const Profile& profile, ErrorCode code, const std::s
 }
 
 TEST(TransitionRefuses, PolygonsThatAreNone) {
-  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}}}, ErrorCode::too_few_corners, "/polygon", "2");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}}}, ErrorCode::too_few_corners, "/polygon",
+                         "2");
   expect_profile_refused(PolygonProfile{}, ErrorCode::too_few_corners, "/polygon", "0");
-  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {100, 0}, {0, 100}}}, ErrorCode::repeated_corner, "/polygon/2", "(100, 0)");
-  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {0, 0}}}, ErrorCode::repeated_corner, "/polygon/0");
-  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {110, 100}}}, ErrorCode::self_crossing, "/polygon");
-  expect_profile_refused(PolygonProfile{{{0, 0}, {50, 0}, {100, 0}}}, ErrorCode::invalid_input, "/polygon");
-  expect_profile_refused(PolygonProfile{{{0, 0}, {std::nan(""), 0}, {100, 50}}}, ErrorCode::invalid_input, "/polygon");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {100, 0}, {0, 100}}},
+                         ErrorCode::repeated_corner, "/polygon/2", "(100, 0)");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {0, 0}}},
+                         ErrorCode::repeated_corner, "/polygon/0");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {100, 0}, {0, 100}, {110, 100}}},
+                         ErrorCode::self_crossing, "/polygon");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {50, 0}, {100, 0}}}, ErrorCode::invalid_input,
+                         "/polygon");
+  expect_profile_refused(PolygonProfile{{{0, 0}, {std::nan(""), 0}, {100, 50}}},
+                         ErrorCode::invalid_input, "/polygon");
 }
 
 TEST(TransitionRefuses, ProfilesThatAreNotConvex) {
   const std::vector<Vec2> notched{{0, 0}, {100, 0}, {40, 30}, {0, 100}};
-  expect_profile_refused(PolygonProfile{notched}, ErrorCode::profile_not_convex, "/polygon/2", "corner 2");
-  expect_profile_refused(PolygonProfile{{notched.rbegin(), notched.rend()}}, ErrorCode::profile_not_convex, "/polygon/1", "(40, 30)");
+  expect_profile_refused(PolygonProfile{notched}, ErrorCode::profile_not_convex, "/polygon/2",
+                         "corner 2");
+  expect_profile_refused(PolygonProfile{{notched.rbegin(), notched.rend()}},
+                         ErrorCode::profile_not_convex, "/polygon/1", "(40, 30)");
   // A pentagram winds round twice.
   PolygonProfile star;
   for (int i = 0; i < 5; ++i)
@@ -56,31 +69,41 @@ TEST(TransitionRefuses, ProfilesThatAreNotConvex) {
   const auto transition = make_transition(spec);
   ASSERT_FALSE(transition);
   EXPECT_EQ(transition.error().code, ErrorCode::profile_not_convex);
-  EXPECT_TRUE(transition.error().where == "/from/profile/spline/2" || transition.error().where == "/from/profile/spline/3")
+  EXPECT_TRUE(transition.error().where == "/from/profile/spline/2" ||
+              transition.error().where == "/from/profile/spline/3")
       << transition.error().where;
 }
 
 TEST(TransitionRefuses, SplinesThatAreNone) {
-  expect_profile_refused(SplineProfile{{{0, 0}, {100, 0}}}, ErrorCode::too_few_corners, "/spline", "2");
-  expect_profile_refused(SplineProfile{{{0, 0}, {0, 0}, {100, 0}, {0, 100}}}, ErrorCode::repeated_corner, "/spline/1");
-  expect_profile_refused(SplineProfile{{{0, 0}, {100, 0}, {0, 100}, {110, 100}}}, ErrorCode::self_crossing, "/spline");
+  expect_profile_refused(SplineProfile{{{0, 0}, {100, 0}}}, ErrorCode::too_few_corners, "/spline",
+                         "2");
+  expect_profile_refused(SplineProfile{{{0, 0}, {0, 0}, {100, 0}, {0, 100}}},
+                         ErrorCode::repeated_corner, "/spline/1");
+  expect_profile_refused(SplineProfile{{{0, 0}, {100, 0}, {0, 100}, {110, 100}}},
+                         ErrorCode::self_crossing, "/spline");
 }
 
 TEST(TransitionRefuses, SizesThatAreNone) {
   for (const double wrong : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    expect_profile_refused(EllipseProfile{wrong, wrong}, ErrorCode::invalid_input, std::isnan(wrong) ? "/ellipse" : "/circle");
+    expect_profile_refused(EllipseProfile{wrong, wrong}, ErrorCode::invalid_input,
+                           std::isnan(wrong) ? "/ellipse" : "/circle");
     expect_profile_refused(EllipseProfile{20, wrong}, ErrorCode::invalid_input, "/ellipse");
-    expect_profile_refused(RoundedRectangleProfile{wrong, 50, 5}, ErrorCode::invalid_input, "/rounded_rectangle");
-    expect_profile_refused(RoundedRectangleProfile{50, wrong, 5}, ErrorCode::invalid_input, "/rounded_rectangle");
+    expect_profile_refused(RoundedRectangleProfile{wrong, 50, 5}, ErrorCode::invalid_input,
+                           "/rounded_rectangle");
+    expect_profile_refused(RoundedRectangleProfile{50, wrong, 5}, ErrorCode::invalid_input,
+                           "/rounded_rectangle");
     expect_profile_refused(ObroundProfile{wrong, 20}, ErrorCode::invalid_input, "/obround");
     expect_profile_refused(ObroundProfile{90, wrong}, ErrorCode::invalid_input, "/obround");
     TransitionSpec spec = square_to_circle();
     spec.thickness = wrong;
     expect_refused(spec, ErrorCode::invalid_input, "/thickness");
   }
-  expect_profile_refused(RoundedRectangleProfile{50, 30, 16}, ErrorCode::invalid_input, "/rounded_rectangle/radius", "15 mm");
-  expect_profile_refused(RoundedRectangleProfile{50, 30, -1}, ErrorCode::invalid_input, "/rounded_rectangle/radius");
-  expect_profile_refused(ObroundProfile{20, 30}, ErrorCode::invalid_input, "/obround/length", "30 mm");
+  expect_profile_refused(RoundedRectangleProfile{50, 30, 16}, ErrorCode::invalid_input,
+                         "/rounded_rectangle/radius", "15 mm");
+  expect_profile_refused(RoundedRectangleProfile{50, 30, -1}, ErrorCode::invalid_input,
+                         "/rounded_rectangle/radius");
+  expect_profile_refused(ObroundProfile{20, 30}, ErrorCode::invalid_input, "/obround/length",
+                         "30 mm");
 }
 
 TEST(TransitionRefuses, NumbersThatMakeNoSense) {
@@ -121,7 +144,8 @@ TEST(TransitionRefuses, ThicknessTooLargeForAProfileOrABend) {
   expect_refused(spec, ErrorCode::radius_too_small, "/to/profile/obround");
   spec.to.profile = rectangle(60, 8);
   expect_refused(spec, ErrorCode::radius_too_small, "/to/profile/polygon");
-  // The neutral surface of a tube 5 mm thick, 4 mm about the axis in the middle, has room for 2.5 mm only.
+  // The neutral surface of a tube 5 mm thick, 4 mm about the axis in the middle, has room for 2.5
+  // mm only.
   TransitionSpec tube = between(EllipseProfile{2.4, 2.4}, EllipseProfile{2.4, 2.4}, {0, 0, 50});
   tube.thickness = 5.0;
   expect_refused(tube, ErrorCode::radius_too_small, "/thickness", "2.5 mm");

@@ -46,12 +46,15 @@ inline PolygonProfile regular_polygon(int corners, double radius) {
 
 inline Transition made(const TransitionSpec& spec) {
   auto transition = make_transition(spec);
-  EXPECT_TRUE(transition) << code_name(transition.error().code) << ": " << transition.error().message;
+  EXPECT_TRUE(transition) << code_name(transition.error().code) << ": "
+                          << transition.error().message;
   return transition ? std::move(*transition) : Transition{};
 }
 
 inline FlattenOptions flatten_options(const TransitionSpec& spec) {
-  return {.allowance = ConstantK{spec.k_factor, "test"}, .curve_tolerance = 1e-7, .merge_tolerance = 1e-7};
+  return {.allowance = ConstantK{spec.k_factor, "test"},
+          .curve_tolerance = 1e-7,
+          .merge_tolerance = 1e-7};
 }
 
 inline FlatPattern laid_flat(const Sheet& sheet, const TransitionSpec& spec) {
@@ -78,7 +81,8 @@ inline bool lies_on(const Face& face, const Border& border, const PlacedProfile&
 }
 
 /// Length of the images of the borders on a profile.
-inline double flat_border_length(const Transition& transition, const TransitionSpec& spec, const PlacedProfile& profile) {
+inline double flat_border_length(const Transition& transition, const TransitionSpec& spec,
+                                 const PlacedProfile& profile) {
   double sum = 0.0;
   for (const Sheet& piece : transition.pieces) {
     const FlatPattern pattern = laid_flat(piece, spec);
@@ -108,7 +112,8 @@ inline void expect_sizes(const TransitionSpec& spec, double area, double first, 
   EXPECT_NEAR(flat_border_length(transition, spec, spec.to) / second, 1.0, kClose);
 }
 
-inline double simpson(const std::function<double(double)>& f, double a, double b, int intervals = 4000) {
+inline double simpson(const std::function<double(double)>& f, double a, double b,
+                      int intervals = 4000) {
   const double h = (b - a) / intervals;
   double sum = f(a) + f(b);
   for (int i = 1; i < intervals; ++i)
@@ -117,12 +122,13 @@ inline double simpson(const std::function<double(double)>& f, double a, double b
 }
 
 /// Area of the cone over a curve from its apex to the curve: ½ ∫ |(c − apex) × c′|.
-inline double cone_area(const Vec3& apex, const std::function<Vec3(double)>& c, const std::function<Vec3(double)>& c_prime,
-                        double t0, double t1) {
+inline double cone_area(const Vec3& apex, const std::function<Vec3(double)>& c,
+                        const std::function<Vec3(double)>& c_prime, double t0, double t1) {
   return 0.5 * simpson([&](double t) { return (c(t) - apex).cross(c_prime(t)).norm(); }, t0, t1);
 }
 
-inline double circle_cone_area(const Vec3& apex, const Vec3& centre, double radius, double t0, double t1) {
+inline double circle_cone_area(const Vec3& apex, const Vec3& centre, double radius, double t0,
+                               double t1) {
   return cone_area(
       apex, [&](double t) -> Vec3 { return centre + radius * Vec3(std::cos(t), std::sin(t), 0.0); },
       [&](double t) -> Vec3 { return radius * Vec3(-std::sin(t), std::cos(t), 0.0); }, t0, t1);

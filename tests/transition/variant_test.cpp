@@ -18,7 +18,8 @@ struct Traits {
 };
 
 Traits traits_of(const TransitionSpec& spec) {
-  const auto transition_made = make_transition(spec, {.tolerance = 1e-6});  // measures do not depend on it
+  const auto transition_made = make_transition(
+      spec, {.tolerance = 1e-6});  // measures do not depend on it
   RC_ASSERT(transition_made.has_value());
   const Transition& transition = *transition_made;
   Traits traits{transition.area, transition.perimeters, {}, {}};
@@ -75,7 +76,8 @@ RC_GTEST_PROP(TransitionVariants, MirroringChangesNothing, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
   const Traits before = traits_of(spec);
-  // In the plane x = 0: both axes of a profile are mirrored, its normal is what a right-handed frame makes it.
+  // In the plane x = 0: both axes of a profile are mirrored, its normal is what a right-handed
+  // frame makes it.
   for (PlacedProfile* profile : {&spec.from, &spec.to}) {
     Frame& frame = profile->frame;
     for (Vec3* v : {&frame.origin, &frame.x, &frame.y})
@@ -103,7 +105,9 @@ RC_GTEST_PROP(TransitionVariants, ScalingScales, ()) {
     void operator()(PolygonProfile& p) const { scale(p.corners); }
     void operator()(SplineProfile& p) const { scale(p.points); }
     void operator()(EllipseProfile& p) const { p = {10 * p.rx, 10 * p.ry}; }
-    void operator()(RoundedRectangleProfile& p) const { p = {10 * p.width, 10 * p.height, 10 * p.radius}; }
+    void operator()(RoundedRectangleProfile& p) const {
+      p = {10 * p.width, 10 * p.height, 10 * p.radius};
+    }
     void operator()(ObroundProfile& p) const { p = {10 * p.length, 10 * p.width}; }
     static void scale(std::vector<Vec2>& points) {
       for (Vec2& p : points)
@@ -122,7 +126,8 @@ RC_GTEST_PROP(TransitionVariants, NumberingOfCornersAndPointsDoesNotMatter, ()) 
   TransitionSpec spec = random_transition(random);
   const Traits before = traits_of(spec);
   const auto renumber = [&](std::vector<Vec2>& points) {
-    std::rotate(points.begin(), points.begin() + static_cast<long>(random() % points.size()), points.end());
+    std::rotate(points.begin(), points.begin() + static_cast<long>(random() % points.size()),
+                points.end());
     if (random() % 2 == 0) std::reverse(points.begin(), points.end());
   };
   for (PlacedProfile* profile : {&spec.from, &spec.to}) {
@@ -138,7 +143,8 @@ RC_GTEST_PROP(TransitionVariants, TurningACircleAboutItsAxisChangesNothing, ()) 
   spec.from.profile = EllipseProfile{45, 45};
   spec.from.frame = frame_at(Vec3::Zero());
   const auto below = sampled_in_space(spec.from, 50);
-  RC_PRE(std::all_of(below.begin(), below.end(), [&](const Vec3& p) { return spec.to.frame.local(p).z() < -1.0; }));
+  RC_PRE(std::all_of(below.begin(), below.end(),
+                     [&](const Vec3& p) { return spec.to.frame.local(p).z() < -1.0; }));
   const Traits before = traits_of(spec);
   spec.from.frame = frame_at(Vec3::Zero(), 0.0, 0.3 + 0.001 * static_cast<double>(random() % 1000));
   expect_same(before, traits_of(spec));

@@ -90,8 +90,8 @@ Answer documents(DocumentStore& store, const ApiRequest& request,
 
 std::optional<Answer> Api::turned_away(const ApiRequest& request) const {
   const bool open_to_all = !request.path.starts_with(kApi);
-  const auto why =
-      open_to_all ? access_.host_refusal(request.caller) : access_.refusal(request.caller);
+  const auto why = open_to_all ? access_.host_refusal(request.caller)
+                               : access_.refusal(request.caller);
   if (!why) return std::nullopt;
   return failure(403, "forbidden", *why);
 }

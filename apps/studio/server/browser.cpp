@@ -34,8 +34,8 @@ void start_apart(std::string program, std::string argument) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK);
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t process = 0;
-  const int failed =
-      posix_spawnp(&process, program.c_str(), &actions, &attributes, arguments.data(), environ);
+  const int failed = posix_spawnp(&process, program.c_str(), &actions, &attributes,
+                                  arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   posix_spawnattr_destroy(&attributes);
   if (failed == 0) std::thread([process] { waitpid(process, nullptr, 0); }).detach();

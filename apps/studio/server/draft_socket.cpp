@@ -23,8 +23,8 @@ using asio::ip::tcp;
 using Request = http::request<http::empty_body>;
 using Stream = beast::websocket::stream<beast::tcp_stream>;
 
-constexpr int kMostConnections = 16;  // each takes a thread; pages do without one, by HTTP
-constexpr std::chrono::seconds kPatience(5);         // with whoever does not say what he wants
+constexpr int kMostConnections = 16;          // each takes a thread; pages do without one, by HTTP
+constexpr std::chrono::seconds kPatience(5);  // with whoever does not say what he wants
 constexpr std::chrono::milliseconds kScarcity(100);  // where the system has no connection left
 
 struct Connection {
@@ -55,8 +55,9 @@ void turn_away(beast::tcp_stream& socket, const std::string& why) {
 void send(Stream& stream, const Answer& answer, beast::error_code& error) {
   const bool shape = answer.status == 200;
   stream.binary(shape);
-  const std::string text =
-      shape ? "" : fmt::format("{{\"status\":{},", answer.status) + answer.body.substr(1);
+  const std::string text = shape ? ""
+                                 : fmt::format("{{\"status\":{},", answer.status) +
+                                       answer.body.substr(1);
   stream.write(asio::buffer(shape ? answer.body : text), error);
 }
 

@@ -102,8 +102,8 @@ Answer ServedDocument::read() {
 Answer ServedDocument::labelled(Answer answer) const {
   if (answer.status != 200) return answer;
   const bool given = label_.origin == Origin::command_line;
-  answer.body =
-      fmt::format("{{\"id\":\"{}\",\"given\":{},", label_.id, given) + answer.body.substr(1);
+  answer.body = fmt::format("{{\"id\":\"{}\",\"given\":{},", label_.id, given) +
+                answer.body.substr(1);
   return answer;
 }
 

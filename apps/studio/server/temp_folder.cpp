@@ -61,8 +61,8 @@ Result<TempFolder> TempFolder::make() {
     if (!mkdtemp(name.data()))
       return fail(ErrorCode::cannot_write,
                   fmt::format("cannot make the folder {}: {}", name, std::strerror(errno)), name);
-    const int lock =
-        open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kOwner);
+    const int lock = open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
+                          kOwner);
     flock(lock, LOCK_EX);
     // Another studio that starts at this moment may have had the lock first, and removed it.
     if (lock < 0 || fs::exists(fs::path(name) / kLock, ignored)) return TempFolder(name, lock);

@@ -14,8 +14,9 @@ bool looks_like_json(const std::string& bytes) {
 
 Result<Kind> kind_of_spec(const Json& json, const std::string& name) {
   const auto has = [&](const char* key) { return json.is_object() && json.contains(key); };
-  const std::string format =
-      has("format") && json["format"].is_string() ? json["format"].get<std::string>() : "";
+  const std::string format = has("format") && json["format"].is_string()
+                                 ? json["format"].get<std::string>()
+                                 : "";
   if (format == "planish/plates" || (format.empty() && has("plates"))) return Kind::connect;
   if (format == "planish/transition" || (format.empty() && has("from"))) return Kind::transition;
   if (format == "planish/slits" || (format.empty() && has("leg_curve"))) return Kind::slit;

@@ -39,8 +39,8 @@ Json arrays_json(const Shape& shape) {
 std::string header(const Shape& shape, double seconds) {
   // The report is text already; reading it again only to write it would cost more than all the
   // rest. Half of it may be indents, which the browser would read.
-  std::string text =
-      "{\"report\": " + (shape.report.empty() ? "null" : without_indents(shape.report));
+  std::string text = "{\"report\": " +
+                     (shape.report.empty() ? "null" : without_indents(shape.report));
   const auto add = [&](const char* key, const Json& value) {
     text += std::string(",\"") + key + "\": " + json_text(value);
   };

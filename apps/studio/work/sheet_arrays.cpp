@@ -60,8 +60,9 @@ void add_parts(Shape& shape, const Sheet& sheet) {
 
 void add_directions(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
   for (const FlatBend& bend : flat.bends)
-    shape.parts[row_of(sheet, bend.bend)]["direction"] =
-        bend.direction == BendDirection::up ? "up" : "down";
+    shape.parts[row_of(sheet, bend.bend)]["direction"] = bend.direction == BendDirection::up
+                                                             ? "up"
+                                                             : "down";
 }
 
 struct PolygonArrays {

@@ -50,11 +50,11 @@ Json scan_json(const std::vector<SlitScan>& scans, const Eigen::Isometry3d& moti
 
 Json handles_of(const SlitDesign& design, const SlitReport& report) {
   Json json;
-  json["leg_curve"] =
-      curve_json(design.leg_curve, [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); });
+  json["leg_curve"] = curve_json(design.leg_curve,
+                                 [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); });
   if (design.seat_curve)
-    json["seat_curve"] =
-        curve_json(*design.seat_curve, [](const Vec2& p) { return Vec3(0, p.x(), p.y()); });
+    json["seat_curve"] = curve_json(*design.seat_curve,
+                                    [](const Vec2& p) { return Vec3(0, p.x(), p.y()); });
   json["ridges"] = ridges_json(report.folded);
   json["scan"] = scan_json(design.scans, report.scan_motion);
   return json;

@@ -52,8 +52,7 @@ class TransitionDocument : public Document {
     if (auto whole = not_refused(*report); !whole) return tl::unexpected(whole.error());
     if (format == "stl")
       return MadeFile{kStlType, stl_binary(report->transition.mesh, report->body)};
-    if (format == "step")
-      return as_file(report->pieces[asked.piece].solid, kStepType);
+    if (format == "step") return as_file(report->pieces[asked.piece].solid, kStepType);
     return tl::unexpected(no_such_format(format));
   }
 
@@ -75,8 +74,7 @@ class TransitionDocument : public Document {
   /// The report of the piece that is looked at; the whole where refusal left none.
   static Result<const job::Report*> piece_of(const TransitionReport& report, const Asked& asked) {
     const std::size_t count = report.pieces.size();
-    if (static_cast<std::size_t>(asked.piece) < count)
-      return &report.pieces[asked.piece];
+    if (static_cast<std::size_t>(asked.piece) < count) return &report.pieces[asked.piece];
     if (report.refusal) return &report;
     return fail(ErrorCode::bad_option,
                 fmt::format("there is no piece {}; the last is {}", asked.piece, count - 1),

@@ -27,8 +27,8 @@ class UnfoldDocument : public Document {
   std::string_view kind() const override { return "unfold"; }
 
   Json info(const Progress& progress) const override {
-    const auto info =
-        job::info_of(file_, {.input = name_, .body = {}}, part_of(progress, kRead, 1.0));
+    const auto info = job::info_of(file_, {.input = name_, .body = {}},
+                                   part_of(progress, kRead, 1.0));
     return Json::parse(job::info_json(info.value()));
   }
 

@@ -19,7 +19,8 @@ Answer Workbench::open(const Task& task, const Progress& progress) {
   auto document = open_document(task.argument, task.body, attachments_, progress);
   if (!document) return failure(document.error());
   document_ = std::move(*document);
-  Json json{{"kind", document_->kind()}, {"name", task.argument}, {"info", document_->info(progress)}};
+  Json json{
+      {"kind", document_->kind()}, {"name", task.argument}, {"info", document_->info(progress)}};
   json["text"] = document_->kind() == "unfold" ? Json(nullptr) : Json(task.body);
   return {200, kJsonType, json_text(json)};
 }

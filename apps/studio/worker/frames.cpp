@@ -20,9 +20,9 @@ constexpr std::uint32_t kLongest = 1U << 30;  // bytes; no answer comes near it
 /// Milliseconds left, rounded up; −1 for ever.
 int patience(std::optional<Moment> until) {
   if (!until) return -1;
-  const auto left =
-      std::chrono::ceil<std::chrono::milliseconds>(*until - std::chrono::steady_clock::now())
-          .count();
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(*until -
+                                                                 std::chrono::steady_clock::now())
+                        .count();
   return left > 0 ? static_cast<int>(left) : 0;
 }
 

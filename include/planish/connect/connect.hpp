@@ -14,8 +14,8 @@
 namespace planish {
 
 /// Axes in which slope, offset and apex of a bend are meant (MATH 3): the intersection line of the
-/// plates' planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes have no such
-/// line: then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
+/// plates' planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes have no
+/// such line: then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
 struct BendFrame {
   Vec3 origin = Vec3::Zero();
   Vec3 d = Vec3::UnitX();
@@ -43,23 +43,23 @@ struct BendAlternative {
 
 /// A bend that was fitted, with everything that was chosen. Lengths on the mid-surface, mm.
 struct FittedBend {
-  BendRequest request;          ///< as it was given
-  std::vector<int> plates;      ///< rows of the structure's plates: two, one or none
+  BendRequest request;                    ///< as it was given
+  std::vector<int> plates;                ///< rows of the structure's plates: two, one or none
   std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
   EdgeKind edge_kind = EdgeKind::facing;
   BendKind kind = BendKind::cylinder;
   BendFrame frame;
   TangentLine line;
-  std::optional<double> apex;   ///< x₀ of cones
-  Angle angle;                  ///< through which the sheet is turned from plate to plate
-  double inside_radius = 0.0;   ///< of cones at mid-length
+  std::optional<double> apex;            ///< x₀ of cones
+  Angle angle;                           ///< through which the sheet is turned from plate to plate
+  double inside_radius = 0.0;            ///< of cones at mid-length
   std::array<double, 2> inside_radii{};  ///< at the left (lower x) and at the right end
   std::optional<Angle> half_angle;       ///< of cones
   LateralBoundary lateral = LateralBoundary::straight;
-  double width = 0.0, span = 0.0;        ///< of the edges, MATH 3.7
-  double extension_area = 0.0;           ///< MATH 3.5, at `line`
+  double width = 0.0, span = 0.0;  ///< of the edges, MATH 3.7
+  double extension_area = 0.0;     ///< MATH 3.5, at `line`
   std::vector<BendAlternative> alternatives;
-  BendId bend{};                         ///< row of the sheet's bends
+  BendId bend{};  ///< row of the sheet's bends
 };
 
 /// Plates made one: a sheet whose flange i is plate i, extended, and how they were joined.
@@ -72,7 +72,8 @@ struct Connection {
 };
 
 struct ConnectOptions {
-  /// Neutral surface of bends, at k·t from the inside: a straight lateral boundary is straight there.
+  /// Neutral surface of bends, at k·t from the inside: a straight lateral boundary is straight
+  /// there.
   double k_factor = 0.44;
   /// Cones of a smaller slope become cylinders.
   double smallest_slope = 1e-3;
@@ -86,19 +87,20 @@ struct ConnectOptions {
 /// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
 /// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,
 /// `unknown_edge`, `bend_loop`, `not_connected` (bends given that leave a plate alone).
-/// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset` (parallel
-/// planes, no half-turn reaches both), `no_bend_fits` (with the feasible range of what was given),
-/// `radius_too_small` (thickness too large for the radius), `apex_in_span`, `no_common_width`.
+/// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset`
+/// (parallel planes, no half-turn reaches both), `no_bend_fits` (with the feasible range of what
+/// was given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,
+/// `no_common_width`.
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
                            const Progress& progress = {});
 
-/// The sheet as a solid can have it: the ends of a section that turns once round stand 0.01 mm apart, since
-/// a solid may not touch itself. Other sheets stay as they are.
+/// The sheet as a solid can have it: the ends of a section that turns once round stand 0.01 mm
+/// apart, since a solid may not touch itself. Other sheets stay as they are.
 Sheet with_open_seam(const Sheet& sheet);
 
 /// The same after one plate (found by its id) was moved or changed: which plates are joined stays,
-/// bends that do not touch the plate are kept as they are, the others fitted anew with what was given.
-/// Errors: those of `connect`.
+/// bends that do not touch the plate are kept as they are, the others fitted anew with what was
+/// given. Errors: those of `connect`.
 Result<Connection> refit(const Connection& previous, const Plate& moved,
                          const ConnectOptions& options = {});
 

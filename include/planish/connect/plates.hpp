@@ -26,23 +26,25 @@ enum class LateralBoundary { automatic, straight, arc, corner };
 
 /// What is given of a bend; what is not is chosen. Lengths in mm.
 struct BendRequest {
-  /// Ids of the plates: two; one, for a curved section that ends free; or none, for a section of its
-  /// own (a pipe).
+  /// Ids of the plates: two; one, for a curved section that ends free; or none, for a section of
+  /// its own (a pipe).
   std::vector<std::string> between = {};
   /// Edges of each of them, consecutive ones in any order.
   std::array<std::optional<std::vector<int>>, 2> edges = {};
   SurfaceChoice surface = SurfaceChoice::automatic;
-  std::optional<double> inside_radius = std::nullopt;                 ///< of a cylinder; of a cone at mid-length
-  std::optional<std::array<double, 2>> inside_radii = std::nullopt;   ///< of a cone at its lateral boundaries
-  std::optional<Angle> aperture = std::nullopt;                       ///< of a cone: twice its half-angle
-  std::optional<double> slope = std::nullopt;                         ///< k of MATH 3
-  std::optional<double> apex = std::nullopt;                          ///< x₀ = q/k of MATH 3
-  /// Of a general bend: where the tangents at both ends of its outer arc meet, on the line of the planes.
+  std::optional<double> inside_radius = std::nullopt;  ///< of a cylinder; of a cone at mid-length
+  std::optional<std::array<double, 2>> inside_radii = std::nullopt;  ///< of a cone at its lateral
+                                                                     ///< boundaries
+  std::optional<Angle> aperture = std::nullopt;  ///< of a cone: twice its half-angle
+  std::optional<double> slope = std::nullopt;    ///< k of MATH 3
+  std::optional<double> apex = std::nullopt;     ///< x₀ = q/k of MATH 3
+  /// Of a general bend: where the tangents at both ends of its outer arc meet, on the line of the
+  /// planes.
   std::optional<Vec3> tangent_point = std::nullopt;
   LateralBoundary lateral = LateralBoundary::automatic;
-  double trade_off = 1.0;                              ///< γ of MATH 3.7, ≥ 0
-  std::optional<Angle> angle = std::nullopt;                          ///< of a section with a free end, ≤ 360°
-  std::optional<double> length = std::nullopt;                        ///< of a section without plates, along its rulings
+  double trade_off = 1.0;                       ///< γ of MATH 3.7, ≥ 0
+  std::optional<Angle> angle = std::nullopt;    ///< of a section with a free end, ≤ 360°
+  std::optional<double> length = std::nullopt;  ///< of a section without plates, along its rulings
 };
 
 /// Plates to be made of one sheet, and what is given of the bends between them. `bends` empty: the

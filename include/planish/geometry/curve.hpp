@@ -1,7 +1,8 @@
 #pragma once
 
-#include <limits>
 #include <planish/geometry/frame.hpp>
+
+#include <limits>
 #include <variant>
 #include <vector>
 

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <planish/geometry/curve.hpp>
+
+#include <functional>
 
 namespace planish {
 
@@ -14,7 +15,8 @@ using CurveFunction = std::function<CurveSample(double)>;
 
 struct FitReport {
   CubicSpline spline;
-  double deviation = 0.0;  ///< at the check points: at most `tolerance`, or a bound of what it is; in the curve's units
+  double deviation = 0.0;  ///< at the check points: at most `tolerance`, or a bound of what it is;
+                           ///< in the curve's units
 };
 
 /// Approximates f on [t0, t1] by tangent-continuous cubics: Hermite pieces, halved until the
@@ -23,9 +25,10 @@ struct FitReport {
 /// is that of the way the curve goes on; at a cusp pieces get as small as the tolerance asks.
 FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolerance);
 
-/// The same for a curve in the parameters (u, v) of a surface on which a step of u is about `u_scale` long, one of v
-/// as long as it is: held to `tolerance` on the surface.
-CubicSpline fit_cubics_on_surface(const CurveFunction& f, double t0, double t1, double u_scale, double tolerance);
+/// The same for a curve in the parameters (u, v) of a surface on which a step of u is about
+/// `u_scale` long, one of v as long as it is: held to `tolerance` on the surface.
+CubicSpline fit_cubics_on_surface(const CurveFunction& f, double t0, double t1, double u_scale,
+                                  double tolerance);
 
 /// The simplest curve within `tolerance` of the spline: a segment, else an arc (full circle when
 /// it closes), else the spline itself. The bound is checked without sampling. Both ends are kept:

@@ -36,14 +36,16 @@ struct Overlap {
 /// Pairs of polygons whose interiors share more than `smallest_area` once each is shrunk by
 /// `clearance`. Bounding boxes are sorted first: near-linear when little overlaps.
 /// Rings that cross themselves count by the even-odd rule; `clearance` is at least 0.
-std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clearance, double smallest_area);
+std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clearance,
+                              double smallest_area);
 
-/// Pairs of non-adjacent places where a closed ring crosses itself (proper crossings only: touching,
-/// and crossing exactly at a corner, is none). Near-linear for outlines of ordinary parts.
+/// Pairs of non-adjacent places where a closed ring crosses itself (proper crossings only:
+/// touching, and crossing exactly at a corner, is none). Near-linear for outlines of ordinary
+/// parts.
 std::vector<Vec2> self_crossings(const std::vector<Vec2>& ring);
 
-/// Smallest enclosing rectangle: sizes (longer first), and the angle of its long side to the x axis,
-/// in (−π/2, π/2]. Zero for fewer than two points. O(n log n).
+/// Smallest enclosing rectangle: sizes (longer first), and the angle of its long side to the x
+/// axis, in (−π/2, π/2]. Zero for fewer than two points. O(n log n).
 struct EnclosingRectangle {
   Vec2 size;
   double angle = 0.0;

@@ -2,6 +2,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/sheet/flat_pattern.hpp>
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,31 +23,32 @@ struct Finding {
 };
 
 /// Thresholds of SHOPFLOOR "Rules of manufacture". Lengths as factors of thickness T and inside
-/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0 asks for nothing.
+/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0 asks
+/// for nothing.
 struct Rules {
   double flange_height_t = 1.5;  ///< smallest flange height = this·T + flange_height_r·R
   double flange_height_r = 1.0;
-  double opening_to_bend_t = 2.0;    ///< opening to bend tangent line
-  double opening_to_edge_t = 2.0;    ///< opening to outer contour
+  double opening_to_bend_t = 2.0;  ///< opening to bend tangent line
+  double opening_to_edge_t = 2.0;  ///< opening to outer contour
   double opening_to_opening_t = 5.0;
   double smallest_opening_t = 1.0;
-  double inside_radius_t = 1.0;      ///< smallest inside radius = this·T
+  double inside_radius_t = 1.0;  ///< smallest inside radius = this·T
   double relief_width_t = 1.0;
-  double relief_depth_r = 1.0;       ///< relief depth ≥ relief_depth_r·R + relief_depth_t·T
+  double relief_depth_r = 1.0;  ///< relief depth ≥ relief_depth_r·R + relief_depth_t·T
   double relief_depth_t = 1.0;
-  double hem_diameter_t = 1.0;       ///< inside diameter of an open hem (angle ≥ 170°)
+  double hem_diameter_t = 1.0;  ///< inside diameter of an open hem (angle ≥ 170°)
   double hem_return_t = 6.0;
-  double k_low = 0.2;                ///< warn when a bend's K lies outside [k_low, k_high]
+  double k_low = 0.2;  ///< warn when a bend's K lies outside [k_low, k_high]
   double k_high = 0.5;
   bool enabled = true;
 };
 
 /// A threshold of `Rules` as data, so that files, help and forms need not repeat the names.
 struct RuleField {
-  std::string_view name;         ///< key in files; the member's name
+  std::string_view name;  ///< key in files; the member's name
   double Rules::*value;
   std::string_view description;
-  std::string_view origin;       ///< where the default comes from, and other values in use
+  std::string_view origin;  ///< where the default comes from, and other values in use
 };
 
 /// Every threshold of `Rules` (all but `enabled`), in the order of its members.
@@ -61,11 +63,13 @@ std::span<const RuleField> rule_fields();
 std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern);
 
 /// Manufacturability warnings by the rules. What misses a limit by less than 0.001 mm satisfies it.
-/// - flange_height: the least flat length beside a bend, to the edge or the next bend, told as height
+/// - flange_height: the least flat length beside a bend, to the edge or the next bend, told as
+/// height
 ///   from the outside of the bend. 1.5 T + R leaves 0.5 T flat at 90°, and as much at any angle.
 ///   Chamfered ends, hems, bends that go on in one another and rolled ones (R > 10 T) that end at
 ///   the edge are let pass.
-/// - bend_relief: at ends of bends with sheet beside them; depth from the outside of the bend, where
+/// - bend_relief: at ends of bends with sheet beside them; depth from the outside of the bend,
+/// where
 ///   R + T is the tangent line.
 /// - hem: bends of 170° and more; the return from the outside of the bend. Other bends have their
 ///   inside_radius checked.
@@ -77,6 +81,7 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& patter
 /// - smallest_opening: the diameter of the largest circle that fits. Slits of no width are none.
 /// - k_factor: once for every K.
 /// More than ten findings of a rule that differ by their place only become one with all places.
-std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern, const Rules& rules);
+std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
+                                 const Rules& rules);
 
 }  // namespace planish

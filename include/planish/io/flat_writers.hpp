@@ -1,8 +1,9 @@
 #pragma once
 
-#include <filesystem>
 #include <planish/base/result.hpp>
 #include <planish/sheet/flat_pattern.hpp>
+
+#include <filesystem>
 #include <string>
 
 namespace planish {
@@ -19,24 +20,24 @@ enum class BendMarks { lines, ticks };
 struct DxfOptions {
   LayerProfile profile = LayerProfile::standard;
   DxfVersion version = DxfVersion::r2000;
-  Splines splines = Splines::arcs;   ///< `keep` is ignored with R12
-  double arc_tolerance = 0.01;       ///< mm
+  Splines splines = Splines::arcs;  ///< `keep` is ignored with R12
+  double arc_tolerance = 0.01;      ///< mm
   LengthUnit units = LengthUnit::mm;
   BendMarks bend_marks = BendMarks::lines;
-  double tick_length = 5.0;          ///< mm, with `ticks`; at most a third of the bend line
-  bool tangent_lines = false;        ///< ignored where the profile has no layer for them
+  double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line
+  bool tangent_lines = false;  ///< ignored where the profile has no layer for them
 };
 
 /// DXF text of a flat pattern by the rules of SHOPFLOOR: one closed polyline (or circle) per
 /// contour, bend lines with layer, colour and DASHED linetype at once, units in the header.
 ///
-/// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE each, on
-/// the layer of openings), openings, outer contour. With `keep`, a contour that holds a spline is a chain of LINE, ARC and SPLINE whose ends
-/// meet within 1e-9 of the unit; all others, and all with `arcs`, are closed polylines, whose arcs
-/// turn by half a turn at most. Reals are written so that they read back as the same double; the
-/// enclosed area is that of the pattern, but for splines made arcs (within arc_tolerance ×
-/// perimeter). Colours: outer contour 7, openings 4, bend up 5, bend down 1, bend zone 8, formed
-/// features 3.
+/// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE
+/// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a
+/// spline is a chain of LINE, ARC and SPLINE whose ends meet within 1e-9 of the unit; all others,
+/// and all with `arcs`, are closed polylines, whose arcs turn by half a turn at most. Reals are
+/// written so that they read back as the same double; the enclosed area is that of the pattern, but
+/// for splines made arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
+/// bend up 5, bend down 1, bend zone 8, formed features 3.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length not positive), `internal` (a contour that is
 /// empty, has no extent or is not finite).
@@ -48,9 +49,9 @@ struct SvgOptions {
   bool names = true;    ///< labels of points
   bool legend = true;   ///< scale bar, meaning of the lines, size and thickness below the pattern
 };
-/// Drawing of the flat pattern for people: true size in mm, y up, contours, slits, bend lines (up blue
-/// dashed, down red dashed) with labels, formed features thin. Line widths and letters follow the
-/// size of the part. The page grows beyond pattern and margin where a label needs it.
+/// Drawing of the flat pattern for people: true size in mm, y up, contours, slits, bend lines (up
+/// blue dashed, down red dashed) with labels, formed features thin. Line widths and letters follow
+/// the size of the part. The page grows beyond pattern and margin where a label needs it.
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {});
 
 /// Writes beside the target and renames, so that no half-written file is ever seen under the name.
@@ -59,8 +60,8 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {})
 Result<void> write_file(const std::filesystem::path& target, const std::string& content);
 
 /// Layer names of a profile. `bend_zone` is empty where the profile has none. The system behind
-/// `inventor` names a layer for formed features; the others get one in the same manner, with neither
-/// BEND nor TANGENT in its name, because readers go by these words.
+/// `inventor` names a layer for formed features; the others get one in the same manner, with
+/// neither BEND nor TANGENT in its name, because readers go by these words.
 struct LayerNames {
   std::string outer, openings, bend_up, bend_down, bend_zone, features;
 };

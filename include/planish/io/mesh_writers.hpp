@@ -14,8 +14,8 @@ namespace planish {
 /// file where they share it in the mesh. Requires: corner numbers within `points`.
 std::string stl_binary(const Mesh& mesh, const std::string& name);
 
-/// Wavefront OBJ: points with 10 significant digits in the mesh's own units, triangles as faces, one object
-/// called `name` (line breaks and leading blanks taken out).
+/// Wavefront OBJ: points with 10 significant digits in the mesh's own units, triangles as faces,
+/// one object called `name` (line breaks and leading blanks taken out).
 std::string obj_text(const Mesh& mesh, const std::string& name);
 
 }  // namespace planish

@@ -61,7 +61,8 @@ struct InfoReport {
 Result<InfoReport> info(const InfoRequest& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).
-Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request, const Progress& progress = {});
+Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
+                           const Progress& progress = {});
 
 /// JSON text; `status` and `reason` as in a report of FORMATS.
 std::string info_json(const InfoReport& report);

@@ -15,9 +15,9 @@ namespace planish::job {
 /// Beyond these a certificate is doubted (a warning with its place) or disbelieved (the pattern is
 /// refused as `pattern_wrong`).
 struct CertificateBounds {
-  double volume_warning =
-      1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a feature
-  double volume_refusal = 0.02;      ///< |explained_ratio − 1|: more than slanted cuts make
+  double volume_warning = 1e-3;  ///< |volume_ratio − 1|; models agree to far better, so it is a
+                                 ///< feature
+  double volume_refusal = 0.02;  ///< |explained_ratio − 1|: more than slanted cuts make
   double unmeasured_refusal = 0.08;  ///< |volume_ratio − 1| where features could not be measured
   double length_warning = 0.01;      ///< mm; what a laser cutter holds
   double length_refusal = 0.5;       ///< mm
@@ -25,8 +25,9 @@ struct CertificateBounds {
   double refold_refusal = 0.5;       ///< mm
 };
 
-/// How far a request is worked out. `draft`: the sheet and its flat pattern, to be seen while something is dragged: no
-/// folded solid (so no volume), no certificate, no findings, curves to 1e-3 mm.
+/// How far a request is worked out. `draft`: the sheet and its flat pattern, to be seen while
+/// something is dragged: no folded solid (so no volume), no certificate, no findings, curves to
+/// 1e-3 mm.
 enum class Effort { draft, full };
 
 /// How a flat pattern is looked at, whatever sheet it comes from.
@@ -48,9 +49,9 @@ struct MakeRequest : PatternChecks {
 struct SheetSummary {
   double thickness = 0.0, thickness_spread = 0.0, volume = 0.0;
   int flanges = 0, bends = 0;
-  std::optional<double>
-      k_factor;          ///< of all bends; of the rule without bends; empty where they differ
-  std::string k_source;  ///< likewise, "mixed" where they differ
+  std::optional<double> k_factor;  ///< of all bends; of the rule without bends; empty where they
+                                   ///< differ
+  std::string k_source;            ///< likewise, "mixed" where they differ
 };
 
 enum class Status { ok, warning, refused };
@@ -60,11 +61,12 @@ enum class Status { ok, warning, refused };
 /// `units` is for the reports.
 struct Report {
   std::string input;
-  std::string
-      body;  ///< name of the part: of the body in its file, or of the file that describes it
+  std::string body;  ///< name of the part: of the body in its file, or of the file that describes
+                     ///< it
   std::optional<Error> refusal;
   SheetSummary sheet;
-  Sheet laid;  ///< the sheet itself, whose faces and bends `flat` names; no faces where it was not known
+  Sheet laid;  ///< the sheet itself, whose faces and bends `flat` names; no faces where it was not
+               ///< known
   FlatPattern flat;
   Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;

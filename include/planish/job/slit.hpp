@@ -12,32 +12,36 @@
 
 namespace planish::job {
 
-/// What came of a request to bend a slit sheet. Without a pattern there may still be a shape: that of strips some
-/// of which stay out of reach.
+/// What came of a request to bend a slit sheet. Without a pattern there may still be a shape: that
+/// of strips some of which stay out of reach.
 struct SlitReport : Report {
-  SlitDesign design;               ///< as solved: ridges as subdivided
+  SlitDesign design;  ///< as solved: ridges as subdivided
   std::vector<StripState> strips;
   FoldedSlitSheet folded;
-  double gap = 0.0;                ///< largest of all strips, mm
-  double flat_deviation = 0.0;     ///< largest distance of a corner of the developed sheet from where it was cut, mm
+  double gap = 0.0;             ///< largest of all strips, mm
+  double flat_deviation = 0.0;  ///< largest distance of a corner of the developed sheet from where
+                                ///< it was cut, mm
   Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< of aligned scans
 };
 
-/// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the one that was cut. An
-/// error means that the file could not be read or is invalid; strips out of reach give a report with `refusal`. `where` of
-/// both is the file's name, followed by the JSON pointer of the cause. Of the request's rules none apply: they
-/// are those of press brakes.
-/// Errors: `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
+/// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the one
+/// that was cut. An error means that the file could not be read or is invalid; strips out of reach
+/// give a report with `refusal`. `where` of both is the file's name, followed by the JSON pointer
+/// of the cause. Of the request's rules none apply: they are those of press brakes. Errors:
+/// `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
 Result<SlitReport> slit(const MakeRequest& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).
-Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request, const Progress& progress = {});
+Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request,
+                              const Progress& progress = {});
 
-/// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes and units are read).
-Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file, const MakeRequest& request,
-                               const Progress& progress = {});
+/// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes
+/// and units are read).
+Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
+                               const MakeRequest& request, const Progress& progress = {});
 
-/// Files of scanned points that a slit file names, as far as it can be read; none of standard input ("-").
+/// Files of scanned points that a slit file names, as far as it can be read; none of standard input
+/// ("-").
 std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input);
 
 /// The report of a request that ended with an error.

@@ -12,23 +12,24 @@ namespace planish::job {
 
 /// One piece of a transition, laid flat.
 struct TransitionPiece : Report {
-  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report); empty in a
-  /// report refused before.
+  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report);
+  /// empty in a report refused before.
   Result<std::string> solid;
 };
 
-/// What came of a request to make a transition: of the only piece, or of all of several, whose findings it
-/// has too.
+/// What came of a request to make a transition: of the only piece, or of all of several, whose
+/// findings it has too.
 struct TransitionReport : Report {
   TransitionSpec spec;
   Transition transition;
   std::vector<TransitionPiece> pieces;
 };
 
-/// Makes the transition, lays each piece flat and certifies it. An error means that the file could not be read
-/// or is invalid; profiles that have no transition give a report with `refusal`. `where` of both is the
-/// file's name, followed by the JSON pointer of the cause. `request.allowance` is a constant K or empty.
-/// Errors: `cannot_read`, those of `parse_transition`, those of `make_transition` with exit status 3.
+/// Makes the transition, lays each piece flat and certifies it. An error means that the file could
+/// not be read or is invalid; profiles that have no transition give a report with `refusal`.
+/// `where` of both is the file's name, followed by the JSON pointer of the cause.
+/// `request.allowance` is a constant K or empty. Errors: `cannot_read`, those of
+/// `parse_transition`, those of `make_transition` with exit status 3.
 Result<TransitionReport> transition(const MakeRequest& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).

@@ -15,7 +15,8 @@ struct TransitionFile {
 };
 
 /// Reads a transition file. Errors: `invalid_input` for anything that is not JSON (`where` is
-/// name:line:column), unknown, repeated and missing keys, values of another kind or outside their range
+/// name:line:column), unknown, repeated and missing keys, values of another kind or outside their
+/// range
 /// (`where` is name and JSON pointer). What profiles must be is left to `make_transition`.
 Result<TransitionFile> parse_transition(const std::string& json, const std::string& name);
 

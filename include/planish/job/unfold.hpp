@@ -12,7 +12,7 @@
 namespace planish {
 class Body;
 struct Recognized;
-}
+}  // namespace planish
 
 namespace planish::job {
 
@@ -21,10 +21,11 @@ struct UnfoldRequest : PatternChecks {
   std::filesystem::path input;  ///< "-" reads standard input
   std::string body;             ///< number (1-based) or name; empty: the only body
   AllowanceRule allowance = ConstantK{};
-  std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends, by their ids ("B1"), before `allowance`
-  std::string root = "largest";  ///< "largest" or a face number
-  std::string up =
-      "auto";  ///< "auto", "reference", "other", or the number of a face that shall face up
+  std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends, by their ids ("B1"),
+                                                       ///< before `allowance`
+  std::string root = "largest";                        ///< "largest" or a face number
+  std::string up = "auto";  ///< "auto", "reference", "other", or the number of a face that shall
+                            ///< face up
   LengthUnit units = LengthUnit::mm;  ///< of the report
 };
 

@@ -62,7 +62,8 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
 double outside_setback(double inside_radius, double thickness, Angle angle);
 
 /// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (MATH 1), not below 0,
-/// which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its formula 0.9995.
+/// which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its formula
+/// 0.9995.
 double din6935_k(double inside_radius, double thickness);
 
 /// DIN 6935 compensation v, by opening angle β = 180° − α: flat length = sum of both legs,
@@ -72,11 +73,13 @@ double din6935_k(double inside_radius, double thickness);
 double din6935_compensation(double inside_radius, double thickness, Angle opening_angle);
 
 /// Reads a CSV bend table: one material, rows in any order. The header row names the columns, in
-/// any order and case: `r/t` or `r` and `t`, optional `angle`, and one of `k`, `ba`, `bd`. Long names
+/// any order and case: `r/t` or `r` and `t`, optional `angle`, and one of `k`, `ba`, `bd`. Long
+/// names
 /// ("Inside radius", "K-factor", "Bend deduction"), DIN's k, the Y-factor and opening angles are
-/// known too; columns of other names are skipped. Units may follow in brackets (mm, inch, deg, rad).
-/// Fields are separated by commas, semicolons or tabs and may be quoted; `#` starts a comment; a
-/// comma within a field is a decimal comma. Errors: `invalid_input`, `where` is name:line.
+/// known too; columns of other names are skipped. Units may follow in brackets (mm, inch, deg,
+/// rad). Fields are separated by commas, semicolons or tabs and may be quoted; `#` starts a
+/// comment; a comma within a field is a decimal comma. Errors: `invalid_input`, `where` is
+/// name:line.
 Result<BendTable> parse_bend_table(const std::string& csv, const std::string& name);
 
 }  // namespace planish

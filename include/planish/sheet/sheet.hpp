@@ -1,10 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <planish/base/angle.hpp>
 #include <planish/base/result.hpp>
 #include <planish/geometry/developable.hpp>
 #include <planish/geometry/frame.hpp>
+
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -25,9 +26,11 @@ constexpr int index_of(BendId id) { return static_cast<int>(id); }
 struct Border {
   Curve2 curve;
   int edge = -1;
-  double edge_depth = 0.0;   ///< how far below the reference skin that edge lies, mm (0, or the thickness)
+  double edge_depth = 0.0;   ///< how far below the reference skin that edge lies, mm (0, or the
+                             ///< thickness)
   double edge_length = 0.0;  ///< length measured on the original edge, mm; 0 when not known
-  int feature = -1;          ///< formed feature that the material goes on into beyond this border; −1: a cut
+  int feature = -1;  ///< formed feature that the material goes on into beyond this border; −1: a
+                     ///< cut
 };
 using BorderLoop = std::vector<Border>;
 
@@ -76,21 +79,23 @@ struct PressLine {
 /// Everything that turns between two flanges about one developable surface.
 struct Bend {
   BendKind kind = BendKind::cylinder;
-  std::vector<FaceId> faces;  ///< empty for sharp bends
-  Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
-  double inside_radius = 0.0; ///< mm; for cones at mid-length, for general bends the smallest of the middles of their rulings
-  bool reference_inside = false;  ///< the reference skin is the inside (concave) one
+  std::vector<FaceId> faces;   ///< empty for sharp bends
+  Angle angle;                 ///< bend angle α > 0, the angle through which the sheet was turned
+  double inside_radius = 0.0;  ///< mm; for cones at mid-length, for general bends the smallest of
+                               ///< the middles of their rulings
+  bool reference_inside = false;            ///< the reference skin is the inside (concave) one
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
 /// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
 struct FormedFeature {
-  std::string kind;  ///< "countersink", "slanted cut", "pocket", "chamfer", "formed" (emboss, louvre, lance, burr, boss)
+  std::string kind;  ///< "countersink", "slanted cut", "pocket", "chamfer", "formed" (emboss,
+                     ///< louvre, lance, burr, boss)
   FaceId face{};     ///< face on which `outlines` are given
   std::vector<BorderLoop> outlines;  ///< in that face's (u, v)
   int source_face = -1;              ///< a face of the feature in the solid (1-based)
-  Error at_rim;                      ///< why there is no flat pattern when it reaches the outer contour
+  Error at_rim;  ///< why there is no flat pattern when it reaches the outer contour
 };
 
 /// The name of a point of a face, for drawings and templates.
@@ -102,8 +107,8 @@ struct PointLabel {
 
 /// A sheet: one flat, inextensible region and the way it is folded. The reference surface is one of
 /// its two skins, the other lies `thickness` towards the material; or it is a surface between them,
-/// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp bends
-/// are hinges that take no allowance.
+/// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp
+/// bends are hinges that take no allowance.
 struct Sheet {
   double thickness = 0.0;         ///< mm
   double reference_depth = 0.0;   ///< mm, 0 to the thickness
@@ -115,7 +120,8 @@ struct Sheet {
   std::vector<Bend> bends;
   std::vector<FormedFeature> features;
   std::vector<PointLabel> labels;
-  double forms_volume = 0.0;   ///< what the features add to the plain sheet (pockets: negative), mm³…
+  double forms_volume = 0.0;   ///< what the features add to the plain sheet (pockets: negative),
+                               ///< mm³…
   bool forms_measured = true;  ///< …all of them, or only as far as could be told
   double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³
 };

@@ -19,30 +19,33 @@ struct BezierPoint {
   Vec2 second = Vec2::Zero();
 };
 
-/// By de Casteljau's construction, stable for every degree. At least one pole is required. O(degree²).
+/// By de Casteljau's construction, stable for every degree. At least one pole is required.
+/// O(degree²).
 BezierPoint bezier_at(const BezierCurve& curve, double t);
 
 /// Arc length, mm, to 1e-12 of the length of the control polygon where the curve has no cusp.
 double length(const BezierCurve& curve);
 
-/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; beyond its ends the ends.
+/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; beyond its
+/// ends the ends.
 std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths);
 
-/// Smallest radius of curvature between two parameters and where it is. Infinite for straight lines, 0 at a
-/// cusp. Found on 64 samples a degree, refined between its neighbours.
+/// Smallest radius of curvature between two parameters and where it is. Infinite for straight
+/// lines, 0 at a cusp. Found on 64 samples a degree, refined between its neighbours.
 struct TightestBend {
   double radius = 0.0;  ///< mm
   double t = 0.0;
 };
 TightestBend tightest_bend(const BezierCurve& curve, double from = 0.0, double to = 1.0);
 
-/// The nearest point of a curve, found often: samples first, then Newton's method on (p − c)·c′ = 0.
+/// The nearest point of a curve, found often: samples first, then Newton's method on (p − c)·c′ =
+/// 0.
 class BezierSearch {
  public:
   explicit BezierSearch(BezierCurve curve);
 
-  /// Nearest point and its derivative with respect to p: t tᵀ / (1 − κ d) inside the curve, 0 where an end is
-  /// nearest.
+  /// Nearest point and its derivative with respect to p: t tᵀ / (1 − κ d) inside the curve, 0 where
+  /// an end is nearest.
   struct Foot {
     double t = 0.0;
     Vec2 point = Vec2::Zero();

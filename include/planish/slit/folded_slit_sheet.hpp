@@ -9,22 +9,24 @@
 
 namespace planish {
 
-/// A ridge: its ends, left then right, on the flat sheet and in space, and the angle by which the sheet is folded
-/// there; positive turns the strip away from the sheet's front, whose normal is along × across.
+/// A ridge: its ends, left then right, on the flat sheet and in space, and the angle by which the
+/// sheet is folded there; positive turns the strip away from the sheet's front, whose normal is
+/// along × across.
 struct SlitRidge {
   std::array<Vec2, 2> flat;
   std::array<Vec3, 2> folded;
   Angle fold;
 };
 
-/// A strip as it is folded. quads[i] lies between ridges i and i+1: its frame takes flat coordinates of the whole
-/// sheet to space, so folding is an isometry by construction.
+/// A strip as it is folded. quads[i] lies between ridges i and i+1: its frame takes flat
+/// coordinates of the whole sheet to space, so folding is an isometry by construction.
 struct FoldedStrip {
   std::vector<SlitRidge> ridges;
   std::vector<Frame> quads;
 };
 
-/// An upright plane piece of the panel: between two parallels of the flat sheet at which a strip begins or ends.
+/// An upright plane piece of the panel: between two parallels of the flat sheet at which a strip
+/// begins or ends.
 struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
@@ -40,15 +42,17 @@ struct FoldedSlitSheet {
   std::vector<FoldedStrip> strips;
 };
 
-/// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face, ridges and the edges
-/// between the panel's facets are sharp bends, where they fold by more than 1e-9, else their faces are one flange.
-/// The reference surface is the middle one, and hinges take no allowance at K = ½: flattened with it, the sheet is
-/// the one that was cut (its coordinates: along, across). Borders carry edge numbers and lengths for `certify`,
-/// labels the numbers of the strips.
-/// Strips that do not meet the symmetry plane leave a gap there; they are joined all the same.
+/// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face, ridges
+/// and the edges between the panel's facets are sharp bends, where they fold by more than 1e-9,
+/// else their faces are one flange. The reference surface is the middle one, and hinges take no
+/// allowance at K = ½: flattened with it, the sheet is the one that was cut (its coordinates:
+/// along, across). Borders carry edge numbers and lengths for `certify`, labels the numbers of the
+/// strips. Strips that do not meet the symmetry plane leave a gap there; they are joined all the
+/// same.
 Sheet sheet_of(const FoldedSlitSheet& folded);
 
-/// Triangles of the mid-surface of the whole sheet, fronts counter-clockwise; corners on one ridge are shared.
+/// Triangles of the mid-surface of the whole sheet, fronts counter-clockwise; corners on one ridge
+/// are shared.
 Mesh mesh_of(const FoldedSlitSheet& folded);
 
 }  // namespace planish

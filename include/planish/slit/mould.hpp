@@ -10,36 +10,39 @@
 
 namespace planish {
 
-/// The side of the sheet that lies on the mould; the front is the one that `SlitRidge` says. `ground`: the one that
-/// more of the strips' area turns to the ground.
+/// The side of the sheet that lies on the mould; the front is the one that `SlitRidge` says.
+/// `ground`: the one that more of the strips' area turns to the ground.
 enum class MouldSide { ground, back, front };
 
 struct MouldOptions {
   /// On the ground's side the mould holds the strips while they are pressed down.
   MouldSide side = MouldSide::ground;
-  /// In which the sheet is lifted off, from the base to the sheet. Default: up (y) on the ground's side, down on the
-  /// other; leaned in steps of 5° where ribs of half their strips' width would not stand apart: in symmetric sheets in
-  /// the symmetry plane.
+  /// In which the sheet is lifted off, from the base to the sheet. Default: up (y) on the ground's
+  /// side, down on the other; leaned in steps of 5° where ribs of half their strips' width would
+  /// not stand apart: in symmetric sheets in the symmetry plane.
   std::optional<Vec3> up = {};
   double base = 20.0;  ///< from the lowest point of the working surfaces down to the base plane, mm
-  /// By which a rib is narrower than its strip, on each side, mm. Default: the thickness; where neighbouring ribs would
-  /// stand in one another or in another strip, an eighth, a quarter or, at last, three eighths of the strip's width.
+  /// By which a rib is narrower than its strip, on each side, mm. Default: the thickness; where
+  /// neighbouring ribs would stand in one another or in another strip, an eighth, a quarter or, at
+  /// last, three eighths of the strip's width.
   std::optional<double> inset = {};
   Angle draft = Angle::degrees(5);  ///< quads that lean less than this towards `up` are left bare
 };
 
-/// Where a strip lies: its quads counted over both halves of symmetric sheets, from one panel to the other.
+/// Where a strip lies: its quads counted over both halves of symmetric sheets, from one panel to
+/// the other.
 struct StripQuad {
   int strip = 0;
   int quad = 0;
 };
 
-/// A body under one strip: its working surface, upright walls below the strip's sides and ends, and the base.
+/// A body under one strip: its working surface, upright walls below the strip's sides and ends, and
+/// the base.
 struct MouldRib {
   int strip = 0;
   int first_quad = 0;
-  /// A plane facet a quad, in their order: left near, left far, right far, right near; left and right as on the
-  /// strip's modelled half.
+  /// A plane facet a quad, in their order: left near, left far, right far, right near; left and
+  /// right as on the strip's modelled half.
   std::vector<std::array<Vec3, 4>> facets;
   std::vector<Vec2> footprint;  ///< on the base plane, counter-clockwise seen from the sheet
   Mesh mesh;                    ///< closed, outside counter-clockwise
@@ -47,26 +50,28 @@ struct MouldRib {
 
 /// Ribs on a common base plane. Set them on a board as `footprint` draws them.
 struct Mould {
-  Frame base;  ///< of the base plane, z towards the sheet
+  Frame base;                        ///< of the base plane, z towards the sheet
   MouldSide side = MouldSide::back;  ///< back or front
   std::vector<MouldRib> ribs;
   std::vector<StripQuad> bare;  ///< what no rib carries
   double volume = 0.0;          ///< mm³
 };
 
-/// The form on which the strips are laid. Every facet is parallel to its quad, half the thickness from it towards the
-/// mould's side; neighbouring facets meet in a line below their ridge (a mitre), so the sheet lies on all of
-/// them at once, its mid-surface where it was designed (MATH 6.5). Where a strip is too steep, or hangs over, it is
-/// left bare, and what comes after it stands on a rib of its own; the panel stands by itself.
+/// The form on which the strips are laid. Every facet is parallel to its quad, half the thickness
+/// from it towards the mould's side; neighbouring facets meet in a line below their ridge (a
+/// mitre), so the sheet lies on all of them at once, its mid-surface where it was designed
+/// (MATH 6.5). Where a strip is too steep, or hangs over, it is left bare, and what comes after it
+/// stands on a rib of its own; the panel stands by itself.
 ///
-/// A mould can be cast, milled or printed without undercut, and the sheet lifted off, so every rib stands upright on
-/// its base, which lies flat on the table while the sheet's ground may lean.
+/// A mould can be cast, milled or printed without undercut, and the sheet lifted off, so every rib
+/// stands upright on its base, which lies flat on the table while the sheet's ground may lean.
 ///
-/// Errors: `bad_option` (options not finite or outside their range, an inset that leaves nothing of a strip),
-/// `radius_too_small` (a facet between two mitres has no length: the sheet is too thick for the fold there),
-/// `unsupported_shape` (nothing of the strips leans towards `up`; ribs that would stand in one another or in other
-/// strips: choose another `up`, a larger inset, or the other side). `where` names an option (JSON pointer) or "strip i, quad j".
-/// Accuracy: rounding. Cost: O(quads) for each inset and lean that is tried.
+/// Errors: `bad_option` (options not finite or outside their range, an inset that leaves nothing of
+/// a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too thick
+/// for the fold there), `unsupported_shape` (nothing of the strips leans towards `up`; ribs that
+/// would stand in one another or in other strips: choose another `up`, a larger inset, or the other
+/// side). `where` names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost:
+/// O(quads) for each inset and lean that is tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
 /// All ribs in one mesh, each closed.

@@ -9,17 +9,20 @@
 
 namespace planish {
 
-/// The flat sheet lies in coordinates (along, across), mm: along from the panel's free edge (0) towards the
-/// strips, across from the sheet's left side (0). Folded, y is up and the ground plane is (x, z).
+/// The flat sheet lies in coordinates (along, across), mm: along from the panel's free edge (0)
+/// towards the strips, across from the sheet's left side (0). Folded, y is up and the ground plane
+/// is (x, z).
 ///
 /// A strip as it is cut. Left is the side of the smaller across.
 struct SlitStrip {
   double width = 0.0;
-  double gap = 0.0;  ///< from the strip before, or from the sheet's side; the panel is uncut behind it
-  /// Where the slits on its left and on its right begin, along the sheet; default: the panel's height. The
-  /// strip's first ridge joins both.
+  double gap = 0.0;  ///< from the strip before, or from the sheet's side; the panel is uncut behind
+                     ///< it
+  /// Where the slits on its left and on its right begin, along the sheet; default: the panel's
+  /// height. The strip's first ridge joins both.
   std::optional<double> left_start = {}, right_start = {};
-  std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length. Not in symmetric sheets
+  std::optional<double> end = {};  ///< where it ends, along; default: panel height + half-length.
+                                   ///< Not in symmetric sheets
   friend bool operator==(const SlitStrip&, const SlitStrip&) = default;
 };
 
@@ -27,9 +30,10 @@ struct SlitStrip {
 struct SlitSheet {
   double thickness = 0.0;  ///< mm
   double panel_height = 0.0;
-  double half_length = 0.0;  ///< of the strips, from the panel to the symmetry plane or to the free end
+  double half_length = 0.0;  ///< of the strips, from the panel to the symmetry plane or to the free
+                             ///< end
   std::vector<SlitStrip> strips;
-  double margin = 0.0;     ///< between the last strip and the sheet's right side
+  double margin = 0.0;  ///< between the last strip and the sheet's right side
   bool symmetric = true;
   double min_inside_radius = 0.0;  ///< what the material may be bent to, mm
   /// Width across, and the largest along.
@@ -50,7 +54,8 @@ std::vector<SlitStrip> equal_strips(int count, double width);
 /// The two ends of a ridge, and the two long sides of a strip.
 enum class Side { left, right };
 
-/// A place that one end of a ridge should be near. Ridges count from 0 (on the panel) to the strip's end.
+/// A place that one end of a ridge should be near. Ridges count from 0 (on the panel) to the
+/// strip's end.
 struct SlitAnchor {
   int strip = 0;
   int ridge = 0;
@@ -62,52 +67,58 @@ struct SlitAnchor {
 /// Where the free end of a strip (not in symmetric sheets) must be; what is not given is free.
 struct StripEnd {
   std::optional<Vec3> position = {};   ///< of the middle of the last ridge
-  std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its sides
+  std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its
+                                       ///< sides
   std::optional<Vec3> across = {};     ///< of the last ridge, from left to right
   friend bool operator==(const StripEnd&, const StripEnd&) = default;
 };
 
-/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one strip add up.
+/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one
+/// strip add up.
 struct SlitScan {
   int strip = 0;
   std::vector<Vec3> points;
 };
 
-/// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so that both
-/// halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says the same unless the
-/// last ridge is upright, where it says nothing. `free`: the halves may meet in a fold.
+/// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so
+/// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says
+/// the same unless the last ridge is upright, where it says nothing. `free`: the halves may meet in
+/// a fold.
 enum class EndAngle { right_angle, level, free };
 
-/// What is wanted, weighed (MATH 6.3). Lengths count in thirtieths of the strip's length, angles in radians,
-/// so a form does not depend on the unit or the size; sums over ridges are weighed so that subdivision keeps them.
+/// What is wanted, weighed (MATH 6.3). Lengths count in thirtieths of the strip's length, angles in
+/// radians, so a form does not depend on the unit or the size; sums over ridges are weighed so that
+/// subdivision keeps them.
 struct SlitWeights {
   double smooth = 0.04;   ///< second differences of the fold angles [3]
   double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
   double anchors = 0.03;  ///< distance to anchors [5]
   double seat = 0.03;     ///< distance of the strips' ends to the seat curve [5]
-  /// Distance of the strips' ends to their places on the seat curve: in the order of the strips, from one end of the
-  /// curve to the other, evenly apart. Without it strips leave holes where their neighbours crowd.
+  /// Distance of the strips' ends to their places on the seat curve: in the order of the strips,
+  /// from one end of the curve to the other, evenly apart. Without it strips leave holes where
+  /// their neighbours crowd.
   double spread = 0.003;
-  double scan = 0.03;     ///< distance of the ridges' ends to scanned points [6]
+  double scan = 0.03;  ///< distance of the ridges' ends to scanned points [6]
   friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
 /// A slit sheet and the form that it is to take: what a file holds (FORMATS, slits).
 struct SlitDesign {
   SlitSheet sheet;
-  BezierCurve leg_curve;                   ///< (x, z): what the panel stands over, from the sheet's left side
-  std::optional<BezierCurve> seat_curve;   ///< (y, z): section wanted in the symmetry plane
-  int ridges = 10;                         ///< a strip, at the start: as many plane quads
+  BezierCurve leg_curve;  ///< (x, z): what the panel stands over, from the sheet's left side
+  std::optional<BezierCurve> seat_curve;  ///< (y, z): section wanted in the symmetry plane
+  int ridges = 10;                        ///< a strip, at the start: as many plane quads
   EndAngle end_angle = EndAngle::right_angle;
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;
-  std::vector<StripEnd> ends;              ///< by strip; fewer: the others are free. Not in symmetric sheets
+  std::vector<StripEnd> ends;  ///< by strip; fewer: the others are free. Not in symmetric sheets
   std::vector<SlitScan> scans;
 };
 
-/// The leg curve scaled about its first pole so that the chords of the sheet's strips end where it ends, to 1e-9 of the
-/// sheet's width. Given back as it is when it has no length, or the sheet no width. Requires at least one pole. The curve's
-/// shape decides alone: what else `SlitSession::start` refuses in a leg curve it refuses still.
+/// The leg curve scaled about its first pole so that the chords of the sheet's strips end where it
+/// ends, to 1e-9 of the sheet's width. Given back as it is when it has no length, or the sheet no
+/// width. Requires at least one pole. The curve's shape decides alone: what else
+/// `SlitSession::start` refuses in a leg curve it refuses still.
 BezierCurve fitted_leg_curve(const BezierCurve& curve, const SlitSheet& sheet);
 
 }  // namespace planish

@@ -23,7 +23,8 @@ struct RoundedRectangleProfile {
   double width = 0.0, height = 0.0, radius = 0.0;
 };
 
-/// Two half circles about the origin, `length` apart at their far ends along x, with straight sides.
+/// Two half circles about the origin, `length` apart at their far ends along x, with straight
+/// sides.
 struct ObroundProfile {
   double length = 0.0, width = 0.0;
 };
@@ -33,8 +34,8 @@ struct SplineProfile {
   std::vector<Vec2> points;
 };
 
-using Profile =
-    std::variant<PolygonProfile, EllipseProfile, RoundedRectangleProfile, ObroundProfile, SplineProfile>;
+using Profile = std::variant<PolygonProfile, EllipseProfile, RoundedRectangleProfile,
+                             ObroundProfile, SplineProfile>;
 
 /// A profile in space: in the x–y plane of its frame.
 struct PlacedProfile {

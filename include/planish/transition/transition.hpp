@@ -17,8 +17,8 @@ namespace planish {
 /// Which face of the sheet the profiles are given for.
 enum class SizesAre { inside, mid, outside };
 
-/// Where the sheet is closed, on the first profile: in the middle of an edge, at a corner, or at the
-/// share `parameter` (0 to 1) of its length from the start of edge 0, or of the curve.
+/// Where the sheet is closed, on the first profile: in the middle of an edge, at a corner, or at
+/// the share `parameter` (0 to 1) of its length from the start of edge 0, or of the curve.
 struct SeamEdge {
   int edge = 0;
 };
@@ -30,9 +30,9 @@ struct SeamParameter {
 };
 using Seam = std::variant<SeamEdge, SeamCorner, SeamParameter>;
 
-/// How the curved patches are pressed, each: by a number of lines, by the largest angle of a line, or by
-/// the largest distance of lines along the wider profile. Lines by count or angle bend by equal angles, lines
-/// by chord are equally far from each other.
+/// How the curved patches are pressed, each: by a number of lines, by the largest angle of a line,
+/// or by the largest distance of lines along the wider profile. Lines by count or angle bend by
+/// equal angles, lines by chord are equally far from each other.
 struct PressCount {
   int count = 1;
 };
@@ -44,57 +44,60 @@ struct PressChord {
 };
 using Pressing = std::variant<std::monostate, PressCount, PressAngle, PressChord>;
 
-/// One piece, two halves (the second seam opposite, at half the first profile's length), or a piece for
-/// each side of the first profile.
+/// One piece, two halves (the second seam opposite, at half the first profile's length), or a piece
+/// for each side of the first profile.
 enum class Pieces { one, two, per_side };
 
 struct TransitionSpec {
-  double thickness = 0.0;   ///< mm
-  double k_factor = 0.5;    ///< where the neutral surface is
+  double thickness = 0.0;  ///< mm
+  double k_factor = 0.5;   ///< where the neutral surface is
   PlacedProfile from, to;
   SizesAre sizes_are = SizesAre::mid;
   std::optional<Seam> seam;  ///< default: where the weld is shortest
   Pieces pieces = Pieces::one;
-  Pressing pressing;         ///< none: rolled
+  Pressing pressing;  ///< none: rolled
 };
 
 enum class PatchKind { plane, cone, general };
 
-/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its apex in
-/// a corner or anywhere, a developable between two curves.
+/// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its
+/// apex in a corner or anywhere, a developable between two curves.
 struct TransitionPatch {
   PatchKind kind = PatchKind::plane;
-  double area = 0.0;              ///< of the neutral surface, mm²
-  std::array<double, 2> border{}; ///< lengths along both profiles, mm
-  Angle turn;                     ///< between the normals at both ends, along the surface
+  double area = 0.0;               ///< of the neutral surface, mm²
+  std::array<double, 2> border{};  ///< lengths along both profiles, mm
+  Angle turn;                      ///< between the normals at both ends, along the surface
 };
 
-/// A ruling that a template shows: between patches, at a seam, or a press line. Labels: corners of the first
-/// profile are A, B, C …, of the second a, b, c …, points on curves are numbered along.
+/// A ruling that a template shows: between patches, at a seam, or a press line. Labels: corners of
+/// the first profile are A, B, C …, of the second a, b, c …, points on curves are numbered along.
 struct TrueLength {
   std::string from, to;
   std::array<Vec3, 2> points{};
   double length = 0.0;  ///< mm
   int piece = 0;
-  std::string press;    ///< number of the press line, as flat patterns number bends: "B2.3"; empty where none is
+  std::string press;  ///< number of the press line, as flat patterns number bends: "B2.3"; empty
+                      ///< where none is
 };
 
 /// A developable surface between two profiles, as sheets that lie flat.
 struct Transition {
-  /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is curved
-  /// and the sharp folds, in the order of the profile. Labels name the ends of all true lengths.
+  /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is
+  /// curved and the sharp folds, in the order of the profile. Labels name the ends of all true
+  /// lengths.
   std::vector<Sheet> pieces;
   std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
   std::vector<TrueLength> true_lengths;
-  double area = 0.0;                     ///< of the neutral surface, mm²
-  std::array<double, 2> perimeters{};    ///< of the neutral surface's borders on both profiles, mm
-  /// The neutral surface, its outside facing out: a closed ring without a seam; corners on one ruling are shared.
+  double area = 0.0;                   ///< of the neutral surface, mm²
+  std::array<double, 2> perimeters{};  ///< of the neutral surface's borders on both profiles, mm
+  /// The neutral surface, its outside facing out: a closed ring without a seam; corners on one
+  /// ruling are shared.
   Mesh mesh;
 };
 
-/// A piece as a solid can be made of it: corners in which cones or several folds meet are cut off where their
-/// inside radius would be less than a tenth of the thickness, and the seam of a sheet in one piece stands open by
-/// 0.01 mm, so that both its edges are seen as two.
+/// A piece as a solid can be made of it: corners in which cones or several folds meet are cut off
+/// where their inside radius would be less than a tenth of the thickness, and the seam of a sheet
+/// in one piece stands open by 0.01 mm, so that both its edges are seen as two.
 struct FoldedPiece {
   Sheet sheet;
   double cut_area = 0.0;  ///< of the neutral surface, mm²: what is missing
@@ -107,22 +110,24 @@ struct TransitionOptions {
   double mesh_chord = 0.05;
 };
 
-/// The surface that bounds the opening between two convex profiles in two planes: the lateral boundary of
-/// their convex hull (MATH 5.1–5.3), made of planes, cones and general developables whose tangent plane
-/// touches both profiles. Profiles are set in or out, in their planes, from the face that they are given
-/// for to the neutral surface; so the surface meets what is joined to it in its own neutral surface.
-/// `where` of an error is the JSON pointer of its cause in a transition file.
-/// Errors (exit status 3): `invalid_input` (numbers not finite, or sizes not positive), `too_few_corners`,
-/// `repeated_corner`, `self_crossing`, `unknown_seam`.
-/// Errors (exit status 4): `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in
-/// one plane), `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
+/// The surface that bounds the opening between two convex profiles in two planes: the lateral
+/// boundary of their convex hull (MATH 5.1–5.3), made of planes, cones and general developables
+/// whose tangent plane touches both profiles. Profiles are set in or out, in their planes, from the
+/// face that they are given for to the neutral surface; so the surface meets what is joined to it
+/// in its own neutral surface. `where` of an error is the JSON pointer of its cause in a transition
+/// file. Errors (exit status 3): `invalid_input` (numbers not finite, or sizes not positive),
+/// `too_few_corners`, `repeated_corner`, `self_crossing`, `unknown_seam`. Errors (exit status 4):
+/// `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in one plane),
+/// `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
 /// the hull), `radius_too_small` (thickness too large for a profile or a bend).
 /// Error (exit status 2): `bad_option` (a chord that is not positive).
-Result<Transition> make_transition(const TransitionSpec& spec, const TransitionOptions& options = {},
+Result<Transition> make_transition(const TransitionSpec& spec,
+                                   const TransitionOptions& options = {},
                                    const Progress& progress = {});
 
-/// The same pieces as solids can be made of them. Errors: those of `make_transition`; `radius_too_small` also where
-/// the thickness leaves too little between corners.
-Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec, const TransitionOptions& options = {});
+/// The same pieces as solids can be made of them. Errors: those of `make_transition`;
+/// `radius_too_small` also where the thickness leaves too little between corners.
+Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
+                                               const TransitionOptions& options = {});
 
 }  // namespace planish
