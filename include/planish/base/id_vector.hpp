@@ -1,0 +1,71 @@
+#pragma once
+
+#include <planish/base/assert.hpp>
+
+#include <cstddef>
+#include <initializer_list>
+#include <ranges>
+#include <utility>
+#include <vector>
+
+namespace planish {
+
+/// Rows that are named by a strong id: `enum class FaceId : int {}`, from 0 on. A subscript takes
+/// the id and nothing else, so a bend's id never finds a face; one that names no row stops at an
+/// assertion. Iterators run over the rows, `ids()` over their names.
+template <typename Id, typename T>
+class IdVector {
+ public:
+  using Rows = std::vector<T>;
+
+  IdVector() = default;
+  IdVector(std::initializer_list<T> rows) : rows_(rows) {}
+  explicit IdVector(std::size_t count, const T& value = T()) : rows_(count, value) {}
+
+  bool has(Id id) const {
+    return static_cast<int>(id) >= 0 && static_cast<std::size_t>(id) < rows_.size();
+  }
+  typename Rows::reference operator[](Id id) {
+    PLANISH_ASSERT(has(id));
+    return rows_[static_cast<std::size_t>(id)];
+  }
+  typename Rows::const_reference operator[](Id id) const {
+    PLANISH_ASSERT(has(id));
+    return rows_[static_cast<std::size_t>(id)];
+  }
+
+  /// The id of the row that was added.
+  Id push_back(T row) {
+    rows_.push_back(std::move(row));
+    return static_cast<Id>(rows_.size() - 1);
+  }
+  template <typename... Arguments>
+  T& emplace_back(Arguments&&... arguments) {
+    return rows_.emplace_back(std::forward<Arguments>(arguments)...);
+  }
+  void assign(std::size_t count, const T& value) { rows_.assign(count, value); }
+  void resize(std::size_t count) { rows_.resize(count); }
+  void reserve(std::size_t count) { rows_.reserve(count); }
+  void clear() { rows_.clear(); }
+
+  auto ids() const {
+    return std::views::iota(0, static_cast<int>(rows_.size())) |
+           std::views::transform([](int i) { return static_cast<Id>(i); });
+  }
+  std::size_t size() const { return rows_.size(); }
+  bool empty() const { return rows_.empty(); }
+
+  auto begin() { return rows_.begin(); }
+  auto end() { return rows_.end(); }
+  auto begin() const { return rows_.begin(); }
+  auto end() const { return rows_.end(); }
+  typename Rows::reference front() { return rows_.front(); }
+  typename Rows::const_reference front() const { return rows_.front(); }
+  typename Rows::reference back() { return rows_.back(); }
+  typename Rows::const_reference back() const { return rows_.back(); }
+
+ private:
+  Rows rows_;
+};
+
+}  // namespace planish

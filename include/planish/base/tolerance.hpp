@@ -1,0 +1,27 @@
+#pragma once
+
+/// Numeric tolerances, each a share of the extent of what is compared (or radians, where angles
+/// are): how far apart two numbers may be that would be equal without rounding. They are never
+/// lengths. Model tolerances (mm) are parameters, shop tolerances are options; neither is here.
+///
+/// A module gives a tolerance the name of what it decides and takes the value from here:
+/// `constexpr double kOnAxis = tolerance::kComputed;`.
+namespace planish::tolerance {
+
+/// A few operations on doubles of that size: 4500 ε.
+inline constexpr double kRounding = 1e-12;
+
+/// A chain of operations, a development, a solver or a root: far above the rounding that these
+/// gather, far below anything that is drawn or cut.
+inline constexpr double kComputed = 1e-9;
+
+/// Positions that went through a file: STEP writers keep some seven digits of the part's size.
+inline constexpr double kFileDigits = 1e-7;
+
+/// A step aside that leaves a border or a corner for certain, and the step of a central difference.
+inline constexpr double kAside = 1e-6;
+
+/// Below every length, area or angle that can occur: keeps a division from 0/0.
+inline constexpr double kTiniest = 1e-300;
+
+}  // namespace planish::tolerance
