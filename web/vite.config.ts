@@ -1,6 +1,7 @@
 import { defineConfig } from 'vite';
 
-// PLANISH_SERVER=http://127.0.0.1:PORT: the server that `vite` and `vite preview` ask; open their address with its #TOKEN.
+// PLANISH_SERVER=http://127.0.0.1:PORT: the server that `vite` and `vite preview` ask; open their address with its
+// #TOKEN.
 const target = process.env.PLANISH_SERVER;
 
 // Few files with fixed names: the server embeds whatever is in dist.

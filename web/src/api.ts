@@ -17,23 +17,29 @@ type More = Pick<RequestInit, 'keepalive' | 'signal'>;
 
 export class Api {
   private readonly token: string;
-  private readonly drafts = new DraftSocket(async () => `ws://${location.hostname}:${(await this.json<{ port: number }>('GET', '/api/socket')).port}/${this.token}`);
+  private readonly drafts = new DraftSocket(
+    async () =>
+      `ws://${location.hostname}:${(await this.json<{ port: number }>('GET', '/api/socket')).port}/${this.token}`,
+  );
   constructor(token: string) {
     this.token = token;
   }
 
   examples = () => this.json<Example[]>('GET', '/api/examples');
-  example = async (name: string) => (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
+  example = async (name: string) =>
+    (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
   documents = () => this.json<OpenDocument[]>('GET', '/api/documents');
   /** A document that is not read yet: `open` does that. */
   create = (name: string, bytes: ArrayBuffer | Blob) =>
     this.json<{ id: string; name: string }>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
-  open = (id: string, signal?: AbortSignal) => this.json<OpenDocument>('POST', `/api/documents/${id}/open`, undefined, { signal });
+  open = (id: string, signal?: AbortSignal) =>
+    this.json<OpenDocument>('POST', `/api/documents/${id}/open`, undefined, { signal });
   attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
     this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
   close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
   draft = async (id: string, request: Request, signal?: AbortSignal): Promise<Shape> => {
-    const asked = this.drafts.ask(id, JSON.stringify(request)), answer = asked && (await Promise.race([asked, cancelledBy(signal)]));
+    const asked = this.drafts.ask(id, JSON.stringify(request)),
+      answer = asked && (await Promise.race([asked, cancelledBy(signal)]));
     if (!answer) return this.shape(id, 'draft', request, signal);
     if (answer instanceof ArrayBuffer) return decodeShape(answer);
     throw new ApiError(answer, answer.status);
@@ -55,30 +61,43 @@ export class Api {
 
   private async call(method: string, path: string, body?: BodyInit, more: More = {}): Promise<Response> {
     const headers: Record<string, string> = { 'X-Planish-Token': this.token };
-    if (body !== undefined) headers['Content-Type'] = typeof body === 'string' ? 'application/json' : 'application/octet-stream';
+    if (body !== undefined)
+      headers['Content-Type'] = typeof body === 'string' ? 'application/json' : 'application/octet-stream';
     let answer: Response;
     try {
       answer = await fetch(path, { method, headers, body, cache: 'no-store', ...more });
     } catch {
       if (more.signal?.aborted) throw cancelled();
-      throw new ApiError({ code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' }, 0);
+      throw new ApiError(
+        { code: 'no_server', message: 'the studio’s server does not answer; is planish studio still running?' },
+        0,
+      );
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
     // What the program says of invalid input is an answer to the browser, which would note a failure on its console.
-    if (answer.headers.get('Content-Type')?.startsWith('application/problem+json')) throw new ApiError(await problemOf(answer), 422);
+    if (answer.headers.get('Content-Type')?.startsWith('application/problem+json'))
+      throw new ApiError(await problemOf(answer), 422);
     return answer;
   }
 }
 
 const cancelled = () => new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
 
-const cancelledBy = (signal?: AbortSignal) => new Promise<never>((_, end) => signal?.addEventListener('abort', () => end(cancelled()), { once: true }));
+const cancelledBy = (signal?: AbortSignal) =>
+  new Promise<never>((_, end) => signal?.addEventListener('abort', () => end(cancelled()), { once: true }));
 
 async function problemOf(answer: Response): Promise<ApiProblem> {
   try {
     const body = (await answer.json()) as Partial<ApiProblem>;
-    if (typeof body.message === 'string') return { code: body.code ?? String(answer.status), message: body.message, where: body.where };
-  } catch { /* not JSON: said below */ }
-  if (answer.status === 403) return { code: 'forbidden', message: 'the page lacks the token of this server; open the address that planish studio printed' };
+    if (typeof body.message === 'string')
+      return { code: body.code ?? String(answer.status), message: body.message, where: body.where };
+  } catch {
+    /* not JSON: said below */
+  }
+  if (answer.status === 403)
+    return {
+      code: 'forbidden',
+      message: 'the page lacks the token of this server; open the address that planish studio printed',
+    };
   return { code: String(answer.status), message: `the server answered ${answer.status} ${answer.statusText}` };
 }

@@ -8,8 +8,10 @@ export const patience = 500; // ms before a bar is shown
 export const poll = 250;
 const restart = 120; // ms that a worker takes to be there again after a cancelled request
 
-/** Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and the
- * result once it rests. */
+/**
+ * Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and
+ * the result once it rests.
+ */
 export class Computation {
   private draftWanted = false;
   private resultWanted = false;
@@ -33,7 +35,8 @@ export class Computation {
     this.store = store;
     store.subscribe((state, before) => {
       if (state.document?.id !== before.document?.id) this.restart();
-      else if (state.input !== before.input || (before.pending && !state.pending)) this.edited(state.input !== before.input, state.pending !== null);
+      else if (state.input !== before.input || (before.pending && !state.pending))
+        this.edited(state.input !== before.input, state.pending !== null);
     });
   }
 
@@ -72,13 +75,18 @@ export class Computation {
     if (changed) this.draftWanted = true;
     this.resultWanted = false;
     if (changed) this.giveUpResult();
-    if (!live) this.timer = window.setTimeout(() => { this.resultWanted = true; void this.next(); }, settle);
+    if (!live)
+      this.timer = window.setTimeout(() => {
+        this.resultWanted = true;
+        void this.next();
+      }, settle);
     void this.next();
   }
 
   /** A result that would keep the draft waiting for longer than a worker takes to come back. */
   private giveUpResult() {
-    const { document } = this.store.state, left = this.resultTook - (performance.now() - this.startedAt);
+    const { document } = this.store.state,
+      left = this.resultTook - (performance.now() - this.startedAt);
     if (this.running !== 'result' || this.givenUp || !document || document.kind === 'unfold' || left < restart) return;
     this.stop(document.id);
     this.superseded = true;
@@ -105,7 +113,9 @@ export class Computation {
     let ahead = false;
     try {
       const request: Request = { spec: input.spec ?? undefined, options: input.options };
-      const shape = await (what === 'draft' ? this.api.draft(document.id, request, this.flight.signal) : this.api.result(document.id, request, this.flight.signal));
+      const shape = await (what === 'draft'
+        ? this.api.draft(document.id, request, this.flight.signal)
+        : this.api.result(document.id, request, this.flight.signal));
       if (what === 'result') this.resultTook = performance.now() - this.startedAt;
       if (generation !== this.generation) return;
       ahead = this.askAhead();
@@ -134,7 +144,8 @@ export class Computation {
   }
 
   private async failed(error: unknown) {
-    if (error instanceof ApiError && error.status === 404 && (await this.reopen().catch(() => false))) return; // begins anew by itself
+    // begins anew by itself
+    if (error instanceof ApiError && error.status === 404 && (await this.reopen().catch(() => false))) return;
     const problem = problemOf(error);
     if (problem.code === 'cancelled' && this.superseded) return;
     if (problem.code === 'cancelled') this.store.dispatch({ type: 'note', note: 'cancelled' });
@@ -164,4 +175,6 @@ export class Computation {
 }
 
 export const problemOf = (error: unknown): ApiProblem =>
-  error instanceof ApiError ? error.problem : { code: 'page', message: error instanceof Error ? error.message : String(error) };
+  error instanceof ApiError
+    ? error.problem
+    : { code: 'page', message: error instanceof Error ? error.message : String(error) };

@@ -4,7 +4,10 @@ import { keepDocument, keptDocument } from './kept.ts';
 import type { Store } from './state.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
-interface Given { name: string; bytes: ArrayBuffer }
+interface Given {
+  name: string;
+  bytes: ArrayBuffer;
+}
 
 /** Opening: the main file becomes the document, text files beside it the scans that it names. */
 export class Documents {
@@ -22,17 +25,26 @@ export class Documents {
   async openFiles(files: File[]) {
     await this.attempt(files[0]?.name ?? '', async (signal) => {
       const given = await Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() })));
-      const [main, ...others] = given.filter((g) => !isPoints(g.name)), points = given.filter((g) => isPoints(g.name));
+      const [main, ...others] = given.filter((g) => !isPoints(g.name)),
+        points = given.filter((g) => isPoints(g.name));
       if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
       else await this.addPoints(points);
-      if (others.length) this.store.dispatch({ type: 'note', note: `One file at a time: ${others.map((g) => g.name).join(', ')} was left out.` });
+      if (others.length)
+        this.store.dispatch({
+          type: 'note',
+          note: `One file at a time: ${others.map((g) => g.name).join(', ')} was left out.`,
+        });
     });
   }
 
   async openExample(name: string) {
     await this.attempt(name, async (signal) => {
       const folder = name.includes('/') ? name.slice(0, name.lastIndexOf('/') + 1) : '';
-      await this.open({ name: name.slice(folder.length), bytes: await this.api.example(name) }, (file) => this.api.example(folder + file).catch(() => null), signal);
+      await this.open(
+        { name: name.slice(folder.length), bytes: await this.api.example(name) },
+        (file) => this.api.example(folder + file).catch(() => null),
+        signal,
+      );
     });
   }
 
@@ -47,12 +59,17 @@ export class Documents {
       const named = (await this.api.documents()).find((d) => d.given);
       if (!named) return;
       this.adopted = named.id;
-      this.file = named.text ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer } : null;
+      this.file = named.text
+        ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer }
+        : null;
       await this.take(named, async () => null, signal);
     });
   }
 
-  /** The same file once more, when the server has let the document go; the edits stay. False where the file is not known. */
+  /**
+   * The same file once more, when the server has let the document go; the edits stay. False where the file is not
+   * known.
+   */
   async reopen(): Promise<boolean> {
     const { file } = this;
     if (!file) return false;
@@ -73,12 +90,17 @@ export class Documents {
   }
 
   private async open(main: Given, beside: (name: string) => Promise<ArrayBuffer | null>, signal: AbortSignal) {
-    const document = await this.read(main, signal), used: Record<string, ArrayBuffer> = {};
-    await this.take(document, async (name) => {
-      const bytes = await beside(name);
-      if (bytes) used[name] = bytes;
-      return bytes;
-    }, signal);
+    const document = await this.read(main, signal),
+      used: Record<string, ArrayBuffer> = {};
+    await this.take(
+      document,
+      async (name) => {
+        const bytes = await beside(name);
+        if (bytes) used[name] = bytes;
+        return bytes;
+      },
+      signal,
+    );
     this.file = main;
     this.beside = used;
     keepDocument(main, used);
@@ -86,7 +108,8 @@ export class Documents {
 
   /** Has the server read a file. One that cannot be read, or that is given up, leaves no document behind. */
   private async read({ name, bytes }: Given, signal?: AbortSignal): Promise<OpenDocument> {
-    const { id } = await this.api.create(name, bytes), watched = this.watch(id);
+    const { id } = await this.api.create(name, bytes),
+      watched = this.watch(id);
     try {
       return await this.api.open(id, signal);
     } catch (error) {
@@ -102,16 +125,25 @@ export class Documents {
   private watch(id: string): () => void {
     let timer = 0;
     const look = async () => {
-      const asked = timer, progress = await this.api.progress(id).catch(() => null), { opening } = this.store.state;
+      const asked = timer,
+        progress = await this.api.progress(id).catch(() => null),
+        { opening } = this.store.state;
       if (asked !== timer || !opening) return;
       this.store.dispatch({ type: 'opening', opening: { ...opening, long: true, progress } });
       timer = window.setTimeout(look, poll);
     };
     timer = window.setTimeout(look, patience);
-    return () => { clearTimeout(timer); timer = 0; };
+    return () => {
+      clearTimeout(timer);
+      timer = 0;
+    };
   }
 
-  private async take(document: OpenDocument, beside: (name: string) => Promise<ArrayBuffer | null>, signal: AbortSignal) {
+  private async take(
+    document: OpenDocument,
+    beside: (name: string) => Promise<ArrayBuffer | null>,
+    signal: AbortSignal,
+  ) {
     const spec = document.text ? (JSON.parse(document.text) as Spec) : null;
     const missing: string[] = [];
     for (const file of pointFiles(document, spec)) {
@@ -129,7 +161,11 @@ export class Documents {
 
   private async addPoints(points: Given[]) {
     const d = this.store.state.document;
-    if (d?.kind !== 'slit') throw new ApiError({ code: 'no_slit_file', message: 'points belong to a slit file; open that first, or both together' }, 0);
+    if (d?.kind !== 'slit')
+      throw new ApiError(
+        { code: 'no_slit_file', message: 'points belong to a slit file; open that first, or both together' },
+        0,
+      );
     for (const p of points) await this.api.attach(d.id, p.name, p.bytes);
     this.beside = { ...this.beside, ...Object.fromEntries(points.map((p) => [p.name, p.bytes])) };
     if (this.file) keepDocument(this.file, this.beside);
@@ -139,7 +175,10 @@ export class Documents {
   /** Opens what was asked for last: what is still being opened is given up. */
   private async attempt(name: string, work: (signal: AbortSignal) => Promise<void>) {
     this.flight.abort();
-    const flight = new AbortController(), say: Store['dispatch'] = (action) => { if (flight === this.flight) this.store.dispatch(action); };
+    const flight = new AbortController(),
+      say: Store['dispatch'] = (action) => {
+        if (flight === this.flight) this.store.dispatch(action);
+      };
     this.flight = flight;
     say({ type: 'opening', opening: { name, long: false, progress: null } });
     try {

@@ -5,8 +5,10 @@ export type DraftAnswer = ArrayBuffer | (ApiProblem & { status: number }) | null
 
 const patience = 5000; // ms before a connection that was lost is tried again
 
-/** A WebSocket over which drafts are asked for: faster than HTTP, without which everything works as well. Answers come in the
- * order of what was asked. */
+/**
+ * A WebSocket over which drafts are asked for: faster than HTTP, without which everything works as well. Answers come
+ * in the order of what was asked.
+ */
 export class DraftSocket {
   private socket: WebSocket | null = null;
   private waiting: ((answer: DraftAnswer) => void)[] = [];
@@ -40,8 +42,11 @@ export class DraftSocket {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.addEventListener('message', ({ data }: MessageEvent<ArrayBuffer | string>) =>
-      this.waiting.shift()?.(typeof data === 'string' ? (JSON.parse(data) as DraftAnswer) : data));
-    socket.addEventListener('open', () => { opened = true; });
+      this.waiting.shift()?.(typeof data === 'string' ? (JSON.parse(data) as DraftAnswer) : data),
+    );
+    socket.addEventListener('open', () => {
+      opened = true;
+    });
     socket.addEventListener('close', () => {
       this.socket = null;
       if (!opened) this.triedAt = Infinity; // of another machine, say, of which one port alone is passed on: not again

@@ -1,18 +1,30 @@
 import type { Finding, Vec2 } from './types.ts';
 
 /** A finding where it is on the screen; without a number where that would cover another one. */
-export interface FindingMark { finding: number; at: Vec2; radius: number; numbered: boolean }
+export interface FindingMark {
+  finding: number;
+  at: Vec2;
+  radius: number;
+  numbered: boolean;
+}
 
 const [chosen, plain, dot] = [10, 7, 3.5]; // radii, pixels
 
-/** One mark for each place of each finding, in the order in which they are drawn. Those of the chosen one have their numbers first, then
- * the findings in their order. */
+/**
+ * One mark for each place of each finding, in the order in which they are drawn. Those of the chosen one have their
+ * numbers first, then the findings in their order.
+ */
 export function findingMarks(findings: Finding[], at: (place: Vec2) => Vec2, selected: number | null): FindingMark[] {
   const wanted = findings.flatMap((f, finding) => (f.at ?? []).map((place) => ({ finding, at: at(place) })));
-  const numbered: FindingMark[] = [], dots: FindingMark[] = [];
-  for (const mark of [...wanted.filter((m) => m.finding === selected), ...wanted.filter((m) => m.finding !== selected)]) {
+  const numbered: FindingMark[] = [],
+    dots: FindingMark[] = [];
+  for (const mark of [
+    ...wanted.filter((m) => m.finding === selected),
+    ...wanted.filter((m) => m.finding !== selected),
+  ]) {
     const radius = mark.finding === selected ? chosen : plain;
-    if (numbered.some((n) => Math.hypot(n.at[0] - mark.at[0], n.at[1] - mark.at[1]) < n.radius + radius - 1)) dots.push({ ...mark, radius: dot, numbered: false });
+    if (numbered.some((n) => Math.hypot(n.at[0] - mark.at[0], n.at[1] - mark.at[1]) < n.radius + radius - 1))
+      dots.push({ ...mark, radius: dot, numbered: false });
     else numbered.push({ ...mark, radius, numbered: true });
   }
   return [...dots, ...numbered.reverse()];

@@ -1,10 +1,24 @@
 import type { Vec2 } from './types.ts';
 
-export interface Label { text: string; at: Vec2; angle: number; room: number; color: string; weight?: 'bold' | 'normal' }
-interface Box { x: number; y: number; w: number; h: number }
+export interface Label {
+  text: string;
+  at: Vec2;
+  angle: number;
+  room: number;
+  color: string;
+  weight?: 'bold' | 'normal';
+}
+interface Box {
+  x: number;
+  y: number;
+  w: number;
+  h: number;
+}
 
-/** Writes labels that fit their room and cover none written before; what does not fit is shortened to its first word, then
- * left out. The more important ones come first. */
+/**
+ * Writes labels that fit their room and cover none written before; what does not fit is shortened to its first word,
+ * then left out. The more important ones come first.
+ */
 export class LabelWriter {
   private readonly taken: Box[] = [];
   private readonly c: CanvasRenderingContext2D;
@@ -29,10 +43,14 @@ export class LabelWriter {
     c.font = `${label.weight ?? 'normal'} 11px system-ui, sans-serif`;
     const width = c.measureText(text).width;
     if (width > label.room) return false;
-    const angle = upright(label.angle), cos = Math.abs(Math.cos(angle)), sin = Math.abs(Math.sin(angle));
-    const w = width * cos + 13 * sin + 2, h = width * sin + 13 * cos + 2;
+    const angle = upright(label.angle),
+      cos = Math.abs(Math.cos(angle)),
+      sin = Math.abs(Math.sin(angle));
+    const w = width * cos + 13 * sin + 2,
+      h = width * sin + 13 * cos + 2;
     const box = { x: label.at[0] - w / 2, y: label.at[1] - h / 2, w, h };
-    if (this.taken.some((b) => b.x < box.x + box.w && box.x < b.x + b.w && b.y < box.y + box.h && box.y < b.y + b.h)) return false;
+    if (this.taken.some((b) => b.x < box.x + box.w && box.x < b.x + b.w && b.y < box.y + box.h && box.y < b.y + b.h))
+      return false;
     this.taken.push(box);
     c.save();
     c.translate(...label.at);

@@ -47,7 +47,16 @@ export class FlatView {
   constructor(box: HTMLElement, palette: Palette, pick: PickInFlat) {
     this.box = box;
     this.pick = pick;
-    this.scene = { shape: null, report: null, findings: [], selected: null, edge: null, finding: null, units: 'mm', palette };
+    this.scene = {
+      shape: null,
+      report: null,
+      findings: [],
+      selected: null,
+      edge: null,
+      finding: null,
+      units: 'mm',
+      palette,
+    };
     this.c = this.canvas.getContext('2d', { willReadFrequently: drawnInSoftware })!;
     this.canvas.dataset.testid = 'flat-canvas';
     box.append(this.canvas);
@@ -65,11 +74,13 @@ export class FlatView {
   }
 
   fit() {
-    const { clientWidth: w, clientHeight: h } = this.box, [side, above, below] = [18, 30, 18];
+    const { clientWidth: w, clientHeight: h } = this.box,
+      [side, above, below] = [18, 30, 18];
     const [across, up] = [this.reach(0), this.reach(1)];
     this.scale = Math.min(scaleToFit(across, w - 2 * side), scaleToFit(up, h - above - below));
     this.fittedScale = this.scale;
-    const [x0, x1] = extentAt(across, this.scale), [y0, y1] = extentAt(up, this.scale);
+    const [x0, x1] = extentAt(across, this.scale),
+      [y0, y1] = extentAt(up, this.scale);
     this.offset = [w / 2 - (x0 + x1) / 2, (h + above - below) / 2 + (y0 + y1) / 2];
     this.fitted = true;
     this.draw();
@@ -77,14 +88,22 @@ export class FlatView {
 
   /** Where a point of the pattern is seen, in client coordinates: for tests. */
   project(at: Vec2) {
-    const r = this.canvas.getBoundingClientRect(), [x, y] = this.at(at[0], at[1]);
+    const r = this.canvas.getBoundingClientRect(),
+      [x, y] = this.at(at[0], at[1]);
     return { x: r.left + x, y: r.top + y };
   }
 
   /** What must be in sight along an axis: corners of the pattern, and its dimension lines. */
   private reach(axis: 0 | 1): Reach[] {
-    const { x0, y0, x1, y1 } = this.bounds, corners = axis ? [y0, y1] : [x0, x1];
-    return [...corners.map((at) => ({ at, by: 0 })), ...(this.rectangle ? dimensionReach(this.rectangle.corners) : []).map(({ at, by }) => ({ at: at[axis], by: by[axis] }))];
+    const { x0, y0, x1, y1 } = this.bounds,
+      corners = axis ? [y0, y1] : [x0, x1];
+    return [
+      ...corners.map((at) => ({ at, by: 0 })),
+      ...(this.rectangle ? dimensionReach(this.rectangle.corners) : []).map(({ at, by }) => ({
+        at: at[axis],
+        by: by[axis],
+      })),
+    ];
   }
 
   private at = (x: number, y: number): Vec2 => [this.offset[0] + this.scale * x, this.offset[1] - this.scale * y];
@@ -94,13 +113,17 @@ export class FlatView {
     if (!p || p.length === 0) return;
     const b = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
     for (let i = 0; i < p.length; i += 2) {
-      b.x0 = Math.min(b.x0, p[i]!); b.x1 = Math.max(b.x1, p[i]!);
-      b.y0 = Math.min(b.y0, p[i + 1]!); b.y1 = Math.max(b.y1, p[i + 1]!);
+      b.x0 = Math.min(b.x0, p[i]!);
+      b.x1 = Math.max(b.x1, p[i]!);
+      b.y0 = Math.min(b.y0, p[i + 1]!);
+      b.y1 = Math.max(b.y1, p[i + 1]!);
     }
     this.rectangle = smallestRectangle(p);
     for (const [x, y] of this.rectangle?.corners ?? []) {
-      b.x0 = Math.min(b.x0, x); b.x1 = Math.max(b.x1, x);
-      b.y0 = Math.min(b.y0, y); b.y1 = Math.max(b.y1, y);
+      b.x0 = Math.min(b.x0, x);
+      b.x1 = Math.max(b.x1, x);
+      b.y0 = Math.min(b.y0, y);
+      b.y1 = Math.max(b.y1, y);
     }
     this.bounds = b;
     this.places = null;
@@ -114,7 +137,8 @@ export class FlatView {
     });
     canvas.addEventListener('pointermove', (e) => {
       if (!this.press) return;
-      const dx = e.clientX - this.press.x, dy = e.clientY - this.press.y;
+      const dx = e.clientX - this.press.x,
+        dy = e.clientY - this.press.y;
       if (!this.press.moved && Math.hypot(dx, dy) < 4) return;
       this.press = { x: e.clientX, y: e.clientY, moved: true };
       this.offset = [this.offset[0] + dx, this.offset[1] + dy];
@@ -125,43 +149,63 @@ export class FlatView {
       if (this.press && !this.press.moved) this.clicked(e);
       this.press = null;
     });
-    canvas.addEventListener('wheel', (e) => {
-      e.preventDefault();
-      const r = canvas.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top, wanted = this.scale * Math.exp(-e.deltaY * 0.0015);
-      const factor = Math.min(this.fittedScale * 2000, Math.max(this.fittedScale / 50, wanted)) / this.scale; // beyond there is nothing to be seen
-      this.scale *= factor;
-      this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
-      this.fitted = false;
-      this.draw();
-    }, { passive: false });
+    canvas.addEventListener(
+      'wheel',
+      (e) => {
+        e.preventDefault();
+        const r = canvas.getBoundingClientRect(),
+          x = e.clientX - r.left,
+          y = e.clientY - r.top,
+          wanted = this.scale * Math.exp(-e.deltaY * 0.0015);
+        // beyond there is nothing to be seen
+        const factor = Math.min(this.fittedScale * 2000, Math.max(this.fittedScale / 50, wanted)) / this.scale;
+        this.scale *= factor;
+        this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
+        this.fitted = false;
+        this.draw();
+      },
+      { passive: false },
+    );
     canvas.addEventListener('dblclick', () => this.fit());
   }
 
   private clicked(e: PointerEvent) {
     const { shape } = this.scene;
     if (!shape) return this.pick(null, null);
-    const r = this.canvas.getBoundingClientRect(), sx = e.clientX - r.left, sy = e.clientY - r.top;
-    const x = (sx - this.offset[0]) / this.scale, y = (this.offset[1] - sy) / this.scale, found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
+    const r = this.canvas.getBoundingClientRect(),
+      sx = e.clientX - r.left,
+      sy = e.clientY - r.top;
+    const x = (sx - this.offset[0]) / this.scale,
+      y = (this.offset[1] - sy) / this.scale,
+      found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
     const facet = found < 0 ? null : found;
     this.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
   }
 
-  /** Lines go before the flange they lie on, the nearest first, and marks before lines; at its ends a bend leaves them to the edges. */
+  /**
+   * Lines go before the flange they lie on, the nearest first, and marks before lines; at its ends a bend leaves them
+   * to the edges.
+   */
   private lineUnder(shape: Shape, sx: number, sy: number): PickedInFlat | null {
     const finding = findingUnder(this.marks, sx, sy);
     if (finding !== null) return { finding };
-    const bend = this.nearest(shape.bend_lines, sx, sy, 6), edge = this.nearest(shape.edges, sx, sy);
+    const bend = this.nearest(shape.bend_lines, sx, sy, 6),
+      edge = this.nearest(shape.edges, sx, sy);
     if (bend && bend.distance <= (edge?.distance ?? Infinity)) return { part: shape.bend_line_part[bend.line]! };
     return edge && { edge: shape.edge_number[edge.line]! };
   }
 
-  /** The line, of those given by four numbers each, that is nearest to a point of the screen, if it is near; lines three times as long as
-   * `ends` count without so many pixels of their ends. */
+  /**
+   * The line, of those given by four numbers each, that is nearest to a point of the screen, if it is near; lines three
+   * times as long as `ends` count without so many pixels of their ends.
+   */
   private nearest(lines: Float32Array, sx: number, sy: number, ends = 0): { line: number; distance: number } | null {
     let best: { line: number; distance: number } | null = null;
     for (let i = 0; 4 * i + 3 < lines.length; ++i) {
-      const a = this.at(lines[4 * i]!, lines[4 * i + 1]!), b = this.at(lines[4 * i + 2]!, lines[4 * i + 3]!);
-      const { distance, along } = distanceToSegment(sx, sy, ...a, ...b), length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+      const a = this.at(lines[4 * i]!, lines[4 * i + 1]!),
+        b = this.at(lines[4 * i + 2]!, lines[4 * i + 3]!);
+      const { distance, along } = distanceToSegment(sx, sy, ...a, ...b),
+        length = Math.hypot(b[0] - a[0], b[1] - a[1]);
       if (length > 3 * ends && Math.min(along, 1 - along) * length < ends) continue;
       if (distance < (best?.distance ?? 5)) best = { line: i, distance };
     }
@@ -169,7 +213,8 @@ export class FlatView {
   }
 
   private resize() {
-    const { clientWidth: w, clientHeight: h } = this.box, ratio = window.devicePixelRatio;
+    const { clientWidth: w, clientHeight: h } = this.box,
+      ratio = window.devicePixelRatio;
     if (w === 0 || h === 0) return;
     this.canvas.width = Math.round(w * ratio);
     this.canvas.height = Math.round(h * ratio);
@@ -187,7 +232,9 @@ export class FlatView {
   }
 
   private paint() {
-    const { c, scene } = this, { shape, palette } = scene, ratio = window.devicePixelRatio;
+    const { c, scene } = this,
+      { shape, palette } = scene,
+      ratio = window.devicePixelRatio;
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.fillStyle = palette.background;
     c.fillRect(0, 0, this.canvas.width, this.canvas.height);
@@ -205,11 +252,20 @@ export class FlatView {
   }
 
   private dimension(writer: LabelWriter) {
-    const r = this.rectangle, { palette, units, report } = this.scene, factor = millimetres(report?.units);
+    const r = this.rectangle,
+      { palette, units, report } = this.scene,
+      factor = millimetres(report?.units);
     if (!r) return;
     const box = r.corners.map((p) => this.at(...p)) as typeof r.corners;
     const size = report?.flat ? sidesAsReported(r.size, report.flat.size.map((v) => v * factor) as Vec2) : r.size;
-    drawDimensions(this.c, box, size.map((v) => lengthText(v, 'mm', units)) as [string, string], palette, writer, r.turned);
+    drawDimensions(
+      this.c,
+      box,
+      size.map((v) => lengthText(v, 'mm', units)) as [string, string],
+      palette,
+      writer,
+      r.turned,
+    );
   }
 
   private fill(shape: Shape, whose: (part: number) => boolean, color: string, alpha = 1) {
@@ -223,7 +279,10 @@ export class FlatView {
   }
 
   private trace(shape: Shape, contour: number) {
-    const { c } = this, p = shape.contour_points, first = shape.contour_starts[contour]!, end = shape.contour_starts[contour + 1]!;
+    const { c } = this,
+      p = shape.contour_points,
+      first = shape.contour_starts[contour]!,
+      end = shape.contour_starts[contour + 1]!;
     for (let i = first; i < end; ++i) {
       const [x, y] = this.at(p[2 * i]!, p[2 * i + 1]!);
       if (i === first) c.moveTo(x, y);
@@ -232,7 +291,8 @@ export class FlatView {
   }
 
   private fillOverlaps(shape: Shape) {
-    const { c } = this, o = shape.overlaps;
+    const { c } = this,
+      o = shape.overlaps;
     if (o.length === 0) return;
     c.beginPath();
     for (let i = 0; i + 5 < o.length; i += 6) {
@@ -252,12 +312,14 @@ export class FlatView {
   }
 
   private strokeEdges(shape: Shape, whose: (edge: number) => boolean, color: string, width: number) {
-    const { c } = this, e = shape.edges;
+    const { c } = this,
+      e = shape.edges;
     let last = -2;
     c.beginPath();
     for (let i = 0; 4 * i + 3 < e.length; ++i) {
       if (!whose(i)) continue;
-      const x = e[4 * i]!, y = e[4 * i + 1]!;
+      const x = e[4 * i]!,
+        y = e[4 * i + 1]!;
       // What goes on where the last one ends is one line with it: ends cost more to draw than corners.
       if (last !== i - 1 || x !== e[4 * i - 2] || y !== e[4 * i - 1]) c.moveTo(...this.at(x, y));
       c.lineTo(...this.at(e[4 * i + 2]!, e[4 * i + 3]!));
@@ -271,7 +333,9 @@ export class FlatView {
   }
 
   private strokeBendLines(shape: Shape) {
-    const { c } = this, { palette, selected } = this.scene, l = shape.bend_lines;
+    const { c } = this,
+      { palette, selected } = this.scene,
+      l = shape.bend_lines;
     for (let i = 0; i < shape.bend_line_part.length; ++i) {
       const part = shape.bend_line_part[i]!;
       c.beginPath();
@@ -304,9 +368,16 @@ export class FlatView {
   }
 
   private markFindings(writer: LabelWriter) {
-    const { c } = this, { palette, findings, finding, report } = this.scene, factor = millimetres(report?.units);
+    const { c } = this,
+      { palette, findings, finding, report } = this.scene,
+      factor = millimetres(report?.units);
     this.marks = findingMarks(findings, ([x, y]) => this.at(x * factor, y * factor), finding);
-    for (const { finding: i, at: [x, y], radius: r, numbered } of this.marks) {
+    for (const {
+      finding: i,
+      at: [x, y],
+      radius: r,
+      numbered,
+    } of this.marks) {
       c.beginPath();
       c.arc(x, y, r, 0, 2 * Math.PI);
       c.fillStyle = palette[findings[i]!.severity];
@@ -329,52 +400,92 @@ export class FlatView {
   private writeLabels(shape: Shape, writer: LabelWriter) {
     const { palette, selected, report } = this.scene;
     const written = new Set<number>();
-    const marks = report?.flat?.labels ?? [], factor = millimetres(report?.units);
-    const l = shape.bend_lines, lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort((a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i));
+    const marks = report?.flat?.labels ?? [],
+      factor = millimetres(report?.units);
+    const l = shape.bend_lines,
+      lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort(
+        (a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i),
+      );
     const ridges = shape.handles.ridges !== undefined; // too many to be named; strips are
     for (const { part, i } of [...lines.filter((x) => x.part === selected), ...(ridges ? [] : lines)]) {
       if (written.has(part)) continue;
-      const a = this.at(l[4 * i]!, l[4 * i + 1]!), b = this.at(l[4 * i + 2]!, l[4 * i + 3]!), room = Math.hypot(b[0] - a[0], b[1] - a[1]) - 6;
-      const color = this.isUp(shape, part) ? palette.up : palette.down, angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
-      const along = (t: number) => writer.write({
-        text: this.bendText(shape, part), at: [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])], angle, room: 2 * Math.min(t, 1 - t) * room, color, weight: part === selected ? 'bold' : 'normal' });
+      const a = this.at(l[4 * i]!, l[4 * i + 1]!),
+        b = this.at(l[4 * i + 2]!, l[4 * i + 3]!),
+        room = Math.hypot(b[0] - a[0], b[1] - a[1]) - 6;
+      const color = this.isUp(shape, part) ? palette.up : palette.down,
+        angle = Math.atan2(b[1] - a[1], b[0] - a[0]);
+      const along = (t: number) =>
+        writer.write({
+          text: this.bendText(shape, part),
+          at: [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])],
+          angle,
+          room: 2 * Math.min(t, 1 - t) * room,
+          color,
+          weight: part === selected ? 'bold' : 'normal',
+        });
       if ([0.5, 0.27, 0.73].some(along)) written.add(part);
     }
-    for (const m of marks) writer.write({ text: m.text, at: this.at(m.at[0] * factor, m.at[1] * factor), angle: 0, room: 200, color: palette.label, weight: 'bold' });
+    for (const m of marks)
+      writer.write({
+        text: m.text,
+        at: this.at(m.at[0] * factor, m.at[1] * factor),
+        angle: 0,
+        room: 200,
+        color: palette.label,
+        weight: 'bold',
+      });
     if (marks.length) return;
     this.places ??= labelPlaces(shape);
     for (const [part, { at, room }] of this.places) {
       if (room * this.scale < 9) continue;
       const { name, plate } = shape.parts[part]!;
-      writer.write({ text: plate ?? name, at: this.at(...at), angle: 0, room: 400, color: palette.label, weight: 'bold' });
+      writer.write({
+        text: plate ?? name,
+        at: this.at(...at),
+        angle: 0,
+        room: 400,
+        color: palette.label,
+        weight: 'bold',
+      });
     }
   }
 
   private bendText(shape: Shape, part: number): string {
-    const row = this.bendRow(shape, part), name = shape.parts[part]?.name ?? '';
+    const row = this.bendRow(shape, part),
+      name = shape.parts[part]?.name ?? '';
     if (!row) return name;
-    const radius = row.inside_radius > 0 ? ` R${lengthText(row.inside_radius, this.scene.report?.units, this.scene.units)}` : '';
+    const radius =
+      row.inside_radius > 0 ? ` R${lengthText(row.inside_radius, this.scene.report?.units, this.scene.units)}` : '';
     return `${name} ${row.direction} ${clean(row.angle, 1)}°${radius}`;
   }
 
-  private lengthOf = (l: Float32Array, i: number) => Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
+  private lengthOf = (l: Float32Array, i: number) =>
+    Math.hypot(l[4 * i + 2]! - l[4 * i]!, l[4 * i + 3]! - l[4 * i + 1]!);
 }
 
 /** A place along an axis of the pattern, and how far from it in pixels. */
-interface Reach { at: number; by: number }
+interface Reach {
+  at: number;
+  by: number;
+}
 
 const extentAt = (places: Reach[], scale: number): Vec2 => {
   const all = places.map(({ at, by }) => scale * at + by);
   return [Math.min(...all), Math.max(...all)];
 };
 
-/** The largest scale at which all places lie within `room` pixels; of too small a room a hundredth of what the pattern alone would have. */
+/**
+ * The largest scale at which all places lie within `room` pixels; of too small a room a hundredth of what the pattern
+ * alone would have.
+ */
 function scaleToFit(places: Reach[], room: number): number {
-  const own = places.map((p) => p.at), width = Math.max(Math.max(...own) - Math.min(...own), 1e-6);
+  const own = places.map((p) => p.at),
+    width = Math.max(Math.max(...own) - Math.min(...own), 1e-6);
   const most = Math.max(room, 1) / width;
   let [low, high] = [0, most];
   for (let i = 0; i < 40; ++i) {
-    const middle = (low + high) / 2, [from, to] = extentAt(places, middle);
+    const middle = (low + high) / 2,
+      [from, to] = extentAt(places, middle);
     if (to - from <= room) low = middle;
     else high = middle;
   }

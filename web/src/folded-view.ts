@@ -1,5 +1,16 @@
 import {
-  Box3, Color, Matrix4, Object3D, OrthographicCamera, Plane, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer,
+  Box3,
+  Color,
+  Matrix4,
+  Object3D,
+  OrthographicCamera,
+  Plane,
+  Raycaster,
+  Scene,
+  Sphere,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
@@ -36,11 +47,22 @@ export interface Overlay {
 }
 
 /** What is marked: a row of parts, the number of an edge. */
-export interface Picked { part: number | null; edge: number | null }
-interface Point { x: number; y: number }
+export interface Picked {
+  part: number | null;
+  edge: number | null;
+}
+interface Point {
+  x: number;
+  y: number;
+}
 
 /** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
-const directions: Record<StandardView, Vec3> = { front: [0, -1, 0], top: [0, -1e-4, 1], right: [1, 0, 0], iso: [1, -1.25, 0.95] };
+const directions: Record<StandardView, Vec3> = {
+  front: [0, -1, 0],
+  top: [0, -1e-4, 1],
+  right: [1, 0, 0],
+  iso: [1, -1.25, 0.95],
+};
 
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
@@ -54,13 +76,23 @@ export class FoldedView {
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
   private shape: Shape | null = null;
-  private overlay: Overlay = { anchors: [], scale: 1, plate: null, numbered: [], anchor: null, gizmo: 'translate', handles: true, ridges: 10 };
+  private overlay: Overlay = {
+    anchors: [],
+    scale: 1,
+    plate: null,
+    numbered: [],
+    anchor: null,
+    gizmo: 'translate',
+    handles: true,
+    ridges: 10,
+  };
   private palette: Palette;
   private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
   private radius = 100;
-  private fitted: { target: Vector3; zoom: number; set: number } | null = null; // while nobody has zoomed or panned; `set`: the zoom that stands
+  // While nobody has zoomed or panned; `set`: the zoom that stands.
+  private fitted: { target: Vector3; zoom: number; set: number } | null = null;
 
   private readonly box: HTMLElement;
   private readonly events: FoldedViewEvents;
@@ -138,30 +170,46 @@ export class FoldedView {
     this.camera.zoom = 0.88 * this.fittingZoom(box, direction, sphere.center);
     this.camera.updateProjectionMatrix();
     this.orbit.update();
-    [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000]; // beyond there is nothing to be seen
+    // beyond there is nothing to be seen
+    [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000];
     this.fitted = { target: this.orbit.target.clone(), zoom: this.camera.zoom, set: this.camera.zoom };
     this.draw();
   }
 
   /** Whether what is seen is as it was fitted, but for the direction. */
   private get isFitted() {
-    return this.fitted !== null && this.fitted.set === this.camera.zoom && this.fitted.target.distanceTo(this.orbit.target) < 1e-6 * this.radius;
+    return (
+      this.fitted !== null &&
+      this.fitted.set === this.camera.zoom &&
+      this.fitted.target.distanceTo(this.orbit.target) < 1e-6 * this.radius
+    );
   }
 
-  /** A sheet that unfolds grows: as far as it needs that, it is seen from farther away, and from as near as before once it is folded. */
+  /**
+   * A sheet that unfolds grows: as far as it needs that, it is seen from farther away, and from as near as before once
+   * it is folded.
+   */
   private keepInSight() {
     const box = new Box3();
     this.sheet.boundsInto(box);
     if (!this.fitted || !this.isFitted || box.isEmpty()) return;
-    const { target, zoom } = this.fitted, reach = Math.max(this.radius, box.getBoundingSphere(new Sphere()).radius + box.getCenter(new Vector3()).distanceTo(target));
+    const { target, zoom } = this.fitted,
+      reach = Math.max(
+        this.radius,
+        box.getBoundingSphere(new Sphere()).radius + box.getCenter(new Vector3()).distanceTo(target),
+      );
     this.camera.near = -8 * reach;
     this.camera.far = 16 * reach;
-    this.camera.zoom = this.fitted.set = Math.min(zoom, 0.96 * this.fittingZoom(box, this.camera.position.clone().sub(target).normalize(), target));
+    this.camera.zoom = this.fitted.set = Math.min(
+      zoom,
+      0.96 * this.fittingZoom(box, this.camera.position.clone().sub(target).normalize(), target),
+    );
     this.camera.updateProjectionMatrix();
   }
 
   look(view: StandardView) {
-    const [x, y, z] = directions[view], direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+    const [x, y, z] = directions[view],
+      direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
     this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
     this.orbit.update();
     this.fit();
@@ -188,16 +236,23 @@ export class FoldedView {
 
   /** Where a point in space is seen, in client coordinates: for tests. */
   project(at: Vec3): { x: number; y: number } {
-    const p = this.toScreen(at), r = this.renderer.domElement.getBoundingClientRect();
+    const p = this.toScreen(at),
+      r = this.renderer.domElement.getBoundingClientRect();
     return { x: r.left + p.x, y: r.top + p.y };
   }
 
   /** At which the box just fills the view whose middle is `center`. */
   private fittingZoom(box: Box3, direction: Vector3, center: Vector3): number {
-    const right = new Vector3().crossVectors(this.camera.up, direction).normalize(), top = new Vector3().crossVectors(direction, right);
-    let w = 1e-6, h = 1e-6;
+    const right = new Vector3().crossVectors(this.camera.up, direction).normalize(),
+      top = new Vector3().crossVectors(direction, right);
+    let w = 1e-6,
+      h = 1e-6;
     for (let i = 0; i < 8; ++i) {
-      const corner = new Vector3(i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z).sub(center);
+      const corner = new Vector3(
+        i & 1 ? box.max.x : box.min.x,
+        i & 2 ? box.max.y : box.min.y,
+        i & 4 ? box.max.z : box.min.z,
+      ).sub(center);
       w = Math.max(w, Math.abs(corner.dot(right)));
       h = Math.max(h, Math.abs(corner.dot(top)));
     }
@@ -208,7 +263,9 @@ export class FoldedView {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));
     canvas.addEventListener('pointerup', (e) => this.up(e));
-    this.gizmo.addEventListener('change', () => { if (!this.gizmo.dragging) this.draw(); }); // else the geometry that follows does
+    this.gizmo.addEventListener('change', () => {
+      if (!this.gizmo.dragging) this.draw();
+    }); // else the geometry that follows does
     this.gizmo.addEventListener('dragging-changed', (e) => {
       this.orbit.enabled = !e.value;
       if (e.value) this.gripStart.copy(this.grip.matrixWorld);
@@ -226,7 +283,13 @@ export class FoldedView {
 
   private down(e: PointerEvent) {
     if (e.button !== 0) return;
-    const anchor = this.overlay.handles ? this.nearest(e, this.overlay.anchors.map((a) => this.anchorAt(a)), 12) : null;
+    const anchor = this.overlay.handles
+      ? this.nearest(
+          e,
+          this.overlay.anchors.map((a) => this.anchorAt(a)),
+          12,
+        )
+      : null;
     const plane = new Plane();
     if (anchor !== null) {
       const at = new Vector3(...this.anchorAt(this.overlay.anchors[anchor]!));
@@ -260,7 +323,12 @@ export class FoldedView {
 
   private click(e: PointerEvent) {
     if (this.shape && this.overlay.handles) {
-      const ends = ridgeEnds(this.shape.handles, this.overlay.ridges), end = this.nearest(e, ends.map((r) => r.at), 7);
+      const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
+        end = this.nearest(
+          e,
+          ends.map((r) => r.at),
+          7,
+        );
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
     const line = this.lineUnder(e);
@@ -272,26 +340,40 @@ export class FoldedView {
 
   /** The line nearest to the pointer of those that are near and not hidden by the sheet. */
   private lineUnder(e: PointerEvent): PickedLine | null {
-    const r = this.renderer.domElement.getBoundingClientRect(), x = e.clientX - r.left, y = e.clientY - r.top;
-    const near = this.sheet.lines().flatMap(({ line, ends }) => {
-      const [a, b] = ends.map((end) => this.toScreen(end)) as [Point, Point], { distance, along } = distanceToSegment(x, y, a.x, a.y, b.x, b.y);
-      return distance < 5 ? [{ line, distance, at: new Vector3(...ends[0]).lerp(new Vector3(...ends[1]), along) }] : [];
-    }).sort((a, b) => a.distance - b.distance);
+    const r = this.renderer.domElement.getBoundingClientRect(),
+      x = e.clientX - r.left,
+      y = e.clientY - r.top;
+    const near = this.sheet
+      .lines()
+      .flatMap(({ line, ends }) => {
+        const [a, b] = ends.map((end) => this.toScreen(end)) as [Point, Point],
+          { distance, along } = distanceToSegment(x, y, a.x, a.y, b.x, b.y);
+        return distance < 5
+          ? [{ line, distance, at: new Vector3(...ends[0]).lerp(new Vector3(...ends[1]), along) }]
+          : [];
+      })
+      .sort((a, b) => a.distance - b.distance);
     return near.slice(0, 12).find(({ at }) => this.isSeen(at))?.line ?? null;
   }
 
   private isSeen(at: Vector3): boolean {
-    const direction = this.camera.getWorldDirection(new Vector3()), ray = new Raycaster(at.clone().addScaledVector(direction, -8 * this.radius), direction);
+    const direction = this.camera.getWorldDirection(new Vector3()),
+      ray = new Raycaster(at.clone().addScaledVector(direction, -8 * this.radius), direction);
     const hit = ray.intersectObject(this.sheet.skin, false)[0];
     return !hit || hit.distance > 8 * this.radius - Math.max(this.sheet.depth, 0.004 * this.radius);
   }
 
   private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
     const r = this.renderer.domElement.getBoundingClientRect();
-    let best: number | null = null, least = within;
+    let best: number | null = null,
+      least = within;
     places.forEach((place, i) => {
-      const p = this.toScreen(place), d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
-      if (d < least) { least = d; best = i; }
+      const p = this.toScreen(place),
+        d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
+      if (d < least) {
+        least = d;
+        best = i;
+      }
     });
     return best;
   }
@@ -299,25 +381,42 @@ export class FoldedView {
   private anchorAt = (a: AnchorSpec): Vec3 => a.at.map((v) => v * this.overlay.scale) as Vec3;
 
   private toScreen(at: Vec3) {
-    const p = new Vector3(...at).project(this.camera), canvas = this.renderer.domElement;
+    const p = new Vector3(...at).project(this.camera),
+      canvas = this.renderer.domElement;
     return { x: ((p.x + 1) / 2) * canvas.clientWidth, y: ((1 - p.y) / 2) * canvas.clientHeight };
   }
 
   private ray(e: PointerEvent): Raycaster {
-    const r = this.renderer.domElement.getBoundingClientRect(), ray = new Raycaster();
-    ray.setFromCamera(new Vector2(((e.clientX - r.left) / r.width) * 2 - 1, 1 - ((e.clientY - r.top) / r.height) * 2), this.camera);
+    const r = this.renderer.domElement.getBoundingClientRect(),
+      ray = new Raycaster();
+    ray.setFromCamera(
+      new Vector2(((e.clientX - r.left) / r.width) * 2 - 1, 1 - ((e.clientY - r.top) / r.height) * 2),
+      this.camera,
+    );
     return ray;
   }
 
   private showHandles() {
     const shown = this.overlay.handles ? (this.shape?.handles ?? {}) : {};
-    this.handles.set(shown, this.overlay.handles ? this.overlay.anchors : [], this.palette, this.overlay, this.overlay.scale, this.overlay.ridges);
+    this.handles.set(
+      shown,
+      this.overlay.handles ? this.overlay.anchors : [],
+      this.palette,
+      this.overlay,
+      this.overlay.scale,
+      this.overlay.ridges,
+    );
   }
 
-  /** The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate follows. */
+  /**
+   * The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate
+   * follows.
+   */
   private attachGizmo() {
     if (this.gizmo.dragging) return;
-    const plate = this.overlay.handles ? this.shape?.handles.plates?.find((p) => p.id === this.overlay.plate) : undefined;
+    const plate = this.overlay.handles
+      ? this.shape?.handles.plates?.find((p) => p.id === this.overlay.plate)
+      : undefined;
     if (!plate) {
       this.gizmo.detach();
       return;

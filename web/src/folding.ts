@@ -4,8 +4,11 @@ export type FacetTree = Pick<Facets, 'facet_parent' | 'facet_hinge' | 'facet_ang
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** For each facet the 4×4 matrix, row by row, that takes the flat pattern (z = 0) to where the facet lies when every bend is
- * turned by `share` of its angle. At 0 the whole pattern lies in the root facet's plane. Parents come before children. */
+/**
+ * For each facet the 4×4 matrix, row by row, that takes the flat pattern (z = 0) to where the facet lies when every
+ * bend is turned by `share` of its angle. At 0 the whole pattern lies in the root facet's plane. Parents come before
+ * children.
+ */
 export function facetTransforms(tree: FacetTree, share: number): Float64Array {
   const count = tree.facet_parent.length;
   const out = new Float64Array(16 * count);
@@ -20,13 +23,29 @@ export function facetTransforms(tree: FacetTree, share: number): Float64Array {
 
 /** out[at…] = out[parent…] · rotation by `angle` about the line through two points of the flat pattern. */
 function turnAbout(out: Float64Array, parent: number, hinge: Float32Array, h: number, angle: number, at: number) {
-  const px = hinge[h]!, py = hinge[h + 1]!;
+  const px = hinge[h]!,
+    py = hinge[h + 1]!;
   const [ux, uy] = unit(hinge[h + 2]! - px, hinge[h + 3]! - py);
-  const c = Math.cos(angle), s = Math.sin(angle), d = 1 - c;
-  const r00 = c + ux * ux * d, r01 = ux * uy * d, r02 = uy * s, r11 = c + uy * uy * d, r12 = -ux * s, r20 = -uy * s, r21 = ux * s;
-  const tx = px - r00 * px - r01 * py, ty = py - r01 * px - r11 * py, tz = -r20 * px - r21 * py;
+  const c = Math.cos(angle),
+    s = Math.sin(angle),
+    d = 1 - c;
+  const r00 = c + ux * ux * d,
+    r01 = ux * uy * d,
+    r02 = uy * s,
+    r11 = c + uy * uy * d,
+    r12 = -ux * s,
+    r20 = -uy * s,
+    r21 = ux * s;
+  const tx = px - r00 * px - r01 * py,
+    ty = py - r01 * px - r11 * py,
+    tz = -r20 * px - r21 * py;
   for (let row = 0; row < 4; ++row) {
-    const p = parent + 4 * row, a = out[p]!, b = out[p + 1]!, e = out[p + 2]!, w = out[p + 3]!, o = at + 4 * row;
+    const p = parent + 4 * row,
+      a = out[p]!,
+      b = out[p + 1]!,
+      e = out[p + 2]!,
+      w = out[p + 3]!,
+      o = at + 4 * row;
     out[o] = a * r00 + b * r01 + e * r20;
     out[o + 1] = a * r01 + b * r11 + e * r21;
     out[o + 2] = a * r02 + b * r12 + e * c;
@@ -41,7 +60,8 @@ export function unit(x: number, y: number): [number, number] {
 
 /** The place of a point of the flat pattern, `z` above it, on facet `f`. */
 export function place(transforms: Float64Array, f: number, x: number, y: number, z = 0): Vec3 {
-  const t = transforms, o = 16 * f;
+  const t = transforms,
+    o = 16 * f;
   return [
     t[o]! * x + t[o + 1]! * y + t[o + 2]! * z + t[o + 3]!,
     t[o + 4]! * x + t[o + 5]! * y + t[o + 6]! * z + t[o + 7]!,
@@ -49,7 +69,9 @@ export function place(transforms: Float64Array, f: number, x: number, y: number,
   ];
 }
 
-/** The same, moved so that facet `held` is where it is when all is folded: another facet than the root stays in place. */
+/**
+ * The same, moved so that facet `held` is where it is when all is folded: another facet than the root stays in place.
+ */
 export function transformsHolding(tree: FacetTree, share: number, held: number): Float64Array {
   const out = facetTransforms(tree, share);
   if (held <= 0 || held >= tree.facet_parent.length || share === 1) return out;
@@ -60,8 +82,11 @@ export function transformsHolding(tree: FacetTree, share: number, held: number):
 
 function product(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number[] {
   return Array.from({ length: 16 }, (_, n) => {
-    const row = i + 4 * Math.floor(n / 4), column = j + (n % 4);
-    return a[row]! * b[column]! + a[row + 1]! * b[column + 4]! + a[row + 2]! * b[column + 8]! + a[row + 3]! * b[column + 12]!;
+    const row = i + 4 * Math.floor(n / 4),
+      column = j + (n % 4);
+    return (
+      a[row]! * b[column]! + a[row + 1]! * b[column + 4]! + a[row + 2]! * b[column + 8]! + a[row + 3]! * b[column + 12]!
+    );
   });
 }
 

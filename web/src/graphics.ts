@@ -1,7 +1,10 @@
-/** Whether a processor does the work of a graphics card. Smooth edges then cost most of the time, and drawings are made faster
- * without the detour through what imitates the card. */
+/**
+ * Whether a processor does the work of a graphics card. Smooth edges then cost most of the time, and drawings are made
+ * faster without the detour through what imitates the card.
+ */
 export const drawnInSoftware: boolean = (() => {
-  const gl = document.createElement('canvas').getContext('webgl2'), info = gl?.getExtension('WEBGL_debug_renderer_info');
+  const gl = document.createElement('canvas').getContext('webgl2'),
+    info = gl?.getExtension('WEBGL_debug_renderer_info');
   const name = gl && info ? String(gl.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
   gl?.getExtension('WEBGL_lose_context')?.loseContext();
   return /swiftshader|llvmpipe|software|basic render/i.test(name);

@@ -1,6 +1,17 @@
 import {
-  BufferAttribute, BufferGeometry, CanvasTexture, Group, Line, LineBasicMaterial, LineLoop, Points, PointsMaterial, SRGBColorSpace,
-  type LineBasicMaterialParameters, type Material, type Texture,
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineLoop,
+  Points,
+  PointsMaterial,
+  SRGBColorSpace,
+  type LineBasicMaterialParameters,
+  type Material,
+  type Texture,
 } from 'three';
 import type { Palette } from './theme.ts';
 import type { AnchorSpec, Handles, Vec3 } from './types.ts';
@@ -11,14 +22,27 @@ export class HandleObjects {
   private readonly disc: Texture = discTexture();
   private readonly materials = new Map<string, Material>();
 
-  set(handles: Handles, anchors: AnchorSpec[], palette: Palette, selected: { plate: string | null; anchor: number | null; numbered: string[] }, scale: number, ridges: number) {
+  set(
+    handles: Handles,
+    anchors: AnchorSpec[],
+    palette: Palette,
+    selected: { plate: string | null; anchor: number | null; numbered: string[] },
+    scale: number,
+    ridges: number,
+  ) {
     this.clear();
     for (const plate of handles.plates ?? [])
-      if (plate.id === selected.plate) this.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
-    for (const plate of handles.plates ?? []) if (selected.numbered.includes(plate.id)) this.numbers(plate.corners, palette);
+      if (plate.id === selected.plate)
+        this.add(new LineLoop(through(plate.corners), this.line(palette.selected, { depthTest: false })));
+    for (const plate of handles.plates ?? [])
+      if (selected.numbered.includes(plate.id)) this.numbers(plate.corners, palette);
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
     for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
-    this.points(ridgeEnds(handles, ridges).map((r) => r.at), palette.ridge, 5);
+    this.points(
+      ridgeEnds(handles, ridges).map((r) => r.at),
+      palette.ridge,
+      5,
+    );
     this.points(handles.scan ?? [], palette.scan, 2);
     const at = anchors.map((a) => a.at.map((v) => v * scale) as Vec3);
     this.points(at, palette.anchor, 13);
@@ -55,9 +79,19 @@ export class HandleObjects {
   /** The numbers of a plate's edges, as files name them, in the middle of each. */
   private numbers(corners: Vec3[], palette: Palette) {
     corners.forEach((a, i) => {
-      const b = corners[(i + 1) % corners.length]!, middle = a.map((v, k) => (v + b[k]!) / 2) as Vec3;
-      const material = this.material(`number ${i} ${palette.label} ${palette.halo}`, () => new PointsMaterial({
-        size: 20, sizeAttenuation: false, map: numberTexture(i, palette), transparent: true, depthTest: false }));
+      const b = corners[(i + 1) % corners.length]!,
+        middle = a.map((v, k) => (v + b[k]!) / 2) as Vec3;
+      const material = this.material(
+        `number ${i} ${palette.label} ${palette.halo}`,
+        () =>
+          new PointsMaterial({
+            size: 20,
+            sizeAttenuation: false,
+            map: numberTexture(i, palette),
+            transparent: true,
+            depthTest: false,
+          }),
+      );
       const point = new Points(through([middle]), material);
       point.renderOrder = 3;
       this.add(point);
@@ -66,28 +100,48 @@ export class HandleObjects {
 
   private points(at: Vec3[], color: string, size: number) {
     if (!at.length) return;
-    const material = this.material(`points ${color} ${size}`,
-      () => new PointsMaterial({ color, size, sizeAttenuation: false, map: this.disc, alphaTest: 0.5, depthTest: size < 10 }));
+    const material = this.material(
+      `points ${color} ${size}`,
+      () =>
+        new PointsMaterial({
+          color,
+          size,
+          sizeAttenuation: false,
+          map: this.disc,
+          alphaTest: 0.5,
+          depthTest: size < 10,
+        }),
+    );
     const points = new Points(through(at), material);
     if (size >= 10) points.renderOrder = 2;
     this.add(points);
   }
 }
 
-export interface RidgeEnd { strip: number; ridge: number; side: 'left' | 'right'; at: Vec3 }
+export interface RidgeEnd {
+  strip: number;
+  ridge: number;
+  side: 'left' | 'right';
+  at: Vec3;
+}
 
 /** Both ends of the ridges that stand from the start, `count` spans to a strip: those between came by halving. */
 export function ridgeEnds(handles: Handles, count: number): RidgeEnd[] {
   return (handles.ridges ?? []).flatMap((rows, strip) => {
     const step = Math.max(1, Math.round((rows.length - 1) / count));
-    return rows.flatMap(([left, right], row) => row % step ? [] : [
-      { strip, ridge: row / step, side: 'left' as const, at: left },
-      { strip, ridge: row / step, side: 'right' as const, at: right },
-    ]);
+    return rows.flatMap(([left, right], row) =>
+      row % step
+        ? []
+        : [
+            { strip, ridge: row / step, side: 'left' as const, at: left },
+            { strip, ridge: row / step, side: 'right' as const, at: right },
+          ],
+    );
   });
 }
 
-const through = (points: Vec3[]) => new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(points.flat()), 3));
+const through = (points: Vec3[]) =>
+  new BufferGeometry().setAttribute('position', new BufferAttribute(Float32Array.from(points.flat()), 3));
 
 function discTexture(): Texture {
   const canvas = document.createElement('canvas');

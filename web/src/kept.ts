@@ -1,26 +1,45 @@
 import type { Input } from './state.ts';
 
 /** What a tab needs to be as it was when it is loaded again: the file and its input, in the tab's own storage. */
-interface Kept { name: string; bytes: ArrayBuffer; beside: Record<string, ArrayBuffer>; input: Input }
+interface Kept {
+  name: string;
+  bytes: ArrayBuffer;
+  beside: Record<string, ArrayBuffer>;
+  input: Input;
+}
 
-const file = 'planish-file', edited = 'planish-input';
+const file = 'planish-file',
+  edited = 'planish-input';
 const most = 3 << 20; // storages hold some five million characters
 
 export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside: Record<string, ArrayBuffer>) {
   sessionStorage.removeItem(file);
   const all = [main.bytes, ...Object.values(beside)];
   if (all.reduce((sum, b) => sum + b.byteLength, 0) > most) return;
-  write(file, { name: main.name, bytes: toText(main.bytes), beside: Object.fromEntries(Object.entries(beside).map(([name, b]) => [name, toText(b)])) });
+  write(file, {
+    name: main.name,
+    bytes: toText(main.bytes),
+    beside: Object.fromEntries(Object.entries(beside).map(([name, b]) => [name, toText(b)])),
+  });
 }
 
 export const keepInput = (input: Input) => write(edited, input);
 
 export function keptDocument(): Kept | null {
   try {
-    const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as { name: string; bytes: string; beside: Record<string, string> } | null;
+    const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as {
+      name: string;
+      bytes: string;
+      beside: Record<string, string>;
+    } | null;
     const input = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as Input | null;
     if (!kept || !input) return null;
-    return { name: kept.name, bytes: toBytes(kept.bytes), beside: Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)])), input };
+    return {
+      name: kept.name,
+      bytes: toBytes(kept.bytes),
+      beside: Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)])),
+      input,
+    };
   } catch {
     return null;
   }

@@ -3,7 +3,10 @@ import { distanceToSegment } from './lines.ts';
 import type { Shape, Vec2 } from './types.ts';
 
 /** Where the name of a flange stands, and how far material reaches about it. */
-export interface Place { at: Vec2; room: number }
+export interface Place {
+  at: Vec2;
+  room: number;
+}
 
 const grid = 14;
 
@@ -23,7 +26,12 @@ export function labelPlaces(shape: Shape): Map<number, Place> {
 function placeIn(shape: Shape, f: number, least: number): Place | null {
   const segments = segmentsOf(shape, f);
   let [x0, x1, y0, y1] = [Infinity, -Infinity, Infinity, -Infinity];
-  for (const [ax, ay] of segments) { x0 = Math.min(x0, ax); x1 = Math.max(x1, ax); y0 = Math.min(y0, ay); y1 = Math.max(y1, ay); }
+  for (const [ax, ay] of segments) {
+    x0 = Math.min(x0, ax);
+    x1 = Math.max(x1, ax);
+    y0 = Math.min(y0, ay);
+    y1 = Math.max(y1, ay);
+  }
   if (Math.min(x1 - x0, y1 - y0) / 2 <= least) return null;
   let best: Place | null = null;
   // The middle goes first, and a place must be clearly better to be preferred to it.
@@ -34,17 +42,21 @@ function placeIn(shape: Shape, f: number, least: number): Place | null {
     if (room > least && room > (best?.room ?? 0) * gain) best = { at, room };
   };
   consider(middle, 1);
-  for (let i = 0; i < grid; ++i) for (let j = 0; j < grid; ++j) consider([x0 + ((i + 0.5) / grid) * (x1 - x0), y0 + ((j + 0.5) / grid) * (y1 - y0)], 1.25);
+  for (let i = 0; i < grid; ++i)
+    for (let j = 0; j < grid; ++j)
+      consider([x0 + ((i + 0.5) / grid) * (x1 - x0), y0 + ((j + 0.5) / grid) * (y1 - y0)], 1.25);
   return best;
 }
 
 type Segment = [number, number, number, number];
 
 function segmentsOf(shape: Shape, f: number): Segment[] {
-  const out: Segment[] = [], p = shape.points;
+  const out: Segment[] = [],
+    p = shape.points;
   for (let q = shape.facet_starts[f]!; q < shape.facet_starts[f + 1]!; ++q)
     for (let r = shape.polygon_starts[q]!; r < shape.polygon_starts[q + 1]!; ++r) {
-      const first = shape.ring_starts[r]!, end = shape.ring_starts[r + 1]!;
+      const first = shape.ring_starts[r]!,
+        end = shape.ring_starts[r + 1]!;
       for (let i = first, j = end - 1; i < end; j = i++) out.push([p[2 * i]!, p[2 * i + 1]!, p[2 * j]!, p[2 * j + 1]!]);
     }
   return out;

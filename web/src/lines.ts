@@ -1,6 +1,8 @@
 import type { Shape } from './types.ts';
 
-/** What of a shape is a line and can be picked: an edge of the outline by its number, or a bend by its row of `parts`. */
+/**
+ * What of a shape is a line and can be picked: an edge of the outline by its number, or a bend by its row of `parts`.
+ */
 export type PickedLine = { edge: number } | { part: number };
 
 /** Row of `parts` that edge `number` belongs to; null where there is no such edge. */
@@ -11,7 +13,10 @@ export function partOfEdge(shape: Shape, number: number): number | null {
 
 /** In the flat pattern, mm. */
 export function lengthOfEdge({ edges: e, edge_number }: Shape, number: number): number {
-  return edge_number.reduce((sum, n, i) => (n === number ? sum + Math.hypot(e[4 * i + 2]! - e[4 * i]!, e[4 * i + 3]! - e[4 * i + 1]!) : sum), 0);
+  return edge_number.reduce(
+    (sum, n, i) => (n === number ? sum + Math.hypot(e[4 * i + 2]! - e[4 * i]!, e[4 * i + 3]! - e[4 * i + 1]!) : sum),
+    0,
+  );
 }
 
 /** Rows of the parts that part `row` is joined to. */
@@ -19,7 +24,8 @@ export function partsBeside({ facet_parent, facet_part }: Shape, row: number): S
   const out = new Set<number>();
   facet_parent.forEach((parent, f) => {
     if (parent < 0) return;
-    const a = facet_part[f]!, b = facet_part[parent]!;
+    const a = facet_part[f]!,
+      b = facet_part[parent]!;
     if (a === row) out.add(b);
     if (b === row) out.add(a);
   });
@@ -28,8 +34,17 @@ export function partsBeside({ facet_parent, facet_part }: Shape, row: number): S
 }
 
 /** Distance of (x, y) from the segment a–b, and where along it the nearest point is, 0 to 1. */
-export function distanceToSegment(x: number, y: number, ax: number, ay: number, bx: number, by: number): { distance: number; along: number } {
-  const dx = bx - ax, dy = by - ay, l = dx * dx + dy * dy;
+export function distanceToSegment(
+  x: number,
+  y: number,
+  ax: number,
+  ay: number,
+  bx: number,
+  by: number,
+): { distance: number; along: number } {
+  const dx = bx - ax,
+    dy = by - ay,
+    l = dx * dx + dy * dy;
   const along = l === 0 ? 0 : Math.max(0, Math.min(1, ((x - ax) * dx + (y - ay) * dy) / l));
   return { distance: Math.hypot(x - ax - along * dx, y - ay - along * dy), along };
 }

@@ -23,17 +23,24 @@ document.documentElement.dataset.theme = store.state.theme;
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><div class="messages"></div><main>
   <div class="view folded"><div class="canvas"></div><div class="buttons"></div><div class="fold"></div></div>
-  <div class="view flat"><div class="canvas"></div><div class="title">Flat pattern</div></div><div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
+  <div class="view flat"><div class="canvas"></div><div class="title">Flat pattern</div></div>
+  <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
 const ui: Ui = {
-  get state() { return store.state; },
+  get state() {
+    return store.state;
+  },
   dispatch: store.dispatch,
   edit: (change, live = false) => {
     const { input } = store.state;
     if (!input.spec) return;
     if (live) computation.dragged(performance.now());
-    store.dispatch({ type: 'edit', input: { ...input, spec: (change as unknown as (s: Spec) => Spec)(input.spec) }, live });
+    store.dispatch({
+      type: 'edit',
+      input: { ...input, spec: (change as unknown as (s: Spec) => Spec)(input.spec) },
+      live,
+    });
   },
   editOptions: (change, live = false) => {
     const { input } = store.state;
@@ -79,7 +86,8 @@ function draw() {
     scrolledFor = store.state.document?.id;
     part('.content').scrollTop = 0;
   }
-  if (store.state.selection !== pickedBefore) root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
+  if (store.state.selection !== pickedBefore)
+    root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
@@ -87,14 +95,19 @@ function draw() {
   render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
 }
 
-const withoutHoles = (o: Options) => Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
+const withoutHoles = (o: Options) =>
+  Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
 
 async function download(format: FileFormat, profile?: DxfProfile) {
   const { document: d, input } = store.state;
   if (!d) return;
   try {
-    const blob = await api.file(d.id, format, { spec: input.spec ?? undefined, options: { ...input.options, ...(profile && profile !== 'standard' ? { profile } : {}) } });
-    const link = document.createElement('a'), url = URL.createObjectURL(blob);
+    const blob = await api.file(d.id, format, {
+      spec: input.spec ?? undefined,
+      options: { ...input.options, ...(profile && profile !== 'standard' ? { profile } : {}) },
+    });
+    const link = document.createElement('a'),
+      url = URL.createObjectURL(blob);
     link.href = url;
     link.download = fileName(d.name, format, input.options.piece);
     link.click();
@@ -106,7 +119,15 @@ async function download(format: FileFormat, profile?: DxfProfile) {
 
 function fileName(name: string, format: FileFormat, piece?: number): string {
   const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : '');
-  return format === 'spec' ? `${stem}.json` : format === 'json' ? `${stem}-report.json` : format === 'mould.stl' ? `${stem}-mould.stl` : format === 'flat.step' ? `${stem}-flat.step` : `${stem}.${format}`;
+  return format === 'spec'
+    ? `${stem}.json`
+    : format === 'json'
+      ? `${stem}-report.json`
+      : format === 'mould.stl'
+        ? `${stem}-mould.stl`
+        : format === 'flat.step'
+          ? `${stem}-flat.step`
+          : `${stem}.${format}`;
 }
 
 /** Options name a side by the skin that is unfolded; which of the two that is, the shape with this one up shows. */
@@ -125,9 +146,13 @@ async function faceUp(upper: boolean) {
 let animation = 0;
 function animate() {
   cancelAnimationFrame(animation);
-  const from = store.state.fold, to = from > 0.5 ? 0 : 1, start = performance.now(), duration = 900 * Math.abs(to - from);
+  const from = store.state.fold,
+    to = from > 0.5 ? 0 : 1,
+    start = performance.now(),
+    duration = 900 * Math.abs(to - from);
   const step = (now: number) => {
-    const t = Math.min(1, Math.max(0, (now - start) / duration)), eased = t * t * (3 - 2 * t);
+    const t = Math.min(1, Math.max(0, (now - start) / duration)),
+      eased = t * t * (3 - 2 * t);
     store.dispatch({ type: 'fold', fold: t === 1 ? to : from + (to - from) * eased });
     if (t < 1) animation = requestAnimationFrame(step);
   };
@@ -136,7 +161,8 @@ function animate() {
 
 const views1 = ['front', 'top', 'right', 'iso'] as const;
 window.addEventListener('keydown', (e) => {
-  const target = e.target as HTMLElement, typing = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
+  const target = e.target as HTMLElement,
+    typing = target.matches('input:not([type=range]):not([type=checkbox]), select, textarea');
   const key = e.key.toLowerCase();
   if (e.ctrlKey || e.metaKey) {
     if (key === 'o') chooseFile();
@@ -150,8 +176,10 @@ window.addEventListener('keydown', (e) => {
   const view = views1[Number(key) - 1];
   if (view) ui.look(view);
   else if (key === 'f') ui.fit();
-  else if (key === ' ' && !target.matches('button, summary')) { animate(); e.preventDefault(); }
-  else if (key === '?') store.dispatch({ type: 'help', help: !store.state.help });
+  else if (key === ' ' && !target.matches('button, summary')) {
+    animate();
+    e.preventDefault();
+  } else if (key === '?') store.dispatch({ type: 'help', help: !store.state.help });
   else if (key === 'm') store.dispatch({ type: 'gizmo', gizmo: 'translate' });
   else if (key === 't') store.dispatch({ type: 'gizmo', gizmo: 'rotate' });
   else if (key === 'delete' || key === 'backspace') removeChosen();
@@ -160,7 +188,9 @@ window.addEventListener('keydown', (e) => {
 /** What stands in a field that is being edited, as it was: Escape takes back what was typed. */
 const before = new WeakMap<EventTarget, string>();
 for (const type of ['focusin', 'change'] as const)
-  window.addEventListener(type, ({ target }) => { if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value); });
+  window.addEventListener(type, ({ target }) => {
+    if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value);
+  });
 
 function escape(target: HTMLElement) {
   const text = before.get(target);
@@ -173,7 +203,8 @@ function escape(target: HTMLElement) {
 }
 
 function removeChosen() {
-  const { anchor, plate, point } = store.state.selection, { spec } = store.state.input;
+  const { anchor, plate, point } = store.state.selection,
+    { spec } = store.state.input;
   if (point) ui.edit<SlitSpec>((s) => removePoint(s, point.curve, point.index));
   else if (anchor !== null) ui.edit<SlitSpec>((s) => removeAnchor(s, anchor));
   else if (plate !== null && (spec as PlatesSpec).plates.length > 1) ui.edit<PlatesSpec>((s) => removePlate(s, plate));
@@ -182,19 +213,31 @@ function removeChosen() {
 }
 
 window.addEventListener('pointerdown', (e) => {
-  root.querySelectorAll('details.menu[open]').forEach((m) => { if (!m.contains(e.target as Node)) m.removeAttribute('open'); });
+  root.querySelectorAll('details.menu[open]').forEach((m) => {
+    if (!m.contains(e.target as Node)) m.removeAttribute('open');
+  });
 });
-window.addEventListener('dragover', (e) => { e.preventDefault(); root.classList.add('dropping'); });
-window.addEventListener('dragleave', (e) => { if (!e.relatedTarget) root.classList.remove('dropping'); });
+window.addEventListener('dragover', (e) => {
+  e.preventDefault();
+  root.classList.add('dropping');
+});
+window.addEventListener('dragleave', (e) => {
+  if (!e.relatedTarget) root.classList.remove('dropping');
+});
 window.addEventListener('drop', (e) => {
   e.preventDefault();
   root.classList.remove('dropping');
   if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
 });
 window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
-store.subscribe((state, before) => { if (state.input !== before.input && !state.pending) keepInput(state.input); });
+store.subscribe((state, before) => {
+  if (state.input !== before.input && !state.pending) keepInput(state.input);
+});
 
 draw();
-api.examples().then((examples) => store.dispatch({ type: 'examples', examples }), (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }));
+api.examples().then(
+  (examples) => store.dispatch({ type: 'examples', examples }),
+  (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
+);
 void documents.begin();
 Object.assign(window, { planish: { store, views } }); // for tests, and for the curious

@@ -5,14 +5,20 @@ import { lengthText, unitName } from './units.ts';
 /** Row of `parts` that is picked: a bend, a flange, or a plate's flange. */
 export function pickedRow({ selection: { part, plate }, shape, shapeIsDraft, document }: State): number | null {
   if (shapeIsDraft && document?.kind === 'slit') return null; // its bends are fewer, and have other names
-  const row = (shape?.parts ?? []).findIndex((p) => (part !== null ? p.name === part : plate !== null && p.plate === plate));
+  const row = (shape?.parts ?? []).findIndex((p) =>
+    part !== null ? p.name === part : plate !== null && p.plate === plate,
+  );
   return row < 0 ? null : row;
 }
 
-/** Names of the bends that the table marks: of what is picked the bend itself, else those that its flange is joined to. */
+/**
+ * Names of the bends that the table marks: of what is picked the bend itself, else those that its flange is joined to.
+ */
 export function bendsToMark(state: State): { picked: string | null; beside: Set<string> } {
-  const { shape, selection } = state, row = shape && selection.edge !== null ? partOfEdge(shape, selection.edge) : pickedRow(state);
-  const bends = (rows: Iterable<number>) => [...rows].flatMap((r) => (shape?.parts[r]?.kind === 'bend' ? [shape.parts[r]!.name] : []));
+  const { shape, selection } = state,
+    row = shape && selection.edge !== null ? partOfEdge(shape, selection.edge) : pickedRow(state);
+  const bends = (rows: Iterable<number>) =>
+    [...rows].flatMap((r) => (shape?.parts[r]?.kind === 'bend' ? [shape.parts[r]!.name] : []));
   if (!shape || row === null) return { picked: selection.part, beside: new Set() };
   const [own] = bends([row]);
   return own ? { picked: own, beside: new Set() } : { picked: null, beside: new Set(bends(partsBeside(shape, row))) };
@@ -23,5 +29,6 @@ export function pickedEdgeText({ shape, selection: { edge }, units }: State): st
   const row = shape && edge !== null ? partOfEdge(shape, edge) : null;
   if (!shape || edge === null || row === null) return null;
   const { name, plate } = shape.parts[row]!;
-  return `Edge of ${plate ?? name}, ${lengthText(lengthOfEdge(shape, edge), 'mm', units)} ${unitName(units)} long in the flat pattern.`;
+  const length = `${lengthText(lengthOfEdge(shape, edge), 'mm', units)} ${unitName(units)}`;
+  return `Edge of ${plate ?? name}, ${length} long in the flat pattern.`;
 }

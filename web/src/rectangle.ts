@@ -1,18 +1,26 @@
 import type { Vec2 } from './types.ts';
 
-export interface Rectangle { corners: [Vec2, Vec2, Vec2, Vec2]; size: Vec2; turned: boolean }
+export interface Rectangle {
+  corners: [Vec2, Vec2, Vec2, Vec2];
+  size: Vec2;
+  turned: boolean;
+}
 
-/** The rectangle of least area about points `x, y, x, y …`, its first side the longer one unless it lies along the axes. One along the axes is
- * kept where none is smaller by a thousandth. */
+/**
+ * The rectangle of least area about points `x, y, x, y …`, its first side the longer one unless it lies along the axes.
+ * One along the axes is kept where none is smaller by a thousandth.
+ */
 export function smallestRectangle(points: ArrayLike<number>): Rectangle | null {
   const hull = convexHull(points);
   if (hull.length < 3) return null;
   let best = along(hull, 1, 0);
   let least = best.size[0] * best.size[1] * 0.999;
   hull.forEach((a, i) => {
-    const b = hull[(i + 1) % hull.length]!, l = Math.hypot(b[0] - a[0], b[1] - a[1]);
+    const b = hull[(i + 1) % hull.length]!,
+      l = Math.hypot(b[0] - a[0], b[1] - a[1]);
     if (l === 0) return;
-    const r = along(hull, (b[0] - a[0]) / l, (b[1] - a[1]) / l), area = r.size[0] * r.size[1];
+    const r = along(hull, (b[0] - a[0]) / l, (b[1] - a[1]) / l),
+      area = r.size[0] * r.size[1];
     if (area < least) {
       best = { ...r, turned: true };
       least = area;
@@ -21,8 +29,10 @@ export function smallestRectangle(points: ArrayLike<number>): Rectangle | null {
   return best;
 }
 
-/** How long the sides of a drawn rectangle are said to be: as in the report, whose arcs are arcs and not the lines that are drawn for
- * them, wherever it means the same rectangle. */
+/**
+ * How long the sides of a drawn rectangle are said to be: as in the report, whose arcs are arcs and not the lines that
+ * are drawn for them, wherever it means the same rectangle.
+ */
 export function sidesAsReported(drawn: Vec2, reported: Vec2): Vec2 {
   const off = (r: Vec2) => Math.max(...r.map((v, i) => Math.abs(v / drawn[i]! - 1)));
   const best = [reported, [reported[1], reported[0]] as Vec2].reduce((a, b) => (off(b) < off(a) ? b : a));
@@ -32,8 +42,12 @@ export function sidesAsReported(drawn: Vec2, reported: Vec2): Vec2 {
 function along(hull: Vec2[], ux: number, uy: number): Rectangle {
   let [u0, u1, v0, v1] = [Infinity, -Infinity, Infinity, -Infinity];
   for (const [x, y] of hull) {
-    const u = x * ux + y * uy, v = y * ux - x * uy;
-    u0 = Math.min(u0, u); u1 = Math.max(u1, u); v0 = Math.min(v0, v); v1 = Math.max(v1, v);
+    const u = x * ux + y * uy,
+      v = y * ux - x * uy;
+    u0 = Math.min(u0, u);
+    u1 = Math.max(u1, u);
+    v0 = Math.min(v0, v);
+    v1 = Math.max(v1, v);
   }
   const at = (u: number, v: number): Vec2 => [u * ux - v * uy, u * uy + v * ux];
   return { corners: [at(u0, v0), at(u1, v0), at(u1, v1), at(u0, v1)], size: [u1 - u0, v1 - v0], turned: false };

@@ -1,18 +1,34 @@
 import type { ArrayPlace, Facets, Shape, ShapeHeader } from './types.ts';
 
 const empty: Facets = {
-  points: new Float32Array(), ring_starts: new Uint32Array([0]), polygon_starts: new Uint32Array([0]),
-  facet_starts: new Uint32Array([0]), facet_parent: new Int32Array(), facet_hinge: new Float32Array(),
-  facet_angle: new Float32Array(), facet_part: new Uint32Array(), edges: new Float32Array(), edge_facet: new Uint32Array(), edge_number: new Uint32Array(),
-  contour_points: new Float32Array(), contour_starts: new Uint32Array([0]), contour_part: new Int32Array(),
-  bend_lines: new Float32Array(), bend_line_part: new Uint32Array(), overlaps: new Float32Array(),
-  space_points: new Float32Array(), space_triangles: new Uint32Array(),
+  points: new Float32Array(),
+  ring_starts: new Uint32Array([0]),
+  polygon_starts: new Uint32Array([0]),
+  facet_starts: new Uint32Array([0]),
+  facet_parent: new Int32Array(),
+  facet_hinge: new Float32Array(),
+  facet_angle: new Float32Array(),
+  facet_part: new Uint32Array(),
+  edges: new Float32Array(),
+  edge_facet: new Uint32Array(),
+  edge_number: new Uint32Array(),
+  contour_points: new Float32Array(),
+  contour_starts: new Uint32Array([0]),
+  contour_part: new Int32Array(),
+  bend_lines: new Float32Array(),
+  bend_line_part: new Uint32Array(),
+  overlaps: new Float32Array(),
+  space_points: new Float32Array(),
+  space_triangles: new Uint32Array(),
 };
 
 /** Names of the arrays that a shape may have. */
 export const arrayNames = Object.keys(empty);
 
-/** The shape of an answer of the server. Arrays are views into `data`; those left out are empty. Throws where it is none. */
+/**
+ * The shape of an answer of the server. Arrays are views into `data`; those left out are empty. Throws where it is
+ * none.
+ */
 export function decodeShape(data: ArrayBuffer): Shape {
   const bytes = new DataView(data);
   if (data.byteLength < 8 || bytes.getUint32(0, false) !== 0x504c4e31) throw new Error('the answer is no shape');
@@ -21,7 +37,11 @@ export function decodeShape(data: ArrayBuffer): Shape {
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 8, length))) as ShapeHeader;
   const start = 8 + length;
   const shape: Shape = {
-    ...empty, report: header.report, parts: header.parts ?? [], root: header.root ?? [], handles: header.handles ?? {},
+    ...empty,
+    report: header.report,
+    parts: header.parts ?? [],
+    root: header.root ?? [],
+    handles: header.handles ?? {},
     seconds: header.seconds ?? 0,
   };
   for (const [name, place] of Object.entries(header.arrays ?? {}))
@@ -41,7 +61,11 @@ export function encodeShape(header: Omit<ShapeHeader, 'arrays'>, arrays: Partial
   const places: Record<string, ArrayPlace> = {};
   let at = 0;
   for (const [name, a] of Object.entries(arrays)) {
-    places[name] = { type: a instanceof Float32Array ? 'f32' : a instanceof Int32Array ? 'i32' : 'u32', at, count: a.length };
+    places[name] = {
+      type: a instanceof Float32Array ? 'f32' : a instanceof Int32Array ? 'i32' : 'u32',
+      at,
+      count: a.length,
+    };
     at += 4 * a.length;
   }
   let json = new TextEncoder().encode(JSON.stringify({ ...header, arrays: places }));

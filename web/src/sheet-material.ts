@@ -1,7 +1,7 @@
 import { DoubleSide, ShaderMaterial } from 'three';
 
-// Light from above, from the upper left of the viewer and from the viewer, reckoned at corners: sheets are shaded by few
-// and large triangles, and a picture costs little even where a processor draws it.
+// Light from above, from the upper left of the viewer and from the viewer, reckoned at corners: sheets are shaded by
+// few and large triangles, and a picture costs little even where a processor draws it.
 const vertexShader = /* glsl */ `
   uniform bool twoSided;
   attribute vec3 tint;
@@ -24,7 +24,12 @@ const fragmentShader = /* glsl */ `
 /** For geometries with normals and an attribute `tint`, linear colours at corners. */
 export function sheetMaterial(twoSided: boolean): ShaderMaterial {
   return new ShaderMaterial({
-    vertexShader, fragmentShader, side: DoubleSide, uniforms: { twoSided: { value: twoSided } },
-    polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1,
+    vertexShader,
+    fragmentShader,
+    side: DoubleSide,
+    uniforms: { twoSided: { value: twoSided } },
+    polygonOffset: true,
+    polygonOffsetFactor: 1.5,
+    polygonOffsetUnits: 1,
   });
 }

@@ -3,8 +3,10 @@ import { transformsHolding, unit } from './folding.ts';
 import { insideFacet } from './facet.ts';
 import type { Shape } from './types.ts';
 
-/** What of a shape does not change while it is folded: triangles, rim and lines over *corners*, points of the flat pattern on
- * one facet each. Corners on hinges are mitred, so that the skins of neighbouring facets meet. */
+/**
+ * What of a shape does not change while it is folded: triangles, rim and lines over *corners*, points of the flat
+ * pattern on one facet each. Corners on hinges are mitred, so that the skins of neighbouring facets meet.
+ */
 export interface SheetMesh {
   shape: Shape;
   corners: Float32Array; // x, y in the flat pattern
@@ -19,7 +21,10 @@ export interface SheetMesh {
   creases: Uint32Array; // of these, where bends begin and end and what is folded sharply, and bend lines
 }
 
-export interface FoldedSheet { positions: Float32Array; normals: Float32Array }
+export interface FoldedSheet {
+  positions: Float32Array;
+  normals: Float32Array;
+}
 
 const smoothBelow = 0.45; // radians: hinges that turn less are shaded as one curved surface
 
@@ -73,7 +78,10 @@ class Builder {
   addEdge(e: number) {
     const { edges, edge_facet } = this.shape;
     const f = edge_facet[e]!;
-    this.rim.push(this.corner(f, edges[4 * e]!, edges[4 * e + 1]!), this.corner(f, edges[4 * e + 2]!, edges[4 * e + 3]!));
+    this.rim.push(
+      this.corner(f, edges[4 * e]!, edges[4 * e + 1]!),
+      this.corner(f, edges[4 * e + 2]!, edges[4 * e + 3]!),
+    );
   }
 
   addHinge(f: number) {
@@ -81,7 +89,9 @@ class Builder {
     const parent = facet_parent[f]!;
     if (parent < 0) return;
     const isBend = (part: number) => this.shape.parts[part]?.kind === 'bend';
-    const own = facet_part[f]!, other = facet_part[parent]!, sharp = Math.abs(facet_angle[f]!) >= smoothBelow;
+    const own = facet_part[f]!,
+      other = facet_part[parent]!,
+      sharp = Math.abs(facet_angle[f]!) >= smoothBelow;
     if (own === other && isBend(own) && !sharp) return;
     const pair = [this.corner(f, h[4 * f]!, h[4 * f + 1]!), this.corner(f, h[4 * f + 2]!, h[4 * f + 3]!)];
     this.hinges.push(...pair);
@@ -90,33 +100,48 @@ class Builder {
 
   /** Where the press brake strikes, on the facets of the bend that the lines run over. */
   addBendLines() {
-    const { bend_lines: l, bend_line_part, facet_part } = this.shape, facets = new Map<number, number[]>();
-    facet_part.forEach((part, f) => { if (this.shape.parts[part]?.kind === 'bend') facets.set(part, [...(facets.get(part) ?? []), f]); });
+    const { bend_lines: l, bend_line_part, facet_part } = this.shape,
+      facets = new Map<number, number[]>();
+    facet_part.forEach((part, f) => {
+      if (this.shape.parts[part]?.kind === 'bend') facets.set(part, [...(facets.get(part) ?? []), f]);
+    });
     bend_line_part.forEach((part, i) => {
-      const x = (l[4 * i]! + l[4 * i + 2]!) / 2, y = (l[4 * i + 1]! + l[4 * i + 3]!) / 2;
+      const x = (l[4 * i]! + l[4 * i + 2]!) / 2,
+        y = (l[4 * i + 1]! + l[4 * i + 3]!) / 2;
       const f = facets.get(part)?.find((g) => insideFacet(this.shape, g, x, y));
-      if (f !== undefined) this.creases.push(this.corner(f, l[4 * i]!, l[4 * i + 1]!), this.corner(f, l[4 * i + 2]!, l[4 * i + 3]!));
+      if (f !== undefined)
+        this.creases.push(this.corner(f, l[4 * i]!, l[4 * i + 1]!), this.corner(f, l[4 * i + 2]!, l[4 * i + 3]!));
     });
   }
 
   finish(): SheetMesh {
     const hinges = hingesByFacet(this.shape);
     const tolerance = 1e-4 + 1e-6 * extent(this.corners);
-    const starts = [0], mitreHinge: number[] = [], mitreSign: number[] = [];
+    const starts = [0],
+      mitreHinge: number[] = [],
+      mitreSign: number[] = [];
     for (let c = 0; c < this.facet.length; ++c) {
       const f = this.facet[c]!;
       for (const hinge of hinges[f]!) {
-        if (!onHinge(this.shape.facet_hinge, hinge, this.corners[2 * c]!, this.corners[2 * c + 1]!, tolerance)) continue;
+        if (!onHinge(this.shape.facet_hinge, hinge, this.corners[2 * c]!, this.corners[2 * c + 1]!, tolerance))
+          continue;
         mitreHinge.push(hinge);
         mitreSign.push(hinge === f ? -1 : 1);
       }
       starts.push(mitreHinge.length);
     }
     return {
-      shape: this.shape, corners: Float32Array.from(this.corners), cornerFacet: Uint32Array.from(this.facet),
-      mitreStarts: Uint32Array.from(starts), mitreHinge: Uint32Array.from(mitreHinge), mitreSign: Int8Array.from(mitreSign),
-      triangles: Uint32Array.from(this.triangles), triangleFacet: Uint32Array.from(this.triangleFacet),
-      rim: Uint32Array.from(this.rim), hinges: Uint32Array.from(this.hinges), creases: Uint32Array.from(this.creases),
+      shape: this.shape,
+      corners: Float32Array.from(this.corners),
+      cornerFacet: Uint32Array.from(this.facet),
+      mitreStarts: Uint32Array.from(starts),
+      mitreHinge: Uint32Array.from(mitreHinge),
+      mitreSign: Int8Array.from(mitreSign),
+      triangles: Uint32Array.from(this.triangles),
+      triangleFacet: Uint32Array.from(this.triangleFacet),
+      rim: Uint32Array.from(this.rim),
+      hinges: Uint32Array.from(this.hinges),
+      creases: Uint32Array.from(this.creases),
     };
   }
 
@@ -128,12 +153,18 @@ class Builder {
 }
 
 function fan(n: number): number[][] {
-  return n === 3 ? [[0, 1, 2]] : [[0, 1, 2], [0, 2, 3]];
+  return n === 3
+    ? [[0, 1, 2]]
+    : [
+        [0, 1, 2],
+        [0, 2, 3],
+      ];
 }
 
 function convex(ring: Vector2[]): boolean {
   return ring.every((b, i) => {
-    const a = ring[(i + ring.length - 1) % ring.length]!, c = ring[(i + 1) % ring.length]!;
+    const a = ring[(i + ring.length - 1) % ring.length]!,
+      c = ring[(i + 1) % ring.length]!;
     return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) >= 0;
   });
 }
@@ -149,10 +180,14 @@ function hingesByFacet(shape: Shape): number[][] {
 }
 
 function onHinge(hinge: Float32Array, f: number, x: number, y: number, tolerance: number): boolean {
-  const px = hinge[4 * f]!, py = hinge[4 * f + 1]!, dx = hinge[4 * f + 2]! - px, dy = hinge[4 * f + 3]! - py;
+  const px = hinge[4 * f]!,
+    py = hinge[4 * f + 1]!,
+    dx = hinge[4 * f + 2]! - px,
+    dy = hinge[4 * f + 3]! - py;
   const l = Math.hypot(dx, dy);
   if (l === 0) return false;
-  const along = ((x - px) * dx + (y - py) * dy) / l, across = ((x - px) * dy - (y - py) * dx) / l;
+  const along = ((x - px) * dx + (y - py) * dy) / l,
+    across = ((x - px) * dy - (y - py) * dx) / l;
   return Math.abs(across) <= tolerance && along >= -tolerance && along <= l + tolerance;
 }
 
@@ -162,25 +197,47 @@ function extent(values: number[]): number {
   return most;
 }
 
-/** Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart; facet `held` stays in place. */
+/**
+ * Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart; facet `held`
+ * stays in place.
+ */
 export function foldSheet(mesh: SheetMesh, share: number, thickness: number, held = 0): FoldedSheet {
   const { corners, cornerFacet, shape } = mesh;
   const transforms = transformsHolding(shape, share, held);
   const slopes = mitreSlopes(shape, share);
-  const count = cornerFacet.length, half = thickness / 2;
-  const positions = new Float32Array(6 * count), normals = new Float32Array(6 * count);
+  const count = cornerFacet.length,
+    half = thickness / 2;
+  const positions = new Float32Array(6 * count),
+    normals = new Float32Array(6 * count);
   for (let c = 0; c < count; ++c) {
     const o = 16 * cornerFacet[c]!;
-    let mx = 0, my = 0, nx = 0, ny = 0;
+    let mx = 0,
+      my = 0,
+      nx = 0,
+      ny = 0;
     for (let m = mesh.mitreStarts[c]!; m < mesh.mitreStarts[c + 1]!; ++m) {
-      const h = mesh.mitreHinge[m]!, sign = mesh.mitreSign[m]!, x = sign * slopes[2 * h]!, y = sign * slopes[2 * h + 1]!;
-      mx += x; my += y;
-      if (Math.abs(shape.facet_angle[h]!) < smoothBelow) { nx += x; ny += y; }
+      const h = mesh.mitreHinge[m]!,
+        sign = mesh.mitreSign[m]!,
+        x = sign * slopes[2 * h]!,
+        y = sign * slopes[2 * h + 1]!;
+      mx += x;
+      my += y;
+      if (Math.abs(shape.facet_angle[h]!) < smoothBelow) {
+        nx += x;
+        ny += y;
+      }
     }
-    const x = corners[2 * c]!, y = corners[2 * c + 1]!, length = Math.hypot(nx, ny, 1);
+    const x = corners[2 * c]!,
+      y = corners[2 * c + 1]!,
+      length = Math.hypot(nx, ny, 1);
     for (let row = 0; row < 3; ++row) {
-      const t = o + 4 * row, a = transforms[t]!, b = transforms[t + 1]!, e = transforms[t + 2]!;
-      const at = a * x + b * y + transforms[t + 3]!, off = half * (a * mx + b * my + e), n = (a * nx + b * ny + e) / length;
+      const t = o + 4 * row,
+        a = transforms[t]!,
+        b = transforms[t + 1]!,
+        e = transforms[t + 2]!;
+      const at = a * x + b * y + transforms[t + 3]!,
+        off = half * (a * mx + b * my + e),
+        n = (a * nx + b * ny + e) / length;
       positions[3 * c + row] = at + off;
       positions[3 * (count + c) + row] = at - off;
       normals[3 * c + row] = n;
@@ -190,11 +247,15 @@ export function foldSheet(mesh: SheetMesh, share: number, thickness: number, hel
   return { positions, normals };
 }
 
-/** For each facet's hinge the step, in the facet's plane and for a unit of height, from its edge to the mitre with the child. */
+/**
+ * For each facet's hinge the step, in the facet's plane and for a unit of height, from its edge to the mitre with the
+ * child.
+ */
 function mitreSlopes(shape: Shape, share: number): Float64Array {
   const out = new Float64Array(2 * shape.facet_parent.length);
   for (let f = 0; f < shape.facet_parent.length; ++f) {
-    const h = shape.facet_hinge, angle = share * shape.facet_angle[f]!;
+    const h = shape.facet_hinge,
+      angle = share * shape.facet_angle[f]!;
     const [ux, uy] = unit(h[4 * f + 2]! - h[4 * f]!, h[4 * f + 3]! - h[4 * f + 1]!);
     const t = Math.max(-1.5, Math.min(1.5, Math.tan(angle / 2)));
     out[2 * f] = uy * t;

@@ -1,6 +1,4 @@
-import {
-  BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3,
-} from 'three';
+import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
@@ -11,10 +9,17 @@ import type { Palette } from './theme.ts';
 import type { Shape, Vec3 } from './types.ts';
 
 /** Which line of the sheet, and where it is. */
-export interface SheetLine { line: PickedLine; ends: [Vec3, Vec3] }
+export interface SheetLine {
+  line: PickedLine;
+  ends: [Vec3, Vec3];
+}
 
 /** Two corners that a line runs between. */
-interface CornerLine { line: PickedLine; a: number; b: number }
+interface CornerLine {
+  line: PickedLine;
+  a: number;
+  b: number;
+}
 
 /** The sheet as three.js draws it: both skins, the cut rim, outline and tangent lines. */
 export class SheetObject {
@@ -24,7 +29,10 @@ export class SheetObject {
   private readonly outline: LineSegments;
   private readonly creases: LineSegments;
   private readonly solid: Mesh;
-  private readonly marked = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ linewidth: 3.5, depthTest: false }));
+  private readonly marked = new LineSegments2(
+    new LineSegmentsGeometry(),
+    new LineMaterial({ linewidth: 3.5, depthTest: false }),
+  );
   private mesh: SheetMesh | null = null;
   private thickness = 1;
   private held = 0;
@@ -69,7 +77,8 @@ export class SheetObject {
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
     setRim(this.rim.geometry, this.mesh.rim, positions);
-    if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count) setTint(this.rim.geometry, this.rimTint);
+    if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
+      setTint(this.rim.geometry, this.rimTint);
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
     this.mark();
@@ -86,10 +95,18 @@ export class SheetObject {
     this.mark();
     const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;
     if (!this.mesh || !color) return;
-    const { shape, cornerFacet } = this.mesh, n = cornerFacet.length;
-    const [flange, bend, flangeUnder, bendUnder, mark] = [palette.flange, palette.bend, palette.flangeUnder, palette.bendUnder, palette.selected].map((c) => new Color(c));
+    const { shape, cornerFacet } = this.mesh,
+      n = cornerFacet.length;
+    const [flange, bend, flangeUnder, bendUnder, mark] = [
+      palette.flange,
+      palette.bend,
+      palette.flangeUnder,
+      palette.bendUnder,
+      palette.selected,
+    ].map((c) => new Color(c));
     for (let c = 0; c < n; ++c) {
-      const part = shape.facet_part[cornerFacet[c]!]!, isBend = shape.parts[part]?.kind === 'bend';
+      const part = shape.facet_part[cornerFacet[c]!]!,
+        isBend = shape.parts[part]?.kind === 'bend';
       const upper = part === selected ? mark! : isBend ? bend! : flange!;
       const lower = part === selected ? mark! : isBend ? bendUnder! : flangeUnder!;
       color.setXYZ(c, upper.r, upper.g, upper.b);
@@ -100,8 +117,13 @@ export class SheetObject {
 
   /** The lines of what is picked: an edge, or a sharp bend, which has no facets that could be painted. */
   private mark() {
-    const { part, edge } = this.picked, on = part !== null || edge !== null;
-    const ends = !on ? [] : this.lines().filter(({ line }) => ('edge' in line ? line.edge === edge : line.part === part)).flatMap((l) => l.ends.flat());
+    const { part, edge } = this.picked,
+      on = part !== null || edge !== null;
+    const ends = !on
+      ? []
+      : this.lines()
+          .filter(({ line }) => ('edge' in line ? line.edge === edge : line.part === part))
+          .flatMap((l) => l.ends.flat());
     this.marked.visible = ends.length > 0;
     if (!ends.length) return;
     this.marked.geometry.dispose();
@@ -112,9 +134,16 @@ export class SheetObject {
   lines(): SheetLine[] {
     const position = this.skin.geometry.getAttribute('position') as BufferAttribute | undefined;
     if (!this.mesh || !position) return [];
-    const n = this.mesh.cornerFacet.length, at = (corner: number): Vec3 => [position.getX(corner), position.getY(corner), position.getZ(corner)];
+    const n = this.mesh.cornerFacet.length,
+      at = (corner: number): Vec3 => [position.getX(corner), position.getY(corner), position.getZ(corner)];
     this.known ??= cornerLines(this.mesh);
-    return this.known.flatMap(({ line, a, b }) => [{ line, ends: [at(a), at(b)] }, { line, ends: [at(n + a), at(n + b)] }] as SheetLine[]);
+    return this.known.flatMap(
+      ({ line, a, b }) =>
+        [
+          { line, ends: [at(a), at(b)] },
+          { line, ends: [at(n + a), at(n + b)] },
+        ] as SheetLine[],
+    );
   }
 
   /** The facet under triangle `face` of the skin, and whether it is its upper side. */
@@ -125,9 +154,13 @@ export class SheetObject {
     return facet === undefined ? null : { facet, upper: face < half };
   }
 
-  get depth() { return this.thickness; }
+  get depth() {
+    return this.thickness;
+  }
 
-  get empty() { return !this.mesh || (this.mesh.triangles.length === 0 && this.mesh.shape.space_triangles.length === 0); }
+  get empty() {
+    return !this.mesh || (this.mesh.triangles.length === 0 && this.mesh.shape.space_triangles.length === 0);
+  }
 
   boundsInto(box: Box3) {
     for (const mesh of [this.skin, this.solid]) {
@@ -141,11 +174,17 @@ export class SheetObject {
 
 /** Edges of the outline, and hinges that are sharp bends. */
 function cornerLines(mesh: SheetMesh): CornerLine[] {
-  const { shape, rim, hinges } = mesh, withFacets = new Set(shape.facet_part);
+  const { shape, rim, hinges } = mesh,
+    withFacets = new Set(shape.facet_part);
   const sharp = shape.parts.flatMap((p, row) => (p.kind === 'bend' && !withFacets.has(row) ? [row] : []));
-  const out: CornerLine[] = Array.from(shape.edge_number, (edge, e) => ({ line: { edge }, a: rim[2 * e]!, b: rim[2 * e + 1]! }));
+  const out: CornerLine[] = Array.from(shape.edge_number, (edge, e) => ({
+    line: { edge },
+    a: rim[2 * e]!,
+    b: rim[2 * e + 1]!,
+  }));
   for (let i = 0; i + 1 < hinges.length; i += 2) {
-    const [a, b] = [hinges[i]!, hinges[i + 1]!], part = sharp.find((row) => liesOn(mesh, a, b, row));
+    const [a, b] = [hinges[i]!, hinges[i + 1]!],
+      part = sharp.find((row) => liesOn(mesh, a, b, row));
     if (part !== undefined) out.push({ line: { part }, a, b });
   }
   return out;
@@ -153,10 +192,15 @@ function cornerLines(mesh: SheetMesh): CornerLine[] {
 
 /** Whether the crease between two corners is a line of bend `part`. */
 function liesOn({ shape, corners }: SheetMesh, a: number, b: number, part: number): boolean {
-  const l = shape.bend_lines, [x, y] = [(corners[2 * a]! + corners[2 * b]!) / 2, (corners[2 * a + 1]! + corners[2 * b + 1]!) / 2];
+  const l = shape.bend_lines,
+    [x, y] = [(corners[2 * a]! + corners[2 * b]!) / 2, (corners[2 * a + 1]! + corners[2 * b + 1]!) / 2];
   return shape.bend_line_part.some((p, i) => {
     if (p !== part) return false;
-    const ux = l[4 * i + 2]! - l[4 * i]!, uy = l[4 * i + 3]! - l[4 * i + 1]!, length = Math.hypot(ux, uy), vx = x - l[4 * i]!, vy = y - l[4 * i + 1]!;
+    const ux = l[4 * i + 2]! - l[4 * i]!,
+      uy = l[4 * i + 3]! - l[4 * i + 1]!,
+      length = Math.hypot(ux, uy),
+      vx = x - l[4 * i]!,
+      vy = y - l[4 * i + 1]!;
     const along = (vx * ux + vy * uy) / length;
     return Math.abs(vx * uy - vy * ux) < 0.01 * length && along > -0.01 && along < length + 0.01;
   });
@@ -186,15 +230,21 @@ function doubled(pairs: Uint32Array, n: number): BufferGeometry {
 }
 
 function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array) {
-  const quads = rim.length / 2, half = skins.length / 2;
-  const position = new Float32Array(18 * quads), normal = new Float32Array(18 * quads);
+  const quads = rim.length / 2,
+    half = skins.length / 2;
+  const position = new Float32Array(18 * quads),
+    normal = new Float32Array(18 * quads);
   for (let q = 0; q < quads; ++q) {
-    const a = 3 * rim[2 * q]!, b = 3 * rim[2 * q + 1]!;
+    const a = 3 * rim[2 * q]!,
+      b = 3 * rim[2 * q + 1]!;
     const at = [a, b, half + b, a, half + b, half + a];
-    at.forEach((from, i) => { for (let k = 0; k < 3; ++k) position[18 * q + 3 * i + k] = skins[from + k]!; });
+    at.forEach((from, i) => {
+      for (let k = 0; k < 3; ++k) position[18 * q + 3 * i + k] = skins[from + k]!;
+    });
     const [ux, uy, uz] = [0, 1, 2].map((k) => skins[b + k]! - skins[a + k]!) as [number, number, number];
     const [vx, vy, vz] = [0, 1, 2].map((k) => skins[half + a + k]! - skins[a + k]!) as [number, number, number];
-    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx], l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
+    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx],
+      l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
     for (let i = 0; i < 18; ++i) normal[18 * q + i] = n[i % 3]! / l;
   }
   geometry.setAttribute('position', new BufferAttribute(position, 3));
@@ -202,7 +252,8 @@ function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array)
 }
 
 function setTint(geometry: BufferGeometry, tint: Color) {
-  const count = geometry.getAttribute('position')?.count ?? 0, values = new Float32Array(3 * count);
+  const count = geometry.getAttribute('position')?.count ?? 0,
+    values = new Float32Array(3 * count);
   for (let i = 0; i < count; ++i) values.set([tint.r, tint.g, tint.b], 3 * i);
   geometry.setAttribute('tint', new BufferAttribute(values, 3));
 }

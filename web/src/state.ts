@@ -1,14 +1,32 @@
-import type { ApiProblem, CurveName, Example, OpenDocument, Options, PlatesSpec, Progress, Report, Shape, Spec, Vec2, Vec3 } from './types.ts';
+import type {
+  ApiProblem,
+  CurveName,
+  Example,
+  OpenDocument,
+  Options,
+  PlatesSpec,
+  Progress,
+  Report,
+  Shape,
+  Spec,
+  Vec2,
+  Vec3,
+} from './types.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
-export interface Input { spec: Spec | null; options: Options }
+export interface Input {
+  spec: Spec | null;
+  options: Options;
+}
 export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
 export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up';
 export type GizmoMode = 'translate' | 'rotate';
 
-/** What is picked: a part of the shape (bends and flanges), an edge of its outline, or a plate, an anchor, a strip or a control point
- * of the input. */
+/**
+ * What is picked: a part of the shape (bends and flanges), an edge of its outline, or a plate, an anchor, a strip or a
+ * control point of the input.
+ */
 export interface Selection {
   part: string | null;
   edge: number | null;
@@ -20,7 +38,11 @@ export interface Selection {
 }
 
 /** A file that is being read; `long` once that takes more than half a second. */
-export interface Opening { name: string; long: boolean; progress: Progress | null }
+export interface Opening {
+  name: string;
+  long: boolean;
+  progress: Progress | null;
+}
 
 export interface State {
   document: OpenDocument | null;
@@ -75,13 +97,44 @@ export type Action =
   | { type: 'theme'; theme: Theme }
   | { type: 'help'; help: boolean };
 
-export const nothing: Selection = { part: null, edge: null, plate: null, anchor: null, strip: null, point: null, finding: null };
+export const nothing: Selection = {
+  part: null,
+  edge: null,
+  plate: null,
+  anchor: null,
+  strip: null,
+  point: null,
+  finding: null,
+};
 
 export function initialState(theme: Theme): State {
   return {
-    document: null, input: { spec: null, options: {} }, pending: null, past: [], future: [], shape: null, shapeIsDraft: false,
-    result: null, known: null, selection: nothing, fold: 1, pick: 'none', gizmo: 'translate', plateSize: [100, 100], tab: 'input', units: 'mm', theme,
-    examples: [], opening: null, problem: null, stale: false, note: null, busy: false, computing: false, progress: null, help: false,
+    document: null,
+    input: { spec: null, options: {} },
+    pending: null,
+    past: [],
+    future: [],
+    shape: null,
+    shapeIsDraft: false,
+    result: null,
+    known: null,
+    selection: nothing,
+    fold: 1,
+    pick: 'none',
+    gizmo: 'translate',
+    plateSize: [100, 100],
+    tab: 'input',
+    units: 'mm',
+    theme,
+    examples: [],
+    opening: null,
+    problem: null,
+    stale: false,
+    note: null,
+    busy: false,
+    computing: false,
+    progress: null,
+    help: false,
   };
 }
 
@@ -89,80 +142,160 @@ const historyLength = 200;
 
 export function reduce(state: State, action: Action): State {
   switch (action.type) {
-    case 'examples': return { ...state, examples: action.examples };
-    case 'opening': return { ...state, opening: action.opening };
-    case 'opened': return opened(state, action.document, action.spec);
-    case 'reopened': return { ...state, document: action.document, problem: null };
-    case 'edit': return action.live ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null } : edited(state, action.input);
-    case 'commit': return state.pending ? edited(state, state.input) : state;
-    case 'undo': return undone(state);
-    case 'redo': return redone(state);
-    case 'shape': return shaped(state, action.shape, action.draft);
-    case 'problem': return { ...state, problem: action.problem, stale: action.ofInput ? true : state.stale, note: null, ...(action.ofInput ? { shape: withPlates(state) } : {}) };
-    case 'note': return { ...state, note: action.note };
-    case 'computing': return { ...state, computing: action.computing };
-    case 'busy': return { ...state, busy: action.busy, progress: action.progress ?? null };
-    case 'select': return { ...state, selection: { ...nothing, ...action.selection }, problem: isOfInput(state) ? state.problem : null };
-    case 'fold': return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
-    case 'pick': return { ...state, pick: action.pick };
-    case 'gizmo': return { ...state, gizmo: action.gizmo };
-    case 'plate-size': return { ...state, plateSize: action.size };
-    case 'tab': return { ...state, tab: action.tab };
-    case 'units': return { ...state, units: action.units };
-    case 'theme': return { ...state, theme: action.theme };
-    case 'help': return { ...state, help: action.help };
+    case 'examples':
+      return { ...state, examples: action.examples };
+    case 'opening':
+      return { ...state, opening: action.opening };
+    case 'opened':
+      return opened(state, action.document, action.spec);
+    case 'reopened':
+      return { ...state, document: action.document, problem: null };
+    case 'edit':
+      return action.live
+        ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }
+        : edited(state, action.input);
+    case 'commit':
+      return state.pending ? edited(state, state.input) : state;
+    case 'undo':
+      return undone(state);
+    case 'redo':
+      return redone(state);
+    case 'shape':
+      return shaped(state, action.shape, action.draft);
+    case 'problem':
+      return {
+        ...state,
+        problem: action.problem,
+        stale: action.ofInput ? true : state.stale,
+        note: null,
+        ...(action.ofInput ? { shape: withPlates(state) } : {}),
+      };
+    case 'note':
+      return { ...state, note: action.note };
+    case 'computing':
+      return { ...state, computing: action.computing };
+    case 'busy':
+      return { ...state, busy: action.busy, progress: action.progress ?? null };
+    case 'select':
+      return {
+        ...state,
+        selection: { ...nothing, ...action.selection },
+        problem: isOfInput(state) ? state.problem : null,
+      };
+    case 'fold':
+      return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
+    case 'pick':
+      return { ...state, pick: action.pick };
+    case 'gizmo':
+      return { ...state, gizmo: action.gizmo };
+    case 'plate-size':
+      return { ...state, plateSize: action.size };
+    case 'tab':
+      return { ...state, tab: action.tab };
+    case 'units':
+      return { ...state, units: action.units };
+    case 'theme':
+      return { ...state, theme: action.theme };
+    case 'help':
+      return { ...state, help: action.help };
   }
 }
 
-/** Whether what went wrong is the matter with what is shown. Else, say of a file that could not be opened, it is over once it was read. */
+/**
+ * Whether what went wrong is the matter with what is shown. Else, say of a file that could not be opened, it is over
+ * once it was read.
+ */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
 function opened(state: State, document: OpenDocument, spec: Spec | null): State {
   return {
-    ...initialState(state.theme), examples: state.examples, units: unitsOf(document, spec), document, input: { spec, options: {} },
+    ...initialState(state.theme),
+    examples: state.examples,
+    units: unitsOf(document, spec),
+    document,
+    input: { spec, options: {} },
     tab: state.document?.kind === document.kind ? state.tab : 'input',
   };
 }
 
 /** The page speaks the unit of the file. */
-const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit => (spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm');
+const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
+  spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm';
 
 function edited(state: State, input: Input): State {
   const before = state.pending ?? state.input;
   if (before === input || JSON.stringify(before) === JSON.stringify(input)) return { ...state, input, pending: null };
-  return { ...state, input, pending: null, note: null, past: [...state.past, before].slice(-historyLength), future: [] };
+  return {
+    ...state,
+    input,
+    pending: null,
+    note: null,
+    past: [...state.past, before].slice(-historyLength),
+    future: [],
+  };
 }
 
 function undone(state: State): State {
   const input = state.pending ?? state.past.at(-1);
   if (!input) return state;
   const past = state.pending ? state.past : state.past.slice(0, -1);
-  return { ...state, input, pending: null, note: null, past, future: [state.input, ...state.future], selection: { ...state.selection, anchor: null, strip: null, point: null } };
+  return {
+    ...state,
+    input,
+    pending: null,
+    note: null,
+    past,
+    future: [state.input, ...state.future],
+    selection: { ...state.selection, anchor: null, strip: null, point: null },
+  };
 }
 
 function redone(state: State): State {
   const [input, ...future] = state.future;
   if (!input || state.pending) return state;
-  return { ...state, input, note: null, past: [...state.past, state.input], future, selection: { ...state.selection, anchor: null, strip: null, point: null } };
+  return {
+    ...state,
+    input,
+    note: null,
+    past: [...state.past, state.input],
+    future,
+    selection: { ...state.selection, anchor: null, strip: null, point: null },
+  };
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
-  const shown = hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
+  const shown =
+    hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are numbered anew where there are more or fewer of them.
   const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
   return {
-    ...state, shape: shown, selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge }, known: tellsBends(state, shape.report, draft) ? shape.report : state.known, shapeIsDraft: draft, result: draft ? state.result : shown,
-    problem: shape.report.status === 'refused' ? shape.report.reason : null, stale: !hasGeometry && state.shape !== null,
+    ...state,
+    shape: shown,
+    selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge },
+    known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
+    shapeIsDraft: draft,
+    result: draft ? state.result : shown,
+    problem: shape.report.status === 'refused' ? shape.report.reason : null,
+    stale: !hasGeometry && state.shape !== null,
   };
 }
 
-/** The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can. */
+/**
+ * The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can.
+ */
 function withPlates({ shape, document, input }: State): Shape | null {
   if (!shape || document?.kind !== 'connect') return shape;
-  const { plates, units } = input.spec as PlatesSpec, scale = millimetres(units);
-  return { ...shape, handles: { ...shape.handles, plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })) } };
+  const { plates, units } = input.spec as PlatesSpec,
+    scale = millimetres(units);
+  return {
+    ...shape,
+    handles: {
+      ...shape.handles,
+      plates: plates.map((p) => ({ id: p.id, corners: p.outline.map((c) => c.map((v) => v * scale) as Vec3) })),
+    },
+  };
 }
 
 /** Drafts of slit sheets leave out what the bends are. */

@@ -1,17 +1,60 @@
 /** Colours of both views, read from the style sheet, so that there is one place for them. */
 export interface Palette {
-  background: string; flange: string; bend: string; flangeUnder: string; bendUnder: string; selected: string; rim: string; edge: string; crease: string;
-  up: string; down: string; outline: string; fill: string; label: string; halo: string; dimension: string; overlap: string;
-  warning: string; error: string; info: string; curve: string; ridge: string; anchor: string; scan: string;
+  background: string;
+  flange: string;
+  bend: string;
+  flangeUnder: string;
+  bendUnder: string;
+  selected: string;
+  rim: string;
+  edge: string;
+  crease: string;
+  up: string;
+  down: string;
+  outline: string;
+  fill: string;
+  label: string;
+  halo: string;
+  dimension: string;
+  overlap: string;
+  warning: string;
+  error: string;
+  info: string;
+  curve: string;
+  ridge: string;
+  anchor: string;
+  scan: string;
 }
 const names: Record<keyof Palette, string> = {
-  background: '--view', flange: '--flange', bend: '--bend', flangeUnder: '--flange-under', bendUnder: '--bend-under', selected: '--selected',
-  rim: '--rim', edge: '--edge', crease: '--crease', up: '--up', down: '--down', outline: '--outline', fill: '--fill', label: '--label',
-  halo: '--halo', dimension: '--dimension', overlap: '--overlap', warning: '--warning', error: '--error', info: '--info', curve: '--curve',
-  ridge: '--ridge', anchor: '--anchor', scan: '--scan',
+  background: '--view',
+  flange: '--flange',
+  bend: '--bend',
+  flangeUnder: '--flange-under',
+  bendUnder: '--bend-under',
+  selected: '--selected',
+  rim: '--rim',
+  edge: '--edge',
+  crease: '--crease',
+  up: '--up',
+  down: '--down',
+  outline: '--outline',
+  fill: '--fill',
+  label: '--label',
+  halo: '--halo',
+  dimension: '--dimension',
+  overlap: '--overlap',
+  warning: '--warning',
+  error: '--error',
+  info: '--info',
+  curve: '--curve',
+  ridge: '--ridge',
+  anchor: '--anchor',
+  scan: '--scan',
 };
 
 export function readPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
-  return Object.fromEntries(Object.entries(names).map(([key, name]) => [key, style.getPropertyValue(name).trim()])) as unknown as Palette;
+  return Object.fromEntries(
+    Object.entries(names).map(([key, name]) => [key, style.getPropertyValue(name).trim()]),
+  ) as unknown as Palette;
 }

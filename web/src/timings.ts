@@ -1,8 +1,13 @@
 /** From a drag event to new geometry in the renderer's hands, and to the frame that shows it; in milliseconds. */
-export interface DragTiming { toGeometry: number; toFrame: number | null }
+export interface DragTiming {
+  toGeometry: number;
+  toFrame: number | null;
+}
 
 declare global {
-  interface Window { planishTimings: DragTiming[] }
+  interface Window {
+    planishTimings: DragTiming[];
+  }
 }
 
 const most = 2000;

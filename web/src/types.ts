@@ -5,11 +5,26 @@ export type Vec2 = [number, number];
 export type Vec3 = [number, number, number];
 export type LengthUnit = 'mm' | 'inch' | 'm';
 
-export interface ApiProblem { code: string; message: string; where?: string | null }
+export interface ApiProblem {
+  code: string;
+  message: string;
+  where?: string | null;
+}
 
-export interface Example { name: string; kind: Kind; title: string }
+export interface Example {
+  name: string;
+  kind: Kind;
+  title: string;
+}
 
-export interface BodyInfo { number: number; name: string; quantity: number; faces: number; size: number[]; volume: number }
+export interface BodyInfo {
+  number: number;
+  name: string;
+  quantity: number;
+  faces: number;
+  size: number[];
+  volume: number;
+}
 export interface FileInfo {
   format: 'planish/info';
   version: number;
@@ -26,7 +41,14 @@ export interface FileInfo {
 }
 
 /** `given`: the file of the command line. */
-export interface OpenDocument { id: string; given?: boolean; kind: Kind; name: string; info?: FileInfo | null; text?: string | null }
+export interface OpenDocument {
+  id: string;
+  given?: boolean;
+  kind: Kind;
+  name: string;
+  info?: FileInfo | null;
+  text?: string | null;
+}
 
 export interface Options {
   body?: number;
@@ -45,12 +67,25 @@ export interface Options {
 export type DxfProfile = 'standard' | 'inventor' | 'onshape' | 'solid_edge';
 export type FileFormat = 'dxf' | 'svg' | 'step' | 'flat.step' | 'stl' | 'mould.stl' | 'json' | 'spec';
 
-export interface Request { spec?: Spec; options: Options }
-export interface Progress { stage: string; share: number }
+export interface Request {
+  spec?: Spec;
+  options: Options;
+}
+export interface Progress {
+  stage: string;
+  share: number;
+}
 
 // ---- shapes -------------------------------------------------------------------------------------------------------
 
-export interface Part { name: string; kind: 'flange' | 'bend'; angle?: number; direction?: 'up' | 'down'; faces: number[]; plate?: string }
+export interface Part {
+  name: string;
+  kind: 'flange' | 'bend';
+  angle?: number;
+  direction?: 'up' | 'down';
+  faces: number[];
+  plate?: string;
+}
 
 export interface Handles {
   plates?: { id: string; corners: Vec3[] }[];
@@ -61,7 +96,11 @@ export interface Handles {
   scan?: Vec3[];
 }
 
-export interface ArrayPlace { type: 'f32' | 'u32' | 'i32'; at: number; count: number }
+export interface ArrayPlace {
+  type: 'f32' | 'u32' | 'i32';
+  at: number;
+  count: number;
+}
 
 export interface ShapeHeader {
   report: Report;
@@ -143,7 +182,12 @@ export interface BendRow {
   alternatives?: Alternative[];
 }
 
-export interface Finding { code: string; severity: 'info' | 'warning' | 'error'; message: string; at?: Vec2[] | null }
+export interface Finding {
+  code: string;
+  severity: 'info' | 'warning' | 'error';
+  message: string;
+  at?: Vec2[] | null;
+}
 
 export interface Verification {
   volume_ratio: number | null;
@@ -218,13 +262,24 @@ export interface Report extends PieceReport {
     perimeters: number[];
     patches: { kind: string; area: number; borders: number[]; turn: number }[];
     press_lines: { id: string; piece: string; angle: number; direction: 'up' | 'down'; line: Vec2[] }[];
-    true_lengths: { from: string; to: string; length: number; piece: string; press_line: string | null; points: Vec3[] }[];
+    true_lengths: {
+      from: string;
+      to: string;
+      length: number;
+      piece: string;
+      press_line: string | null;
+      points: Vec3[];
+    }[];
   };
 }
 
 // ---- inputs -------------------------------------------------------------------------------------------------------
 
-export interface PlateSpec { id: string; outline: Vec3[]; holes?: Vec3[][] }
+export interface PlateSpec {
+  id: string;
+  outline: Vec3[];
+  holes?: Vec3[][];
+}
 export interface BendSpec {
   between: string[];
   edges?: Record<string, number[]>;
@@ -256,8 +311,15 @@ export type Profile =
   | { rounded_rectangle: { width: number; height: number; radius: number } }
   | { obround: { length: number; width: number } }
   | { spline: Vec2[] };
-export interface Frame { origin?: Vec3; x?: Vec3; normal?: Vec3 }
-export interface ProfileSpec { profile: Profile; frame?: Frame }
+export interface Frame {
+  origin?: Vec3;
+  x?: Vec3;
+  normal?: Vec3;
+}
+export interface ProfileSpec {
+  profile: Profile;
+  frame?: Frame;
+}
 export type Seam = { edge: number } | { corner: number } | { parameter: number };
 export type PressLines = { count: number } | { max_angle: number } | { chord: number };
 export interface TransitionSpec {
@@ -272,15 +334,44 @@ export interface TransitionSpec {
   press_lines?: PressLines;
 }
 
-export interface AnchorSpec { strip: number; ridge: number; side?: 'left' | 'right'; at: Vec3 }
-export interface SlitWeights { smooth?: number; spacing?: number; anchors?: number; seat?: number; spread?: number; scan?: number }
+export interface AnchorSpec {
+  strip: number;
+  ridge: number;
+  side?: 'left' | 'right';
+  at: Vec3;
+}
+export interface SlitWeights {
+  smooth?: number;
+  spacing?: number;
+  anchors?: number;
+  seat?: number;
+  spread?: number;
+  scan?: number;
+}
 export type CurveName = 'leg' | 'seat';
-export interface StripSpec { width: number; gap?: number; left_start?: number; right_start?: number; end?: number }
-export interface StripEnd { strip: number; position?: Vec3; direction?: Vec3; across?: Vec3 }
+export interface StripSpec {
+  width: number;
+  gap?: number;
+  left_start?: number;
+  right_start?: number;
+  end?: number;
+}
+export interface StripEnd {
+  strip: number;
+  position?: Vec3;
+  direction?: Vec3;
+  across?: Vec3;
+}
 export interface SlitSpec {
   units?: LengthUnit;
   thickness: number;
-  sheet: { strips: number | StripSpec[]; strip_width?: number; panel_height: number; half_length?: number; margin?: number };
+  sheet: {
+    strips: number | StripSpec[];
+    strip_width?: number;
+    panel_height: number;
+    half_length?: number;
+    margin?: number;
+  };
   symmetric?: boolean;
   ridges?: number;
   subdivisions?: number;

@@ -5,11 +5,14 @@ const inMm: Record<LengthUnit, number> = { mm: 1, inch: 25.4, m: 1000 };
 
 export const millimetres = (unit: LengthUnit | undefined) => inMm[unit ?? 'mm'];
 
-/** Decimals of a length that is placed by hand, in a file of this unit: thousandths of a millimetre and about as much. */
+/**
+ * Decimals of a length that is placed by hand, in a file of this unit: thousandths of a millimetre and about as much.
+ */
 export const fileDigits = (unit: LengthUnit | undefined) => ({ mm: 3, inch: 4, m: 6 })[unit ?? 'mm'];
 
 /** `value` given in `from`, in `to`. */
-export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) => (value * millimetres(from)) / inMm[to];
+export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) =>
+  (value * millimetres(from)) / inMm[to];
 
 /** A length to be read: hundredths of a millimetre, thousandths of an inch. */
 export function lengthText(value: number | null | undefined, from: LengthUnit | undefined, to: DisplayUnit): string {
@@ -18,7 +21,8 @@ export function lengthText(value: number | null | undefined, from: LengthUnit | 
 }
 
 /** A residual length, of which only the size matters, with its unit. */
-export const residualText = (value: number, from: LengthUnit | undefined, to: DisplayUnit) => `${sizeText(convert(value, from, to))} ${unitName(to)}`;
+export const residualText = (value: number, from: LengthUnit | undefined, to: DisplayUnit) =>
+  `${sizeText(convert(value, from, to))} ${unitName(to)}`;
 
 export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
 

@@ -36,15 +36,21 @@ export class Views {
       pickRidgeEnd: (end) => this.addAnchorAt(end),
       dragAnchor: (anchor, at, event) => this.dragAnchor(anchor, at, event),
       dragPlate: (id, moved, event) => this.dragPlate(id, moved, event),
-      dragEnd: () => { this.plateAtStart = null; this.ui.commit(); },
+      dragEnd: () => {
+        this.plateAtStart = null;
+        this.ui.commit();
+      },
     });
     this.flat = new FlatView(flat, this.palette, (picked, facet) => this.pickInFlat(picked, facet));
   }
 
   /** New geometry, handed to the renderer at once. */
   private show(shape: Shape) {
-    const { state } = this.ui, id = shownOf(state), fresh = state.past.length === 0 && !state.pending;
-    const first = this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
+    const { state } = this.ui,
+      id = shownOf(state),
+      fresh = state.past.length === 0 && !state.pending;
+    const first =
+      this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
@@ -73,10 +79,23 @@ export class Views {
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
-    if (state.selection !== before.selection || anchors(state) !== anchors(before) || state.fold !== before.fold || state.gizmo !== before.gizmo || state.document !== before.document)
+    if (
+      state.selection !== before.selection ||
+      anchors(state) !== anchors(before) ||
+      state.fold !== before.fold ||
+      state.gizmo !== before.gizmo ||
+      state.document !== before.document
+    )
       this.folded.setOverlay(this.overlay(state));
     if (state.shape && state.shape !== before.shape) this.show(state.shape);
-    else if (state.selection !== before.selection || state.theme !== before.theme || state.units !== before.units || state.result !== before.result || state.shape !== before.shape) this.showFlat(state);
+    else if (
+      state.selection !== before.selection ||
+      state.theme !== before.theme ||
+      state.units !== before.units ||
+      state.result !== before.result ||
+      state.shape !== before.shape
+    )
+      this.showFlat(state);
   }
 
   fit() {
@@ -86,16 +105,28 @@ export class Views {
 
   private showFlat(state: State) {
     this.flat.set({
-      shape: state.shape, report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state), findings: findingsOf({ ...this.ui, state }), selected: pickedRow(state), edge: state.selection.edge,
-      finding: state.selection.finding, units: state.units, palette: this.palette,
+      shape: state.shape,
+      report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
+      findings: findingsOf({ ...this.ui, state }),
+      selected: pickedRow(state),
+      edge: state.selection.edge,
+      finding: state.selection.finding,
+      units: state.units,
+      palette: this.palette,
     });
   }
 
   private overlay(state: State) {
     const spec = state.input.spec as SlitSpec | null;
     return {
-      anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [], scale: millimetres(spec?.units),
-      plate: state.document?.kind === 'connect' ? state.selection.plate : null, numbered: this.numbered(state), anchor: state.selection.anchor, gizmo: state.gizmo, handles: state.fold > 0.999, ridges: spec?.ridges ?? 10,
+      anchors: state.document?.kind === 'slit' ? (spec?.anchors ?? []) : [],
+      scale: millimetres(spec?.units),
+      plate: state.document?.kind === 'connect' ? state.selection.plate : null,
+      numbered: this.numbered(state),
+      anchor: state.selection.anchor,
+      gizmo: state.gizmo,
+      handles: state.fold > 0.999,
+      ridges: spec?.ridges ?? 10,
     };
   }
 
@@ -106,7 +137,8 @@ export class Views {
   }
 
   private thickness(state: State): number {
-    const report = pieceOf(state)?.sheet ? pieceOf(state) : knownPiece(state), thickness = report?.sheet?.thickness ?? (state.input.spec as { thickness?: number } | null)?.thickness ?? 1;
+    const report = pieceOf(state)?.sheet ? pieceOf(state) : knownPiece(state),
+      thickness = report?.sheet?.thickness ?? (state.input.spec as { thickness?: number } | null)?.thickness ?? 1;
     return thickness * millimetres(report?.units);
   }
 
@@ -125,7 +157,8 @@ export class Views {
     const part = row === undefined ? undefined : state.shape?.parts[row];
     if (state.pick === 'root' || state.pick === 'up') {
       const face = part?.kind === 'flange' ? part.faces[0] : undefined;
-      if (face === undefined && !(part && state.pick === 'up')) return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
+      if (face === undefined && !(part && state.pick === 'up'))
+        return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
       this.ui.dispatch({ type: 'pick', pick: 'none' });
       return state.pick === 'up' ? this.ui.faceUp(upper) : this.ui.editOptions((o) => ({ ...o, root: face }));
     }
@@ -135,7 +168,11 @@ export class Views {
   /** The flange that stays can be shown here as well; of the sides only the one that faces up is seen. */
   private pickInFlat(...[picked, facet]: Parameters<PickInFlat>) {
     const { pick } = this.ui.state;
-    if (pick === 'up') return this.ui.dispatch({ type: 'note', note: 'This side faces up; click the other one in the folded view, or turn the part over.' });
+    if (pick === 'up')
+      return this.ui.dispatch({
+        type: 'note',
+        note: 'This side faces up; click the other one in the folded view, or turn the part over.',
+      });
     if (pick === 'root') return this.pickFacet(facet, true);
     if (picked && 'finding' in picked) {
       this.ui.dispatch({ type: 'tab', tab: 'findings' });
@@ -152,9 +189,13 @@ export class Views {
   }
 
   private addAnchorAt(end: RidgeEnd) {
-    const { input } = this.ui.state, spec = input.spec as SlitSpec, scale = millimetres(spec.units);
+    const { input } = this.ui.state,
+      spec = input.spec as SlitSpec,
+      scale = millimetres(spec.units);
     const index = spec.anchors?.length ?? 0;
-    this.ui.edit<SlitSpec>((s) => addAnchor(s, { strip: end.strip, ridge: end.ridge, side: end.side, at: end.at.map((v) => v / scale) as Vec3 }));
+    this.ui.edit<SlitSpec>((s) =>
+      addAnchor(s, { strip: end.strip, ridge: end.ridge, side: end.side, at: end.at.map((v) => v / scale) as Vec3 }),
+    );
     this.ui.dispatch({ type: 'select', selection: { anchor: index } });
   }
 
@@ -166,22 +207,39 @@ export class Views {
   private dragPlate(id: string, moved: Matrix4, event: number) {
     const { state } = this.ui;
     this.plateAtStart ??= { id, spec: (state.pending ?? state.input).spec as PlatesSpec };
-    const { spec } = this.plateAtStart, scale = millimetres(spec.units), v = new Vector3();
+    const { spec } = this.plateAtStart,
+      scale = millimetres(spec.units),
+      v = new Vector3();
     this.dragged(event);
-    this.ui.edit<PlatesSpec>((s) => ({ ...s, plates: movePlate(spec, id, (p) => {
-      v.set(p[0] * scale, p[1] * scale, p[2] * scale).applyMatrix4(moved).divideScalar(scale);
-      return [v.x, v.y, v.z];
-    }).plates }), true);
+    this.ui.edit<PlatesSpec>(
+      (s) => ({
+        ...s,
+        plates: movePlate(spec, id, (p) => {
+          v.set(p[0] * scale, p[1] * scale, p[2] * scale)
+            .applyMatrix4(moved)
+            .divideScalar(scale);
+          return [v.x, v.y, v.z];
+        }).plates,
+      }),
+      true,
+    );
   }
 }
 
 /** What is fitted into the views when it first is shown: a document, another body of it, another piece. */
-const shownOf = ({ document, input: { options } }: State) => (document ? [document.id, options.body ?? '', options.piece ?? ''].join(' ') : null);
+const shownOf = ({ document, input: { options } }: State) =>
+  document ? [document.id, options.body ?? '', options.piece ?? ''].join(' ') : null;
 
-/** The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the root. */
+/**
+ * The facet that stays in place while the sheet is folded: of the flange or plate that was chosen for it, else the
+ * root.
+ */
 function heldFacet({ shape, input, document }: State): number {
   if (!shape) return 0;
-  const { root } = document?.kind === 'unfold' ? input.options : (input.spec as { root?: string } | null) ?? {};
-  const part = root === undefined ? -1 : shape.parts.findIndex((p) => p.plate === root || (typeof root === 'number' && p.faces.includes(root)));
+  const { root } = document?.kind === 'unfold' ? input.options : ((input.spec as { root?: string } | null) ?? {});
+  const part =
+    root === undefined
+      ? -1
+      : shape.parts.findIndex((p) => p.plate === root || (typeof root === 'number' && p.faces.includes(root)));
   return Math.max(0, part < 0 ? 0 : shape.facet_part.indexOf(part));
 }

@@ -1,5 +1,5 @@
-// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. What a flow downloads is written to a folder of its name in
-// STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
+// The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. What a flow downloads is written to a
+// folder of its name in STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
 import { browser, folder, fresh } from './driving.mjs';
 import * as connect from './flows/connect.mjs';
@@ -15,7 +15,8 @@ const flows = { ...unfold, ...connect, ...transition, ...slit, ...page, ...serve
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
   if (wanted.length && !wanted.includes(name)) continue;
-  const begun = performance.now(), given = await fresh({ name });
+  const begun = performance.now(),
+    given = await fresh({ name });
   try {
     const file = await flow(given);
     await given.page.goto('about:blank'); // the page lets its document go

@@ -1,13 +1,42 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { addBend, addPlate, bendsOf, copyPlate, notJoined, parseEdges, edgesText, removeBend, removePlate, renamePlate, setBend, surfacePatch } from '../src/edits/connect.ts';
+import {
+  addBend,
+  addPlate,
+  bendsOf,
+  copyPlate,
+  notJoined,
+  parseEdges,
+  edgesText,
+  removeBend,
+  removePlate,
+  renamePlate,
+  setBend,
+  surfacePatch,
+} from '../src/edits/connect.ts';
 import { addCorner, addHole, along, directionsOf, moveCorner, removeCorner, removeHole } from '../src/edits/outline.ts';
 import type { BendRow, PlatesSpec, Vec3 } from '../src/types.ts';
 
-const level: Vec3[] = [[0, 0, 0], [200, 0, 0], [200, 100, 0], [0, 100, 0]];
-const leaning: Vec3[] = [[0, 130, 20], [200, 130, 20], [200, 190, 100], [0, 190, 100]]; // 100 long, leaning by 3 : 4
+const level: Vec3[] = [
+  [0, 0, 0],
+  [200, 0, 0],
+  [200, 100, 0],
+  [0, 100, 0],
+];
+const leaning: Vec3[] = [
+  [0, 130, 20],
+  [200, 130, 20],
+  [200, 190, 100],
+  [0, 190, 100],
+]; // 100 long, leaning by 3 : 4
 const spec = (): PlatesSpec => ({
-  thickness: 4, root: 'A', plates: [{ id: 'A', outline: level }, { id: 'B', outline: leaning }, { id: 'C', outline: leaning.map(([x, y, z]) => [x, -y, z]) }],
+  thickness: 4,
+  root: 'A',
+  plates: [
+    { id: 'A', outline: level },
+    { id: 'B', outline: leaning },
+    { id: 'C', outline: leaning.map(([x, y, z]) => [x, -y, z]) },
+  ],
   bends: [{ between: ['A', 'B'], edges: { A: [2], B: [0] }, inside_radius: 5 }, { between: ['A', 'C'] }],
 });
 const row = (id: string, ...between: string[]) => ({ id, between }) as BendRow;
@@ -27,7 +56,10 @@ test('coordinates in a plate are x and y where it is level, else level and up it
 test('a corner that is moved stays in its plate, and moves no other', () => {
   const moved = plate(moveCorner(spec(), 'B', 0, 2, 1, along(directionsOf(leaning), leaning[2]!)[1] + 50), 'B').outline;
   assert.deepEqual(moved[2], [200, 220, 140]);
-  assert.deepEqual(moved.filter((_, i) => i !== 2), leaning.filter((_, i) => i !== 2));
+  assert.deepEqual(
+    moved.filter((_, i) => i !== 2),
+    leaning.filter((_, i) => i !== 2),
+  );
 });
 
 test('corners that come and go take the numbers of edges along in bends', () => {
@@ -50,9 +82,14 @@ test('an edge from the last corner to the first keeps its number when the first 
 });
 
 test('holes are added clear of one another and edited like outlines; edges keep their numbers', () => {
-  const two = addHole(addHole(spec(), 'B'), 'B'), [a, b] = plate(two, 'B').holes!;
-  const d = directionsOf(leaning), low = (ring: Vec3[], k: 0 | 1) => Math.min(...ring.map((p) => along(d, p)[k])), high = (ring: Vec3[], k: 0 | 1) => Math.max(...ring.map((p) => along(d, p)[k]));
-  assert.ok([0, 1].some((k) => high(a!, k as 0) <= low(b!, k as 0) + 1e-6 || high(b!, k as 0) <= low(a!, k as 0) + 1e-6));
+  const two = addHole(addHole(spec(), 'B'), 'B'),
+    [a, b] = plate(two, 'B').holes!;
+  const d = directionsOf(leaning),
+    low = (ring: Vec3[], k: 0 | 1) => Math.min(...ring.map((p) => along(d, p)[k])),
+    high = (ring: Vec3[], k: 0 | 1) => Math.max(...ring.map((p) => along(d, p)[k]));
+  assert.ok(
+    [0, 1].some((k) => high(a!, k as 0) <= low(b!, k as 0) + 1e-6 || high(b!, k as 0) <= low(a!, k as 0) + 1e-6),
+  );
   for (const p of [...a!, ...b!]) near((p[1] - 130) * 0.8 - (p[2] - 20) * 0.6, 0);
   const more = addCorner(two, 'B', 1, 0);
   assert.equal(plate(more, 'B').holes![0]!.length, 5);
@@ -61,16 +98,34 @@ test('holes are added clear of one another and edited like outlines; edges keep 
 });
 
 test('a plate is added in the plane of the chosen one, clear of it, or level', () => {
-  const s = addPlate(spec(), 'B', [50, 20]), added = s.plates.at(-1)!;
+  const s = addPlate(spec(), 'B', [50, 20]),
+    added = s.plates.at(-1)!;
   assert.equal(added.id, 'P1');
-  assert.deepEqual(added.outline, [[205, 130, 20], [255, 130, 20], [255, 142, 36], [205, 142, 36]]);
-  assert.deepEqual(addPlate(s, null, [50, 20]).plates.at(-1), { id: 'P2', outline: [[260, -190, 0], [310, -190, 0], [310, -170, 0], [260, -170, 0]] });
+  assert.deepEqual(added.outline, [
+    [205, 130, 20],
+    [255, 130, 20],
+    [255, 142, 36],
+    [205, 142, 36],
+  ]);
+  assert.deepEqual(addPlate(s, null, [50, 20]).plates.at(-1), {
+    id: 'P2',
+    outline: [
+      [260, -190, 0],
+      [310, -190, 0],
+      [310, -170, 0],
+      [260, -170, 0],
+    ],
+  });
 });
 
 test('a copy stands beside its plate, holes and all', () => {
-  const s = copyPlate(addHole(spec(), 'A'), 'A'), copy = s.plates.at(-1)!;
+  const s = copyPlate(addHole(spec(), 'A'), 'A'),
+    copy = s.plates.at(-1)!;
   assert.equal(copy.id, 'A-2');
-  assert.deepEqual(copy.outline, level.map(([x, y, z]) => [x + 220, y, z]));
+  assert.deepEqual(
+    copy.outline,
+    level.map(([x, y, z]) => [x + 220, y, z]),
+  );
   assert.equal(copy.holes!.length, 1);
   assert.equal(copyPlate(s, 'A-2').plates.at(-1)!.id, 'A-3');
 });
@@ -85,15 +140,25 @@ test('with a plate go the bends that name it, and root', () => {
 test('a plate has its new name wherever it is named', () => {
   const s = renamePlate(spec(), 'A', 'floor')!;
   assert.equal(s.root, 'floor');
-  assert.deepEqual(s.bends, [{ between: ['floor', 'B'], edges: { floor: [2], B: [0] }, inside_radius: 5 }, { between: ['floor', 'C'] }]);
-  assert.deepEqual(s.plates.map((p) => p.id), ['floor', 'B', 'C']);
+  assert.deepEqual(s.bends, [
+    { between: ['floor', 'B'], edges: { floor: [2], B: [0] }, inside_radius: 5 },
+    { between: ['floor', 'C'] },
+  ]);
+  assert.deepEqual(
+    s.plates.map((p) => p.id),
+    ['floor', 'B', 'C'],
+  );
   assert.equal(renamePlate(spec(), 'A', 'B'), null);
   assert.equal(renamePlate(spec(), 'A', ''), null);
 });
 
 test('bends that the program found are named before one is added or removed', () => {
   const { bends: _none, ...found } = spec();
-  assert.deepEqual(addBend(found, rows, 'B', 'C').bends, [{ between: ['A', 'B'] }, { between: ['C', 'A'] }, { between: ['B', 'C'] }]);
+  assert.deepEqual(addBend(found, rows, 'B', 'C').bends, [
+    { between: ['A', 'B'] },
+    { between: ['C', 'A'] },
+    { between: ['B', 'C'] },
+  ]);
   assert.deepEqual(removeBend(found, rows, 0).bends, [{ between: ['C', 'A'] }]);
   assert.equal('bends' in removeBend(removeBend(found, rows, 0), rows, 0), false);
   assert.deepEqual(notJoined(found, rows, 'B'), ['C']);
@@ -101,13 +166,29 @@ test('bends that the program found are named before one is added or removed', ()
 
 test('a bend that could not be fitted is shown without its row', () => {
   const s = addBend(spec(), rows, 'B', 'C');
-  assert.deepEqual(bendsOf(s, rows).map((b) => b.row?.id ?? null), ['B1', 'B2', null]);
-  assert.deepEqual(bendsOf(removePlate(s, 'C'), rows).map((b) => b.row?.id), ['B1']);
+  assert.deepEqual(
+    bendsOf(s, rows).map((b) => b.row?.id ?? null),
+    ['B1', 'B2', null],
+  );
+  assert.deepEqual(
+    bendsOf(removePlate(s, 'C'), rows).map((b) => b.row?.id),
+    ['B1'],
+  );
 });
 
 test('of two sections on one plate each is edited by itself', () => {
-  const s: PlatesSpec = { ...spec(), bends: [{ between: ['A'], angle: 90 }, { between: ['A'], angle: 45 }] }, both = [row('B1', 'A'), row('B2', 'A')];
-  assert.deepEqual(setBend(s, both, both[1]!, { angle: 30 }).bends, [{ between: ['A'], angle: 90 }, { between: ['A'], angle: 30 }]);
+  const s: PlatesSpec = {
+      ...spec(),
+      bends: [
+        { between: ['A'], angle: 90 },
+        { between: ['A'], angle: 45 },
+      ],
+    },
+    both = [row('B1', 'A'), row('B2', 'A')];
+  assert.deepEqual(setBend(s, both, both[1]!, { angle: 30 }).bends, [
+    { between: ['A'], angle: 90 },
+    { between: ['A'], angle: 30 },
+  ]);
 });
 
 test('lists of edges are read as they are written', () => {
@@ -119,9 +200,17 @@ test('lists of edges are read as they are written', () => {
 });
 
 test('a bend of another surface keeps nothing that this cannot have', () => {
-  const general = { ...spec(), bends: [{ between: ['A', 'B'], surface: 'general', tangent_point: [0, 0, 0] as Vec3, apex: 3 }] };
-  const bend = (surface: string, s: PlatesSpec = general) => setBend(s, rows, rows[0]!, surfacePatch(surface)).bends![0];
+  const general = {
+    ...spec(),
+    bends: [{ between: ['A', 'B'], surface: 'general', tangent_point: [0, 0, 0] as Vec3, apex: 3 }],
+  };
+  const bend = (surface: string, s: PlatesSpec = general) =>
+    setBend(s, rows, rows[0]!, surfacePatch(surface)).bends![0];
   assert.deepEqual(bend('auto'), { between: ['A', 'B'], apex: 3 });
   assert.deepEqual(bend('cylinder'), { between: ['A', 'B'], surface: 'cylinder' });
-  assert.deepEqual(bend('general', spec()), { between: ['A', 'B'], edges: { A: [2], B: [0] }, surface: 'general' }, 'its radius goes');
+  assert.deepEqual(
+    bend('general', spec()),
+    { between: ['A', 'B'], edges: { A: [2], B: [0] }, surface: 'general' },
+    'its radius goes',
+  );
 });

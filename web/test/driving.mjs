@@ -7,9 +7,21 @@ const address = process.argv[2];
 const files = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
 export const browser = await launch();
 
-export const state = (page, code) => page.evaluate(`(() => { const s = window.planish.store.state, views = window.planish.views; return ${code}; })()`);
-const settled = (page) => page.waitForFunction(() => { const s = window.planish.store.state; return s.document && s.shape && !s.shapeIsDraft && !s.computing && s.past !== undefined; }, null, { timeout: 60000 });
-export const rested = async (page) => { await page.waitForTimeout(250); await settled(page); };
+export const state = (page, code) =>
+  page.evaluate(`(() => { const s = window.planish.store.state, views = window.planish.views; return ${code}; })()`);
+const settled = (page) =>
+  page.waitForFunction(
+    () => {
+      const s = window.planish.store.state;
+      return s.document && s.shape && !s.shapeIsDraft && !s.computing && s.past !== undefined;
+    },
+    null,
+    { timeout: 60000 },
+  );
+export const rested = async (page) => {
+  await page.waitForTimeout(250);
+  await settled(page);
+};
 
 const folders = new WeakMap();
 
@@ -18,11 +30,18 @@ export const folder = (page) => folders.get(page);
 
 // What the tests wait for is evaluated in the page, which its policy forbids; one flow keeps the policy.
 export async function fresh({ name = 'other', bypassCSP = true } = {}) {
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, acceptDownloads: true, bypassCSP });
-  const page = await context.newPage(), said = [];
+  const context = await browser.newContext({
+    viewport: { width: 1280, height: 720 },
+    acceptDownloads: true,
+    bypassCSP,
+  });
+  const page = await context.newPage(),
+    said = [];
   folders.set(page, `${files}/${name}`);
   mkdirSync(folder(page), { recursive: true });
-  page.on('console', (m) => { if (m.type() === 'error') said.push(m.text()); });
+  page.on('console', (m) => {
+    if (m.type() === 'error') said.push(m.text());
+  });
   page.on('pageerror', (e) => said.push(e.message));
   await serveDist(page, address);
   await page.goto(address);
@@ -48,7 +67,13 @@ export async function open(page, paths) {
 /** A slit file without its subdivisions, which take most of the time. */
 export function coarse(page, name) {
   const path = `${folder(page)}/${name}`;
-  writeFileSync(path, JSON.stringify({ ...JSON.parse(readFileSync(new URL(`../../examples/slit/${name}`, import.meta.url), 'utf8')), subdivisions: 0 }));
+  writeFileSync(
+    path,
+    JSON.stringify({
+      ...JSON.parse(readFileSync(new URL(`../../examples/slit/${name}`, import.meta.url), 'utf8')),
+      subdivisions: 0,
+    }),
+  );
   return path;
 }
 
@@ -58,7 +83,12 @@ export async function opened(page, path) {
 }
 
 /** Names of the documents that are open at the server. */
-export const openAtServer = (page) => page.evaluate(async () => (await (await fetch('/api/documents', { headers: { 'X-Planish-Token': location.hash.slice(1) } })).json()).map((d) => d.name));
+export const openAtServer = (page) =>
+  page.evaluate(async () =>
+    (await (await fetch('/api/documents', { headers: { 'X-Planish-Token': location.hash.slice(1) } })).json()).map(
+      (d) => d.name,
+    ),
+  );
 
 export async function download(page, format) {
   await page.click('[data-testid=download-menu]');
@@ -85,12 +115,23 @@ export async function enter(page, testid, text) {
 
 export async function slide(page, testid, share) {
   await page.locator(`[data-testid="${testid}"]`).scrollIntoViewIfNeeded();
-  const box = await page.locator(`[data-testid="${testid}"]`).boundingBox(), at = await page.$eval(`[data-testid="${testid}"]`, (e) => (e.value - e.min) / (e.max - e.min));
+  const box = await page.locator(`[data-testid="${testid}"]`).boundingBox(),
+    at = await page.$eval(`[data-testid="${testid}"]`, (e) => (e.value - e.min) / (e.max - e.min));
   const x = (s) => box.x + 8 + s * (box.width - 16);
   await drag(page, { x: x(at), y: box.y + box.height / 2 }, { x: x(share) - x(at), y: 0 });
 }
 
 export function timings(name, list) {
-  const of = (key) => { const v = list.map((t) => t[key]).filter((x) => x !== null).sort((a, b) => a - b); return v.length ? `${v[Math.floor(v.length / 2)].toFixed(1)} / ${v[Math.floor(0.95 * v.length)].toFixed(1)} ms` : '–'; };
-  console.log(`   ${name}: ${list.length} drafts; to geometry ${of('toGeometry')}, to the frame ${of('toFrame')} (median / 95 %)`);
+  const of = (key) => {
+    const v = list
+      .map((t) => t[key])
+      .filter((x) => x !== null)
+      .sort((a, b) => a - b);
+    return v.length
+      ? `${v[Math.floor(v.length / 2)].toFixed(1)} / ${v[Math.floor(0.95 * v.length)].toFixed(1)} ms`
+      : '–';
+  };
+  console.log(
+    `   ${name}: ${list.length} drafts; to geometry ${of('toGeometry')}, to the frame ${of('toFrame')} (median / 95 %)`,
+  );
 }

@@ -14,16 +14,33 @@ test('the sides of the blank are as long as the report says, in whatever order i
 });
 
 test('dimension lines are on the sides away from the pattern', () => {
-  const reach = dimensionReach([[0, 0], [100, 0], [100, 50], [0, 50]]);
-  assert.ok(reach.some(({ at, by }) => at[0] === 0 && by[0] < -20) && reach.some(({ at, by }) => at[1] === 0 && by[1] < -20));
+  const reach = dimensionReach([
+    [0, 0],
+    [100, 0],
+    [100, 50],
+    [0, 50],
+  ]);
+  assert.ok(
+    reach.some(({ at, by }) => at[0] === 0 && by[0] < -20) && reach.some(({ at, by }) => at[1] === 0 && by[1] < -20),
+  );
   assert.ok(!reach.some(({ at, by }) => (at[0] === 100 && by[0] > 1) || (at[1] === 50 && by[1] > 1)));
 });
 
 test('marks of findings that would cover each other lose their numbers, never that of the chosen one', () => {
-  const findings = [finding([0, 0]), finding([5, 0], [100, 0]), finding([6, 0])], at = (p: Vec2) => p;
-  const numbered = (selected: number | null) => findingMarks(findings, at, selected).filter((m) => m.numbered).map((m) => [m.finding, m.at[0]]);
-  assert.deepEqual(numbered(null), [[1, 100], [0, 0]]);
-  assert.deepEqual(numbered(2), [[1, 100], [2, 6]]);
+  const findings = [finding([0, 0]), finding([5, 0], [100, 0]), finding([6, 0])],
+    at = (p: Vec2) => p;
+  const numbered = (selected: number | null) =>
+    findingMarks(findings, at, selected)
+      .filter((m) => m.numbered)
+      .map((m) => [m.finding, m.at[0]]);
+  assert.deepEqual(numbered(null), [
+    [1, 100],
+    [0, 0],
+  ]);
+  assert.deepEqual(numbered(2), [
+    [1, 100],
+    [2, 6],
+  ]);
   assert.equal(findingMarks(findings, at, null).length, 4, 'each place has a mark');
 });
 

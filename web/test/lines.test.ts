@@ -14,7 +14,10 @@ test('an edge is as long as its pieces together, across all facets of a bend', (
 });
 
 test('an edge belongs to the part that it bounds', () => {
-  assert.deepEqual([0, 2, 4, 6, 7].map((edge) => partOfEdge(shape, edge)), [0, 1, 2, 0, 2]);
+  assert.deepEqual(
+    [0, 2, 4, 6, 7].map((edge) => partOfEdge(shape, edge)),
+    [0, 1, 2, 0, 2],
+  );
   assert.equal(partOfEdge(shape, 99), null);
 });
 

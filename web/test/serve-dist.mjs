@@ -6,8 +6,15 @@ const types = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
 export async function serveDist(page, address) {
   if (!process.env.STUDIO_DIST) return;
   const origin = new URL(address).origin;
-  await page.route((url) => url.origin === origin && !url.pathname.startsWith('/api'), (route) => {
-    const path = new URL(route.request().url()).pathname, name = path === '/' ? 'index.html' : path.slice(1);
-    return route.fulfill({ body: readFileSync(new URL(`../dist/${name}`, import.meta.url)), contentType: types[name.split('.').at(-1)] });
-  });
+  await page.route(
+    (url) => url.origin === origin && !url.pathname.startsWith('/api'),
+    (route) => {
+      const path = new URL(route.request().url()).pathname,
+        name = path === '/' ? 'index.html' : path.slice(1);
+      return route.fulfill({
+        body: readFileSync(new URL(`../dist/${name}`, import.meta.url)),
+        contentType: types[name.split('.').at(-1)],
+      });
+    },
+  );
 }

@@ -8,7 +8,8 @@ test('a shape comes out as it was put in', () => {
   const shape = decodeShape(twoFlangesShape());
   assert.deepEqual(shape.report, header.report);
   assert.deepEqual(shape.parts, header.parts);
-  for (const [name, values] of Object.entries(arrays)) assert.deepEqual([...shape[name as keyof typeof arrays]], [...values], name);
+  for (const [name, values] of Object.entries(arrays))
+    assert.deepEqual([...shape[name as keyof typeof arrays]], [...values], name);
   assert.equal(shape.overlaps.length, 0);
 });
 

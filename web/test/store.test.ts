@@ -9,7 +9,8 @@ const make = () => {
   return store;
 };
 const k = (store: Store) => store.state.input.options.k;
-const edit = (store: Store, value: number, live = false) => store.dispatch({ type: 'edit', input: { spec: null, options: { k: value } }, live });
+const edit = (store: Store, value: number, live = false) =>
+  store.dispatch({ type: 'edit', input: { spec: null, options: { k: value } }, live });
 
 test('undo goes back, redo forth, and an edit ends what could be redone', () => {
   const store = make();
@@ -50,7 +51,12 @@ test('a drag that ends where it began is no step', () => {
 
 test('the page speaks the unit of what is opened', () => {
   const store = make();
-  const open = (document: object, spec: object | null) => store.dispatch({ type: 'opened', document: { id: 'd2', kind: 'unfold', name: 'b', ...document } as OpenDocument, spec: spec as Spec | null });
+  const open = (document: object, spec: object | null) =>
+    store.dispatch({
+      type: 'opened',
+      document: { id: 'd2', kind: 'unfold', name: 'b', ...document } as OpenDocument,
+      spec: spec as Spec | null,
+    });
   open({ info: { file_units: 'INCH' } }, null);
   assert.equal(store.state.units, 'inch');
   open({ info: { file_units: 'mm' } }, null);
@@ -62,7 +68,8 @@ test('the page speaks the unit of what is opened', () => {
 });
 
 test('what could not be opened is said until something is picked; what is the matter with the input stays', () => {
-  const store = make(), problem = { code: 'not_step', message: 'b.pdf is not a STEP file' };
+  const store = make(),
+    problem = { code: 'not_step', message: 'b.pdf is not a STEP file' };
   store.dispatch({ type: 'problem', problem });
   store.dispatch({ type: 'select', selection: { part: 'B1' } });
   assert.equal(store.state.problem, null);

@@ -6,7 +6,8 @@ export function bezierPoints(control: Vec2[], count = 64): Vec2[] {
 }
 
 function bezierAt(control: Vec2[], t: number): Vec2 {
-  const x = control.map((p) => p[0]), y = control.map((p) => p[1]);
+  const x = control.map((p) => p[0]),
+    y = control.map((p) => p[1]);
   for (let last = control.length - 1; last > 0; --last)
     for (let i = 0; i < last; ++i) {
       x[i]! += t * (x[i + 1]! - x[i]!);
@@ -20,7 +21,8 @@ const lengths = new WeakMap<Vec2[], number>(); // of curves that stand while ano
 export function lengthOf(control: Vec2[]): number {
   const known = lengths.get(control);
   if (known !== undefined) return known;
-  const p = bezierPoints(control, 400), length = p.reduce((sum, b, i) => (i ? sum + Math.hypot(b[0] - p[i - 1]![0], b[1] - p[i - 1]![1]) : 0), 0);
+  const p = bezierPoints(control, 400),
+    length = p.reduce((sum, b, i) => (i ? sum + Math.hypot(b[0] - p[i - 1]![0], b[1] - p[i - 1]![1]) : 0), 0);
   lengths.set(control, length);
   return length;
 }
@@ -29,25 +31,33 @@ export function lengthOf(control: Vec2[]): number {
 export function raised(control: Vec2[]): Vec2[] {
   const n = control.length;
   return Array.from({ length: n + 1 }, (_, i) => {
-    const a = control[Math.max(i - 1, 0)]!, b = control[Math.min(i, n - 1)]!, t = i / n;
+    const a = control[Math.max(i - 1, 0)]!,
+      b = control[Math.min(i, n - 1)]!,
+      t = i / n;
     return [round(t * a[0] + (1 - t) * b[0]), round(t * a[1] + (1 - t) * b[1])];
   });
 }
 
 /** Scaled from its first point so that it is `length` long. */
 export function fitted(control: Vec2[], length: number): Vec2[] {
-  const own = lengthOf(control), [o] = control;
+  const own = lengthOf(control),
+    [o] = control;
   if (!o || own <= 0) return control;
   const s = length / own;
   return control.map((p) => [round(o[0] + s * (p[0] - o[0]), 4), round(o[1] + s * (p[1] - o[1]), 4)]);
 }
 
 /** Without an inner control point: the ends of the curve stay. */
-export const lowered = (control: Vec2[], index: number): Vec2[] => (index > 0 && index < control.length - 1 ? control.filter((_, i) => i !== index) : control);
+export const lowered = (control: Vec2[], index: number): Vec2[] =>
+  index > 0 && index < control.length - 1 ? control.filter((_, i) => i !== index) : control;
 
 /** The leg curve keeps its length, since the sheet keeps its width. */
 export function removePoint(spec: SlitSpec, curve: CurveName, index: number): SlitSpec {
-  if (curve === 'leg') return { ...spec, leg_curve: { bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)) } };
+  if (curve === 'leg')
+    return {
+      ...spec,
+      leg_curve: { bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)) },
+    };
   return spec.seat_curve ? { ...spec, seat_curve: { bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
 }
 

@@ -14,12 +14,15 @@ export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
 
 /** Another sheet. The leg curve, along which the sheet's side lies, grows and shrinks with its width. */
 function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
-  const before = widthOf(spec.sheet), after = widthOf(sheet), { bezier } = spec.leg_curve;
+  const before = widthOf(spec.sheet),
+    after = widthOf(sheet),
+    { bezier } = spec.leg_curve;
   if (before === after || before <= 0) return { ...spec, sheet };
   return { ...spec, sheet, leg_curve: { bezier: fitted(bezier, (lengthOf(bezier) * after) / before) } };
 }
 
-export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec => withSheet(spec, { ...spec.sheet, strip_width });
+export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec =>
+  withSheet(spec, { ...spec.sheet, strip_width });
 
 export const setMargin = (spec: SlitSpec, margin: number): SlitSpec => withSheet(spec, { ...spec.sheet, margin });
 
@@ -37,18 +40,23 @@ export function ownWidths(spec: SlitSpec): SlitSpec {
 /** As many strips of one width without gaps, on a sheet as wide as it was. */
 export function uniform(spec: SlitSpec): SlitSpec {
   const strips = stripsOf(spec.sheet).length;
-  return { ...spec, sheet: { ...spec.sheet, strips, strip_width: round((widthOf(spec.sheet) - (spec.sheet.margin ?? 0)) / strips) } };
+  return {
+    ...spec,
+    sheet: { ...spec.sheet, strips, strip_width: round((widthOf(spec.sheet) - (spec.sheet.margin ?? 0)) / strips) },
+  };
 }
 
 /** `patch` on a strip of its own width; keys that are undefined are left out. */
 export function setStrip(spec: SlitSpec, index: number, patch: Partial<StripSpec>): SlitSpec {
-  const changed = (s: StripSpec) => Object.fromEntries(Object.entries({ ...s, ...patch }).filter(([, v]) => v !== undefined)) as unknown as StripSpec;
+  const changed = (s: StripSpec) =>
+    Object.fromEntries(Object.entries({ ...s, ...patch }).filter(([, v]) => v !== undefined)) as unknown as StripSpec;
   return withSheet(spec, { ...spec.sheet, strips: stripsOf(spec.sheet).map((s, i) => (i === index ? changed(s) : s)) });
 }
 
 /** One more strip like the one at `index`, behind it. */
 export function addStrip(spec: SlitSpec, index: number): SlitSpec {
-  const strips = stripsOf(spec.sheet), sheet = { ...spec.sheet, strips: [...strips.slice(0, index + 1), strips[index]!, ...strips.slice(index + 1)] };
+  const strips = stripsOf(spec.sheet),
+    sheet = { ...spec.sheet, strips: [...strips.slice(0, index + 1), strips[index]!, ...strips.slice(index + 1)] };
   return renumbered(withSheet(spec, sheet), (i) => (i > index ? i + 1 : i));
 }
 
@@ -61,8 +69,13 @@ export function removeStrip(spec: SlitSpec, index: number): SlitSpec {
 
 /** What names strips, where their numbers have changed; null: the strip is gone. */
 function renumbered(spec: SlitSpec, to: (strip: number) => number | null): SlitSpec {
-  const of = <T extends { strip: number }>(list: T[] | undefined) => list?.flatMap((item) => { const strip = to(item.strip); return strip === null ? [] : [{ ...item, strip }]; });
-  const lists = { anchors: of(spec.anchors), ends: of(spec.ends), scan: of(spec.scan) }, { anchors: _a, ends: _e, scan: _s, ...rest } = spec;
+  const of = <T extends { strip: number }>(list: T[] | undefined) =>
+    list?.flatMap((item) => {
+      const strip = to(item.strip);
+      return strip === null ? [] : [{ ...item, strip }];
+    });
+  const lists = { anchors: of(spec.anchors), ends: of(spec.ends), scan: of(spec.scan) },
+    { anchors: _a, ends: _e, scan: _s, ...rest } = spec;
   return { ...rest, ...Object.fromEntries(Object.entries(lists).filter(([, list]) => list?.length)) };
 }
 
@@ -70,19 +83,29 @@ export const endOf = (spec: SlitSpec, strip: number): StripEnd | undefined => sp
 
 /** `patch` on where a strip ends; what is undefined is free, and an end that is free in all is not named. */
 export function setEnd(spec: SlitSpec, strip: number, patch: Omit<Partial<StripEnd>, 'strip'>): SlitSpec {
-  const end = Object.fromEntries(Object.entries({ ...endOf(spec, strip), strip, ...patch }).filter(([, v]) => v !== undefined)) as unknown as StripEnd;
-  const others = (spec.ends ?? []).filter((e) => e.strip !== strip), ends = Object.keys(end).length > 1 ? [...others, end].sort((a, b) => a.strip - b.strip) : others;
+  const end = Object.fromEntries(
+    Object.entries({ ...endOf(spec, strip), strip, ...patch }).filter(([, v]) => v !== undefined),
+  ) as unknown as StripEnd;
+  const others = (spec.ends ?? []).filter((e) => e.strip !== strip),
+    ends = Object.keys(end).length > 1 ? [...others, end].sort((a, b) => a.strip - b.strip) : others;
   const { ends: _before, ...rest } = spec;
   return ends.length ? { ...rest, ends } : rest;
 }
 
 /** How a strip ends now, in the unit of the file: from its ridges in millimetres, of which `scale` make one. */
-export function endAsItIs(spec: SlitSpec, ridges: [Vec3, Vec3][], scale: number): Omit<Required<StripEnd>, 'strip'> | null {
-  const middle = ([left, right]: [Vec3, Vec3]) => scaled(plus(left, right), 0.5), last = ridges.at(-1), before = ridges.at(-2);
+export function endAsItIs(
+  spec: SlitSpec,
+  ridges: [Vec3, Vec3][],
+  scale: number,
+): Omit<Required<StripEnd>, 'strip'> | null {
+  const middle = ([left, right]: [Vec3, Vec3]) => scaled(plus(left, right), 0.5),
+    last = ridges.at(-1),
+    before = ridges.at(-2);
   if (!last || !before) return null;
   const rounded = (v: Vec3, digits: number) => v.map((x) => round(x, digits)) as Vec3;
   return {
     position: rounded(scaled(middle(last), 1 / scale), fileDigits(spec.units)),
-    direction: rounded(normalised(minus(middle(last), middle(before))), 6), across: rounded(normalised(minus(last[1], last[0])), 6),
+    direction: rounded(normalised(minus(middle(last), middle(before))), 6),
+    across: rounded(normalised(minus(last[1], last[0])), 6),
   };
 }

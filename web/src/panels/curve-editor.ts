@@ -20,17 +20,26 @@ const [width, height, margin] = [312, 190, 22];
 
 /** A Bézier curve whose control points are dragged. */
 export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
-  const box = bounds(o.resting), scale = Math.min((width - 2 * margin) / box.w, (height - 2 * margin) / box.h);
-  const digits = fileDigits(o.units) - 1, { selection, units } = ui.state, chosen = selection.point?.curve === o.name ? selection.point.index : null;
+  const box = bounds(o.resting),
+    scale = Math.min((width - 2 * margin) / box.w, (height - 2 * margin) / box.h);
+  const digits = fileDigits(o.units) - 1,
+    { selection, units } = ui.state,
+    chosen = selection.point?.curve === o.name ? selection.point.index : null;
   const at = ([x, y]: Vec2): Vec2 => [width / 2 + (x - box.x) * scale, height / 2 - (y - box.y) * scale];
   const drag = (i: number) => (e: PointerEvent) => {
-    const circle = e.target as SVGCircleElement, r = circle.ownerSVGElement!.getBoundingClientRect(), zoom = width / r.width;
+    const circle = e.target as SVGCircleElement,
+      r = circle.ownerSVGElement!.getBoundingClientRect(),
+      zoom = width / r.width;
     circle.setPointerCapture(e.pointerId);
     ui.dispatch({ type: 'select', selection: { point: { curve: o.name, index: i } } });
     const move = (m: PointerEvent) => {
-      const x = (m.clientX - r.left) * zoom, y = (m.clientY - r.top) * zoom;
+      const x = (m.clientX - r.left) * zoom,
+        y = (m.clientY - r.top) * zoom;
       const p: Vec2 = [round(box.x + (x - width / 2) / scale, digits), round(box.y - (y - height / 2) / scale, digits)];
-      o.on(o.control.map((q, j) => (j === i ? p : q)), true);
+      o.on(
+        o.control.map((q, j) => (j === i ? p : q)),
+        true,
+      );
     };
     const end = () => {
       circle.removeEventListener('pointermove', move);
@@ -40,14 +49,34 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
     circle.addEventListener('pointerup', end, { once: true });
     circle.addEventListener('pointercancel', end, { once: true });
   };
-  const path = (points: Vec2[]) => points.map(at).map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(' ');
+  const path = (points: Vec2[]) =>
+    points
+      .map(at)
+      .map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`)
+      .join(' ');
   return html`<svg class="curve" viewBox="0 0 ${width} ${height}" data-testid="curve-${o.name}">
-      <text x="6" y="14" class="axis">${o.axes[1]} ↑</text><text x=${width - 6} y=${height - 6} text-anchor="end" class="axis">${o.axes[0]} →</text>
-      <polyline points=${path(o.control)} class="control" /><polyline points=${path(bezierPoints(o.control))} class="line" />
-      ${o.control.map((p, i) => { const [x, y] = at(p); return svg`<g><circle class=${i === chosen ? 'on' : ''} cx=${x} cy=${y} r="6" data-testid="curve-${o.name}-${i}" @pointerdown=${drag(i)}><title>${p.map((v, k) => `${o.axes[k]} ${lengthText(v, o.units, units)}`).join(', ')}</title></circle></g>`; })}
+      <text x="6" y="14" class="axis">${o.axes[1]} ↑</text>
+      <text x=${width - 6} y=${height - 6} text-anchor="end" class="axis">${o.axes[0]} →</text>
+      <polyline points=${path(o.control)} class="control" />
+      <polyline points=${path(bezierPoints(o.control))} class="line" />
+      ${o.control.map((p, i) => {
+        const [x, y] = at(p);
+        const place = p.map((v, k) => `${o.axes[k]} ${lengthText(v, o.units, units)}`).join(', ');
+        return svg`<g><circle class=${i === chosen ? 'on' : ''} cx=${x} cy=${y} r="6"
+          data-testid="curve-${o.name}-${i}" @pointerdown=${drag(i)}><title>${place}</title></circle></g>`;
+      })}
     </svg>
-    <p class="row curve-note"><span class="hint">${lengthText(lengthOf(o.control), o.units, units)} long${o.note ?? nothing}</span>
-      <button class="link" title="One control point more" data-testid="curve-${o.name}-raise" @click=${() => o.on(raised(o.control), false)}>+ point</button></p>
+    <p class="row curve-note">
+      <span class="hint">${lengthText(lengthOf(o.control), o.units, units)} long${o.note ?? nothing}</span>
+      <button
+        class="link"
+        title="One control point more"
+        data-testid="curve-${o.name}-raise"
+        @click=${() => o.on(raised(o.control), false)}
+      >
+        + point
+      </button>
+    </p>
     ${pointFields(ui, o, chosen)}`;
 }
 
@@ -59,13 +88,33 @@ function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
     ui.edit<SlitSpec>((s) => removePoint(s, o.name, chosen));
     ui.dispatch({ type: 'select', selection: {} });
   };
-  return html`<div class="point">${o.axes.map((axis, k) => lengthField(ui, { label: axis, testid: `curve-${o.name}-${axis}`, value: p[k]!, from: o.units,
-    on: (v) => v !== null && o.enter(o.control.map((q, i) => (i === chosen ? (k === 0 ? [v, q[1]] : [q[0], v]) : q))) }))}
-    <button class="link" title="Without this point; the ends of the curve stay" data-testid="curve-${o.name}-remove" ?disabled=${lowered(o.control, chosen) === o.control} @click=${remove}>Remove</button></div>`;
+  return html`<div class="point">
+    ${o.axes.map((axis, k) =>
+      lengthField(ui, {
+        label: axis,
+        testid: `curve-${o.name}-${axis}`,
+        value: p[k]!,
+        from: o.units,
+        on: (v) =>
+          v !== null && o.enter(o.control.map((q, i) => (i === chosen ? (k === 0 ? [v, q[1]] : [q[0], v]) : q))),
+      }),
+    )}
+    <button
+      class="link"
+      title="Without this point; the ends of the curve stay"
+      data-testid="curve-${o.name}-remove"
+      ?disabled=${lowered(o.control, chosen) === o.control}
+      @click=${remove}
+    >
+      Remove
+    </button>
+  </div>`;
 }
 
 function bounds(control: Vec2[]) {
-  const xs = control.map((p) => p[0]), ys = control.map((p) => p[1]);
-  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)], room = 0.35 * (Math.max(x1 - x0, y1 - y0) || 1);
+  const xs = control.map((p) => p[0]),
+    ys = control.map((p) => p[1]);
+  const [x0, x1, y0, y1] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)],
+    room = 0.35 * (Math.max(x1 - x0, y1 - y0) || 1);
   return { x: (x0 + x1) / 2, y: (y0 + y1) / 2, w: x1 - x0 + room, h: y1 - y0 + room };
 }

@@ -16,7 +16,8 @@ export interface NumberOptions {
   placeholder?: string; // an empty field is allowed where there is one: the program chooses
 }
 
-const largest = 1e8; // what is beyond is no number of a workshop, in whatever unit, and beyond what its squares can be computed with
+// what is beyond is no number of a workshop, in whatever unit, and beyond what its squares can be computed with
+const largest = 1e8;
 
 const isSound = (value: number) => Number.isFinite(value) && Math.abs(value) <= largest;
 
@@ -24,27 +25,46 @@ const isSound = (value: number) => Number.isFinite(value) && Math.abs(value) <= 
 export function numberField(o: NumberOptions): TemplateResult {
   const text = o.value === null || o.value === undefined ? '' : clean(o.value, o.digits ?? 4);
   const change = (e: Event) => {
-    const input = e.target as HTMLInputElement, entered = input.value.trim().replace(',', '.');
+    const input = e.target as HTMLInputElement,
+      entered = input.value.trim().replace(',', '.');
     const value = Number(entered);
     if (entered === '' && o.placeholder !== undefined) o.on(null);
-    else if (entered === '' || !isSound(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity)) input.value = text;
+    else if (entered === '' || !isSound(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity))
+      input.value = text;
     else if (entered !== text) o.on(value);
     if (o.momentary) input.value = text;
   };
-  return html`<label class="field"><span>${o.label}</span>
-    <input type="text" inputmode="decimal" data-testid=${o.testid} .value=${text} placeholder=${o.placeholder ?? ''} @change=${change} />
-    ${o.unit ? html`<em>${o.unit}</em>` : html`<em></em>`}</label>`;
+  return html`<label class="field"
+    ><span>${o.label}</span>
+    <input
+      type="text"
+      inputmode="decimal"
+      data-testid=${o.testid}
+      .value=${text}
+      placeholder=${o.placeholder ?? ''}
+      @change=${change}
+    />
+    ${o.unit ? html`<em>${o.unit}</em>` : html`<em></em>`}</label
+  >`;
 }
 
-export interface LengthOptions extends Omit<NumberOptions, 'unit'> { from: LengthUnit | undefined }
+export interface LengthOptions extends Omit<NumberOptions, 'unit'> {
+  from: LengthUnit | undefined;
+}
 
 /** A length: kept in the file's unit, shown and entered in the page's. */
 export function lengthField(ui: Ui, o: LengthOptions): TemplateResult {
-  const to = ui.state.units, own = o.from ?? 'mm';
+  const to = ui.state.units,
+    own = o.from ?? 'mm';
   const there = (v: number | undefined) => (v === undefined ? undefined : convert(v, own, to));
   return numberField({
-    ...o, unit: unitName(to), digits: to === 'mm' ? 3 : 4, value: o.value === null || o.value === undefined ? o.value : convert(o.value, own, to),
-    min: there(o.min), max: there(o.max), on: (v) => o.on(v === null ? null : round(convert(v, to, own))),
+    ...o,
+    unit: unitName(to),
+    digits: to === 'mm' ? 3 : 4,
+    value: o.value === null || o.value === undefined ? o.value : convert(o.value, own, to),
+    min: there(o.min),
+    max: there(o.max),
+    on: (v) => o.on(v === null ? null : round(convert(v, to, own))),
   });
 }
 
@@ -66,37 +86,81 @@ export interface SliderOptions {
 export function slider(o: SliderOptions): TemplateResult {
   const text = clean(o.value, o.digits ?? 3);
   const enter = (e: Event) => {
-    const input = e.target as HTMLInputElement, value = Number(input.value.replace(',', '.'));
+    const input = e.target as HTMLInputElement,
+      value = Number(input.value.replace(',', '.'));
     if (input.value.trim() === '' || !isSound(value) || value < (o.least ?? -Infinity)) input.value = text;
     else if (input.value !== text) o.on(value, false);
   };
-  return html`<label class="slider"><span>${o.label}</span>
-    <input type="range" data-testid=${o.testid} min=${o.min} max=${o.max} step=${o.step} .value=${String(o.value)}
-      @input=${(e: Event) => o.on(Number((e.target as HTMLInputElement).value), true)} @change=${o.commit} />
+  return html`<label class="slider"
+    ><span>${o.label}</span>
+    <input
+      type="range"
+      data-testid=${o.testid}
+      min=${o.min}
+      max=${o.max}
+      step=${o.step}
+      .value=${String(o.value)}
+      @input=${(e: Event) => o.on(Number((e.target as HTMLInputElement).value), true)}
+      @change=${o.commit}
+    />
     <input type="text" inputmode="decimal" data-testid="${o.testid}-number" .value=${text} @change=${enter} />
-    <em>${o.unit ?? ''}</em></label>`;
+    <em>${o.unit ?? ''}</em></label
+  >`;
 }
 
 /** A slider of a length, kept in the file's unit. */
-export function lengthSlider(ui: Ui, from: LengthUnit | undefined, o: Omit<SliderOptions, 'unit' | 'digits'>): TemplateResult {
-  const to = ui.state.units, own = from ?? 'mm', there = (v: number) => convert(v, own, to);
+export function lengthSlider(
+  ui: Ui,
+  from: LengthUnit | undefined,
+  o: Omit<SliderOptions, 'unit' | 'digits'>,
+): TemplateResult {
+  const to = ui.state.units,
+    own = from ?? 'mm',
+    there = (v: number) => convert(v, own, to);
   return slider({
-    ...o, value: there(o.value), min: there(o.min), max: there(o.max), step: to === 'mm' ? there(o.step) : 0.001, unit: unitName(to),
-    digits: to === 'mm' ? 2 : 3, on: (v, live) => o.on(round(convert(v, to, own)), live),
+    ...o,
+    value: there(o.value),
+    min: there(o.min),
+    max: there(o.max),
+    step: to === 'mm' ? there(o.step) : 0.001,
+    unit: unitName(to),
+    digits: to === 'mm' ? 2 : 3,
+    on: (v, live) => o.on(round(convert(v, to, own)), live),
   });
 }
 
-export function choice<T extends string>(label: string, testid: string, value: T, options: readonly (readonly [T, string])[], on: (value: T) => void): TemplateResult {
-  return html`<label class="field choice"><span>${label}</span>
+export function choice<T extends string>(
+  label: string,
+  testid: string,
+  value: T,
+  options: readonly (readonly [T, string])[],
+  on: (value: T) => void,
+): TemplateResult {
+  return html`<label class="field choice"
+    ><span>${label}</span>
     <select data-testid=${testid} @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}>
-      ${options.map(([v, text]) => html`<option value=${v} ?selected=${v === value} .selected=${v === value}>${text}</option>`)}
-    </select><em></em></label>`;
+      ${options.map(
+        ([v, text]) => html`<option value=${v} ?selected=${v === value} .selected=${v === value}>${text}</option>`,
+      )}</select
+    ><em></em
+  ></label>`;
 }
 
-export const toggle = (label: string, testid: string, value: boolean, on: (value: boolean) => void) => html`<label class="field check"><span>${label}</span>
-  <input type="checkbox" data-testid=${testid} .checked=${value} @change=${(e: Event) => on((e.target as HTMLInputElement).checked)} /><em></em></label>`;
+export const toggle = (label: string, testid: string, value: boolean, on: (value: boolean) => void) =>
+  html`<label class="field check"
+    ><span>${label}</span>
+    <input
+      type="checkbox"
+      data-testid=${testid}
+      .checked=${value}
+      @change=${(e: Event) => on((e.target as HTMLInputElement).checked)} /><em></em
+  ></label>`;
 
-export const section = (title: string, content: unknown, extra: unknown = nothing) => html`<section><h3>${title}${extra}</h3>${content}</section>`;
+export const section = (title: string, content: unknown, extra: unknown = nothing) =>
+  html`<section>
+    <h3>${title}${extra}</h3>
+    ${content}
+  </section>`;
 
 /** The least of 1, 2, 5, 10 … that is not less than `value`. */
 export function niceAbove(value: number): number {

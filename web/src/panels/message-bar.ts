@@ -6,11 +6,33 @@ import type { Ui } from '../ui.ts';
 
 /** One line that is always there, so that nothing moves when it has something to say. */
 export function messageBar(ui: Ui) {
-  const { problem, note, opening, busy, progress } = ui.state, shown = opening?.name ? null : problem;
+  const { problem, note, opening, busy, progress } = ui.state,
+    shown = opening?.name ? null : problem;
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
-    <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}>${shown
-      ? html`${shown.message}${wantsScans(shown) ? '; drop the files of points on the page as well' : nothing}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>` : opening?.name ? `Opening ${opening.name} …` : note ?? hint(ui.state)}</span>
-    <span class="work">${opening?.long ? bar(ui, opening.progress, 'reading') : busy ? bar(ui, progress, 'computing') : unfinished(ui.state) ? html`<button data-testid="finish" title="Verify it, look for findings, divide strips as finely as the file says" @click=${ui.finish}>Finish</button>` : nothing}</span>`;
+    <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}
+      >${shown
+        ? html`${shown.message}${wantsScans(shown) ? '; drop the files of points on the page as well' : nothing}<small
+              >[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small
+            >`
+        : opening?.name
+          ? `Opening ${opening.name} …`
+          : (note ?? hint(ui.state))}</span
+    >
+    <span class="work"
+      >${opening?.long
+        ? bar(ui, opening.progress, 'reading')
+        : busy
+          ? bar(ui, progress, 'computing')
+          : unfinished(ui.state)
+            ? html`<button
+                data-testid="finish"
+                title="Verify it, look for findings, divide strips as finely as the file says"
+                @click=${ui.finish}
+              >
+                Finish
+              </button>`
+            : nothing}</span
+    >`;
 }
 
 /** A draft whose result was given up. */
@@ -19,23 +41,38 @@ const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.com
 const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/points$/.test(p.where ?? '');
 
 function bar(ui: Ui, progress: Progress | null, otherwise: string) {
-  return html`<span>${progress?.stage ?? otherwise}</span><progress data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>
+  return html`<span>${progress?.stage ?? otherwise}</span
+    ><progress data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>
     <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>`;
 }
 
 /** What says nothing of the input. */
-const ofServer = new Set(['worker_ended', 'worker_timeout', 'out_of_memory', 'internal', 'no_server', 'forbidden', 'page', 'too_large', 'too_many_documents']);
+const ofServer = new Set([
+  'worker_ended',
+  'worker_timeout',
+  'out_of_memory',
+  'internal',
+  'no_server',
+  'forbidden',
+  'page',
+  'too_large',
+  'too_many_documents',
+]);
 
 function statusOf(s: State): string {
   if (s.opening) return 'opening';
-  if (s.problem) return ofServer.has(s.problem.code) || !s.document || (!s.stale && s.shape?.report.status !== 'refused') ? 'error' : 'refused';
+  if (s.problem)
+    return ofServer.has(s.problem.code) || !s.document || (!s.stale && s.shape?.report.status !== 'refused')
+      ? 'error'
+      : 'refused';
   if (!s.document) return 'ready';
   if (!s.shape) return 'computing';
   if (s.shapeIsDraft) return 'draft';
   return s.shape.report.status === 'warning' ? 'warning' : 'ok';
 }
 
-const tone = (s: State) => ({ ok: 'good', warning: 'warning', refused: 'error', error: 'error' } as Record<string, string>)[statusOf(s)] ?? '';
+const tone = (s: State) =>
+  (({ ok: 'good', warning: 'warning', refused: 'error', error: 'error' }) as Record<string, string>)[statusOf(s)] ?? '';
 
 function hint(s: State): string {
   if (s.pick === 'root') return 'Click the flange that stays where it is. Esc ends it.';

@@ -11,31 +11,68 @@ import { stripFields } from './strips.ts';
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
 
 export function slitPanel(ui: Ui) {
-  const spec = slitOf(ui), set: Set = (patch, live = false) => ui.edit<SlitSpec>((s) => clear({ ...s, ...patch }), live);
-  return html`
-    ${section('Leg curve, on the ground', legEditor(ui, spec, set))}
-    ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
-    ${section('Anchors', anchorFields(ui, spec))}
-    ${section('Strips', stripTable(ui, spec))}
-    ${section('Fineness', html`
-      ${numberField({ label: 'Ridges at the start', testid: 'ridges', value: spec.ridges ?? 10, min: 3, max: 200, on: (v) => v && set({ ridges: Math.round(v) }) })}
-      <div class="field"><span>Halved ${spec.subdivisions ?? 0} ×</span><span class="segments">
-        <button data-testid="coarser" ?disabled=${!(spec.subdivisions ?? 0)} @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) - 1 })}>Coarser</button
-        ><button data-testid="subdivide" ?disabled=${(spec.subdivisions ?? 0) >= 6} @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) + 1 })}>Subdivide</button></span><em></em></div>`)}
-    ${section('Weights', weightSliders(ui, spec, set))}
-    ${spec.scan?.length ? section('Scan', scanFields(ui, spec, set)) : nothing}
-    ${section('Sheet', sheetFields(ui, spec, set))}`;
+  const spec = slitOf(ui),
+    set: Set = (patch, live = false) => ui.edit<SlitSpec>((s) => clear({ ...s, ...patch }), live);
+  return html` ${section('Leg curve, on the ground', legEditor(ui, spec, set))}
+  ${section('Seat curve, in the middle', seatEditor(ui, spec, set))} ${section('Anchors', anchorFields(ui, spec))}
+  ${section('Strips', stripTable(ui, spec))}
+  ${section(
+    'Fineness',
+    html` ${numberField({
+        label: 'Ridges at the start',
+        testid: 'ridges',
+        value: spec.ridges ?? 10,
+        min: 3,
+        max: 200,
+        on: (v) => v && set({ ridges: Math.round(v) }),
+      })}
+      <div class="field">
+        <span>Halved ${spec.subdivisions ?? 0} ×</span
+        ><span class="segments">
+          <button
+            data-testid="coarser"
+            ?disabled=${!(spec.subdivisions ?? 0)}
+            @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) - 1 })}
+          >
+            Coarser</button
+          ><button
+            data-testid="subdivide"
+            ?disabled=${(spec.subdivisions ?? 0) >= 6}
+            @click=${() => set({ subdivisions: (spec.subdivisions ?? 0) + 1 })}
+          >
+            Subdivide
+          </button></span
+        ><em></em>
+      </div>`,
+  )}
+  ${section('Weights', weightSliders(ui, spec, set))}
+  ${spec.scan?.length ? section('Scan', scanFields(ui, spec, set)) : nothing}
+  ${section('Sheet', sheetFields(ui, spec, set))}`;
 }
 
-const clear = (s: SlitSpec) => Object.fromEntries(Object.entries(s).filter(([, v]) => v !== undefined)) as unknown as SlitSpec;
+const clear = (s: SlitSpec) =>
+  Object.fromEntries(Object.entries(s).filter(([, v]) => v !== undefined)) as unknown as SlitSpec;
 
 function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
-  const resting = restingSpec<SlitSpec>(ui).leg_curve.bezier, width = sheetWidth(spec);
+  const resting = restingSpec<SlitSpec>(ui).leg_curve.bezier,
+    width = sheetWidth(spec);
   return curveEditor(ui, {
-    name: 'leg', axes: ['x', 'z'], control: spec.leg_curve.bezier, resting, units: spec.units,
+    name: 'leg',
+    axes: ['x', 'z'],
+    control: spec.leg_curve.bezier,
+    resting,
+    units: spec.units,
     note: html`, the sheet ${lengthText(width, spec.units, ui.state.units)} wide
-      <button class="link" data-testid="curve-leg-fit" title="As long as the sheet is wide" @click=${() => set({ leg_curve: { bezier: fitted(spec.leg_curve.bezier, width) } })}>Fit</button>`,
-    on: (bezier, live) => set({ leg_curve: { bezier: fitted(bezier, lengthOf(resting)) } }, live), // the sheet does not grow
+      <button
+        class="link"
+        data-testid="curve-leg-fit"
+        title="As long as the sheet is wide"
+        @click=${() => set({ leg_curve: { bezier: fitted(spec.leg_curve.bezier, width) } })}
+      >
+        Fit
+      </button>`,
+    // the sheet does not grow
+    on: (bezier, live) => set({ leg_curve: { bezier: fitted(bezier, lengthOf(resting)) } }, live),
     enter: (bezier) => set({ leg_curve: { bezier } }),
   });
 }
@@ -43,68 +80,239 @@ function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
 function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
   const resting = restingSpec<SlitSpec>(ui).seat_curve?.bezier;
   if (!spec.seat_curve || !resting) {
-    const width = sheetWidth(spec), high = spec.sheet.panel_height;
-    return html`<p class="hint">None is asked for.${spec.symmetric === false ? ' Seat curves belong to symmetric sheets.' : html`
-      <button class="link" data-testid="seat-add" @click=${() => set({ seat_curve: { bezier: [[0.8 * high, 0], [0.75 * high, width / 3], [0.75 * high, (2 * width) / 3], [1.2 * high, width]] } })}>Ask for one</button>`}</p>`;
+    const width = sheetWidth(spec),
+      high = spec.sheet.panel_height;
+    return html`<p class="hint">
+      None is asked
+      for.${spec.symmetric === false
+        ? ' Seat curves belong to symmetric sheets.'
+        : html` <button
+            class="link"
+            data-testid="seat-add"
+            @click=${() =>
+              set({
+                seat_curve: {
+                  bezier: [
+                    [0.8 * high, 0],
+                    [0.75 * high, width / 3],
+                    [0.75 * high, (2 * width) / 3],
+                    [1.2 * high, width],
+                  ],
+                },
+              })}
+          >
+            Ask for one
+          </button>`}
+    </p>`;
   }
-  return html`${curveEditor(ui, { name: 'seat', axes: ['y', 'z'], control: spec.seat_curve.bezier, resting, units: spec.units, on: (bezier, live) => set({ seat_curve: { bezier } }, live), enter: (bezier) => set({ seat_curve: { bezier } }) })}
-    <p class="row"><button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>Ask for none</button></p>`;
+  return html`${curveEditor(ui, {
+      name: 'seat',
+      axes: ['y', 'z'],
+      control: spec.seat_curve.bezier,
+      resting,
+      units: spec.units,
+      on: (bezier, live) => set({ seat_curve: { bezier } }, live),
+      enter: (bezier) => set({ seat_curve: { bezier } }),
+    })}
+    <p class="row">
+      <button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>
+        Ask for none
+      </button>
+    </p>`;
 }
 
 function anchorFields(ui: Ui, spec: SlitSpec) {
   const anchors = spec.anchors ?? [];
-  return html`<p class="hint">Click the end of a ridge in the folded view to hold it; drag the ball; Delete removes it.</p>
+  return html`<p class="hint">
+      Click the end of a ridge in the folded view to hold it; drag the ball; Delete removes it.
+    </p>
     ${anchors.map((a, i) => anchorBlock(ui, spec, a, i))}`;
 }
 
 function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
   const open = ui.state.selection.anchor === i;
-  return html`<div class="block ${open ? 'open' : ''}"><button class="head" data-testid="anchor-${i}" aria-expanded=${open} @click=${() => ui.dispatch({ type: 'select', selection: { anchor: open ? null : i } })}>
-      <b>${i + 1}</b><span>strip ${a.strip}, ridge ${a.ridge}, ${a.side ?? 'left'}</span><em>${a.at.map((v) => lengthText(v, spec.units, ui.state.units)).join(' · ')}</em></button>
-    ${open ? html`<div class="triple">${(['x', 'y', 'z'] as const).map((axis, k) => lengthField(ui, { label: axis, testid: `anchor-${axis}`, value: a.at[k]!, from: spec.units,
-      on: (v) => v !== null && ui.edit<SlitSpec>((s) => moveAnchor(s, i, a.at.map((x, j) => (j === k ? v : x)) as Vec3)) }))}</div>
-      <p class="row"><button class="link" data-testid="anchor-remove" @click=${() => { ui.edit<SlitSpec>((s) => removeAnchor(s, i)); ui.dispatch({ type: 'select', selection: {} }); }}>Remove</button></p>` : nothing}</div>`;
+  return html`<div class="block ${open ? 'open' : ''}">
+    <button
+      class="head"
+      data-testid="anchor-${i}"
+      aria-expanded=${open}
+      @click=${() => ui.dispatch({ type: 'select', selection: { anchor: open ? null : i } })}
+    >
+      <b>${i + 1}</b><span>strip ${a.strip}, ridge ${a.ridge}, ${a.side ?? 'left'}</span
+      ><em>${a.at.map((v) => lengthText(v, spec.units, ui.state.units)).join(' · ')}</em>
+    </button>
+    ${open
+      ? html`<div class="triple">
+            ${(['x', 'y', 'z'] as const).map((axis, k) =>
+              lengthField(ui, {
+                label: axis,
+                testid: `anchor-${axis}`,
+                value: a.at[k]!,
+                from: spec.units,
+                on: (v) =>
+                  v !== null &&
+                  ui.edit<SlitSpec>((s) => moveAnchor(s, i, a.at.map((x, j) => (j === k ? v : x)) as Vec3)),
+              }),
+            )}
+          </div>
+          <p class="row">
+            <button
+              class="link"
+              data-testid="anchor-remove"
+              @click=${() => {
+                ui.edit<SlitSpec>((s) => removeAnchor(s, i));
+                ui.dispatch({ type: 'select', selection: {} });
+              }}
+            >
+              Remove
+            </button>
+          </p>`
+      : nothing}
+  </div>`;
 }
 
 /** How far each strip is from what was asked for. */
 function stripTable(ui: Ui, spec: SlitSpec) {
-  const strips = ui.state.shape?.report.slit?.strips ?? [], from = ui.state.shape?.report.units;
+  const strips = ui.state.shape?.report.slit?.strips ?? [],
+    from = ui.state.shape?.report.units;
   if (!strips.length) return html`<p class="hint">Nothing is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
-  const columns: [string, (s: StripRow) => string][] = [['Gap', (s) => sizeText(convert(s.gap, from, ui.state.units))], ['Least radius', (s) => text(s.min_radius)]];
+  const columns: [string, (s: StripRow) => string][] = [
+    ['Gap', (s) => sizeText(convert(s.gap, from, ui.state.units))],
+    ['Least radius', (s) => text(s.min_radius)],
+  ];
   if (spec.seat_curve) columns.push(['Off seat', (s) => text(s.seat_distance)]);
   if (spec.anchors?.length) columns.push(['Off anchors', (s) => text(s.anchor_distance)]);
   if (spec.scan?.length) columns.push(['Off scan', (s) => text(s.scan_distance)]);
-  return html`<table data-testid="strip-table"><thead><tr><th>Strip</th>${columns.map(([name]) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}</tr></thead><tbody>
-    ${strips.map((s, i) => html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${stateOf(s)}><td>${i}${s.crosses?.length || s.crosses_plane ? ' ✕' : ''}</td>${columns.map(([, value]) => html`<td>${value(s)}</td>`)}</tr>`)}</tbody></table>`;
+  return html`<table data-testid="strip-table">
+    <thead>
+      <tr>
+        <th>Strip</th>
+        ${columns.map(([name]) => html`<th>${name}<br />${unitName(ui.state.units)}</th>`)}
+      </tr>
+    </thead>
+    <tbody>
+      ${strips.map(
+        (s, i) =>
+          html`<tr data-testid="strip-${i}" class=${s.status === 'solved' ? '' : 'warning'} title=${stateOf(s)}>
+            <td>${i}${s.crosses?.length || s.crosses_plane ? ' ✕' : ''}</td>
+            ${columns.map(([, value]) => html`<td>${value(s)}</td>`)}
+          </tr>`,
+      )}
+    </tbody>
+  </table>`;
 }
 
-const stateOf = (s: StripRow) => [s.status, ...(s.crosses?.length ? [`runs through ${s.crosses.join(', ')}`] : []), ...(s.crosses_plane ? ['runs through its mirror image'] : [])].join(', ');
+const stateOf = (s: StripRow) =>
+  [
+    s.status,
+    ...(s.crosses?.length ? [`runs through ${s.crosses.join(', ')}`] : []),
+    ...(s.crosses_plane ? ['runs through its mirror image'] : []),
+  ].join(', ');
 
-const weights: [keyof SlitWeights, string, number][] = [['smooth', 'Smooth', 0.04], ['spacing', 'Spacing', 0.01], ['anchors', 'Anchors', 0.03], ['seat', 'Seat curve', 0.03], ['spread', 'Spread', 0.003], ['scan', 'Scan', 0.03]];
+const weights: [keyof SlitWeights, string, number][] = [
+  ['smooth', 'Smooth', 0.04],
+  ['spacing', 'Spacing', 0.01],
+  ['anchors', 'Anchors', 0.03],
+  ['seat', 'Seat curve', 0.03],
+  ['spread', 'Spread', 0.003],
+  ['scan', 'Scan', 0.03],
+];
 
 function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
-  return weights.map(([key, label, usual]) => slider({
-    label, testid: `weight-${key}`, value: spec.weights?.[key] ?? usual, min: 0, max: 5 * usual, step: usual / 20, digits: 4,
-    on: (v, live) => set({ weights: { ...spec.weights, [key]: v } }, live), commit: ui.commit,
-  }));
+  return weights.map(([key, label, usual]) =>
+    slider({
+      label,
+      testid: `weight-${key}`,
+      value: spec.weights?.[key] ?? usual,
+      min: 0,
+      max: 5 * usual,
+      step: usual / 20,
+      digits: 4,
+      on: (v, live) => set({ weights: { ...spec.weights, [key]: v } }, live),
+      commit: ui.commit,
+    }),
+  );
 }
 
 function scanFields(ui: Ui, spec: SlitSpec, set: Set) {
   const count = ui.state.shape?.handles.scan?.length ?? 0;
-  return html`<p class="hint" data-testid="scan-state">${spec.scan!.length} strips are scanned; ${count} points are drawn.</p>
-    ${toggle('Move scans to the shape first', 'align-scan', spec.align_scan ?? false, (v) => set({ align_scan: v || undefined }))}`;
+  return html`<p class="hint" data-testid="scan-state">
+      ${spec.scan!.length} strips are scanned; ${count} points are drawn.
+    </p>
+    ${toggle('Move scans to the shape first', 'align-scan', spec.align_scan ?? false, (v) =>
+      set({ align_scan: v || undefined }),
+    )}`;
 }
 
 function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
-  const { sheet } = spec, change = (patch: object) => set({ sheet: { ...sheet, ...patch } });
-  return html`
-    ${lengthField(ui, { label: 'Thickness', testid: 'thickness', value: spec.thickness, from: spec.units, min: 1e-6, on: (v) => v && set({ thickness: v }) })}
-    ${stripFields(ui, spec)}
-    ${lengthField(ui, { label: 'Panel height', testid: 'panel-height', value: sheet.panel_height, from: spec.units, min: 0, on: (v) => v && change({ panel_height: v }) })}
-    ${sheet.half_length !== undefined ? lengthField(ui, { label: spec.symmetric === false ? 'Length of the strips' : 'Half length', testid: 'half-length', value: sheet.half_length, from: spec.units, min: 0, on: (v) => v && change({ half_length: v }) }) : nothing}
-    ${spec.symmetric === false ? nothing : choice('Strips end', 'end-angle', spec.end_angle ?? 'right_angle', [['right_angle', 'square to the middle'], ['level', 'level'], ['free', 'free']] as const, (v) => set({ end_angle: v }))}
-    ${lengthField(ui, { label: 'Least inside radius', testid: 'min-radius', value: spec.min_inside_radius, from: spec.units, min: 0, placeholder: 'any', on: (v) => set({ min_inside_radius: v ?? undefined }) })}
-    ${lengthField(ui, { label: 'Kerf', testid: 'kerf', value: spec.kerf, from: spec.units, min: 0, placeholder: '0', on: (v) => set({ kerf: v ?? undefined }) })}
-    ${lengthField(ui, { label: 'Stop hole', testid: 'stop-hole', value: spec.stop_hole, from: spec.units, min: 0, placeholder: '0', on: (v) => set({ stop_hole: v ?? undefined }) })}`;
+  const { sheet } = spec,
+    change = (patch: object) => set({ sheet: { ...sheet, ...patch } });
+  return html` ${lengthField(ui, {
+    label: 'Thickness',
+    testid: 'thickness',
+    value: spec.thickness,
+    from: spec.units,
+    min: 1e-6,
+    on: (v) => v && set({ thickness: v }),
+  })}
+  ${stripFields(ui, spec)}
+  ${lengthField(ui, {
+    label: 'Panel height',
+    testid: 'panel-height',
+    value: sheet.panel_height,
+    from: spec.units,
+    min: 0,
+    on: (v) => v && change({ panel_height: v }),
+  })}
+  ${sheet.half_length !== undefined
+    ? lengthField(ui, {
+        label: spec.symmetric === false ? 'Length of the strips' : 'Half length',
+        testid: 'half-length',
+        value: sheet.half_length,
+        from: spec.units,
+        min: 0,
+        on: (v) => v && change({ half_length: v }),
+      })
+    : nothing}
+  ${spec.symmetric === false
+    ? nothing
+    : choice(
+        'Strips end',
+        'end-angle',
+        spec.end_angle ?? 'right_angle',
+        [
+          ['right_angle', 'square to the middle'],
+          ['level', 'level'],
+          ['free', 'free'],
+        ] as const,
+        (v) => set({ end_angle: v }),
+      )}
+  ${lengthField(ui, {
+    label: 'Least inside radius',
+    testid: 'min-radius',
+    value: spec.min_inside_radius,
+    from: spec.units,
+    min: 0,
+    placeholder: 'any',
+    on: (v) => set({ min_inside_radius: v ?? undefined }),
+  })}
+  ${lengthField(ui, {
+    label: 'Kerf',
+    testid: 'kerf',
+    value: spec.kerf,
+    from: spec.units,
+    min: 0,
+    placeholder: '0',
+    on: (v) => set({ kerf: v ?? undefined }),
+  })}
+  ${lengthField(ui, {
+    label: 'Stop hole',
+    testid: 'stop-hole',
+    value: spec.stop_hole,
+    from: spec.units,
+    min: 0,
+    placeholder: '0',
+    on: (v) => set({ stop_hole: v ?? undefined }),
+  })}`;
 }

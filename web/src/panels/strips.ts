@@ -1,5 +1,18 @@
 import { html, nothing } from 'lit-html';
-import { addStrip, endAsItIs, endOf, ownWidths, removeStrip, setEnd, setMargin, setStrip, setStripCount, setStripWidth, stripsOf, uniform } from '../edits/strips.ts';
+import {
+  addStrip,
+  endAsItIs,
+  endOf,
+  ownWidths,
+  removeStrip,
+  setEnd,
+  setMargin,
+  setStrip,
+  setStripCount,
+  setStripWidth,
+  stripsOf,
+  uniform,
+} from '../edits/strips.ts';
 import type { LengthUnit, SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
 import { lengthText, millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
@@ -7,52 +20,150 @@ import { choice, lengthField, numberField, toggle } from './fields.ts';
 
 type Change = (change: (s: SlitSpec) => SlitSpec) => void;
 
-/** How the sheet is divided: into strips of one width, or of a width each; and where they end, of sheets that are not symmetric. */
+/**
+ * How the sheet is divided: into strips of one width, or of a width each; and where they end, of sheets that are not
+ * symmetric.
+ */
 export function stripFields(ui: Ui, spec: SlitSpec) {
-  const edit: Change = (change) => ui.edit<SlitSpec>(change), own = typeof spec.sheet.strips !== 'number', strips = stripsOf(spec.sheet);
-  return html`
-    ${choice('Strips are', 'strip-kind', own ? 'own' : 'one', [['one', 'of one width'], ['own', 'of their own widths']] as const, (v) => edit(v === 'own' ? ownWidths : uniform))}
-    ${own ? nothing : html`
-      ${numberField({ label: 'Strips', testid: 'strips', value: strips.length, min: 1, max: 200, on: (v) => v && edit((s) => setStripCount(s, Math.max(1, Math.round(v)))) })}
-      ${lengthField(ui, { label: 'Strip width', testid: 'strip-width', value: spec.sheet.strip_width, from: spec.units, min: 1e-6, on: (v) => v && edit((s) => setStripWidth(s, v)) })}`}
-    ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
-    ${lengthField(ui, { label: 'Margin behind the last', testid: 'margin', value: spec.sheet.margin, from: spec.units, min: 0, placeholder: '0', on: (v) => edit((s) => setMargin(s, v ?? 0)) })}`;
+  const edit: Change = (change) => ui.edit<SlitSpec>(change),
+    own = typeof spec.sheet.strips !== 'number',
+    strips = stripsOf(spec.sheet);
+  return html` ${choice(
+    'Strips are',
+    'strip-kind',
+    own ? 'own' : 'one',
+    [
+      ['one', 'of one width'],
+      ['own', 'of their own widths'],
+    ] as const,
+    (v) => edit(v === 'own' ? ownWidths : uniform),
+  )}
+  ${own
+    ? nothing
+    : html` ${numberField({
+        label: 'Strips',
+        testid: 'strips',
+        value: strips.length,
+        min: 1,
+        max: 200,
+        on: (v) => v && edit((s) => setStripCount(s, Math.max(1, Math.round(v)))),
+      })}
+      ${lengthField(ui, {
+        label: 'Strip width',
+        testid: 'strip-width',
+        value: spec.sheet.strip_width,
+        from: spec.units,
+        min: 1e-6,
+        on: (v) => v && edit((s) => setStripWidth(s, v)),
+      })}`}
+  ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
+  ${lengthField(ui, {
+    label: 'Margin behind the last',
+    testid: 'margin',
+    value: spec.sheet.margin,
+    from: spec.units,
+    min: 0,
+    placeholder: '0',
+    on: (v) => edit((s) => setMargin(s, v ?? 0)),
+  })}`;
 }
 
 function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: boolean) {
-  const open = ui.state.selection.strip === i, text = (v: number) => lengthText(v, spec.units, ui.state.units);
-  return html`<div class="block ${open ? 'open' : ''}"><button class="head" data-testid="strip-head-${i}" aria-expanded=${open} @click=${() => ui.dispatch({ type: 'select', selection: { strip: open ? null : i } })}>
-      <b>${i}</b><span>${text(strip.width)} wide${strip.gap ? `, gap ${text(strip.gap)}` : ''}</span><em>${endOf(spec, i)?.position ? 'end is placed' : ''}</em></button>
-    ${open ? html`${own ? ownFields(ui, spec, strip, i) : nothing}${spec.symmetric === false ? endFields(ui, spec, i) : nothing}` : nothing}</div>`;
+  const open = ui.state.selection.strip === i,
+    text = (v: number) => lengthText(v, spec.units, ui.state.units);
+  return html`<div class="block ${open ? 'open' : ''}">
+    <button
+      class="head"
+      data-testid="strip-head-${i}"
+      aria-expanded=${open}
+      @click=${() => ui.dispatch({ type: 'select', selection: { strip: open ? null : i } })}
+    >
+      <b>${i}</b><span>${text(strip.width)} wide${strip.gap ? `, gap ${text(strip.gap)}` : ''}</span
+      ><em>${endOf(spec, i)?.position ? 'end is placed' : ''}</em>
+    </button>
+    ${open
+      ? html`${own ? ownFields(ui, spec, strip, i) : nothing}${spec.symmetric === false
+          ? endFields(ui, spec, i)
+          : nothing}`
+      : nothing}
+  </div>`;
 }
 
 function ownFields(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number) {
   const { panel_height, half_length } = spec.sheet;
   const usual = (v: number | undefined) => (v === undefined ? '' : lengthText(v, spec.units, ui.state.units));
-  const field = (label: string, key: keyof StripSpec, otherwise: string) => lengthField(ui, { label, testid: `strip-${key}`, value: strip[key], from: spec.units, min: 0, placeholder: otherwise,
-    on: (v) => ui.edit<SlitSpec>((s) => setStrip(s, i, { [key]: v ?? undefined })) });
-  const width = lengthField(ui, { label: 'Width', testid: 'strip-width', value: strip.width, from: spec.units, min: 1e-6, on: (v) => v && ui.edit<SlitSpec>((s) => setStrip(s, i, { width: v })) });
+  const field = (label: string, key: keyof StripSpec, otherwise: string) =>
+    lengthField(ui, {
+      label,
+      testid: `strip-${key}`,
+      value: strip[key],
+      from: spec.units,
+      min: 0,
+      placeholder: otherwise,
+      on: (v) => ui.edit<SlitSpec>((s) => setStrip(s, i, { [key]: v ?? undefined })),
+    });
+  const width = lengthField(ui, {
+    label: 'Width',
+    testid: 'strip-width',
+    value: strip.width,
+    from: spec.units,
+    min: 1e-6,
+    on: (v) => v && ui.edit<SlitSpec>((s) => setStrip(s, i, { width: v })),
+  });
   const count = stripsOf(spec.sheet).length;
-  return html`${width}${field('Gap before it', 'gap', '0')}${field('Left slit begins at', 'left_start', usual(panel_height))}${field('Right slit begins at', 'right_start', usual(panel_height))}
+  return html`${width}${field('Gap before it', 'gap', '0')}${field(
+      'Left slit begins at',
+      'left_start',
+      usual(panel_height),
+    )}${field('Right slit begins at', 'right_start', usual(panel_height))}
     ${spec.symmetric === false ? field('Ends at', 'end', usual(half_length)) : nothing}
-    <p class="row"><button class="link" data-testid="strip-add" @click=${() => ui.edit<SlitSpec>((s) => addStrip(s, i))}>One more</button>
-      <button class="link" data-testid="strip-remove" ?disabled=${count < 2} @click=${() => { ui.edit<SlitSpec>((s) => removeStrip(s, i)); ui.dispatch({ type: 'select', selection: {} }); }}>Remove</button></p>`;
+    <p class="row">
+      <button class="link" data-testid="strip-add" @click=${() => ui.edit<SlitSpec>((s) => addStrip(s, i))}>
+        One more
+      </button>
+      <button
+        class="link"
+        data-testid="strip-remove"
+        ?disabled=${count < 2}
+        @click=${() => {
+          ui.edit<SlitSpec>((s) => removeStrip(s, i));
+          ui.dispatch({ type: 'select', selection: {} });
+        }}
+      >
+        Remove
+      </button>
+    </p>`;
 }
 
 type EndKey = 'position' | 'direction' | 'across';
-const ends: [EndKey, string][] = [['position', 'The end is placed'], ['direction', 'Its direction is set'], ['across', 'Its last ridge is set']];
+const ends: [EndKey, string][] = [
+  ['position', 'The end is placed'],
+  ['direction', 'Its direction is set'],
+  ['across', 'Its last ridge is set'],
+];
 
 /** Where a strip ends in space; what is switched on begins with what it is. */
 function endFields(ui: Ui, spec: SlitSpec, i: number) {
-  const end = endOf(spec, i), now = endAsItIs(spec, ui.state.shape?.handles.ridges?.[i] ?? [], millimetres(spec.units));
+  const end = endOf(spec, i),
+    now = endAsItIs(spec, ui.state.shape?.handles.ridges?.[i] ?? [], millimetres(spec.units));
   const set = (patch: Omit<Partial<StripEnd>, 'strip'>) => ui.edit<SlitSpec>((s) => setEnd(s, i, patch));
-  return ends.map(([key, label]) => html`${toggle(label, `end-${key}`, end?.[key] !== undefined, (on) => set({ [key]: on ? now?.[key] : undefined }))}
-    ${end?.[key] ? vectorFields(ui, spec.units, key, end[key], (v) => set({ [key]: v })) : nothing}`);
+  return ends.map(
+    ([key, label]) =>
+      html`${toggle(label, `end-${key}`, end?.[key] !== undefined, (on) => set({ [key]: on ? now?.[key] : undefined }))}
+      ${end?.[key] ? vectorFields(ui, spec.units, key, end[key], (v) => set({ [key]: v })) : nothing}`,
+  );
 }
 
 function vectorFields(ui: Ui, units: LengthUnit | undefined, key: EndKey, at: Vec3, on: (v: Vec3) => void) {
-  return html`<div class="triple">${(['x', 'y', 'z'] as const).map((axis, k) => {
-    const o = { label: axis, testid: `end-${key}-${axis}`, value: at[k]!, on: (v: number | null) => v !== null && on(at.map((x, j) => (j === k ? v : x)) as Vec3) };
-    return key === 'position' ? lengthField(ui, { ...o, from: units }) : numberField(o);
-  })}</div>`;
+  return html`<div class="triple">
+    ${(['x', 'y', 'z'] as const).map((axis, k) => {
+      const o = {
+        label: axis,
+        testid: `end-${key}-${axis}`,
+        value: at[k]!,
+        on: (v: number | null) => v !== null && on(at.map((x, j) => (j === k ? v : x)) as Vec3),
+      };
+      return key === 'position' ? lengthField(ui, { ...o, from: units }) : numberField(o);
+    })}
+  </div>`;
 }

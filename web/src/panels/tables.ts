@@ -8,21 +8,51 @@ import type { BendRow, Finding } from '../types.ts';
 const most = 120;
 
 export function bendTable(ui: Ui): TemplateResult {
-  const report = knownPiece(ui.state), rows = report?.flat?.bends ?? [];
+  const report = knownPiece(ui.state),
+    rows = report?.flat?.bends ?? [];
   if (rows.length === 0) return html`<p class="hint">No bends.</p>`;
-  const marked = bendsToMark(ui.state), units = unitName(ui.state.units);
-  const at = rows.findIndex((r) => r.id === marked.picked), first = at >= most ? at - 10 : 0;
+  const marked = bendsToMark(ui.state),
+    units = unitName(ui.state.units);
+  const at = rows.findIndex((r) => r.id === marked.picked),
+    first = at >= most ? at - 10 : 0;
   return html`<table class="bends ${pieceOf(ui.state)?.flat ? '' : 'old'}" data-testid="bend-table">
-    <thead><tr><th>Bend</th><th>Angle<br />°</th><th>Radius<br />${units}</th><th>K</th><th title="Bend allowance">Allow.<br />${units}</th><th>Dir.</th><th>Length<br />${units}</th></tr></thead>
-    <tbody>${rows.slice(first, first + most).map((r) => bendRow(ui, r, r.id === marked.picked, marked.beside.has(r.id)))}</tbody></table>
-    ${rows.length > most ? html`<p class="hint">${rows.length} bends, of which ${most} are shown; the report has all.</p>` : nothing}`;
+      <thead>
+        <tr>
+          <th>Bend</th>
+          <th>Angle<br />°</th>
+          <th>Radius<br />${units}</th>
+          <th>K</th>
+          <th title="Bend allowance">Allow.<br />${units}</th>
+          <th>Dir.</th>
+          <th>Length<br />${units}</th>
+        </tr>
+      </thead>
+      <tbody>
+        ${rows.slice(first, first + most).map((r) => bendRow(ui, r, r.id === marked.picked, marked.beside.has(r.id)))}
+      </tbody>
+    </table>
+    ${rows.length > most
+      ? html`<p class="hint">${rows.length} bends, of which ${most} are shown; the report has all.</p>`
+      : nothing}`;
 }
 
 function bendRow(ui: Ui, r: BendRow, selected: boolean, beside: boolean) {
-  const from = knownPiece(ui.state)?.units, text = (v: number | null) => lengthText(v, from, ui.state.units);
-  return html`<tr class=${selected ? 'selected' : beside ? 'beside' : ''} data-testid="bend-${r.id}" aria-selected=${selected} @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}>
-    <td>${r.id}</td><td>${clean(r.angle, 2)}</td><td>${text(r.inside_radius)}</td><td>${kCell(ui, r)}</td><td>${text(r.allowance)}</td>
-    <td class=${r.direction}>${r.direction}</td><td>${text(r.length)}</td></tr>`;
+  const from = knownPiece(ui.state)?.units,
+    text = (v: number | null) => lengthText(v, from, ui.state.units);
+  return html`<tr
+    class=${selected ? 'selected' : beside ? 'beside' : ''}
+    data-testid="bend-${r.id}"
+    aria-selected=${selected}
+    @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}
+  >
+    <td>${r.id}</td>
+    <td>${clean(r.angle, 2)}</td>
+    <td>${text(r.inside_radius)}</td>
+    <td>${kCell(ui, r)}</td>
+    <td>${text(r.allowance)}</td>
+    <td class=${r.direction}>${r.direction}</td>
+    <td>${text(r.length)}</td>
+  </tr>`;
 }
 
 function kCell(ui: Ui, r: BendRow) {
@@ -30,26 +60,47 @@ function kCell(ui: Ui, r: BendRow) {
   if (ui.state.document?.kind !== 'unfold') return text;
   const own = ui.state.input.options.bend_k?.[r.id] !== undefined;
   const change = (e: Event) => {
-    const input = e.target as HTMLInputElement, entered = input.value.trim().replace(',', '.'), k = Number(entered);
+    const input = e.target as HTMLInputElement,
+      entered = input.value.trim().replace(',', '.'),
+      k = Number(entered);
     if (entered !== '' && !(k >= 0 && k <= 1)) input.value = text;
-    else ui.editOptions((o) => {
-      const bend_k = { ...o.bend_k };
-      if (entered === '') delete bend_k[r.id];
-      else bend_k[r.id] = k;
-      return { ...o, bend_k: Object.keys(bend_k).length ? bend_k : undefined };
-    });
+    else
+      ui.editOptions((o) => {
+        const bend_k = { ...o.bend_k };
+        if (entered === '') delete bend_k[r.id];
+        else bend_k[r.id] = k;
+        return { ...o, bend_k: Object.keys(bend_k).length ? bend_k : undefined };
+      });
   };
-  return html`<input class="cell ${own ? 'own' : ''}" title="K-factor of this bend; empty: that of the part" data-testid="bend-k-${r.id}" .value=${text}
-    @click=${(e: Event) => { e.stopPropagation(); ui.dispatch({ type: 'select', selection: { part: r.id } }); }} @change=${change} />`;
+  return html`<input
+    class="cell ${own ? 'own' : ''}"
+    title="K-factor of this bend; empty: that of the part"
+    data-testid="bend-k-${r.id}"
+    .value=${text}
+    @click=${(e: Event) => {
+      e.stopPropagation();
+      ui.dispatch({ type: 'select', selection: { part: r.id } });
+    }}
+    @change=${change}
+  />`;
 }
 
 export function findingsList(ui: Ui): TemplateResult {
   const findings = findingsOf(ui);
   if (!ui.state.result) return html`<p class="hint">Findings come with the whole result.</p>`;
   if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">Nothing was found.</p>`;
-  return html`<ol class="findings ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="findings">${findings.map((f, i) => html`
-    <li class="${f.severity} ${ui.state.selection.finding === i ? 'selected' : ''}" data-testid="finding-${i + 1}" @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}>
-      <b>${i + 1}</b><span>${f.message}<small>${f.code}</small></span></li>`)}</ol>`;
+  return html`<ol class="findings ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="findings">
+    ${findings.map(
+      (f, i) =>
+        html` <li
+          class="${f.severity} ${ui.state.selection.finding === i ? 'selected' : ''}"
+          data-testid="finding-${i + 1}"
+          @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
+        >
+          <b>${i + 1}</b><span>${f.message}<small>${f.code}</small></span>
+        </li>`,
+    )}
+  </ol>`;
 }
 
 export function findingsOf(ui: Ui): Finding[] {
@@ -59,20 +110,53 @@ export function findingsOf(ui: Ui): Finding[] {
 const least = 1e-3; // mm: what a certificate may be off by
 
 export function certificate(ui: Ui): TemplateResult {
-  const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null, v = report?.verification;
-  if (!report || !v) return html`<p class="hint">${ui.state.computing ? 'Being verified …' : 'There is no certificate for this.'}</p>`;
-  const length = (value: number) => residualText(value, report.units, ui.state.units), small = (value: number) => value * millimetres(report.units) < least;
+  const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null,
+    v = report?.verification;
+  if (!report || !v)
+    return html`<p class="hint">${ui.state.computing ? 'Being verified …' : 'There is no certificate for this.'}</p>`;
+  const length = (value: number) => residualText(value, report.units, ui.state.units),
+    small = (value: number) => value * millimetres(report.units) < least;
   const said: [string, string, boolean][] = [];
   const ratio = v.explained_ratio ?? v.volume_ratio;
   if (ratio !== null && ratio !== undefined)
-    said.push([`Volume agrees to ${sizeText(Math.abs(ratio - 1))}.`, 'The area of the pattern, times the thickness, against the volume of the folded solid (K = ½).', Math.abs(ratio - 1) < 1e-4]);
-  if (v.volume_ratio !== null && v.explained_ratio !== null && v.explained_ratio !== undefined && Math.abs(v.volume_ratio - v.explained_ratio) > 1e-9)
-    said.push([`${sizeText(Math.abs(v.volume_ratio - 1))} of the volume is explained.`, 'By what the folded solid cannot have: corners that are cut off, seams that stand open.', true]);
-  if (v.length_error !== null) said.push([`Edges keep their lengths to ${length(v.length_error)}.`, 'Every edge of the pattern against the same edge of the folded part.', small(v.length_error)]);
+    said.push([
+      `Volume agrees to ${sizeText(Math.abs(ratio - 1))}.`,
+      'The area of the pattern, times the thickness, against the volume of the folded solid (K = ½).',
+      Math.abs(ratio - 1) < 1e-4,
+    ]);
+  if (
+    v.volume_ratio !== null &&
+    v.explained_ratio !== null &&
+    v.explained_ratio !== undefined &&
+    Math.abs(v.volume_ratio - v.explained_ratio) > 1e-9
+  )
+    said.push([
+      `${sizeText(Math.abs(v.volume_ratio - 1))} of the volume is explained.`,
+      'By what the folded solid cannot have: corners that are cut off, seams that stand open.',
+      true,
+    ]);
+  if (v.length_error !== null)
+    said.push([
+      `Edges keep their lengths to ${length(v.length_error)}.`,
+      'Every edge of the pattern against the same edge of the folded part.',
+      small(v.length_error),
+    ]);
   if (v.refold_deviation !== null && v.refold_deviation !== undefined)
-    said.push([`Folded up again, the pattern meets the part within ${length(v.refold_deviation)}.`, 'The pattern is folded by its bends alone and compared with what it came from.', small(v.refold_deviation)]);
-  if (v.closure !== null && v.closure !== undefined) said.push([`Loops of faces close within ${length(v.closure)}.`, 'Where faces meet again around a hole or a corner.', small(v.closure)]);
-  return html`<ul class="certificate ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="certificate">${said.map(([text, why, good]) =>
-    html`<li class=${good ? 'good' : 'bad'}><b>${text}</b><small>${why}</small></li>`)}</ul>
+    said.push([
+      `Folded up again, the pattern meets the part within ${length(v.refold_deviation)}.`,
+      'The pattern is folded by its bends alone and compared with what it came from.',
+      small(v.refold_deviation),
+    ]);
+  if (v.closure !== null && v.closure !== undefined)
+    said.push([
+      `Loops of faces close within ${length(v.closure)}.`,
+      'Where faces meet again around a hole or a corner.',
+      small(v.closure),
+    ]);
+  return html`<ul class="certificate ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="certificate">
+      ${said.map(
+        ([text, why, good]) => html`<li class=${good ? 'good' : 'bad'}><b>${text}</b><small>${why}</small></li>`,
+      )}
+    </ul>
     ${(report.notes ?? []).map((n) => html`<p class="hint">${n}</p>`)}`;
 }

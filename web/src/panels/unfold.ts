@@ -5,29 +5,105 @@ import type { Ui } from '../ui.ts';
 import { choice, numberField, section } from './fields.ts';
 
 export function unfoldPanel(ui: Ui) {
-  const { options } = ui.state.input, bodies = ui.state.document?.info?.bodies ?? [];
+  const { options } = ui.state.input,
+    bodies = ui.state.document?.info?.bodies ?? [];
   const set = (patch: Partial<Options>) => ui.editOptions((o) => ({ ...o, ...patch }));
-  return html`
-    ${bodies.length > 1 ? section('Body', choice('Unfold', 'body', String(options.body ?? bodies[0]!.number),
-      bodies.map((b) => [String(b.number), `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`] as const),
-      (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }))) : nothing}
-    ${section('Bend allowance', html`
-      ${choice('K-factor', 'k-rule', kRule(options), [['default', 'default, 0.44'], ['number', 'a number'], ['din6935', 'by DIN 6935']] as const,
-        (v) => set({ k: v === 'default' ? undefined : v === 'din6935' ? 'din6935' : typeof options.k === 'number' ? options.k : 0.44 }))}
-      ${typeof options.k === 'number' ? numberField({ label: 'K of the part', testid: 'k-number', value: options.k, min: 0, max: 1, on: (v) => v !== null && set({ k: v }) }) : nothing}
-      <p class="hint">${options.bend_k ? html`${Object.keys(options.bend_k).length} bend(s) have a K of their own.
-        <button class="link" data-testid="bend-k-clear" @click=${() => set({ bend_k: undefined })}>Clear</button>` : 'Each bend may have its own: enter it in the bend table.'}</p>`)}
-    ${section('Lying flat', html`
-      ${pickRow(ui, 'root', 'Stays where it is', options.root === undefined || options.root === 'largest' ? 'the largest flange' : `face ${options.root}`, () => set({ root: undefined }))}
-      ${pickRow(ui, 'up', 'Faces up', options.up === undefined || options.up === 'auto' ? 'chosen by the program' : typeof options.up === 'number' ? `the side of face ${options.up}` : `the ${options.up} side`, () => set({ up: undefined }))}
-      <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`)}`;
+  return html` ${bodies.length > 1
+    ? section(
+        'Body',
+        choice(
+          'Unfold',
+          'body',
+          String(options.body ?? bodies[0]!.number),
+          bodies.map(
+            (b) =>
+              [
+                String(b.number),
+                `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`,
+              ] as const,
+          ),
+          (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
+        ),
+      )
+    : nothing}
+  ${section(
+    'Bend allowance',
+    html` ${choice(
+        'K-factor',
+        'k-rule',
+        kRule(options),
+        [
+          ['default', 'default, 0.44'],
+          ['number', 'a number'],
+          ['din6935', 'by DIN 6935'],
+        ] as const,
+        (v) =>
+          set({
+            k:
+              v === 'default'
+                ? undefined
+                : v === 'din6935'
+                  ? 'din6935'
+                  : typeof options.k === 'number'
+                    ? options.k
+                    : 0.44,
+          }),
+      )}
+      ${typeof options.k === 'number'
+        ? numberField({
+            label: 'K of the part',
+            testid: 'k-number',
+            value: options.k,
+            min: 0,
+            max: 1,
+            on: (v) => v !== null && set({ k: v }),
+          })
+        : nothing}
+      <p class="hint">
+        ${options.bend_k
+          ? html`${Object.keys(options.bend_k).length} bend(s) have a K of their own.
+              <button class="link" data-testid="bend-k-clear" @click=${() => set({ bend_k: undefined })}>Clear</button>`
+          : 'Each bend may have its own: enter it in the bend table.'}
+      </p>`,
+  )}
+  ${section(
+    'Lying flat',
+    html` ${pickRow(
+        ui,
+        'root',
+        'Stays where it is',
+        options.root === undefined || options.root === 'largest' ? 'the largest flange' : `face ${options.root}`,
+        () => set({ root: undefined }),
+      )}
+      ${pickRow(
+        ui,
+        'up',
+        'Faces up',
+        options.up === undefined || options.up === 'auto'
+          ? 'chosen by the program'
+          : typeof options.up === 'number'
+            ? `the side of face ${options.up}`
+            : `the ${options.up} side`,
+        () => set({ up: undefined }),
+      )}
+      <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
+  )}`;
 }
 
 const kRule = (o: Options) => (o.k === undefined ? 'default' : o.k === 'din6935' ? 'din6935' : 'number');
 
 function pickRow(ui: Ui, mode: PickMode, label: string, value: string, clear: () => void) {
   const on = ui.state.pick === mode;
-  return html`<div class="pick"><span>${label}</span><b data-testid="${mode}-value">${value}</b>
-    <button class=${on ? 'on' : ''} data-testid="pick-${mode}" aria-pressed=${on} @click=${() => ui.dispatch({ type: 'pick', pick: on ? 'none' : mode })}>${on ? 'Click a flange …' : 'Pick'}</button>
-    <button class="link" data-testid="clear-${mode}" title="Let the program choose" @click=${clear}>Reset</button></div>`;
+  return html`<div class="pick">
+    <span>${label}</span><b data-testid="${mode}-value">${value}</b>
+    <button
+      class=${on ? 'on' : ''}
+      data-testid="pick-${mode}"
+      aria-pressed=${on}
+      @click=${() => ui.dispatch({ type: 'pick', pick: on ? 'none' : mode })}
+    >
+      ${on ? 'Click a flange …' : 'Pick'}
+    </button>
+    <button class="link" data-testid="clear-${mode}" title="Let the program choose" @click=${clear}>Reset</button>
+  </div>`;
 }

@@ -4,32 +4,64 @@ import { coarse, drag, enter, example, folder, fresh, open, opened, rested, stat
 
 /** Evaluated in the page: what is cut off, or covers its neighbour, outside of the views. */
 function untidy() {
-  const said = [], name = (e) => `${e.tagName.toLowerCase()} ${e.dataset.testid ?? e.className} “${(e.value ?? e.textContent).trim().slice(0, 30)}”`;
-  const shown = [...document.querySelectorAll('header *, .messages *, .fold *, .buttons *, aside *')].filter((e) => e.getClientRects().length && !(e instanceof SVGElement));
+  const said = [],
+    text = (e) => (e.value ?? e.textContent).trim().slice(0, 30),
+    name = (e) => `${e.tagName.toLowerCase()} ${e.dataset.testid ?? e.className} “${text(e)}”`;
+  const shown = [...document.querySelectorAll('header *, .messages *, .fold *, .buttons *, aside *')].filter(
+    (e) => e.getClientRects().length && !(e instanceof SVGElement),
+  );
   for (const e of shown) {
-    const r = e.getBoundingClientRect(), area = e.closest('header, .messages, .fold, .buttons, aside').getBoundingClientRect();
+    const r = e.getBoundingClientRect(),
+      area = e.closest('header, .messages, .fold, .buttons, aside').getBoundingClientRect();
     if (r.left < area.left - 1 || r.right > area.right + 1) said.push(`${name(e)} leaves its area`);
-    if (e.matches('button, dt, dd, td, th, input[type=text], h3, h4, summary, label > span') && e.scrollWidth > e.clientWidth + 1 && e.clientWidth > 0) said.push(`${name(e)} is cut off`);
+    if (
+      e.matches('button, dt, dd, td, th, input[type=text], h3, h4, summary, label > span') &&
+      e.scrollWidth > e.clientWidth + 1 &&
+      e.clientWidth > 0
+    )
+      said.push(`${name(e)} is cut off`);
   }
-  for (const row of document.querySelectorAll('header, .messages, .fold, .buttons, .summary, .tabs, .field, .slider, .double, .triple, .row, .chips, .named, .new-plate, .point, .head')) {
+  for (const row of document.querySelectorAll(
+    'header, .messages, .fold, .buttons, .summary, .tabs, .field, .slider, .double, .triple, ' +
+      '.row, .chips, .named, .new-plate, .point, .head',
+  )) {
     const boxes = [...row.children].map((e) => [e, e.getBoundingClientRect()]).filter(([, r]) => r.width && r.height);
-    for (const [i, [a, p]] of boxes.entries()) for (const [b, q] of boxes.slice(i + 1))
-      if (p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1) said.push(`${name(a)} covers ${name(b)}`);
+    for (const [i, [a, p]] of boxes.entries())
+      for (const [b, q] of boxes.slice(i + 1))
+        if (p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 1 && q.top < p.bottom - 1)
+          said.push(`${name(a)} covers ${name(b)}`);
   }
   return said;
 }
 
 export async function inch({ page }) {
-  const file = `${folder(page)}/inch.step`, text = readFileSync(new URL('../../../examples/bracket.step', import.meta.url), 'utf8');
-  writeFileSync(file, text.replace('( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )', `( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9003) )`)
-    .replace('DATA;', `DATA;\n#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9002);\n#9002 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n#9003 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);`));
+  const file = `${folder(page)}/inch.step`,
+    text = readFileSync(new URL('../../../examples/bracket.step', import.meta.url), 'utf8');
+  writeFileSync(
+    file,
+    text
+      .replace(
+        '( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) )',
+        `( CONVERSION_BASED_UNIT('INCH',#9001) LENGTH_UNIT() NAMED_UNIT(#9003) )`,
+      )
+      .replace(
+        'DATA;',
+        'DATA;\n#9001 = LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#9002);\n' +
+          '#9002 = ( LENGTH_UNIT() NAMED_UNIT(*) SI_UNIT(.MILLI.,.METRE.) );\n' +
+          '#9003 = DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.);',
+      ),
+  );
   await open(page, [file]);
   assert.equal(await state(page, 's.units'), 'inch', 'the page speaks the unit of the part');
   console.log(`   blank ${await page.textContent('[data-testid=blank-size]')} of ${file}`);
   const noneLeft = async () => {
     for (const tab of ['input', 'bends', 'certificate']) {
       await page.click(`[data-testid=tab-${tab}]`);
-      assert.doesNotMatch(await page.evaluate(() => document.querySelector('aside').innerText), /\bmm\b/, `${await state(page, 's.document.name')}, ${tab}`);
+      assert.doesNotMatch(
+        await page.evaluate(() => document.querySelector('aside').innerText),
+        /\bmm\b/,
+        `${await state(page, 's.document.name')}, ${tab}`,
+      );
     }
     await page.click('[data-testid=tab-input]');
   };
@@ -45,7 +77,9 @@ export async function inch({ page }) {
     assert.equal(await state(page, 's.input.spec.thickness'), 3.175, name);
     assert.equal(await page.textContent('[data-testid=sheet-thickness]'), '0.125');
   }
-  const plates = JSON.parse(readFileSync(new URL('../../../examples/connect/d_irregular.json', import.meta.url), 'utf8'));
+  const plates = JSON.parse(
+    readFileSync(new URL('../../../examples/connect/d_irregular.json', import.meta.url), 'utf8'),
+  );
   writeFileSync(`${folder(page)}/inch.json`, JSON.stringify({ ...plates, units: 'inch' }));
   await open(page, [`${folder(page)}/inch.json`]);
   assert.equal(await state(page, 's.units'), 'inch');
@@ -54,14 +88,37 @@ export async function inch({ page }) {
 
 // A file let fall on the window; its pattern covers itself.
 export async function drop({ page }) {
-  const square = (id, points) => ({ id, outline: points }), walls = {
-    format: 'planish/plates', version: 1, thickness: 2, plates: [
-      square('floor', [[0, 0, 0], [100, 0, 0], [100, 100, 0], [0, 100, 0]]), square('up', [[106, 0, 6], [106, 200, 6], [106, 200, 100], [106, 0, 100]]),
-      square('down', [[0, 106, -6], [200, 106, -6], [200, 106, -100], [0, 106, -100]])] };
+  const square = (id, points) => ({ id, outline: points }),
+    walls = {
+      format: 'planish/plates',
+      version: 1,
+      thickness: 2,
+      plates: [
+        square('floor', [
+          [0, 0, 0],
+          [100, 0, 0],
+          [100, 100, 0],
+          [0, 100, 0],
+        ]),
+        square('up', [
+          [106, 0, 6],
+          [106, 200, 6],
+          [106, 200, 100],
+          [106, 0, 100],
+        ]),
+        square('down', [
+          [0, 106, -6],
+          [200, 106, -6],
+          [200, 106, -100],
+          [0, 106, -100],
+        ]),
+      ],
+    };
   await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], 'walls.json', { type: 'application/json' }));
-    for (const type of ['dragover', 'drop']) document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
+    for (const type of ['dragover', 'drop'])
+      document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
   }, JSON.stringify(walls));
   await opened(page, 'walls.json');
   await page.waitForSelector('.message.error:has-text("overlap by")');
@@ -69,16 +126,32 @@ export async function drop({ page }) {
     assert.equal(await state(page, 's.theme'), theme);
     await page.waitForTimeout(200);
     const { red, inside, outside } = await page.evaluate(() => {
-      const s = window.planish.store.state, { flat } = window.planish.views, o = s.shape.overlaps, canvas = document.querySelector('[data-testid=flat-canvas]');
+      const s = window.planish.store.state,
+        { flat } = window.planish.views,
+        o = s.shape.overlaps,
+        canvas = document.querySelector('[data-testid=flat-canvas]');
       const pixel = (at) => {
-        const p = flat.project(at), r = canvas.getBoundingClientRect();
-        return [...canvas.getContext('2d').getImageData(Math.round(p.x - r.left), Math.round(p.y - r.top), 1, 1).data].slice(0, 3);
+        const p = flat.project(at),
+          r = canvas.getBoundingClientRect();
+        return [
+          ...canvas.getContext('2d').getImageData(Math.round(p.x - r.left), Math.round(p.y - r.top), 1, 1).data,
+        ].slice(0, 3);
       };
-      const [, red, alpha] = getComputedStyle(document.documentElement).getPropertyValue('--overlap').match(/(\d+), .*, ([\d.]+)\)/).map(Number);
-      return { red: { red, alpha }, inside: pixel([0, 1].map((k) => (o[k] + o[2 + k] + o[4 + k]) / 3)), outside: pixel([10, 10]) };
+      const [, red, alpha] = getComputedStyle(document.documentElement)
+        .getPropertyValue('--overlap')
+        .match(/(\d+), .*, ([\d.]+)\)/)
+        .map(Number);
+      return {
+        red: { red, alpha },
+        inside: pixel([0, 1].map((k) => (o[k] + o[2 + k] + o[4 + k]) / 3)),
+        outside: pixel([10, 10]),
+      };
     });
     const shown = Math.round(red.alpha * red.red + (1 - red.alpha) * outside[0]);
-    assert.ok(Math.abs(inside[0] - shown) < 10 && inside[0] > inside[1] + 90, `${theme}: ${inside} is not the red of overlaps`);
+    assert.ok(
+      Math.abs(inside[0] - shown) < 10 && inside[0] > inside[1] + 90,
+      `${theme}: ${inside} is not the red of overlaps`,
+    );
     await page.click('[data-testid=theme]');
   }
 }
@@ -86,25 +159,40 @@ export async function drop({ page }) {
 // By a drag and by a number: the sentence is shown, the last shape stays, greyed, and so does the handle.
 export async function invalid({ page }) {
   await example(page, 'connect/a_folded.json');
-  const parts = await state(page, 's.shape.parts.length'), greyed = async (wanted) => {
-    await page.waitForFunction((w) => { const s = window.planish.store.state; return s.stale === w && !s.computing; }, wanted);
-    await page.waitForTimeout(100);
-    assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector('[data-testid=folded-canvas]')).opacity), wanted ? '0.4' : '1');
-    assert.equal(await state(page, 's.shape.parts.length'), parts);
-    if (wanted) assert.match(await page.textContent('.message.error'), /\[\w+\]/);
-  };
+  const parts = await state(page, 's.shape.parts.length'),
+    greyed = async (wanted) => {
+      await page.waitForFunction((w) => {
+        const s = window.planish.store.state;
+        return s.stale === w && !s.computing;
+      }, wanted);
+      await page.waitForTimeout(100);
+      assert.equal(
+        await page.evaluate(() => getComputedStyle(document.querySelector('[data-testid=folded-canvas]')).opacity),
+        wanted ? '0.4' : '1',
+      );
+      assert.equal(await state(page, 's.shape.parts.length'), parts);
+      if (wanted) assert.match(await page.textContent('.message.error'), /\[\w+\]/);
+    };
   await page.click('[data-testid=plate-left]');
   await enter(page, 'plate-x', '94');
   await rested(page);
   // By the arrow down through the floor.
-  const arrow = await state(page, `(() => {
-    const c = s.shape.handles.plates.find((p) => p.id === 'left').corners, m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length);
-    const { camera, gizmo } = views.folded, r = 0.4 * (camera.top - camera.bottom) / camera.zoom * gizmo.size / 4, at = (z) => views.folded.project([m[0], m[1], m[2] + z]);
-    return { from: at(r), to: at(r - 40) }; })()`);
+  const arrow = await state(
+    page,
+    `(() => {
+    const c = s.shape.handles.plates.find((p) => p.id === 'left').corners;
+    const m = [0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length);
+    const { camera, gizmo } = views.folded, r = 0.4 * (camera.top - camera.bottom) / camera.zoom * gizmo.size / 4;
+    const at = (z) => views.folded.project([m[0], m[1], m[2] + z]);
+    return { from: at(r), to: at(r - 40) }; })()`,
+  );
   await drag(page, arrow.from, { x: arrow.to.x - arrow.from.x, y: arrow.to.y - arrow.from.y }, 10);
   await greyed(true);
   assert.match(await page.textContent('[data-testid=message]'), /pass through each other/);
-  assert.ok(await state(page, `s.shape.handles.plates.find((p) => p.id === 'left').corners.some((c) => c[2] < 0)`), 'the handle is where the plate is');
+  assert.ok(
+    await state(page, `s.shape.handles.plates.find((p) => p.id === 'left').corners.some((c) => c[2] < 0)`),
+    'the handle is where the plate is',
+  );
   await page.keyboard.press('Control+z');
   await greyed(false);
   await enter(page, 'thickness', '90');
@@ -118,16 +206,38 @@ export async function invalid({ page }) {
 // What takes long is given up, and nothing jumps meanwhile.
 export async function long({ page }) {
   await example(page, 'slit/chair.json');
-  const boxes = () => page.evaluate(() => Object.fromEntries(['header', '.messages', '.folded', '.flat', 'aside', '.tabs', '.content', '.fold', '[data-testid=undo]', '[data-testid=download-menu]']
-    .map((q) => { const r = document.querySelector(q).getBoundingClientRect(); return [q, [r.x, r.y, r.width, r.height]]; })));
-  const first = await boxes(), same = async (when) => assert.deepEqual(await boxes(), first, `something moved: ${when}`);
+  const boxes = () =>
+    page.evaluate(() =>
+      Object.fromEntries(
+        [
+          'header',
+          '.messages',
+          '.folded',
+          '.flat',
+          'aside',
+          '.tabs',
+          '.content',
+          '.fold',
+          '[data-testid=undo]',
+          '[data-testid=download-menu]',
+        ].map((q) => {
+          const r = document.querySelector(q).getBoundingClientRect();
+          return [q, [r.x, r.y, r.width, r.height]];
+        }),
+      ),
+    );
+  const first = await boxes(),
+    same = async (when) => assert.deepEqual(await boxes(), first, `something moved: ${when}`);
   await page.click('[data-testid=curve-seat-1]');
   await same('selected');
   while ((await state(page, 's.input.spec.subdivisions')) < 4) await page.click('[data-testid=subdivide]');
   await page.waitForSelector('[data-testid=cancel]');
   await same('busy');
   await page.click('[data-testid=cancel]');
-  await page.waitForFunction(() => { const s = window.planish.store.state; return !s.computing && s.note === 'cancelled'; });
+  await page.waitForFunction(() => {
+    const s = window.planish.store.state;
+    return !s.computing && s.note === 'cancelled';
+  });
   await same('cancelled');
   await page.click('[data-testid=finish]');
   await page.waitForSelector('[data-testid=cancel]');
@@ -151,7 +261,12 @@ export async function layout({ page }) {
     await page.waitForTimeout(100);
     assert.deepEqual(await page.evaluate(untidy), [], what);
   };
-  const openFolds = () => page.evaluate(() => document.querySelectorAll('aside details').forEach((d) => { d.open = true; }));
+  const openFolds = () =>
+    page.evaluate(() =>
+      document.querySelectorAll('aside details').forEach((d) => {
+        d.open = true;
+      }),
+    );
   await tidy('empty');
   await example(page, 'bracket.step');
   for (const tab of ['input', 'bends', 'findings', 'certificate']) {

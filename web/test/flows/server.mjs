@@ -5,7 +5,11 @@ import { enter, example, folder, fresh, openAtServer, rested, slide, state } fro
 function killWorkers() {
   for (const entry of readdirSync('/proc').filter((name) => /^\d+$/.test(name))) {
     let line = '';
-    try { line = readFileSync(`/proc/${entry}/cmdline`, 'utf8'); } catch { continue; }
+    try {
+      line = readFileSync(`/proc/${entry}/cmdline`, 'utf8');
+    } catch {
+      continue;
+    }
     const [, command, server] = line.split('\0');
     if (command === 'studio-worker' && server === process.env.STUDIO_PROCESS) process.kill(Number(entry), 'SIGKILL');
   }
@@ -23,7 +27,12 @@ export async function rubbish({ page }) {
   await example(page, 'connect/a_folded.json');
   assert.equal(await state(page, 's.problem'), null);
   await refused();
-  assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), ['a_folded.json', false, null, 9]);
+  assert.deepEqual(await state(page, '[s.document.name, s.stale, s.opening, s.shape.parts.length]'), [
+    'a_folded.json',
+    false,
+    null,
+    9,
+  ]);
   assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
 }
 
@@ -34,13 +43,22 @@ export async function opening({ page, said }) {
     await new Promise((resolve) => setTimeout(resolve, 2000));
     await route.continue().catch(() => undefined); // given up meanwhile
   });
-  const slow = () => page.setInputFiles('[data-testid=file-input]', new URL('../../../examples/transition/e_reducer.json', import.meta.url).pathname);
+  const slow = () =>
+    page.setInputFiles(
+      '[data-testid=file-input]',
+      new URL('../../../examples/transition/e_reducer.json', import.meta.url).pathname,
+    );
   await slow();
   await page.waitForSelector('[data-testid=progress]');
   assert.match(await page.textContent('.messages'), /opening\s+Opening e_reducer.json …\s+reading\s+Cancel/);
   await page.click('[data-testid=cancel]');
   await page.waitForFunction(() => window.planish.store.state.note === 'cancelled');
-  assert.deepEqual(await state(page, '[s.document.name, s.opening, s.stale, s.problem]'), ['a_folded.json', null, false, null]);
+  assert.deepEqual(await state(page, '[s.document.name, s.opening, s.stale, s.problem]'), [
+    'a_folded.json',
+    null,
+    false,
+    null,
+  ]);
   assert.deepEqual(await openAtServer(page), [...others, 'a_folded.json']);
   // The one that was asked for last is opened, even where another takes longer.
   await slow();
@@ -52,7 +70,11 @@ export async function opening({ page, said }) {
   assert.deepEqual(await openAtServer(page), [...others, 'c_ripped.json']);
   // One that the server has let go is opened again, with the edits.
   const id = await state(page, 's.document.id');
-  await page.evaluate((gone) => fetch(`/api/documents/${gone}`, { method: 'DELETE', headers: { 'X-Planish-Token': location.hash.slice(1) } }), id);
+  await page.evaluate(
+    (gone) =>
+      fetch(`/api/documents/${gone}`, { method: 'DELETE', headers: { 'X-Planish-Token': location.hash.slice(1) } }),
+    id,
+  );
   await enter(page, 'thickness', '1.5');
   await page.waitForFunction((gone) => window.planish.store.state.document.id !== gone, id);
   await rested(page);
@@ -69,7 +91,14 @@ export async function killed({ page, said }) {
   assert.equal(await state(page, 's.problem'), null);
   // In the middle of one, that takes seconds: the page says so, and goes on with the next edit.
   for (let i = 0; i < 3; ++i) await page.click('[data-testid=subdivide]');
-  await page.waitForFunction(() => { const s = window.planish.store.state; return s.computing && s.shapeIsDraft && s.busy; }, null, { timeout: 60000 });
+  await page.waitForFunction(
+    () => {
+      const s = window.planish.store.state;
+      return s.computing && s.shapeIsDraft && s.busy;
+    },
+    null,
+    { timeout: 60000 },
+  );
   killWorkers();
   await page.waitForFunction(() => window.planish.store.state.problem);
   assert.match(await page.textContent('[data-testid=message]'), /worker/);
@@ -84,7 +113,8 @@ export async function two({ page, said }) {
   await example(page, 'transition/a_square_to_round.json');
   await example(other.page, 'connect/a_folded.json');
   const blank = (p) => p.textContent('[data-testid=blank-size]');
-  const before = await blank(page), beside = await blank(other.page);
+  const before = await blank(page),
+    beside = await blank(other.page);
   await slide(page, 'to-z', 0.9);
   await rested(page);
   await rested(other.page);

@@ -3,16 +3,25 @@ import { coarse, download, drag, enter, example, open, rested, state, timings } 
 
 export async function slit({ page }) {
   await example(page, 'slit/chair.json');
-  await page.evaluate(() => { window.planishTimings.length = 0; });
+  await page.evaluate(() => {
+    window.planishTimings.length = 0;
+  });
   const circle = await page.locator('[data-testid=curve-seat-2]').boundingBox();
   await drag(page, { x: circle.x + circle.width / 2, y: circle.y + circle.height / 2 }, { x: 12, y: -6 }, 20);
   await rested(page);
   timings('slit, seat curve', await page.evaluate(() => window.planishTimings));
-  const end = await state(page, `(() => { const r = s.shape.handles.ridges[2], row = r[Math.floor(r.length / 2)]; return { at: row[0], on: views.folded.project(row[0]) }; })()`);
+  const end = await state(
+    page,
+    `(() => {
+    const r = s.shape.handles.ridges[2], row = r[Math.floor(r.length / 2)];
+    return { at: row[0], on: views.folded.project(row[0]) }; })()`,
+  );
   await page.mouse.click(end.on.x, end.on.y);
   await rested(page);
   assert.equal(await state(page, 's.input.spec.anchors.length'), 1);
-  await page.evaluate(() => { window.planishTimings.length = 0; });
+  await page.evaluate(() => {
+    window.planishTimings.length = 0;
+  });
   await drag(page, end.on, { x: 0, y: -25 }, 20);
   await rested(page);
   timings('slit, anchor', await page.evaluate(() => window.planishTimings));
@@ -23,18 +32,27 @@ export async function slit({ page }) {
 
 export async function strips({ page }) {
   await open(page, [coarse(page, 'plume.json')]);
-  const width = () => state(page, 's.shape.report.flat.size'), before = await width();
+  const width = () => state(page, 's.shape.report.flat.size'),
+    before = await width();
   await page.click('[data-testid=strip-head-1]');
   for (const key of ['direction', 'across']) {
     await page.check(`[data-testid=end-${key}]`);
     await rested(page);
     assert.equal(await state(page, 's.problem'), null);
   }
-  assert.deepEqual(Object.keys(await state(page, 's.input.spec.ends[1]')), ['strip', 'position', 'direction', 'across']);
+  assert.deepEqual(Object.keys(await state(page, 's.input.spec.ends[1]')), [
+    'strip',
+    'position',
+    'direction',
+    'across',
+  ]);
   await enter(page, 'strip-width', '230');
   await rested(page);
   const wider = await width();
-  assert.ok(wider.some((v, k) => Math.abs(v - before[k] - 10) < 1e-6), `${before} has become ${wider}`);
+  assert.ok(
+    wider.some((v, k) => Math.abs(v - before[k] - 10) < 1e-6),
+    `${before} has become ${wider}`,
+  );
   await page.selectOption('[data-testid=strip-kind]', 'one');
   await rested(page);
   assert.equal(await state(page, 's.input.spec.sheet.strips'), 7);
@@ -45,14 +63,21 @@ export async function strips({ page }) {
 
 export async function points({ page }) {
   await open(page, [coarse(page, 'chair.json')]);
-  const at = () => state(page, 's.input.spec.seat_curve.bezier'), before = await at();
+  const at = () => state(page, 's.input.spec.seat_curve.bezier'),
+    before = await at();
   await page.click('[data-testid=curve-seat-1]');
   await enter(page, 'curve-seat-y', '310');
   await rested(page);
-  assert.deepEqual(await at(), before.map((p, i) => (i === 1 ? [310, p[1]] : p)));
+  assert.deepEqual(
+    await at(),
+    before.map((p, i) => (i === 1 ? [310, p[1]] : p)),
+  );
   await page.locator('[data-testid=curve-seat-y]').blur();
   await page.keyboard.press('Delete');
-  assert.deepEqual(await at(), before.filter((_, i) => i !== 1));
+  assert.deepEqual(
+    await at(),
+    before.filter((_, i) => i !== 1),
+  );
   await page.click('[data-testid=curve-seat-0]');
   assert.ok(await page.isDisabled('[data-testid=curve-seat-remove]'), 'the ends stay');
   await page.keyboard.press('Control+z');
@@ -63,9 +88,13 @@ export async function points({ page }) {
 
 export async function scan({ page }) {
   const folder = new URL('../../../examples/slit/', import.meta.url).pathname;
-  await open(page, [coarse(page, 'scanned_chair.json'), ...[0, 1, 2, 3, 4, 5].map((i) => `${folder}low_chair_scan${i}.xyz`)]);
+  await open(page, [
+    coarse(page, 'scanned_chair.json'),
+    ...[0, 1, 2, 3, 4, 5].map((i) => `${folder}low_chair_scan${i}.xyz`),
+  ]);
   assert.match(await page.textContent('[data-testid=scan-state]'), /6 strips are scanned; [1-9]\d* points are drawn/);
-  const distance = () => state(page, 's.shape.report.slit.strips.map((t) => t.scan_distance)'), before = await distance();
+  const distance = () => state(page, 's.shape.report.slit.strips.map((t) => t.scan_distance)'),
+    before = await distance();
   await page.check('[data-testid=align-scan]');
   await rested(page);
   assert.equal(await state(page, 's.problem'), null);

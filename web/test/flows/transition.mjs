@@ -3,7 +3,9 @@ import { download, example, rested, slide, state, timings } from '../driving.mjs
 
 export async function transition({ page }) {
   await example(page, 'transition/a_square_to_round.json');
-  await page.evaluate(() => { window.planishTimings.length = 0; });
+  await page.evaluate(() => {
+    window.planishTimings.length = 0;
+  });
   const before = await page.textContent('[data-testid=blank-size]');
   await slide(page, 'to-z', 0.95);
   await rested(page);
