@@ -60,6 +60,7 @@ constexpr std::array kCodes{
     CodeRow{ErrorCode::out_of_reach, "out_of_reach", 4},
     CodeRow{ErrorCode::pattern_wrong, "pattern_wrong", 4},
     CodeRow{ErrorCode::unsupported_shape, "unsupported_shape", 4},
+    CodeRow{ErrorCode::invalid_sheet, "invalid_sheet", 1},
     CodeRow{ErrorCode::cancelled, "cancelled", 1},
     CodeRow{ErrorCode::internal, "internal", 1},
 };

@@ -40,16 +40,14 @@ class Assembler {
 
  private:
   const SolidFace& solid_face(int f) const { return model_.faces[f]; }
-  Face& face_of(int f) { return sheet_.faces[index_of(map_.face_id[f])]; }
+  Face& face_of(int f) { return sheet_.faces[map_.face_id[f]]; }
 
   void number_groups() {
     for (const Group& group : groups_.rows) {
       if (group.flange) {
-        group_part_.emplace_back(FlangeId{static_cast<int>(sheet_.flanges.size())});
-        sheet_.flanges.emplace_back();
+        group_part_.emplace_back(sheet_.flanges.push_back({}));
       } else {
-        group_part_.emplace_back(BendId{static_cast<int>(sheet_.bends.size())});
-        sheet_.bends.emplace_back();
+        group_part_.emplace_back(sheet_.bends.push_back({}));
       }
     }
   }
@@ -61,9 +59,9 @@ class Assembler {
       map_.face_id[f] = id;
       sheet_.faces.push_back(read_face(f, group.leader, g));
       if (group.flange)
-        sheet_.flanges[index_of(std::get<FlangeId>(group_part_[g]))].faces.push_back(id);
+        sheet_.flanges[std::get<FlangeId>(group_part_[g])].faces.push_back(id);
       else
-        sheet_.bends[index_of(std::get<BendId>(group_part_[g]))].faces.push_back(id);
+        sheet_.bends[std::get<BendId>(group_part_[g])].faces.push_back(id);
     }
   }
 
@@ -130,7 +128,7 @@ class Assembler {
 
   void set_depth(int f, Border& border) const {
     const SolidFace& face = solid_face(f);
-    const Vec3 point = model_.edges[border.edge].curve.start;
+    const Vec3 point = model_.edges[*border.edge].curve.start;
     if (const auto* plane = std::get_if<Frame>(&face.surface)) {
       border.edge_depth = -plane->local(point).z();
     } else {
@@ -138,7 +136,7 @@ class Assembler {
       const Vec2 uv = parameters_of(surface, point, 0.0);
       border.edge_depth = -face.sense *
                           (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
-      border.edge_length = 0.0;  // a length below the skin is not the skin's
+      border.edge_length.reset();  // a length below the skin is not the skin's
     }
   }
 
@@ -164,9 +162,7 @@ class Assembler {
     return {map_.borders.at({edge.faces[0], e, edge.forward[0]}),
             map_.borders.at({edge.faces[1], e, edge.forward[1]})};
   }
-  const Border& border_at(const BorderRef& ref) const {
-    return sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
-  }
+  const Border& border_at(const BorderRef& ref) const { return sheet_[ref]; }
 
   /// Faces of one bend meet along seams: each follows the turn of its neighbour.
   void align_turns() {
@@ -208,7 +204,7 @@ class Assembler {
     constexpr double kTurn = 2 * std::numbers::pi;
     const double turns = kTurn * std::round(by / kTurn);
     if (turns == 0.0) return;
-    for (BorderLoop& loop : sheet_.faces[index_of(id)].loops)
+    for (BorderLoop& loop : sheet_.faces[id].loops)
       for (Border& border : loop)
         border.curve = shifted_u(border.curve, turns);
   }
@@ -249,9 +245,9 @@ class Assembler {
                   fmt::format("faces {} and {}", faces[0] + 1, faces[1] + 1));
     }
     for (const BorderRef& ref : {a, b}) {
-      Border& border = sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
+      Border& border = sheet_[ref];
       Segment line{start_of(border.curve), end_of(border.curve)};
-      if (std::holds_alternative<Developable>(sheet_.faces[index_of(ref.face)].surface))
+      if (std::holds_alternative<Developable>(sheet_.faces[ref.face].surface))
         line.a.x() = line.b.x() = (line.a.x() + line.b.x()) / 2;
       border.curve = line;
     }
@@ -260,7 +256,7 @@ class Assembler {
 
   /// How far a border is from the ruling, or the line, between its ends, mm.
   double off_ruling(const BorderRef& ref) const {
-    const Face& face = sheet_.faces[index_of(ref.face)];
+    const Face& face = sheet_.faces[ref.face];
     const Curve2& curve = border_at(ref).curve;
     const Vec2 start = start_of(curve);
     const Vec2 end = end_of(curve);
@@ -295,16 +291,15 @@ class Assembler {
     bend.kind = BendKind::sharp;
     bend.angle = Angle::radians(std::abs(angle));
     bend.reference_inside = angle < 0;
-    sheet_.bends.push_back(bend);
-    return BendId{static_cast<int>(sheet_.bends.size()) - 1};
+    return sheet_.bends.push_back(bend);
   }
 
   void measure_bend(int g) {
-    Bend& bend = sheet_.bends[index_of(std::get<BendId>(group_part_[g]))];
-    const Face& face = sheet_.faces[index_of(bend.faces.front())];
+    Bend& bend = sheet_.bends[std::get<BendId>(group_part_[g])];
+    const Face& face = sheet_.faces[bend.faces.front()];
     Box2 box;
     for (const FaceId id : bend.faces)
-      for (const Border& border : sheet_.faces[index_of(id)].loops.front())
+      for (const Border& border : sheet_.faces[id].loops.front())
         box.add(bounds(border.curve));
     const double turn = box.size().x();
     const double skin_to_inside = face.sense > 0 ? sheet_.thickness : 0.0;
@@ -392,7 +387,7 @@ class Assembler {
   const Groups& groups_;
   Sheet sheet_;
   SheetMap map_;
-  std::vector<std::variant<FlangeId, BendId>> group_part_;
+  std::vector<PartId> group_part_;
 };
 
 }  // namespace

@@ -105,7 +105,8 @@ class OnDevelopable {
     const std::vector<double> turns = unwrapped_u();
     const auto f = [&](double t) -> CurveSample {
       const double share = std::clamp((t - curve_.t0) / (curve_.t1 - curve_.t0), 0.0, 1.0);
-      const double u_near = turns[share * static_cast<double>(turns.size() - 1)];
+      const double
+          u_near = turns[static_cast<std::size_t>(share * static_cast<double>(turns.size() - 1))];
       const Vec3 derivative = curve_.derivative(t);
       const Vec2 uv = parameters_of(surface_, curve_.point(t), u_near);
       const Tangents tangents = tangents_at(surface_, uv);

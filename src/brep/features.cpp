@@ -64,7 +64,7 @@ class FeatureFinder {
  private:
   const SolidFace& solid_face(int f) const { return model_.faces[f]; }
   FaceId face_id(int f) const { return map_.face_id[f]; }
-  Face& face_of(int f) { return sheet_.faces[index_of(face_id(f))]; }
+  Face& face_of(int f) { return sheet_.faces[face_id(f)]; }
 
   void mark(int part, const std::vector<LoopRef>& loops, const char* kind, const Error& at_rim) {
     FormedFeature feature;
@@ -72,14 +72,14 @@ class FeatureFinder {
     feature.source_face = of_.rim.parts[part].faces.front() + 1;
     feature.face = face_id(loops.front().face);
     feature.at_rim = at_rim;
-    const int index = static_cast<int>(sheet_.features.size());
+    const FeatureId index{static_cast<int>(sheet_.features.size())};
     for (const LoopRef& ref : loops)
       for (const CoEdge& use : solid_face(ref.face).loops[ref.loop]) {
         const auto& faces = model_.edges[use.edge].faces;
         const int other = faces[0] == ref.face ? faces[1] : faces[0];
         if (other < 0 || of_.rim.part_of[other] != part) continue;
         const BorderRef border = map_.borders.at({ref.face, use.edge, use.forward});
-        sheet_.faces[index_of(border.face)].loops[border.loop][border.border].feature = index;
+        sheet_[border].feature = index;
       }
     sheet_.features.push_back(std::move(feature));
   }
@@ -204,13 +204,13 @@ class FeatureFinder {
     for (const auto* loops : {&part.first, &part.second})
       for (const LoopRef& ref : *loops) {
         if (!opening_in_plane(ref)) {
-          sheet_.forms_measured = false;
+          sheet_.forms_volume.reset();
           return;
         }
         const Cover over = cover(ref);
         excess -= over.area * over.height / 3;
       }
-    sheet_.forms_volume += excess;
+    add_volume(excess);
   }
 
   /// The same for an opening that is cut with the area `cut`: covers are the rings around it, and
@@ -223,14 +223,14 @@ class FeatureFinder {
       excess -= (over.area - cut) * over.height / 3;
       depth += over.height;
     }
-    sheet_.forms_volume += excess + cut * depth * 2 / 3;
+    add_volume(excess + cut * depth * 2 / 3);
   }
 
   /// Chamfers and fillets left over are on the outer contour: the skin's own outline is drawn.
   void add_chamfered_rims() {
     for (const auto& [f, l] : widened_) {
       const auto* plane = std::get_if<Frame>(&face_of(f).surface);
-      sheet_.forms_measured = false;
+      sheet_.forms_volume.reset();
       FormedFeature feature;
       feature.kind = "chamfer";
       feature.source_face = f + 1;
@@ -252,6 +252,10 @@ class FeatureFinder {
     for (Border& border : borders)
       border.edge_depth = sheet_.thickness;
     return borders;
+  }
+
+  void add_volume(double volume) {
+    if (sheet_.forms_volume) *sheet_.forms_volume += volume;
   }
 
   Sheet& sheet_;

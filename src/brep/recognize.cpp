@@ -103,7 +103,7 @@ constexpr double kFormed = 0.08;
 double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
-  if (sheet.forms_measured) return kMeasured;
+  if (sheet.forms_volume) return kMeasured;
   const bool formed = std::any_of(
       sheet.features.begin(), sheet.features.end(),
       [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
@@ -124,16 +124,14 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
                             "bar, wire or profile, not "
                             "a sheet.",
                             sheet.thickness, width));
-  const double plain = sheet.volume - sheet.mitres_volume -
-                       (sheet.forms_measured ? sheet.forms_volume : 0.0);
+  const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
-  const bool formed_too_much = sheet.forms_measured &&
-                               std::abs(sheet.forms_volume) > kFormed * sheet.volume;
+  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) > kFormed * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     return fail(ErrorCode::not_a_sheet, fmt::format("A sheet of {:.4g} mm explains {:.1f} % of the "
                                                     "volume of the body; this is not a part made "
                                                     "of one sheet.",
-                                                    sheet.thickness, 100 * flat / sheet.volume));
+                                                    sheet.thickness, 100 * flat / *sheet.volume));
   return {};
 }
 

@@ -20,23 +20,14 @@ namespace {
 
 Result<void> check_input(const Sheet& sheet) {
   if (sheet.faces.empty()) return fail(ErrorCode::invalid_input, "The sheet has no faces.");
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
-    if (const double r = smallest_radius(sheet.faces[f], 0.0); r < Precision::Confusion())
+  for (const FaceId id : sheet.faces.ids())
+    if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
       return fail(
           ErrorCode::unsupported_shape,
           fmt::format(
               "A bend's reference surface has a radius of {:.3g} mm; it must be above zero.", r),
-          fmt::format("face {}", f));
+          fmt::format("face {}", index_of(id)));
   return {};
-}
-
-bool exists(const Sheet& sheet, const BorderRef& ref) {
-  const auto within = [](int i, std::size_t size) {
-    return i >= 0 && static_cast<std::size_t>(i) < size;
-  };
-  return within(index_of(ref.face), sheet.faces.size()) &&
-         within(ref.loop, face_of(sheet, ref).loops.size()) &&
-         within(ref.border, face_of(sheet, ref).loops[ref.loop].size());
 }
 
 /// Distance of the ends of a joint's two borders, the larger one.
@@ -52,7 +43,7 @@ double gap_of(const Sheet& sheet, const Joint& joint) {
 /// Joints that name no border are kept: the topology refuses them by name.
 Sheet without_gaping_joints(Sheet sheet, double tolerance) {
   std::erase_if(sheet.joints, [&](const Joint& joint) {
-    return exists(sheet, joint.a) && exists(sheet, joint.b) && gap_of(sheet, joint) > tolerance;
+    return sheet.has(joint.a) && sheet.has(joint.b) && gap_of(sheet, joint) > tolerance;
   });
   return sheet;
 }

@@ -32,25 +32,15 @@ class Corners {
 /// Row of every border: first_row[face][loop] + border.
 std::vector<std::vector<int>> rows_of(const Sheet& sheet, SheetTopology& topology) {
   std::vector<std::vector<int>> first_row(sheet.faces.size());
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
-    for (std::size_t l = 0; l < sheet.faces[f].loops.size(); ++l) {
+  for (const FaceId id : sheet.faces.ids())
+    for (std::size_t l = 0; l < sheet[id].loops.size(); ++l) {
       const int first = static_cast<int>(topology.borders.size());
-      const int count = static_cast<int>(sheet.faces[f].loops[l].size());
-      first_row[f].push_back(first);
+      const int count = static_cast<int>(sheet[id].loops[l].size());
+      first_row[index_of(id)].push_back(first);
       for (int b = 0; b < count; ++b)
-        topology.borders.push_back(
-            {{static_cast<FaceId>(f), static_cast<int>(l), b}, first + (b + 1) % count});
+        topology.borders.push_back({{id, static_cast<int>(l), b}, first + (b + 1) % count});
     }
   return first_row;
-}
-
-bool exists(const Sheet& sheet, const BorderRef& ref) {
-  const auto within = [](int i, std::size_t size) {
-    return i >= 0 && static_cast<std::size_t>(i) < size;
-  };
-  return within(index_of(ref.face), sheet.faces.size()) &&
-         within(ref.loop, face_of(sheet, ref).loops.size()) &&
-         within(ref.border, face_of(sheet, ref).loops[ref.loop].size());
 }
 
 /// The tangent planes that meet in a corner: one of each direction.
@@ -83,7 +73,7 @@ Result<SheetTopology> sheet_topology(const Sheet& sheet) {
   std::vector<int> sharp_rows;
   for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
     const Joint& joint = sheet.joints[j];
-    if (!exists(sheet, joint.a) || !exists(sheet, joint.b))
+    if (!sheet.has(joint.a) || !sheet.has(joint.b))
       return fail(ErrorCode::invalid_input, "A joint names a border that does not exist.",
                   fmt::format("joint {}", j));
     const int a = row_of(joint.a), b = row_of(joint.b);

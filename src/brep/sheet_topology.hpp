@@ -38,11 +38,7 @@ struct CornerPoints {
 /// Errors: `unsupported_shape` where a sharp joint turns so far that its mitre runs away.
 Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetTopology& topology);
 
-inline const Face& face_of(const Sheet& sheet, const BorderRef& ref) {
-  return sheet.faces[index_of(ref.face)];
-}
-inline const Border& border_of(const Sheet& sheet, const BorderRef& ref) {
-  return face_of(sheet, ref).loops[ref.loop][ref.border];
-}
+inline const Face& face_of(const Sheet& sheet, const BorderRef& ref) { return sheet[ref.face]; }
+inline const Border& border_of(const Sheet& sheet, const BorderRef& ref) { return sheet[ref]; }
 
 }  // namespace planish::brep

@@ -30,15 +30,15 @@ Result<void> check_input(const Sheet& sheet) {
     return fail(
         ErrorCode::invalid_input,
         fmt::format("The sheet's thickness is {} mm; it must be positive.", sheet.thickness));
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
-    if (const double r = std::min(smallest_radius(sheet.faces[f], Depths(sheet).first),
-                                  smallest_radius(sheet.faces[f], Depths(sheet).second));
+  for (const FaceId id : sheet.faces.ids())
+    if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
+                                  smallest_radius(sheet[id], Depths(sheet).second));
         r < Precision::Confusion())
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("A bend has an inside radius of {:.3g} mm; a solid needs one above "
                               "zero.",
                               r),
-                  fmt::format("face {}", f));
+                  fmt::format("face {}", index_of(id)));
   return {};
 }
 

@@ -255,9 +255,7 @@ class Assembler {
       for (BorderLoop& loop : face.loops)
         for (Border& border : loop)
           border.edge = ++edge;
-    const auto border = [&](const BorderRef& ref) -> Border& {
-      return made_.sheet.faces[index_of(ref.face)].loops[ref.loop][ref.border];
-    };
+    const auto border = [&](const BorderRef& ref) -> Border& { return made_.sheet[ref]; };
     for (const Joint& joint : made_.sheet.joints)
       border(joint.b).edge = border(joint.a).edge;
   }

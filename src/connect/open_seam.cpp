@@ -36,7 +36,7 @@ Sheet with_open_seam(const Sheet& sheet) {
       if (auto* segment = std::get_if<Segment>(&border.curve)) {
         segment->a.x() = first + share * (segment->a.x() - first);
         segment->b.x() = first + share * (segment->b.x() - first);
-        border.edge_length = 0.0;
+        border.edge_length.reset();
       }
   }
   return open;

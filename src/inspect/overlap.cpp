@@ -1,6 +1,7 @@
 #include "observation.hpp"
 #include "ring_index.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/inspect/findings.hpp>
 
@@ -14,7 +15,7 @@
 namespace planish {
 namespace {
 
-using Part = std::variant<FlangeId, BendId>;
+using Part = PartId;
 
 /// Share of the thickness by which pieces may cover each other and still only touch. The kerf of a
 /// laser is a hundred times as wide.
@@ -28,21 +29,6 @@ double contact_clearance(const FlatPattern& pattern) {
   return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
 }
 
-/// The image of a border, none where a pattern made by hand has no such face or loop.
-const Curve2* border_image(const FlatPattern& pattern, const BorderRef& ref) {
-  const size_t face = static_cast<size_t>(index_of(ref.face));
-  if (face >= pattern.face_outlines.size()) return nullptr;
-  const Loop* loop = &pattern.face_outlines[face];
-  if (ref.loop > 0) {
-    const size_t opening = static_cast<size_t>(ref.loop) - 1;
-    if (face >= pattern.face_openings.size() || opening >= pattern.face_openings[face].size())
-      return nullptr;
-    loop = &pattern.face_openings[face][opening];
-  }
-  const size_t border = static_cast<size_t>(ref.border);
-  return border < loop->size() ? &(*loop)[border] : nullptr;
-}
-
 /// Everything that takes area in the pattern, and what part of the sheet it is.
 struct Pieces {
   std::vector<Polygon> polygons;
@@ -53,29 +39,25 @@ struct Pieces {
   std::map<std::pair<int, int>, double> shared;
 };
 
-void add_faces(const Sheet& sheet, const FlatPattern& pattern, double chord, Pieces& pieces) {
-  const size_t count = std::min(sheet.faces.size(), pattern.face_outlines.size());
-  for (size_t f = 0; f < count; ++f) {
-    Region region{pattern.face_outlines[f], {}};
-    if (f < pattern.face_openings.size()) region.openings = pattern.face_openings[f];
-    pieces.polygons.push_back(polygon_of(region, chord));
-    pieces.parts.push_back(sheet.faces[f].part_of);
-    pieces.faces.push_back(static_cast<int>(f));
+void add_faces(const Sheet& sheet, const Layout& layout, double chord, Pieces& pieces) {
+  for (const FaceId id : sheet.faces.ids()) {
+    pieces.polygons.push_back(polygon_of(layout.region(id), chord));
+    pieces.parts.push_back(sheet[id].part_of);
+    pieces.faces.push_back(index_of(id));
   }
 }
 
 /// A sharp bend has no face; its strip lies between the borders it joins.
-void add_sharp_bends(const Sheet& sheet, const FlatPattern& pattern, Pieces& pieces) {
+void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
-    const Curve2* a = border_image(pattern, joint.a);
-    const Curve2* b = border_image(pattern, joint.b);
-    if (!a || !b) continue;
-    const std::vector<Vec2> strip{start_of(*a), end_of(*a), start_of(*b), end_of(*b)};
+    const Curve2& a = layout.image(joint.a);
+    const Curve2& b = layout.image(joint.b);
+    const std::vector<Vec2> strip{start_of(a), end_of(a), start_of(b), end_of(b)};
     const int face_a = index_of(joint.a.face);
     const int face_b = index_of(joint.b.face);
     // A face lies left of its borders, or right of them where the pattern shows the other side.
-    const double turn = signed_area(pattern.face_outlines[face_a]);
+    const double turn = signed_area(layout.outline(joint.a.face));
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
       pieces.shared[std::minmax(face_a, face_b)] += std::abs(ring_area(strip));
     } else {
@@ -205,13 +187,15 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
 
 }  // namespace
 
-std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern) {
+std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
+                                   const FlatPattern& pattern) {
+  PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
   const double clearance = contact_clearance(pattern);
   const double chord = 0.25 *
                        clearance;  // polygons of one curve seen from both sides still touch only
   Pieces pieces;
-  add_faces(sheet, pattern, chord, pieces);
-  add_sharp_bends(sheet, pattern, pieces);
+  add_faces(sheet, layout, chord, pieces);
+  add_sharp_bends(sheet, layout, pieces);
 
   const SharedByParts by_parts = shared_by_parts(pieces, clearance);
   std::vector<SharedByParts::const_iterator> order;

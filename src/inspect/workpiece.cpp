@@ -131,9 +131,9 @@ std::set<BendId> bends_cut(const Sheet& sheet, const Contour& contour) {
   std::set<BendId> result;
   for (const auto& origins : contour.origins) {
     for (const Origin& origin : origins) {
-      const size_t face = static_cast<size_t>(index_of(origin.border.face));
-      if (origin.gap || face >= sheet.faces.size()) continue;
-      if (const auto* bend = std::get_if<BendId>(&sheet.faces[face].part_of)) result.insert(*bend);
+      if (origin.gap || !sheet.faces.has(origin.border.face)) continue;
+      if (const auto* bend = std::get_if<BendId>(&sheet[origin.border.face].part_of))
+        result.insert(*bend);
     }
   }
   return result;

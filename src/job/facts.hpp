@@ -25,4 +25,7 @@ bool sheet_known(const Report& report);
 bool flat_known(const Report& report);
 bool certificate_known(const Report& report);
 
+/// NaN where it is not known, as comparisons and JSON take it.
+double or_nan(const std::optional<double>& value);
+
 }  // namespace planish::job

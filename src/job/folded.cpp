@@ -44,7 +44,7 @@ std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
   }
   if (folded.error().code == ErrorCode::cancelled) return folded.error();
   leave_unfolded(report, folded.error(), solid);
-  sheet.volume = 0.0;
+  sheet.volume.reset();
   return std::nullopt;
 }
 

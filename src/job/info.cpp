@@ -25,8 +25,8 @@ double area_of(const Face& face) {
 std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
   std::vector<FlangeFaceInfo> faces;
   for (const Face& face : sheet.faces) {
-    if (face.source_face > 0 && std::holds_alternative<Frame>(face.surface)) {
-      faces.push_back({face.source_face, area_of(face)});
+    if (face.source_face && std::holds_alternative<Frame>(face.surface)) {
+      faces.push_back({*face.source_face, area_of(face)});
     }
   }
   std::stable_sort(faces.begin(), faces.end(),

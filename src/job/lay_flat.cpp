@@ -51,9 +51,10 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
     all.push_back(std::move(finding));
 }
 
-void take_pattern(Report& report, FlatPattern flat, const SheetToLay& given,
+void take_pattern(Report& report, FlatSheet flat, const SheetToLay& given,
                   const FlattenOptions& options) {
-  report.flat = std::move(flat);
+  report.flat = std::move(flat.pattern);
+  report.layout = std::move(flat.layout);
   report.size = blank_size(report.flat);
   report.mass = mass_of(report, given.checks.density);
   summarize_k(report.sheet, report.flat, options.allowance);
@@ -62,7 +63,7 @@ void take_pattern(Report& report, FlatPattern flat, const SheetToLay& given,
 std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOptions options) {
   constexpr double kSeen = 1e-3;  // mm; a pixel is far wider
   options.curve_tolerance = std::max(options.curve_tolerance, kSeen);
-  auto flat = flatten(given.sheet, options);
+  auto flat = flat_sheet(given.sheet, options);
   if (!flat) return flat.error();
   take_pattern(report, std::move(*flat), given, options);
   return std::nullopt;
@@ -72,15 +73,16 @@ std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOpt
 std::optional<Error> certified(Report& report, const SheetToLay& given,
                                const FlattenOptions& options, const Progress& progress) {
   progress.at("laying it flat", 0.5);
-  auto flat = flatten(given.sheet, options);
+  auto flat = flat_sheet(given.sheet, options);
   if (!flat) return flat.error();
   if (progress.should_stop()) return stopped();
 
   progress.at("certifying", 0.7);
-  const auto certificate = certify(given.sheet, *flat, given.distance, options);
+  const auto certificate = certify(given.sheet, flat->pattern, given.distance,
+                                   options.curve_tolerance);
   if (!certificate) return certificate.error();
   report.certificate = *certificate;
-  const double volume = given.sheet.volume;
+  const double volume = given.sheet.volume.value_or(0.0);
   const CertificateBounds& bounds = given.checks.bounds;
   // A pattern that is wrong is not handed out at all.
   if (auto wrong = disbelief(*certificate, volume, bounds)) return wrong;
@@ -91,7 +93,7 @@ std::optional<Error> certified(Report& report, const SheetToLay& given,
 }
 
 std::optional<Error> inspected(Report& report, const SheetToLay& given) {
-  const std::vector<Finding> overlaps = find_overlaps(given.sheet, report.flat);
+  const std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
   append(report.findings, overlaps);
   if (!given.checks.write_overlapping) {
     if (auto refusal = overlap_refusal(overlaps)) return refusal;
@@ -108,7 +110,7 @@ SheetSummary summary_of(const Sheet& sheet) {
   SheetSummary summary;
   summary.thickness = sheet.thickness;
   summary.thickness_spread = sheet.thickness_spread;
-  summary.volume = sheet.volume;
+  summary.volume = sheet.volume.value_or(0.0);
   summary.flanges = static_cast<int>(sheet.flanges.size());
   summary.bends = static_cast<int>(sheet.bends.size());
   return summary;

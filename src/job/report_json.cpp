@@ -88,10 +88,10 @@ Json verification_json(const Report& report, const Units& units) {
   if (!certificate_known(report)) return nullptr;
   const Certificate& certificate = report.certificate;
   Json json;
-  json["volume_ratio"] = number_json(certificate.volume_ratio);
-  json["explained_ratio"] = number_json(certificate.explained_ratio);
+  json["volume_ratio"] = number_json(or_nan(certificate.volume_ratio));
+  json["explained_ratio"] = number_json(or_nan(certificate.explained_ratio));
   json["length_error"] = number_json(units.length(certificate.length_error));
-  json["refold_deviation"] = number_json(units.length(certificate.refold_deviation));
+  json["refold_deviation"] = number_json(units.length(or_nan(certificate.refold_deviation)));
   json["closure"] = number_json(units.length(report.flat.closure));
   json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
   json["places"]["length_error"] = point_json(certificate.length_error_at, units);

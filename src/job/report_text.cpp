@@ -80,16 +80,16 @@ std::string residual(double mm, const Units& units) {
 std::string certificate_line(const Report& report, const Units& units) {
   if (!certificate_known(report)) return {};
   const Certificate& certificate = report.certificate;
-  std::string volume = std::isfinite(certificate.volume_ratio)
-                           ? fmt::format("{:.6f} (K = ½)", certificate.volume_ratio)
+  std::string volume = std::isfinite(or_nan(certificate.volume_ratio))
+                           ? fmt::format("{:.6f} (K = ½)", or_nan(certificate.volume_ratio))
                            : std::string("not measured");
-  const double explained = certificate.explained_ratio;
+  const double explained = or_nan(certificate.explained_ratio);
   constexpr double kShown = 5e-7;  // half of the last digit printed
-  if (std::isfinite(explained) && std::abs(explained - certificate.volume_ratio) > kShown)
+  if (std::isfinite(explained) && std::abs(explained - or_nan(certificate.volume_ratio)) > kShown)
     volume += fmt::format(", {:.6f} without formed features and mitres", explained);
   return fmt::format("certificate: volume {}, edge lengths {}, refold {}\n", volume,
                      residual(certificate.length_error, units),
-                     residual(certificate.refold_deviation, units));
+                     residual(or_nan(certificate.refold_deviation), units));
 }
 
 std::string place_text(const Finding& finding, const Units& units) {

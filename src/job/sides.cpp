@@ -18,18 +18,15 @@ bool is_flange_face(const Face& face) { return std::holds_alternative<FlangeId>(
 
 // The sheet's face that came from face `number` of the solid.
 std::optional<FaceId> face_numbered(const Sheet& sheet, int number, const FaceTest& wanted) {
-  for (std::size_t i = 0; i < sheet.faces.size(); ++i) {
-    if (sheet.faces[i].source_face == number && wanted(sheet.faces[i])) {
-      return FaceId{static_cast<int>(i)};
-    }
-  }
+  for (const FaceId id : sheet.faces.ids())
+    if (sheet[id].source_face == number && wanted(sheet[id])) return id;
   return std::nullopt;
 }
 
 std::vector<int> numbers(const Sheet& sheet, const FaceTest& wanted) {
   std::vector<int> found;
   for (const Face& face : sheet.faces) {
-    if (face.source_face > 0 && wanted(face)) found.push_back(face.source_face);
+    if (face.source_face && wanted(face)) found.push_back(*face.source_face);
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -104,9 +104,9 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
                fmt::format("/sheet/strips/{}", first)};
 }
 
-Vec2 flat_middle(const FlatPattern& flat, const SlitReport& report, std::size_t strip, int ridge) {
+Vec2 flat_middle(const SlitReport& report, std::size_t strip, int ridge) {
   const SlitRidge& at = report.folded.strips[strip].ridges[ridge];
-  return flat.placement.front() * Vec2(0.5 * (at.flat[0] + at.flat[1]));
+  return report.layout.placement.front() * Vec2(0.5 * (at.flat[0] + at.flat[1]));
 }
 
 double length_of(const SlitSheet& sheet, std::size_t strip) {
@@ -117,10 +117,8 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
 /// What a designer should know of strips that are where they must be.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
-    report.findings.push_back({code,
-                               Severity::warning,
-                               std::move(message),
-                               {flat_middle(report.flat, report, strip, ridge)}});
+    report.findings.push_back(
+        {code, Severity::warning, std::move(message), {flat_middle(report, strip, ridge)}});
   };
   for (std::size_t i = 0; i < report.strips.size(); ++i) {
     const StripState& strip = report.strips[i];
@@ -155,12 +153,12 @@ void add_findings(SlitReport& report) {
 
 /// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay
 /// them all.
-double flat_deviation(const Sheet& sheet, const FlatPattern& flat) {
+double flat_deviation(const Sheet& sheet, const Layout& layout) {
   double largest = 0.0;
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f)
-    for (const Border& border : sheet.faces[f].loops.front()) {
+  for (const FaceId id : sheet.faces.ids())
+    for (const Border& border : sheet[id].loops.front()) {
       const Vec2 p = start_of(border.curve);
-      largest = std::max(largest, (flat.placement[f] * p - flat.placement.front() * p).norm());
+      largest = std::max(largest, (layout.placement[id] * p - layout.placement.front() * p).norm());
     }
   return largest;
 }
@@ -191,7 +189,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
                                                               : EdgeDistance();
   if (auto wrong = lay_flat(report, {sheet, distance, checks}, options, progress)) return wrong;
-  report.flat_deviation = flat_deviation(sheet, report.flat);
+  report.flat_deviation = flat_deviation(sheet, report.layout);
   add_findings(report);
   auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});
   if (!cut) return placed(at_kerf(cut.error(), file), name);

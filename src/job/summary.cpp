@@ -85,9 +85,9 @@ Cells fields(const UnfoldReport& report) {
   add(flat, fmt::format("{}", report.flat.openings.size()));
   add(sheet, fmt::format("{}", report.sheet.bends));
   add(report.mass.has_value(), plain(report.mass.value_or(0.0)));
-  add(certified, plain(report.certificate.volume_ratio));
+  add(certified, plain(or_nan(report.certificate.volume_ratio)));
   add(certified, plain(units.length(report.certificate.length_error)));
-  add(certified, plain(units.length(report.certificate.refold_deviation)));
+  add(certified, plain(units.length(or_nan(report.certificate.refold_deviation))));
   const auto warnings = std::count_if(report.findings.begin(), report.findings.end(),
                                       [](const auto& f) { return f.severity != Severity::info; });
   cells.push_back(fmt::format("{}", warnings));
@@ -124,9 +124,9 @@ Cells measures(const UnfoldReport& report, const Units& units) {
   }
   if (certificate_known(report)) {
     const Certificate& certificate = report.certificate;
-    cells[3] = fmt::format("{:.6f}", certificate.volume_ratio);
+    cells[3] = fmt::format("{:.6f}", or_nan(certificate.volume_ratio));
     cells[4] = units.tiny_text(certificate.length_error);
-    cells[5] = units.tiny_text(certificate.refold_deviation);
+    cells[5] = units.tiny_text(or_nan(certificate.refold_deviation));
   }
   return cells;
 }

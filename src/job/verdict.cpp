@@ -1,5 +1,6 @@
 #include "verdict.hpp"
 
+#include "facts.hpp"
 #include "units.hpp"
 
 #include <fmt/format.h>
@@ -42,13 +43,13 @@ bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, double bound) {
   std::string message = fmt::format(
       "flat area at K = ½ times thickness is {:.6f} of the solid's volume",
-      certificate.volume_ratio);
+      or_nan(certificate.volume_ratio));
   const std::string features = features_text(flat);
-  const double explained = certificate.explained_ratio;
+  const double explained = or_nan(certificate.explained_ratio);
   if (!features.empty()) {
     message += fmt::format("; the sheet has {}, which a flat pattern only outlines", features);
   }
-  if (std::isfinite(explained) && explained != certificate.volume_ratio) {
+  if (std::isfinite(explained) && explained != or_nan(certificate.volume_ratio)) {
     message += fmt::format("; without them it is {:.6f}", explained);
   }
   if (features.empty() || off(explained, bound)) {
@@ -82,18 +83,18 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
   // Without features what explains the volume is what a made sheet is known to lack or to hold
   // more.
   const bool explained = flat.features.empty() &&
-                         !off(certificate.explained_ratio, bounds.volume_warning);
+                         !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&
-      (off(certificate.volume_ratio, bounds.volume_warning) ||
-       off(certificate.explained_ratio, bounds.volume_warning))) {
+      (off(or_nan(certificate.volume_ratio), bounds.volume_warning) ||
+       off(or_nan(certificate.explained_ratio), bounds.volume_warning))) {
     found.push_back(volume_doubt(certificate, flat, bounds.volume_warning));
   }
   if (certificate.length_error > bounds.length_warning) {
     found.push_back(residual_doubt("edge_length", kLengthText, certificate.length_error,
                                    bounds.length_warning, certificate.length_error_at));
   }
-  if (certificate.refold_deviation > bounds.refold_warning) {
-    found.push_back(residual_doubt("refold", kRefoldText, certificate.refold_deviation,
+  if (or_nan(certificate.refold_deviation) > bounds.refold_warning) {
+    found.push_back(residual_doubt("refold", kRefoldText, or_nan(certificate.refold_deviation),
                                    bounds.refold_warning, certificate.refold_at));
   }
   return found;
@@ -101,8 +102,9 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
 
 std::optional<Error> disbelief(const Certificate& certificate, double solid_volume,
                                const CertificateBounds& bounds) {
-  const bool measured = std::isfinite(certificate.explained_ratio);
-  const double ratio = measured ? certificate.explained_ratio : certificate.volume_ratio;
+  const bool measured = std::isfinite(or_nan(certificate.explained_ratio));
+  const double ratio = measured ? or_nan(certificate.explained_ratio)
+                                : or_nan(certificate.volume_ratio);
   const double bound = measured ? bounds.volume_refusal : bounds.unmeasured_refusal;
   // The negated comparison also catches a ratio that is not a number.
   if (solid_volume > 0.0 && !(std::abs(ratio - 1.0) <= bound)) {
@@ -117,8 +119,8 @@ std::optional<Error> disbelief(const Certificate& certificate, double solid_volu
     return wrong(fmt::format("{} {:.3f} mm", kLengthText, certificate.length_error),
                  certificate.length_error_at);
   }
-  if (certificate.refold_deviation > bounds.refold_refusal) {
-    return wrong(fmt::format("{} {:.3f} mm", kRefoldText, certificate.refold_deviation),
+  if (or_nan(certificate.refold_deviation) > bounds.refold_refusal) {
+    return wrong(fmt::format("{} {:.3f} mm", kRefoldText, or_nan(certificate.refold_deviation)),
                  certificate.refold_at);
   }
   return std::nullopt;

@@ -15,7 +15,7 @@ struct Range {
 Range u_range(const Sheet& sheet, const Bend& bend) {
   Range range;
   for (const FaceId id : bend.faces)
-    for (const Border& border : sheet.faces[index_of(id)].loops.front()) {
+    for (const Border& border : sheet[id].loops.front()) {
       const Box2 box = bounds(border.curve);
       range.lo = std::min(range.lo, box.lo.x());
       range.hi = std::max(range.hi, box.hi.x());
@@ -67,14 +67,14 @@ bool alike(const Intervals& a, const Intervals& b) {
 Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
   Intervals intervals;
   for (const FaceId id : bend.faces)
-    add_material(sheet.faces[index_of(id)], u, intervals);
+    add_material(sheet[id], u, intervals);
   return joined(std::move(intervals));
 }
 
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked
 /// up a little aside, because seams and tangent lines run exactly along rulings, and measured on
 /// the ruling itself where that finds the same.
-std::vector<Segment> ruling_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
+std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
                                   const Range& range, double at) {
   constexpr double kAside = 1e-6;  // share of the range
   const double u = range.lo + at * (range.hi - range.lo);
@@ -86,20 +86,20 @@ std::vector<Segment> ruling_lines(const Sheet& sheet, const UnfoldingTree& tree,
       intervals = std::move(exact);
   std::vector<Segment> lines;
   for (const auto& [from, to] : intervals)
-    lines.push_back({tree.image(sheet, bend.faces.front(), {u, from}),
-                     tree.image(sheet, bend.faces.front(), {u, to})});
+    lines.push_back({layout.develop(sheet, bend.faces.front(), {u, from}),
+                     layout.develop(sheet, bend.faces.front(), {u, to})});
   return lines;
 }
 
-void add_sharp_lines(const Sheet& sheet, const UnfoldingTree& tree, BendId id, FlatBend& flat) {
+void add_sharp_lines(const Sheet& sheet, const Layout& layout, BendId id, FlatBend& flat) {
   for (const Joint& joint : sheet.joints) {
     if (joint.sharp != id) continue;
-    const Curve2& a = border_at(sheet, joint.a).curve;
-    const Curve2& b = border_at(sheet, joint.b).curve;
-    const Vec2 a0 = tree.image(sheet, joint.a.face, start_of(a));
-    const Vec2 a1 = tree.image(sheet, joint.a.face, end_of(a));
-    const Vec2 b0 = tree.image(sheet, joint.b.face, end_of(b));
-    const Vec2 b1 = tree.image(sheet, joint.b.face, start_of(b));
+    const Curve2& a = sheet[joint.a].curve;
+    const Curve2& b = sheet[joint.b].curve;
+    const Vec2 a0 = layout.develop(sheet, joint.a.face, start_of(a));
+    const Vec2 a1 = layout.develop(sheet, joint.a.face, end_of(a));
+    const Vec2 b0 = layout.develop(sheet, joint.b.face, end_of(b));
+    const Vec2 b1 = layout.develop(sheet, joint.b.face, start_of(b));
     flat.lines.push_back({(a0 + b0) / 2, (a1 + b1) / 2});
     flat.line_angles.push_back(flat.angle);
     flat.tangent_lines.push_back({a0, a1});
@@ -107,10 +107,10 @@ void add_sharp_lines(const Sheet& sheet, const UnfoldingTree& tree, BendId id, F
   }
 }
 
-void add_press_lines(const Sheet& sheet, const UnfoldingTree& tree, const Bend& bend,
-                     const Range& range, FlatBend& flat) {
+void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend, const Range& range,
+                     FlatBend& flat) {
   const auto add = [&](double at, Angle angle) {
-    for (const Segment& line : ruling_lines(sheet, tree, bend, range, at)) {
+    for (const Segment& line : ruling_lines(sheet, layout, bend, range, at)) {
       flat.lines.push_back(line);
       flat.line_angles.push_back(angle);
     }
@@ -130,25 +130,25 @@ double length_of(const Bend& bend, const std::vector<Segment>& lines) {
 
 }  // namespace
 
-std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree) {
+std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
   std::vector<FlatBend> result;
-  for (size_t i = 0; i < sheet.bends.size(); ++i) {
-    const Bend& bend = sheet.bends[i];
+  for (const BendId id : sheet.bends.ids()) {
+    const Bend& bend = sheet[id];
     FlatBend flat;
-    flat.id = fmt::format("B{}", i + 1);
-    flat.bend = BendId{static_cast<int>(i)};
+    flat.id = fmt::format("B{}", index_of(id) + 1);
+    flat.bend = id;
     flat.kind = bend.kind;
     flat.angle = bend.angle;
     flat.inside_radius = bend.inside_radius;
-    flat.allowance = tree.allowance[i];
+    flat.allowance = layout.allowance[id];
     flat.direction = bend.reference_inside ? BendDirection::up : BendDirection::down;
     if (bend.faces.empty()) {
-      add_sharp_lines(sheet, tree, flat.bend, flat);
+      add_sharp_lines(sheet, layout, id, flat);
     } else {
       const Range range = u_range(sheet, bend);
-      add_press_lines(sheet, tree, bend, range, flat);
-      flat.tangent_lines = ruling_lines(sheet, tree, bend, range, 0.0);
-      for (const Segment& line : ruling_lines(sheet, tree, bend, range, 1.0))
+      add_press_lines(sheet, layout, bend, range, flat);
+      flat.tangent_lines = ruling_lines(sheet, layout, bend, range, 0.0);
+      for (const Segment& line : ruling_lines(sheet, layout, bend, range, 1.0))
         flat.tangent_lines.push_back(line);
     }
     flat.length = length_of(bend, flat.lines);

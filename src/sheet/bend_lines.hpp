@@ -1,10 +1,10 @@
 #pragma once
 
-#include "unfolding_tree.hpp"
+#include <planish/sheet/flat_pattern.hpp>
 
 namespace planish {
 
 /// The bends of the flat pattern, lines clipped to the material, in order of BendId.
-std::vector<FlatBend> flat_bends(const Sheet& sheet, const UnfoldingTree& tree);
+std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout);
 
 }  // namespace planish

@@ -6,16 +6,10 @@
 namespace planish {
 namespace {
 
-const Face& first_face(const Sheet& sheet, BendId bend) {
-  const FaceId face = sheet.bends[index_of(bend)].faces.front();
-  return sheet.faces[index_of(face)];
-}
-
 Box2 range_of(const Sheet& sheet, BendId bend) {
   Box2 box;
-  for (const FaceId face : sheet.bends[index_of(bend)].faces)
-    for (const Border& border : sheet.faces[index_of(face)].loops.front())
-      box.add(bounds(border.curve));
+  for (const FaceId face : sheet[bend].faces)
+    box.add(parameter_box(sheet[face]));
   return box;
 }
 
@@ -25,13 +19,12 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-BendStrips::BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend,
+BendStrips::BendStrips(const Sheet& sheet, const Layout& layout, BendId bend,
                        const FacetOptions& options)
     : sheet_(sheet),
-      face_(first_face(sheet, bend)),
-      development_(std::get<Developable>(face_.surface),
-                   pattern.neutral_offset[index_of(sheet.bends[index_of(bend)].faces.front())]),
-      placement_(pattern.placement[index_of(sheet.bends[index_of(bend)].faces.front())]),
+      face_(sheet[sheet[bend].faces.front()]),
+      development_(*layout.development[bend]),
+      placement_(layout.placement[sheet[bend].faces.front()]),
       chord_(options.chord) {
   const Box2 range = range_of(sheet, bend);
   lo_ = range.lo.x();
@@ -93,7 +86,7 @@ int BendStrips::strip_at(double u) const {
 
 int BendStrips::beside(FaceId id, double u) const {
   double middle = 0.0;
-  const BorderLoop& loop = sheet_.faces[index_of(id)].loops.front();
+  const BorderLoop& loop = sheet_[id].loops.front();
   for (const Border& border : loop)
     middle += start_of(border.curve).x() / static_cast<double>(loop.size());
   const double aside = 1e-6 * (hi_ - lo_);
@@ -165,7 +158,7 @@ std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
 }
 
 void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
-  const Face& face = sheet_.faces[index_of(id)];
+  const Face& face = sheet_[id];
   const BorderLoop& borders = face.loops[loop];
   for (size_t i = 0; i < borders.size(); ++i) {
     const std::vector<Vec2> points = sampled_in_strips(borders[i].curve);

@@ -11,8 +11,7 @@ namespace planish {
 class BendStrips {
  public:
   /// Rulings by equal turns of the normal.
-  BendStrips(const Sheet& sheet, const FlatPattern& pattern, BendId bend,
-             const FacetOptions& options);
+  BendStrips(const Sheet& sheet, const Layout& layout, BendId bend, const FacetOptions& options);
 
   /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of
   /// the sheet.
@@ -56,7 +55,7 @@ class BendStrips {
 
   const Sheet& sheet_;
   const Face& face_;  ///< one of its faces: all are of one surface
-  Development development_;
+  const Development& development_;
   Isometry2 placement_;
   double chord_;
   double lo_, hi_, v_lo_, v_hi_;

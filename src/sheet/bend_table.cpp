@@ -51,7 +51,7 @@ std::string_view objection(Column column, double value) {
 
 Result<double> cell_value(const CsvRecord& record, const Heading& heading,
                           const std::string& name) {
-  const std::string_view column = kColumnNames[heading.column];
+  const std::string_view column = kColumnNames[index_of(heading.column)];
   if (heading.field >= record.fields.size() || record.fields[heading.field].empty())
     return tl::unexpected(
         table_error(name, record.line, fmt::format("the value of {} is missing", column)));

@@ -172,12 +172,13 @@ Result<TableShape> TableShape::from(const CsvRecord& header, const std::string& 
     const auto found = parse_heading(header.fields[i], i);
     if (!found) return tl::unexpected(table_error(name, header.line, found.error().message));
     if (!found->has_value()) continue;
-    auto& place = shape.headings_[(*found)->column];
+    auto& place = shape.headings_[index_of((*found)->column)];
     if (place) {
-      return tl::unexpected(table_error(
-          name, header.line,
-          fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
-                      header.fields[place->field], header.fields[i], kColumnNames[place->column])));
+      return tl::unexpected(
+          table_error(name, header.line,
+                      fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
+                                  header.fields[place->field], header.fields[i],
+                                  kColumnNames[index_of(place->column)])));
     }
     place = **found;
   }

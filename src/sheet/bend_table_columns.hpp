@@ -13,6 +13,7 @@ namespace planish {
 
 /// What a column of a bend table can hold.
 enum class Column { ratio, radius, thickness, angle, k, allowance, deduction };
+constexpr size_t index_of(Column column) { return static_cast<size_t>(column); }
 inline constexpr size_t kColumns = 7;
 inline constexpr std::array<std::string_view, kColumns> kColumnNames{"R/T", "R",  "T", "angle",
                                                                      "K",   "BA", "BD"};
@@ -34,8 +35,8 @@ class TableShape {
   /// Reads the header row. Errors: `invalid_input` when it does not name a bend and one value.
   static Result<TableShape> from(const CsvRecord& header, const std::string& name);
 
-  bool has(Column column) const { return headings_[column].has_value(); }
-  const Heading& at(Column column) const { return *headings_[column]; }
+  bool has(Column column) const { return headings_[index_of(column)].has_value(); }
+  const Heading& at(Column column) const { return *headings_[index_of(column)]; }
   bool by_ratio() const { return !(has(Column::radius) && has(Column::thickness)); }
   Column value() const {
     return has(Column::k)           ? Column::k

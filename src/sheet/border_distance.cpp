@@ -61,8 +61,8 @@ EdgeDistance border_distance(const Sheet& sheet) {
     surface_only.sense = face.sense;
     for (const BorderLoop& loop : face.loops)
       for (const Border& border : loop)
-        if (border.edge >= 0)
-          edges[border.edge].push_back({surface_only, border.curve, border.edge_depth});
+        if (border.edge)
+          edges[*border.edge].push_back({surface_only, border.curve, border.edge_depth});
   }
   return [edges = std::move(edges)](int edge, const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();

@@ -1,136 +1,235 @@
-#include "contour.hpp"
-#include "set_back.hpp"
-#include "unfolding_tree.hpp"
+#include "curve_index.hpp"
+#include "relaid.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/sheet/certificate.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish {
 namespace {
 
-const Face& face_at(const Sheet& sheet, FaceId id) { return sheet.faces[index_of(id)]; }
+using sheet_detail::CurveIndex;
+using sheet_detail::HingeBand;
+using sheet_detail::Relaid;
 
-double middle_u(const Face& face) {
-  Box2 box;
-  for (const Border& border : face.loops.front())
-    box.add(bounds(border.curve));
-  return (box.lo.x() + box.hi.x()) / 2;
-}
+/// A deviation and where it is in the pattern.
+struct Worst {
+  double distance = 0.0;
+  Vec2 at = Vec2::Zero();
+  void take(double other, const Vec2& place) {
+    if (!(other > distance)) return;
+    distance = other;
+    at = place;
+  }
+};
 
-/// The area at K = ½, from contours chained anew with that K.
-Result<double> area_at_half(const Sheet& made, FlattenOptions options) {
-  const auto moved = needs_setback(made) ? with_setback(made) : Result<Sheet>(made);
-  if (!moved) return tl::unexpected(moved.error());
-  const Sheet& sheet = *moved;
-  options.allowance = ConstantK{0.5, "certificate"};
-  options.bend_k.clear();
-  const auto tree = grow_unfolding_tree(sheet, options);
-  if (!tree) return tl::unexpected(tree.error());
-  const auto contours = chain_contours(sheet, *tree, options);
-  if (!contours) return tl::unexpected(contours.error());
-  double area = signed_area(contours->outer.loop);
-  for (const Contour& opening : contours->openings)
-    area += signed_area(opening.loop);
+double area_as_written(const FlatPattern& pattern) {
+  double area = std::abs(signed_area(pattern.outer.loop));
+  for (const Contour& opening : pattern.openings)
+    area -= std::abs(signed_area(opening.loop));
   return area;
 }
 
-/// Lengths on the reference skin itself: its development must keep them, whatever the K-factor.
-void check_lengths(const Sheet& sheet, const FlatPattern& pattern, double tolerance,
-                   Certificate& certificate) {
-  for (size_t f = 0; f < sheet.faces.size(); ++f) {
-    const Face& face = sheet.faces[f];
-    const auto* surface = std::get_if<Developable>(&face.surface);
-    std::optional<Development> skin;
-    if (surface) skin.emplace(*surface, 0.0, middle_u(face));
-    for (size_t l = 0; l < face.loops.size(); ++l)
-      for (size_t i = 0; i < face.loops[l].size(); ++i) {
-        const Border& border = face.loops[l][i];
-        if (border.edge < 0 || border.edge_length <= 0.0) continue;
-        const double flat = length(skin ? skin->develop(border.curve, tolerance) : border.curve);
-        const double error = std::abs(flat - border.edge_length);
-        if (error <= certificate.length_error) continue;
-        certificate.length_error = error;
-        const Loop& image = l == 0 ? pattern.face_outlines[f] : pattern.face_openings[f][l - 1];
-        certificate.length_error_at = point_at(image[i], 0.5);
-      }
-  }
+/// Whether all of a loop is the outline of a form, so that the material goes on.
+bool is_formed(const BorderLoop& loop) {
+  return std::all_of(loop.begin(), loop.end(), [](const Border& b) { return b.feature; });
 }
 
-/// Folds points of the finished contours back into space.
-class Refolder {
- public:
-  Refolder(const Sheet& sheet, const FlatPattern& pattern, const EdgeDistance& distance)
-      : sheet_(sheet), pattern_(pattern), distance_(distance) {
-    for (size_t f = 0; f < sheet.faces.size(); ++f) {
-      const auto* surface = std::get_if<Developable>(&sheet.faces[f].surface);
-      neutral_.emplace_back();
-      if (surface)
-        neutral_.back().emplace(*surface, pattern.neutral_offset[f], middle_u(sheet.faces[f]));
-      inverse_.push_back(pattern.placement[f].inverse());
-    }
+double developed_area(const Face& face, const Development& development, double tolerance) {
+  double area = 0.0;
+  for (size_t l = 0; l < face.loops.size(); ++l) {
+    if (l > 0 && is_formed(face.loops[l])) continue;
+    for (const Border& border : face.loops[l])
+      area += green_area(development.develop(border.curve, tolerance));
   }
+  return std::abs(area);
+}
 
-  void check(const Contour& contour, Certificate& certificate) const {
-    for (size_t i = 0; i < contour.loop.size(); ++i)
-      for (const Origin& origin : contour.origins[i]) {
-        if (origin.gap) continue;
-        for (const double t : {0.0, 0.3, 0.5, 0.8})
-          check_point(contour.loop[i], origin, t, certificate);
+/// What the bends of the pattern as written take more than those of one with K = ½.
+double area_beyond_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                        double tolerance) {
+  const auto stated = sheet_detail::stated_allowances(sheet, pattern);
+  double beyond = 0.0;
+  for (const FaceId id : sheet.faces.ids()) {
+    const auto* bend = std::get_if<BendId>(&sheet[id].part_of);
+    if (!bend || stated[*bend]->k_factor == 0.5) continue;
+    const Face& face = sheet[id];
+    const double half = face.sense * (sheet.reference_depth - 0.5 * sheet.thickness);
+    const Development middle(std::get<Developable>(face.surface), half);
+    beyond += developed_area(face, *laid.development[id], tolerance) -
+              developed_area(face, middle, tolerance);
+  }
+  for (const Joint& joint : sheet.joints) {
+    if (!joint.sharp) continue;
+    const double wider = sheet[*joint.sharp].angle.radians() * sheet.thickness *
+                         (stated[*joint.sharp]->k_factor - 0.5);
+    const auto length = [&](const BorderRef& ref) {
+      const Curve2& curve = sheet[ref].curve;
+      return (laid.image(ref.face, end_of(curve)) - laid.image(ref.face, start_of(curve))).norm();
+    };
+    beyond += wider * 0.5 * (length(joint.a) + length(joint.b));
+  }
+  return beyond;
+}
+
+/// Lengths on the reference surface itself: its development must keep them, whatever the K-factor.
+Worst worst_length(const Sheet& sheet, const Relaid& laid, double tolerance) {
+  Worst worst;
+  for (const FaceId id : sheet.faces.ids()) {
+    const Face& face = sheet[id];
+    const auto* surface = std::get_if<Developable>(&face.surface);
+    std::optional<Development> skin;
+    if (surface) skin.emplace(*surface, 0.0);
+    for (const BorderLoop& loop : face.loops)
+      for (const Border& border : loop) {
+        if (!border.edge || !border.edge_length) continue;
+        const double flat = length(skin ? skin->develop(border.curve, tolerance) : border.curve);
+        const double error = std::abs(flat - *border.edge_length);
+        if (error > worst.distance) worst.take(error, laid.image(id, point_at(border.curve, 0.5)));
       }
   }
+  return worst;
+}
 
- private:
-  void check_point(const Curve2& final_curve, const Origin& origin, double t,
-                   Certificate& certificate) const {
-    const Vec2 p = point_at(final_curve, nearest(final_curve, point_at(origin.image, t)).t);
-    const Border& border = border_at(sheet_, origin.border);
-    if (border.edge < 0) return;
-    const double deviation = distance_(border.edge,
-                                       folded(origin.border.face, p, border.edge_depth));
-    if (!(deviation > certificate.refold_deviation)) return;
-    certificate.refold_deviation = deviation;
-    certificate.refold_at = p;
-  }
+/// Everything that the pattern draws of the material's borders.
+std::vector<Curve2> written_curves(const FlatPattern& pattern) {
+  std::vector<Curve2> curves = pattern.outer.loop;
+  for (const Contour& opening : pattern.openings)
+    curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
+  return curves;
+}
 
-  Vec3 folded(FaceId id, const Vec2& p, double depth) const {
-    const size_t f = static_cast<size_t>(index_of(id));
-    const Face& face = face_at(sheet_, id);
-    const Vec2 local = inverse_[f] * p;
-    const Vec2 uv = neutral_[f] ? neutral_[f]->fold(local) : local;
-    return skin_point(face, uv) - depth * outward_normal(face, uv);
-  }
+std::vector<Curve2> drawn_curves(const FlatPattern& pattern) {
+  std::vector<Curve2> curves = written_curves(pattern);
+  for (const Segment& slit : pattern.slits)
+    curves.emplace_back(slit);
+  for (const FlatFeature& feature : pattern.features)
+    for (const Loop& outline : feature.outlines)
+      curves.insert(curves.end(), outline.begin(), outline.end());
+  return curves;
+}
 
-  const Sheet& sheet_;
-  const FlatPattern& pattern_;
-  const EdgeDistance& distance_;
-  std::vector<std::optional<Development>> neutral_;
-  std::vector<Isometry2> inverse_;
+/// The strips that sharp bends cut off the faces beside them: a loop's points in there are not in
+/// the pattern.
+struct CutStrip {
+  int loop = 0;
+  Vec2 origin, inwards;  ///< of the joint's border, in (x, y) of the face
+  double depth = 0.0;
 };
+
+IdVector<FaceId, std::vector<CutStrip>> cut_strips(const Sheet& sheet) {
+  IdVector<FaceId, std::vector<CutStrip>> strips(sheet.faces.size());
+  for (const Joint& joint : sheet.joints) {
+    const double setback = sheet_detail::setback_at(sheet, joint);
+    if (setback <= 0.0) continue;
+    for (const BorderRef& ref : {joint.a, joint.b}) {
+      const Vec2 from = start_of(sheet[ref].curve);
+      const Vec2 along = (end_of(sheet[ref].curve) - from).normalized();
+      strips[ref.face].push_back({ref.loop, from, Vec2(-along.y(), along.x()), setback});
+    }
+  }
+  return strips;
+}
+
+bool is_cut_off(const std::vector<CutStrip>& strips, int loop, const Vec2& uv) {
+  return std::any_of(strips.begin(), strips.end(), [&](const CutStrip& strip) {
+    return strip.loop == loop && (uv - strip.origin).dot(strip.inwards) < strip.depth;
+  });
+}
+
+/// Every free border of the sheet is looked for in the pattern; what is found there is folded back.
+Worst worst_border(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                   const EdgeDistance& distance) {
+  const CurveIndex drawn(drawn_curves(pattern));
+  const auto strips = cut_strips(sheet);
+  const Topology topology(sheet);
+  Worst worst;
+  for (const BorderId id : topology.borders()) {
+    if (!topology.is_free(id)) continue;
+    const BorderRef& ref = topology[id];
+    const Border& border = sheet[ref];
+    const Face& face = sheet[ref.face];
+    for (const double t : {0.0, 0.3, 0.5, 0.8}) {
+      const Vec2 uv = point_at(border.curve, t);
+      if (is_cut_off(strips[ref.face], ref.loop, uv)) continue;
+      const Vec2 expected = laid.image(ref.face, uv);
+      const auto hit = drawn.nearest(expected);
+      worst.take(hit->distance, expected);
+      if (!border.edge || border.feature) continue;
+      const Vec2 back = laid.fold(ref.face, hit->point);
+      const Vec3 in_space = skin_point(face, back) - border.edge_depth * outward_normal(face, back);
+      worst.take(distance(*border.edge, in_space), hit->point);
+    }
+  }
+  return worst;
+}
+
+/// Every contour of the pattern is looked for among the sheet's free borders, laid flat; across
+/// sharp bends it runs within their bands.
+Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                    double tolerance) {
+  const auto stated = sheet_detail::stated_allowances(sheet, pattern);
+  const Topology topology(sheet);
+  std::vector<Curve2> borders;
+  for (const BorderId id : topology.borders()) {
+    if (!topology.is_free(id)) continue;
+    const BorderRef& ref = topology[id];
+    const auto& development = laid.development[ref.face];
+    const Curve2& curve = sheet[ref].curve;
+    borders.push_back(transformed(development ? development->develop(curve, tolerance) : curve,
+                                  laid.placement[ref.face]));
+  }
+  std::vector<HingeBand> bands;
+  for (const Joint& joint : sheet.joints)
+    if (joint.sharp)
+      bands.push_back(hinge_band(sheet, laid, joint, stated[*joint.sharp]->allowance));
+  const CurveIndex index(std::move(borders));
+  const auto across_hinge = [&](const Vec2& p) {
+    return std::any_of(bands.begin(), bands.end(),
+                       [&](const HingeBand& band) { return band.holds(p, 10.0 * tolerance); });
+  };
+  Worst worst;
+  for (const Curve2& curve : written_curves(pattern))
+    for (const double t : {0.0, 0.21, 0.5, 0.83}) {
+      const Vec2 p = point_at(curve, t);
+      const auto hit = index.nearest(p);
+      const double off = hit ? hit->distance : length(curve);
+      if (off > worst.distance && !across_hinge(p)) worst.take(off, p);
+    }
+  return worst;
+}
 
 }  // namespace
 
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
-                            const EdgeDistance& distance, const FlattenOptions& options) {
+                            const EdgeDistance& distance, double curve_tolerance) {
+  if (auto right = check(sheet); !right) return tl::unexpected(right.error());
+  if (pattern.outer.loop.empty())
+    return fail(ErrorCode::pattern_wrong, "The flat pattern has no outer contour.");
+  PLANISH_ASSERT(sheet.faces.has(pattern.root) && curve_tolerance > 0.0);
+  const auto laid = sheet_detail::relaid(sheet, pattern);
+  if (!laid) return tl::unexpected(laid.error());
+
   Certificate certificate;
-  const auto area = area_at_half(sheet, options);
-  if (!area) return tl::unexpected(area.error());
-  certificate.flat_area_half = *area;
-  certificate.volume_ratio = sheet.volume > 0 ? *area * sheet.thickness / sheet.volume
-                                              : std::nan("");
-  const double plain = sheet.volume - sheet.forms_volume - sheet.mitres_volume;
-  certificate.explained_ratio = sheet.volume > 0 && sheet.forms_measured && plain > 0
-                                    ? *area * sheet.thickness / plain
-                                    : std::nan("");
-  check_lengths(sheet, pattern, options.curve_tolerance, certificate);
-  if (!distance) {
-    certificate.refold_deviation = std::nan("");
-    return certificate;
+  const double area = area_as_written(pattern) -
+                      area_beyond_half(sheet, pattern, *laid, curve_tolerance);
+  certificate.flat_area_half = area;
+  if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
+  if (sheet.volume && sheet.forms_volume) {
+    const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
+    if (plain > 0.0) certificate.explained_ratio = area * sheet.thickness / plain;
   }
-  const Refolder refolder(sheet, pattern, distance);
-  refolder.check(pattern.outer, certificate);
-  for (const Contour& opening : pattern.openings)
-    refolder.check(opening, certificate);
+  const Worst length = worst_length(sheet, *laid, curve_tolerance);
+  certificate.length_error = length.distance;
+  certificate.length_error_at = length.at;
+  if (!distance) return certificate;
+  Worst refold = worst_border(sheet, pattern, *laid, distance);
+  const Worst contour = worst_contour(sheet, pattern, *laid, curve_tolerance);
+  refold.take(contour.distance, contour.at);
+  certificate.refold_deviation = refold.distance;
+  certificate.refold_at = refold.at;
   return certificate;
 }
 

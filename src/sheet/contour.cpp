@@ -1,70 +1,12 @@
 #include "contour.hpp"
 
 #include <planish/geometry/fit.hpp>
+#include <planish/sheet/topology.hpp>
 
 #include <algorithm>
 
 namespace planish {
 namespace {
-
-/// Borders of the whole sheet in one row, with the border on the other side of a joint.
-class BorderTable {
- public:
-  explicit BorderTable(const Sheet& sheet) {
-    for (size_t f = 0; f < sheet.faces.size(); ++f) {
-      offsets_.emplace_back();
-      for (size_t l = 0; l < sheet.faces[f].loops.size(); ++l) {
-        offsets_.back().push_back(static_cast<int>(rows_.size()));
-        const int count = static_cast<int>(sheet.faces[f].loops[l].size());
-        for (int i = 0; i < count; ++i)
-          rows_.push_back(
-              {{FaceId{static_cast<int>(f)}, static_cast<int>(l), i}, count, -1, false});
-      }
-    }
-    for (const Joint& joint : sheet.joints) {
-      const int a = row_of(joint.a);
-      const int b = row_of(joint.b);
-      rows_[a].twin = b;
-      rows_[b].twin = a;
-      rows_[a].sharp = rows_[b].sharp = joint.sharp.has_value();
-    }
-  }
-
-  int size() const { return static_cast<int>(rows_.size()); }
-  bool free(int row) const { return rows_[row].twin < 0; }
-  const BorderRef& ref(int row) const { return rows_[row].ref; }
-
-  /// The free border that follows a free border along the contour.
-  struct Step {
-    int row;
-    bool across_sharp;
-  };
-  Step next(int row) const {
-    Step step{after(row), false};
-    for (int guard = 0; !free(step.row) && guard < size(); ++guard) {
-      step.across_sharp |= rows_[step.row].sharp;
-      step.row = after(rows_[step.row].twin);
-    }
-    return step;
-  }
-
- private:
-  struct Row {
-    BorderRef ref;
-    int loop_size;
-    int twin;
-    bool sharp;
-  };
-  int row_of(const BorderRef& ref) const {
-    return offsets_[index_of(ref.face)][ref.loop] + ref.border;
-  }
-  int after(int row) const {
-    const Row& r = rows_[row];
-    return r.ref.border + 1 < r.loop_size ? row + 1 : row + 1 - r.loop_size;
-  }
-  std::vector<Row> rows_;
-  std::vector<std::vector<int>> offsets_;
-};
 
 /// Contour before recognition: exact images of the borders.
 struct RawContour {
@@ -76,21 +18,21 @@ struct RawContour {
   }
 };
 
-RawContour walk(const UnfoldingTree& tree, const BorderTable& table, int start,
-                std::vector<bool>& seen) {
+RawContour walk(const Layout& layout, const Topology& topology, BorderId start,
+                IdVector<BorderId, bool>& seen) {
   RawContour contour;
-  int row = start;
+  BorderId at = start;
   do {
-    seen[row] = true;
-    contour.add(tree.image(table.ref(row)), table.ref(row), false);
-    const BorderTable::Step step = table.next(row);
+    seen[at] = true;
+    contour.add(layout.image(topology[at]), topology[at], false);
+    const Topology::Step step = topology.along_contour(at);
     if (step.across_sharp) {
       const Vec2 from = end_of(contour.loop.back());
-      const Vec2 to = start_of(tree.image(table.ref(step.row)));
-      contour.add(Segment{from, to}, table.ref(row), true);
+      const Vec2 to = start_of(layout.image(topology[step.border]));
+      contour.add(Segment{from, to}, topology[at], true);
     }
-    row = step.row;
-  } while (row != start && !seen[row]);
+    at = step.border;
+  } while (at != start && !seen[at]);
   return contour;
 }
 
@@ -111,29 +53,28 @@ Contour finished(RawContour raw, double tolerance) {
   return contour;
 }
 
-/// The formed feature that a contour outlines, or −1 for a cut.
-int feature_of(const Sheet& sheet, const RawContour& contour) {
+/// The formed feature that a contour outlines; none of a cut.
+std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contour) {
   for (const Origin& origin : contour.origins)
-    if (const int feature = border_at(sheet, origin.border).feature; feature >= 0) return feature;
-  return -1;
+    if (const auto feature = sheet[origin.border].feature) return feature;
+  return {};
 }
 
 }  // namespace
 
-Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree,
+Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
                                 const FlattenOptions& options) {
-  const BorderTable table(sheet);
-  std::vector<bool> seen(static_cast<size_t>(table.size()), false);
+  const Topology topology(sheet);
+  IdVector<BorderId, bool> seen(topology.border_count(), false);
   Contours contours;
   double outer_area = 0.0;
-  for (int row = 0; row < table.size(); ++row) {
-    if (seen[row] || !table.free(row)) continue;
-    RawContour raw = walk(tree, table, row, seen);
+  for (const BorderId id : topology.borders()) {
+    if (seen[id] || !topology.is_free(id)) continue;
+    RawContour raw = walk(layout, topology, id, seen);
     const double area = signed_area(raw.loop);
-    const int feature = feature_of(sheet, raw);
-    if (feature >= 0 && area > outer_area) return tl::unexpected(sheet.features[feature].at_rim);
-    if (feature >= 0) {
-      contours.formed.emplace_back(feature, merged(raw.loop, options.merge_tolerance).loop);
+    if (const auto feature = feature_of(sheet, raw)) {
+      if (area > outer_area) return tl::unexpected(sheet[*feature].at_rim);
+      contours.formed.emplace_back(*feature, merged(raw.loop, options.merge_tolerance).loop);
       continue;
     }
     Contour contour = finished(std::move(raw), options.merge_tolerance);

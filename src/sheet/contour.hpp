@@ -1,6 +1,6 @@
 #pragma once
 
-#include "unfolding_tree.hpp"
+#include <planish/sheet/flat_pattern.hpp>
 
 namespace planish {
 
@@ -8,13 +8,13 @@ namespace planish {
 struct Contours {
   Contour outer;
   std::vector<Contour> openings;
-  std::vector<std::pair<int, Loop>> formed;  ///< feature, outline: drawn, not cut
+  std::vector<std::pair<FeatureId, Loop>> formed;  ///< feature, outline: drawn, not cut
 };
 
 /// Walks along free borders and across joints, so that contours close by topology, not by nearness.
 /// Errors: `closed_loop` when the borders do not bound one region (every border is joined);
 /// a feature's own error when it reaches the outer contour.
-Result<Contours> chain_contours(const Sheet& sheet, const UnfoldingTree& tree,
+Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
                                 const FlattenOptions& options);
 
 }  // namespace planish

@@ -2,9 +2,10 @@
 #include "contour.hpp"
 #include "measure.hpp"
 #include "set_back.hpp"
-#include "unfolding_tree.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
+#include <planish/sheet/flat_pattern.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,29 +13,22 @@
 namespace planish {
 namespace {
 
-void add_face_outlines(UnfoldingTree& tree, FlatPattern& pattern) {
-  for (std::vector<Loop>& images : tree.images) {
-    pattern.face_outlines.push_back(std::move(images.front()));
-    pattern.face_openings.emplace_back(std::make_move_iterator(images.begin() + 1),
-                                       std::make_move_iterator(images.end()));
-  }
-}
-
-void add_features(const Sheet& sheet, const UnfoldingTree& tree, const Contours& contours,
-                  double tolerance, FlatPattern& pattern) {
-  for (size_t i = 0; i < sheet.features.size(); ++i) {
-    const FormedFeature& feature = sheet.features[i];
-    FlatFeature flat{feature.kind, {}};
-    for (const auto& [index, outline] : contours.formed)
-      if (index == static_cast<int>(i)) flat.outlines.push_back(outline);
+std::vector<FlatFeature> flat_features(const Sheet& sheet, const Layout& layout,
+                                       const Contours& contours, double tolerance) {
+  std::vector<FlatFeature> features;
+  for (const FeatureId id : sheet.features.ids()) {
+    const FormedFeature& feature = sheet[id];
+    FlatFeature& flat = features.emplace_back(FlatFeature{feature.kind, {}});
+    for (const auto& [formed, outline] : contours.formed)
+      if (formed == id) flat.outlines.push_back(outline);
     for (const BorderLoop& outline : feature.outlines) {
       Loop loop;
       for (const Border& border : outline)
-        loop.push_back(transformed(border.curve, tree.placement[index_of(feature.face)]));
+        loop.push_back(transformed(border.curve, layout.placement[feature.face]));
       flat.outlines.push_back(merged(loop, tolerance).loop);
     }
-    pattern.features.push_back(std::move(flat));
   }
+  return features;
 }
 
 void transform(Segment& segment, const Isometry2& motion) {
@@ -72,13 +66,12 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
       outline = transformed(outline, motion);
   for (FlatLabel& label : pattern.labels)
     label.at = motion * label.at;
-  for (Isometry2& placement : pattern.placement)
-    placement = motion * placement;
-  for (Loop& outline : pattern.face_outlines)
-    outline = transformed(outline, motion);
-  for (auto& openings : pattern.face_openings)
-    for (Loop& opening : openings)
-      opening = transformed(opening, motion);
+  pattern.root_placement = motion * pattern.root_placement;
+}
+
+void move(FlatSheet& flat, const Isometry2& motion) {
+  flat.layout.move(motion);
+  transform(flat.pattern, motion);
 }
 
 bool other_side_up(const FlatPattern& pattern, UpSide up) {
@@ -93,8 +86,8 @@ bool other_side_up(const FlatPattern& pattern, UpSide up) {
 Vec2 leading_direction(const FlatPattern& pattern) {
   Vec2 best = Vec2::Zero();
   const auto consider = [&](const Segment& line) {
-    constexpr double kClearlyLonger = 1.0 +
-                                      1e-9;  // equal lengths must not be told apart by rounding
+    // Equal lengths must not be told apart by rounding.
+    constexpr double kClearlyLonger = 1.0 + tolerance::kComputed;
     if ((line.b - line.a).norm() > best.norm() * kClearlyLonger) best = line.b - line.a;
   };
   for (const FlatBend& bend : pattern.bends)
@@ -112,59 +105,71 @@ Isometry2 turn(double cosine, double sine) {
   return motion;
 }
 
-/// Lays the pattern along the axes, the longer extent along x, its lower left corner at the origin.
-void align(FlatPattern& pattern) {
+/// Lays the whole along the axes, the longer extent along x, its lower left corner at the origin.
+void align(FlatSheet& flat) {
+  const FlatPattern& pattern = flat.pattern;
   const Vec2 lead = leading_direction(pattern);
-  transform(pattern, turn(lead.x(), -lead.y()));
-  if (const Vec2 size = bounds(pattern.outer.loop).size(); size.y() > size.x() * (1.0 + 1e-9))
-    transform(pattern, turn(0.0, 1.0));
+  move(flat, turn(lead.x(), -lead.y()));
+  constexpr double kClearlyHigher = 1.0 + tolerance::kComputed;
+  if (const Vec2 size = bounds(pattern.outer.loop).size(); size.y() > size.x() * kClearlyHigher)
+    move(flat, turn(0.0, 1.0));
   Isometry2 shift = Isometry2::Identity();
   shift.translation() = -bounds(pattern.outer.loop).lo;
-  transform(pattern, shift);
+  move(flat, shift);
 }
 
-Result<FlatPattern> flatten_set_back(const Sheet& sheet, const FlattenOptions& options) {
-  auto tree = grow_unfolding_tree(sheet, options);
-  if (!tree) return tl::unexpected(tree.error());
-  auto contours = chain_contours(sheet, *tree, options);
+/// The pattern in the coordinates of the layout's root.
+Result<FlatPattern> pattern_of(const Sheet& sheet, const Layout& layout,
+                               const FlattenOptions& options) {
+  auto contours = chain_contours(sheet, layout, options);
   if (!contours) return tl::unexpected(contours.error());
-
   FlatPattern pattern;
   pattern.thickness = sheet.thickness;
+  pattern.features = flat_features(sheet, layout, *contours, options.merge_tolerance);
   pattern.outer = std::move(contours->outer);
   pattern.openings = std::move(contours->openings);
-  pattern.bends = flat_bends(sheet, *tree);
-  pattern.placement = tree->placement;
-  pattern.neutral_offset = tree->neutral_offset;
-  pattern.closure = tree->closure;
-  add_features(sheet, *tree, *contours, options.merge_tolerance, pattern);
+  pattern.bends = flat_bends(sheet, layout);
   for (const PointLabel& label : sheet.labels)
-    pattern.labels.push_back({tree->image(sheet, label.face, label.at), label.text});
-  add_face_outlines(*tree, pattern);
-  if (other_side_up(pattern, options.up)) {
+    pattern.labels.push_back({layout.develop(sheet, label.face, label.at), label.text});
+  pattern.closure = layout.closure;
+  pattern.root = layout.root;
+  pattern.root_placement = layout.placement[layout.root];
+  return pattern;
+}
+
+Result<FlatSheet> flat_set_back(const Sheet& sheet, const FlattenOptions& options) {
+  auto layout = lay_out(sheet, options);
+  if (!layout) return tl::unexpected(layout.error());
+  auto pattern = pattern_of(sheet, *layout, options);
+  if (!pattern) return tl::unexpected(pattern.error());
+  FlatSheet flat{std::move(*layout), std::move(*pattern)};
+  if (other_side_up(flat.pattern, options.up)) {
     Isometry2 mirror = Isometry2::Identity();
     mirror.linear()(0, 0) = -1.0;
-    transform(pattern, mirror);
+    move(flat, mirror);
   }
-  if (!options.keep_root) align(pattern);
-  measure(pattern);
-  return pattern;
+  if (!options.keep_root) align(flat);
+  measure(flat.pattern);
+  return flat;
 }
 
 }  // namespace
 
-Result<FlatPattern> flatten(const Sheet& made, const FlattenOptions& options) {
-  if (needs_setback(made)) {
-    auto moved = with_setback(made);
-    if (!moved) {
-      // Corners that leave no room are mostly corners closed all round: that is the better answer.
-      const auto tree = grow_unfolding_tree(made, options);
-      return tl::unexpected(!tree && tree.error().code == ErrorCode::closed_loop ? tree.error()
-                                                                                 : moved.error());
-    }
-    return flatten_set_back(*moved, options);
-  }
-  return flatten_set_back(made, options);
+Result<FlatSheet> flat_sheet(const Sheet& made, const FlattenOptions& options) {
+  if (auto right = check(made); !right) return tl::unexpected(right.error());
+  if (!needs_setback(made)) return flat_set_back(made, options);
+  const auto moved = with_setback(made);
+  if (moved) return flat_set_back(*moved, options);
+  // Corners that leave no room are mostly corners closed all round: that is the better answer.
+  const auto layout = lay_out(made, options);
+  const bool closed = !layout && layout.error().code == ErrorCode::closed_loop;
+  return tl::unexpected(closed ? layout.error() : moved.error());
+}
+
+Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options) {
+  auto flat = flat_sheet(sheet, options);
+  if (!flat) return tl::unexpected(flat.error());
+  return std::move(flat->pattern);
 }
 
 }  // namespace planish

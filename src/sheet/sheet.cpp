@@ -2,6 +2,28 @@
 
 namespace planish {
 
+bool Sheet::has(const BorderRef& ref) const {
+  if (!faces.has(ref.face)) return false;
+  const auto& loops = faces[ref.face].loops;
+  return ref.loop >= 0 && ref.loop < std::ssize(loops) && ref.border >= 0 &&
+         ref.border < std::ssize(loops[ref.loop]);
+}
+
+const Border& Sheet::operator[](const BorderRef& ref) const {
+  PLANISH_ASSERT(has(ref));
+  return faces[ref.face].loops[ref.loop][ref.border];
+}
+
+Border& Sheet::operator[](const BorderRef& ref) {
+  PLANISH_ASSERT(has(ref));
+  return faces[ref.face].loops[ref.loop][ref.border];
+}
+
+const std::vector<FaceId>& Sheet::faces_of(PartId part) const {
+  if (const auto* flange = std::get_if<FlangeId>(&part)) return flanges[*flange].faces;
+  return bends[std::get<BendId>(part)].faces;
+}
+
 Vec3 outward_normal(const Face& face, const Vec2& uv) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;
   return face.sense * normal_on(std::get<Developable>(face.surface), uv.x());
@@ -10,6 +32,13 @@ Vec3 outward_normal(const Face& face, const Vec2& uv) {
 Vec3 skin_point(const Face& face, const Vec2& uv) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->point(uv);
   return point_on(std::get<Developable>(face.surface), uv);
+}
+
+Box2 parameter_box(const Face& face) {
+  Box2 box;
+  for (const Border& border : face.loops.front())
+    box.add(bounds(border.curve));
+  return box;
 }
 
 }  // namespace planish

@@ -160,9 +160,7 @@ Face face_of(const Piece& piece, FlangeId flange) {
   return face;
 }
 
-Border& border_of(Sheet& sheet, const BorderRef& ref) {
-  return sheet.faces[index_of(ref.face)].loops.front()[ref.border];
-}
+Border& border_of(Sheet& sheet, const BorderRef& ref) { return sheet[ref]; }
 
 void add_faces(Sheet& sheet, const Pieces& pieces, const std::vector<int>& planes) {
   std::vector<std::optional<FlangeId>> flanges(planes.size());
@@ -172,7 +170,7 @@ void add_faces(Sheet& sheet, const Pieces& pieces, const std::vector<int>& plane
       flange = static_cast<FlangeId>(sheet.flanges.size());
       sheet.flanges.emplace_back();
     }
-    sheet.flanges[index_of(*flange)].faces.push_back(static_cast<FaceId>(i));
+    sheet.flanges[*flange].faces.push_back(static_cast<FaceId>(i));
     sheet.faces.push_back(face_of(pieces.pieces[i], *flange));
   }
 }

@@ -318,9 +318,7 @@ class PieceMaker {
     for (const Joint& joint : sheet_.joints)
       border(joint.b).edge = border(joint.a).edge;
   }
-  Border& border(const BorderRef& ref) {
-    return sheet_.faces[index_of(ref.face)].loops.front()[ref.border];
-  }
+  Border& border(const BorderRef& ref) { return sheet_[ref]; }
 
   const Ring& ring_;
   const TransitionSpec& spec_;

@@ -42,7 +42,7 @@ double area_of(const Mesh& mesh) {
 Mesh expect_sound(const Sheet& sheet, double chord = 0.05) {
   Mesh mesh = mesh_of(sheet, chord);
   expect_closed(mesh);
-  EXPECT_NEAR(volume_in(mesh), sheet.volume, chord * area_of(mesh));
+  EXPECT_NEAR(volume_in(mesh), *sheet.volume, chord * area_of(mesh));
   return mesh;
 }
 
@@ -98,7 +98,7 @@ TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
 TEST(FoldedMesh, OfPlanesIsExact) {
   const Sheet plain = strip({Straight{30}, Crease{Angle::degrees(90), up}, Straight{20}}, 15, 1.5);
   const Mesh mesh = expect_sound(plain, 10.0);
-  EXPECT_NEAR(volume_in(mesh), plain.volume, 1e-9 * plain.volume);
+  EXPECT_NEAR(volume_in(mesh), *plain.volume, 1e-9 * *plain.volume);
   EXPECT_EQ(mesh.points.size(), 12u) << "the corners of an L, extruded";
   EXPECT_EQ(mesh.triangles.size(), 20u) << "by Euler's formula";
 }
@@ -110,7 +110,7 @@ struct Roundness {
 };
 
 Roundness roundness(const Mesh& mesh, const Sheet& sheet) {
-  const auto& cylinder = std::get<Cylinder>(std::get<Developable>(sheet.faces[0].surface));
+  const auto& cylinder = std::get<Cylinder>(std::get<Developable>(sheet.faces.front().surface));
   const double outer = cylinder.radius + sheet.thickness;
   const auto radius = [&](const Vec3& p) { return cylinder.frame.local2(p).norm(); };
   const auto on = [&](double r, const Vec3& p) { return std::abs(radius(p) - r) < 1e-9; };

@@ -34,7 +34,7 @@ SolidCheck expect_sound(const Sheet& sheet, double relative_volume = 1e-9) {
   EXPECT_EQ(check.solids, 1);
   EXPECT_TRUE(check.valid);
   EXPECT_TRUE(check.closed);
-  EXPECT_NEAR(check.volume / sheet.volume, 1.0, relative_volume);
+  EXPECT_NEAR(check.volume / *sheet.volume, 1.0, relative_volume);
   return check;
 }
 
@@ -91,7 +91,7 @@ TEST(FoldedSolid, LiesWhereTheSheetIs) {
 TEST(FoldedSolid, OfAFrustumHasItsRadii) {
   // Reference skin outside: the wide end reaches 40 from the axis.
   const Sheet sheet = truncated_cone(20, 40, 50, Angle::degrees(300), 1.5);
-  const Cone& cone = std::get<Cone>(std::get<Developable>(sheet.faces[0].surface));
+  const Cone& cone = std::get<Cone>(std::get<Developable>(sheet.faces.front().surface));
   Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
   upright.linear() << cone.frame.x, cone.frame.y, cone.frame.z;
   upright.translation() = cone.frame.origin;
@@ -203,7 +203,7 @@ TEST(FoldedSolid, OfPlatesJoinedByObliqueConesHasTheirVolume) {
       ASSERT_TRUE(file) << file.error().message;
       ASSERT_EQ(file->bodies.size(), 1u);
       EXPECT_EQ(file->bodies[0].face_count(), 6 + 2 * 3 + 2);
-      EXPECT_NEAR(file->bodies[0].volume() / sheet.volume, 1.0, 1e-7);
+      EXPECT_NEAR(file->bodies[0].volume() / *sheet.volume, 1.0, 1e-7);
     }
   }
 }

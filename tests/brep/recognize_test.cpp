@@ -85,7 +85,7 @@ TEST(RecognizePlate, IsTheSameInsideOut) {
   const auto seen = see(plate(100, 60, 2).Reversed());
   ASSERT_TRUE(seen) << seen.error().message;
   EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
-  EXPECT_NEAR(seen->certificate.volume_ratio, 1.0, 1e-9);
+  EXPECT_NEAR(*seen->certificate.volume_ratio, 1.0, 1e-9);
 }
 
 TEST(RecognizePlate, CutsACountersinkToItsBoreAndDrawsItsRim) {
@@ -100,8 +100,8 @@ TEST(RecognizePlate, CutsACountersinkToItsBoreAndDrawsItsRim) {
   EXPECT_NEAR(std::abs(signed_area(seen->flat.features.front().outlines.front())), pi * 16, 1e-6);
   const double bore = pi * 2.5 * 2.5 * 2;
   const double cone = pi / 3 * 1.5 * (16 + 4 * 2.5 + 2.5 * 2.5) - pi * 2.5 * 2.5 * 1.5;
-  EXPECT_NEAR(seen->certificate.volume_ratio, (12000 - bore) / (12000 - bore - cone), 1e-9);
-  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-9);
+  EXPECT_NEAR(*seen->certificate.volume_ratio, (12000 - bore) / (12000 - bore - cone), 1e-9);
+  EXPECT_NEAR(*seen->certificate.explained_ratio, 1.0, 1e-9);
 }
 
 TEST(RecognizePlate, DrawsBothOutlinesOfASlantedCut) {
@@ -117,7 +117,7 @@ TEST(RecognizePlate, DrawsBothOutlinesOfASlantedCut) {
   const Box2 far = bounds(seen->flat.features.front().outlines.front());
   EXPECT_NEAR(((near.lo + near.hi) - (far.lo + far.hi)).norm() / 2, 1.0, 1e-4)
       << "2 mm deep at tan 1/2";
-  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-6);
+  EXPECT_NEAR(*seen->certificate.explained_ratio, 1.0, 1e-6);
 }
 
 /// All edges of the upper and lower skin broken.
@@ -166,8 +166,8 @@ TEST(RecognizePlate, FillsAPocketAndABossAndDrawsThem) {
   EXPECT_NEAR(seen->flat.area, 6000.0, 1e-6);
   EXPECT_TRUE(seen->flat.openings.empty());
   EXPECT_EQ(seen->flat.features.size(), 2u);
-  EXPECT_NEAR(seen->certificate.volume_ratio, 18000 / (18000 - 200 + pi * 16 * 6), 1e-9);
-  EXPECT_NEAR(seen->certificate.explained_ratio, 1.0, 1e-9);
+  EXPECT_NEAR(*seen->certificate.volume_ratio, 18000 / (18000 - 200 + pi * 16 * 6), 1e-9);
+  EXPECT_NEAR(*seen->certificate.explained_ratio, 1.0, 1e-9);
 }
 
 /// A quarter ellipse extruded and thickened, as systems write it: extrusion and offset surfaces
@@ -202,8 +202,8 @@ TEST(RecognizeGeneralBend, UnrollsAnEllipticShellToItsArcLength) {
   EXPECT_NEAR(flat->area, expected, 1e-6 * expected);
   const auto certificate = certify(recognized->sheet, *flat, recognized->distance);
   ASSERT_TRUE(certificate);
-  EXPECT_NEAR(certificate->volume_ratio, 1.0, 1e-5);
-  EXPECT_LT(certificate->refold_deviation, 1e-3);
+  EXPECT_NEAR(*certificate->volume_ratio, 1.0, 1e-5);
+  EXPECT_LT(*certificate->refold_deviation, 1e-3);
 }
 
 TEST(RecognizeRefusal, OfSolidBlocksAndBars) {

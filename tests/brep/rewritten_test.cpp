@@ -40,7 +40,8 @@ Result<Laid> lay(const Body& body) {
   if (!flat) return tl::unexpected(flat.error());
   const auto certificate = certify(found->sheet, *flat, found->distance);
   if (!certificate) return tl::unexpected(certificate.error());
-  return Laid{std::move(found->sheet), std::move(*flat), certificate->explained_ratio};
+  return Laid{std::move(found->sheet), std::move(*flat),
+              certificate->explained_ratio.value_or(std::nan(""))};
 }
 
 Result<Laid> lay_rewritten(const Body& body, const Rewrite& rewrite) {

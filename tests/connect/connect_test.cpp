@@ -32,8 +32,8 @@ FlatPattern flat(const Connection& connection, double k = 0.44) {
 /// Normals of the bend's mid-surface and of both plates agree along the tangent lines.
 void expect_tangent(const Connection& connection) {
   for (const Joint& joint : connection.sheet.joints) {
-    const Face& a = connection.sheet.faces[index_of(joint.a.face)];
-    const Face& b = connection.sheet.faces[index_of(joint.b.face)];
+    const Face& a = connection.sheet[joint.a.face];
+    const Face& b = connection.sheet[joint.b.face];
     const Curve2& ca = a.loops[joint.a.loop][joint.a.border].curve;
     const Curve2& cb = b.loops[joint.b.loop][joint.b.border].curve;
     for (const double t : {0.0, 0.3, 1.0}) {
@@ -336,12 +336,12 @@ TEST(Connect, OpensTheSeamOfAFullTurnForASolid) {
   EXPECT_NEAR(flat(c, 0.5).area, 2 * kPi * 51 * 200, 1e-6);
   const Sheet open = with_open_seam(c.sheet);
   double widest = 0.0;
-  for (const Border& border : open.faces[0].loops[0])
+  for (const Border& border : open.faces.front().loops[0])
     widest = std::max({widest, start_of(border.curve).x(), end_of(border.curve).x()});
   EXPECT_LT(widest, 2 * kPi - 0.5 * 0.01 / 51);
   EXPECT_GT(widest, 2 * kPi - 2.0 * 0.01 / 51);
-  EXPECT_EQ(with_open_seam(open).faces[0].loops[0][0].edge_length,
-            open.faces[0].loops[0][0].edge_length);
+  EXPECT_EQ(with_open_seam(open).faces.front().loops[0][0].edge_length,
+            open.faces.front().loops[0][0].edge_length);
 }
 
 }  // namespace

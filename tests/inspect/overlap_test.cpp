@@ -19,6 +19,7 @@ using testing::HasSubstr;
 /// A sheet of faces without bends between them, as overlaps see it.
 struct Pieces {
   Sheet sheet;
+  Layout layout;
   FlatPattern pattern;
   Pieces() { pattern.thickness = sheet.thickness = 2.0; }
 
@@ -28,11 +29,11 @@ struct Pieces {
     face.surface = Frame{};
     face.part_of = part;
     sheet.faces.push_back(face);
-    pattern.face_outlines.push_back(outline);
-    pattern.face_openings.push_back(std::move(openings));
+    openings.insert(openings.begin(), outline);
+    layout.images.push_back(std::move(openings));
     return FaceId{static_cast<int>(sheet.faces.size()) - 1};
   }
-  std::vector<Finding> overlaps() const { return find_overlaps(sheet, pattern); }
+  std::vector<Finding> overlaps() const { return find_overlaps(sheet, layout, pattern); }
 };
 
 Loop square(double x, double y, double side) { return shifted(rectangle(side, side), Vec2(x, y)); }
@@ -190,24 +191,24 @@ TEST(FindOverlaps, LetsFacesReachOverEachOtherAtASharpBendSeenFromOutside) {
   Pieces mirrored = creased(-1.3, 60.0);
   Isometry2 mirror = Isometry2::Identity();
   mirror.linear()(0, 0) = -1.0;
-  for (Loop& outline : mirrored.pattern.face_outlines)
-    outline = transformed(outline, mirror);
+  for (std::vector<Loop>& loops : mirrored.layout.images)
+    loops.front() = transformed(loops.front(), mirror);
   EXPECT_TRUE(mirrored.overlaps().empty());
 }
 
 TEST(FindOverlaps, SeesMoreThanASharpBendExplains) {
   Pieces pieces = creased(-1.3, 60.0);
   // The second flange has an ear that comes back over the first one.
-  pieces.pattern.face_outlines[1] = polygon({{0, -1.3},
-                                             {40, -1.3},
-                                             {40, -6},
-                                             {45, -6},
-                                             {45, 20},
-                                             {35, 20},
-                                             {35, -10},
-                                             {30, -10},
-                                             {30, 20},
-                                             {0, 20}});
+  pieces.layout.images[FaceId{1}].front() = polygon({{0, -1.3},
+                                                     {40, -1.3},
+                                                     {40, -6},
+                                                     {45, -6},
+                                                     {45, 20},
+                                                     {35, 20},
+                                                     {35, -10},
+                                                     {30, -10},
+                                                     {30, 20},
+                                                     {0, 20}});
   EXPECT_FALSE(pieces.overlaps().empty());
 }
 
@@ -217,16 +218,17 @@ FlatPattern outline(const std::vector<Vec2>& points) { return test::flat_plate(p
 
 TEST(FindOverlaps, SeesAContourCrossingItselfWhereNoFaceTells) {
   // A strip 0.1 wide that turns round and runs over its own beginning.
-  const auto found = find_overlaps({}, outline({{0, 0},
-                                                {100, 0},
-                                                {100, 50},
-                                                {50, 50},
-                                                {50, -20},
-                                                {50.1, -20},
-                                                {50.1, 49.9},
-                                                {99.9, 49.9},
-                                                {99.9, 0.1},
-                                                {0, 0.1}}));
+  const auto found = find_overlaps({}, {},
+                                   outline({{0, 0},
+                                            {100, 0},
+                                            {100, 50},
+                                            {50, 50},
+                                            {50, -20},
+                                            {50.1, -20},
+                                            {50.1, 49.9},
+                                            {99.9, 49.9},
+                                            {99.9, 0.1},
+                                            {0, 0.1}}));
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
   EXPECT_EQ(found[0].code, "overlap");
   EXPECT_EQ(found[0].severity, Severity::error);
@@ -239,7 +241,7 @@ TEST(FindOverlaps, SeesACrossingAtASmallAngle) {
   // The lower side rises through the upper one, 0.02 over 20 mm: 1 mrad.
   EXPECT_EQ(
       find_overlaps(
-          {},
+          {}, {},
           outline(
               {{0, 0}, {20, 5.02}, {40, 5.06}, {60, 0}, {60, 10}, {40, 5}, {20, 5.04}, {0, 10}}))
           .size(),
@@ -258,20 +260,21 @@ TEST(FindOverlaps, TellsACrossingOnceWhenFacesOverlapThereToo) {
 TEST(FindOverlaps, LetsALanceTouchItself) {
   // A slit of no width into the plate, straight and slanting, with the rounding of a real pattern.
   for (const double noise : {0.0, 1e-12, -1e-12, 1e-9, -1e-9}) {
-    const auto found = find_overlaps({}, outline({{0, 0},
-                                                  {60, 0},
-                                                  {60, 30.0},
-                                                  {40, 30},
-                                                  {30 + noise, 12},
-                                                  {22.3, 3.1},
-                                                  {30 - noise, 12},
-                                                  {40, 30},
-                                                  {20, 30},
-                                                  {20 - noise, 10},
-                                                  {20, 5},
-                                                  {20 + noise, 10},
-                                                  {20, 30},
-                                                  {0, 30}}));
+    const auto found = find_overlaps({}, {},
+                                     outline({{0, 0},
+                                              {60, 0},
+                                              {60, 30.0},
+                                              {40, 30},
+                                              {30 + noise, 12},
+                                              {22.3, 3.1},
+                                              {30 - noise, 12},
+                                              {40, 30},
+                                              {20, 30},
+                                              {20 - noise, 10},
+                                              {20, 5},
+                                              {20 + noise, 10},
+                                              {20, 30},
+                                              {0, 30}}));
     EXPECT_TRUE(found.empty()) << noise << "\n" << test::text_of(found);
   }
 }
@@ -280,27 +283,27 @@ TEST(FindOverlaps, LetsAWindowTouchItsOwnTab) {
   FlatPattern pattern = test::flat_plate(rectangle(60, 40));
   // U-shaped slit of no width around a tab.
   test::open(pattern, polygon({{20, 10}, {20, 30}, {40, 30}, {40, 10}, {40, 30}, {20, 30}}));
-  EXPECT_TRUE(find_overlaps({}, pattern).empty());
+  EXPECT_TRUE(find_overlaps({}, {}, pattern).empty());
 }
 
 TEST(FindOverlaps, SeesAnOpeningCrossingItself) {
   FlatPattern pattern = test::flat_plate(rectangle(60, 40));
   test::open(pattern, polygon({{20, 10}, {30, 20}, {30, 10}, {20, 20}}));
-  const auto found = find_overlaps({}, pattern);
+  const auto found = find_overlaps({}, {}, pattern);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("the opening at (25, 15) crosses itself at (25, 15) mm"));
 }
 
-TEST(FindOverlaps, FindsNothingInNothing) { EXPECT_TRUE(find_overlaps({}, {}).empty()); }
+TEST(FindOverlaps, FindsNothingInNothing) { EXPECT_TRUE(find_overlaps({}, {}, {}).empty()); }
 
 // ---- whole sheets
 
 std::vector<Finding> overlaps_of(const Sheet& sheet, UpSide up = UpSide::automatic) {
   FlattenOptions options;
   options.up = up;
-  const auto pattern = flatten(sheet, options);
-  EXPECT_TRUE(pattern.has_value()) << (pattern ? "" : pattern.error().message);
-  return pattern ? find_overlaps(sheet, *pattern) : std::vector<Finding>{};
+  const auto flat = flat_sheet(sheet, options);
+  EXPECT_TRUE(flat.has_value()) << (flat ? "" : flat.error().message);
+  return flat ? find_overlaps(sheet, flat->layout, flat->pattern) : std::vector<Finding>{};
 }
 
 TEST(FindOverlaps, FindsNothingInSheetsThatDoNotOverlap) {

@@ -494,7 +494,7 @@ TEST(OpeningToBend, DoesNotCountAcrossASlit) {
 Sheet sheet_with_bend_face() {
   Sheet sheet;
   sheet.faces.resize(1);
-  sheet.faces[0].part_of = BendId{0};
+  sheet.faces.front().part_of = BendId{0};
   sheet.bends.resize(1);
   return sheet;
 }

@@ -163,8 +163,8 @@ TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
   const ConnectReport report = report_of(joined());
   const double area = 40.0 * (50.0 + pi / 2 * (3.0 + 0.5 * 2.0) + 30.0);
   EXPECT_NEAR(report.sheet.volume, 2.0 * area, 1e-6 * area);
-  EXPECT_NEAR(report.certificate.volume_ratio, 1.0, 1e-6);
-  EXPECT_NEAR(report.certificate.explained_ratio, 1.0, 1e-6);
+  EXPECT_NEAR(*report.certificate.volume_ratio, 1.0, 1e-6);
+  EXPECT_NEAR(*report.certificate.explained_ratio, 1.0, 1e-6);
   EXPECT_LT(report.certificate.length_error, 1e-9);
   EXPECT_LT(report.certificate.refold_deviation, 1e-6);
   EXPECT_EQ(report.status(), Status::ok);

@@ -18,8 +18,8 @@ TEST(BorderDistance, IsZeroOnEveryBorderAndTheOffsetBesideIt) {
           for (const double t : {0.0, 0.21, 0.5, 1.0}) {
             const Vec2 uv = point_at(border.curve, t);
             const Vec3 p = skin_point(face, uv);
-            EXPECT_NEAR(distance(border.edge, p), 0.0, 1e-7);
-            EXPECT_NEAR(distance(border.edge, p + 0.25 * outward_normal(face, uv)), 0.25, 1e-7);
+            EXPECT_NEAR(distance(*border.edge, p), 0.0, 1e-7);
+            EXPECT_NEAR(distance(*border.edge, p + 0.25 * outward_normal(face, uv)), 0.25, 1e-7);
           }
   }
 }

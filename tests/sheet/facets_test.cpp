@@ -15,13 +15,13 @@
 namespace planish::test {
 namespace {
 
-FlatPattern laid(const Sheet& sheet, UpSide up = UpSide::automatic) {
+FlatSheet laid(const Sheet& sheet, UpSide up = UpSide::automatic) {
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "test"};
   options.up = up;
-  const auto pattern = flatten(sheet, options);
-  EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
-  return *pattern;
+  auto flat = flat_sheet(sheet, options);
+  EXPECT_TRUE(flat) << (flat ? "" : flat.error().message);
+  return std::move(*flat);
 }
 
 Vec3 placed(const Eigen::Isometry3d& motion, const Vec2& p) {
@@ -30,18 +30,18 @@ Vec3 placed(const Eigen::Isometry3d& motion, const Vec2& p) {
 
 /// Largest distance of what folded facets of flanges hold from the middle of their flange's
 /// material in space.
-double off_flanges(const Sheet& sheet, const FlatPattern& pattern, const Facets& facets) {
+double off_flanges(const Sheet& sheet, const Layout& layout, const Facets& facets) {
   const auto motions = folded(facets);
   double off = 0.0;
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f) {
-    const auto* frame = std::get_if<Frame>(&sheet.faces[f].surface);
+  for (const FaceId id : sheet.faces.ids()) {
+    const auto* frame = std::get_if<Frame>(&sheet[id].surface);
     if (!frame) continue;
-    const Vec2 flat = start_of(pattern.face_outlines[f].front());
-    const Vec3 wanted = frame->point(pattern.placement[f].inverse() * flat) -
+    const Vec2 flat = start_of(layout.outline(id).front());
+    const Vec3 wanted = frame->point(layout.placement[id].inverse() * flat) -
                         (0.5 * sheet.thickness - sheet.reference_depth) * frame->z;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < facets.facets.size(); ++i)
-      if (facets.facets[i].part == sheet.faces[f].part_of)
+      if (facets.facets[i].part == sheet[id].part_of)
         nearest = std::min(nearest, (placed(motions[i], flat) - wanted).norm());
     off = std::max(off, nearest);
   }
@@ -79,37 +79,37 @@ const std::vector<std::pair<const char*, Sheet>>& samples() {
 TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
   for (const auto& [name, sheet] : samples())
     for (const UpSide up : {UpSide::reference, UpSide::other}) {
-      const FlatPattern pattern = laid(sheet, up);
-      EXPECT_LT(off_flanges(sheet, pattern, facets_of(sheet, pattern)), 0.02) << name;
+      const auto [layout, pattern] = laid(sheet, up);
+      EXPECT_LT(off_flanges(sheet, layout, facets_of(sheet, layout)), 0.02) << name;
     }
 }
 
 TEST(Facets, ComeNearerWithSmallerTurns) {
   const Sheet sheet = cone_joined();
-  const FlatPattern pattern = laid(sheet);
+  const auto [layout, pattern] = laid(sheet);
   const double coarse = off_flanges(
-      sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(12)}));
+      sheet, layout, facets_of(sheet, layout, {.chord = 1.0, .most = Angle::degrees(12)}));
   const double fine = off_flanges(
-      sheet, pattern, facets_of(sheet, pattern, {.chord = 1.0, .most = Angle::degrees(3)}));
+      sheet, layout, facets_of(sheet, layout, {.chord = 1.0, .most = Angle::degrees(3)}));
   EXPECT_LT(fine, coarse / 10.0);  // of second order
 }
 
 TEST(Facets, CoverThePattern) {
   for (const auto& [name, sheet] : samples()) {
-    const FlatPattern pattern = laid(sheet);
-    EXPECT_NEAR(area_of(facets_of(sheet, pattern, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4)
+    const auto [layout, pattern] = laid(sheet);
+    EXPECT_NEAR(area_of(facets_of(sheet, layout, {.chord = 1e-3})) / pattern.area, 1.0, 2e-4)
         << name;
   }
   const Sheet tube = rolled();
-  const FlatPattern pattern = laid(tube);
-  EXPECT_NEAR(area_of(facets_of(tube, pattern)) / pattern.area, 1.0, 1e-9);
+  const auto [layout, pattern] = laid(tube);
+  EXPECT_NEAR(area_of(facets_of(tube, layout)) / pattern.area, 1.0, 1e-9);
 }
 
 TEST(Facets, EdgesAreTheContours) {
   for (const auto& [name, sheet] : samples()) {
-    const FlatPattern pattern = laid(sheet);
+    const auto [layout, pattern] = laid(sheet);
     double sum = 0.0;
-    for (const FacetEdge& edge : facets_of(sheet, pattern, {.chord = 1e-3}).edges)
+    for (const FacetEdge& edge : facets_of(sheet, layout, {.chord = 1e-3}).edges)
       sum += (edge.line.b - edge.line.a).norm();
     EXPECT_NEAR(sum / pattern.perimeter, 1.0, 1e-3) << name;
   }
@@ -127,7 +127,7 @@ std::vector<double> border_lengths(const Facets& facets) {
 }
 
 void expect_border_lengths(const Sheet& sheet, std::vector<double> wanted) {
-  const auto lengths = border_lengths(facets_of(sheet, laid(sheet), {.chord = 1e-3}));
+  const auto lengths = border_lengths(facets_of(sheet, laid(sheet).layout, {.chord = 1e-3}));
   std::sort(wanted.begin(), wanted.end());
   ASSERT_EQ(lengths.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -145,8 +145,8 @@ TEST(Facets, EdgesOfOneBorderHaveOneNumber) {
 TEST(Facets, AHoleInABendHasTheLengthOfItsCircleAcrossTheStrips) {
   constexpr double kDiameter = 4.0;
   const Sheet sheet = hole_in_bend(kDiameter, 0.5);
-  const FlatPattern pattern = laid(sheet);
-  const Facets facets = facets_of(sheet, pattern, {.chord = 1e-3});
+  const auto [layout, pattern] = laid(sheet);
+  const Facets facets = facets_of(sheet, layout, {.chord = 1e-3});
   const Box2 hole = bounds(pattern.openings.front().loop);
   const Vec2 middle = 0.5 * (hole.lo + hole.hi);
   std::set<int> borders, strips;
@@ -165,18 +165,18 @@ TEST(Facets, AHoleInABendHasTheLengthOfItsCircleAcrossTheStrips) {
 
 TEST(Facets, LieInThePlaneOfTheRootUntilTheyAreFolded) {
   const Sheet sheet = box();
-  const FlatPattern pattern = laid(sheet);
-  const Facets facets = facets_of(sheet, pattern);
+  const auto [layout, pattern] = laid(sheet);
+  const Facets facets = facets_of(sheet, layout);
   for (const Eigen::Isometry3d& motion : folded(facets, 0.0))
     EXPECT_LT((motion.matrix() - facets.root.matrix()).norm(), 1e-9);
 }
 
 TEST(Facets, AreHingedWhereTheSheetIs) {
   for (const auto& [name, sheet] : samples()) {
-    const FlatPattern pattern = laid(sheet);
+    const auto [layout, pattern] = laid(sheet);
     const Box2 box = bounds(pattern.outer.loop);
-    for (const Facet& facet : facets_of(sheet, pattern).facets) {
-      if (facet.parent < 0) continue;
+    for (const Facet& facet : facets_of(sheet, layout).facets) {
+      if (!facet.parent) continue;
       for (const Vec2& p : {facet.hinge.a, facet.hinge.b})
         EXPECT_TRUE(((p - box.lo).array() > -1e-6).all() && ((box.hi - p).array() > -1e-6).all())
             << name;
@@ -187,8 +187,8 @@ TEST(Facets, AreHingedWhereTheSheetIs) {
 
 TEST(Facets, OfATubeCloseToItsCircle) {
   const Sheet sheet = rolled();
-  const FlatPattern pattern = laid(sheet);
-  const Facets facets = facets_of(sheet, pattern);
+  const auto [layout, pattern] = laid(sheet);
+  const Facets facets = facets_of(sheet, layout);
   const auto motions = folded(facets);
   const auto& cylinder = std::get<Cylinder>(std::get<Developable>(sheet.faces.front().surface));
   const double depth = 0.5 * sheet.thickness - sheet.reference_depth;

@@ -53,13 +53,13 @@ TEST(LoftedCorner, HasTheFlatAreaOfItsNeutralSurface) {
     for (double k : {0.3, 0.5}) {
       const auto pattern = flatten(sheet, {.allowance = ConstantK{k, "test"}});
       ASSERT_TRUE(pattern) << pattern.error().message;
-      const bool inside = sheet.bends[0].reference_inside;
+      const bool inside = sheet.bends.front().reference_inside;
       const double area = area_below(corner, corner.thickness * (inside ? k : 1 - k));
       EXPECT_NEAR(pattern->area, area, 1e-7 * area)
           << "k " << k << (inside ? " inside" : " outside");
     }
-    EXPECT_NEAR(sheet.volume, corner.thickness * area_below(corner, 0.5 * corner.thickness),
-                1e-7 * sheet.volume);
+    EXPECT_NEAR(*sheet.volume, corner.thickness * area_below(corner, 0.5 * corner.thickness),
+                1e-7 * *sheet.volume);
   }
 }
 
@@ -82,9 +82,10 @@ TEST(LoftedCorner, IsABendBetweenItsPlates) {
     const Sheet sheet = lofted_corner(corner);
     const Vec3 n0 = (corner.tangent_point - corner.p0).cross(corner.p0 - corner.apex);
     const Vec3 n1 = (corner.p1 - corner.tangent_point).cross(corner.p1 - corner.apex);
-    EXPECT_NEAR(sheet.bends[0].angle.radians(), std::atan2(n0.cross(n1).norm(), n0.dot(n1)), 1e-9);
-    EXPECT_NE(sheet.bends[0].reference_inside,
-              lofted_corner(other_side(corner)).bends[0].reference_inside);
+    EXPECT_NEAR(sheet.bends.front().angle.radians(), std::atan2(n0.cross(n1).norm(), n0.dot(n1)),
+                1e-9);
+    EXPECT_NE(sheet.bends.front().reference_inside,
+              lofted_corner(other_side(corner)).bends.front().reference_inside);
   }
 }
 

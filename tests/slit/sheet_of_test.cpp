@@ -11,27 +11,27 @@
 namespace planish::test {
 namespace {
 
-FlatPattern flattened(const Sheet& sheet) {
+FlatSheet flattened(const Sheet& sheet) {
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "test"};
   options.root = FaceId{0};
   options.up = UpSide::reference;
-  auto pattern = flatten(sheet, options);
-  if (!pattern) throw std::runtime_error(pattern.error().message);
-  return *pattern;
+  auto flat = flat_sheet(sheet, options);
+  if (!flat) throw std::runtime_error(flat.error().message);
+  return std::move(*flat);
 }
 
 void expect_to_be_the_cut_sheet(const SlitSession& session, double area, double size) {
   const Sheet sheet = sheet_of(session.folded());
-  const FlatPattern pattern = flattened(sheet);
-  ASSERT_EQ(pattern.placement.size(), sheet.faces.size());
-  const Isometry2 back = pattern.placement[0].inverse();
-  for (std::size_t i = 0; i < sheet.faces.size(); ++i)
-    for (const Border& border : sheet.faces[i].loops.front())
+  const auto& [layout, pattern] = flattened(sheet);
+  ASSERT_EQ(layout.placement.size(), sheet.faces.size());
+  const Isometry2 back = layout.placement.front().inverse();
+  for (const FaceId id : sheet.faces.ids())
+    for (const Border& border : sheet[id].loops.front())
       EXPECT_NEAR(
-          (back * (pattern.placement[i] * start_of(border.curve)) - start_of(border.curve)).norm(),
+          (back * (layout.placement[id] * start_of(border.curve)) - start_of(border.curve)).norm(),
           0.0, 1e-9 * size)
-          << i;
+          << index_of(id);
   EXPECT_LE(pattern.closure, 1e-9 * size);
   EXPECT_NEAR(pattern.area, area, 1e-9 * area);
 }
@@ -62,13 +62,11 @@ TEST(SheetOf, SlitsAreBordersThatNothingJoins) {
 
 TEST(SheetOf, IsCertified) {
   const Sheet sheet = sheet_of(solved(chair(), 1).folded());
-  const FlatPattern pattern = flattened(sheet);
-  FlattenOptions options;
-  options.allowance = ConstantK{0.5, "test"};
-  const auto certificate = certify(sheet, pattern, border_distance(sheet), options);
+  const FlatPattern pattern = flattened(sheet).pattern;
+  const auto certificate = certify(sheet, pattern, border_distance(sheet));
   ASSERT_TRUE(certificate) << certificate.error().message;
   EXPECT_LE(certificate->length_error, 1e-9 * 1768);
-  EXPECT_LE(certificate->refold_deviation, 1e-4);
+  EXPECT_LE(*certificate->refold_deviation, 1e-4);
 }
 
 TEST(MeshOf, HasTheAreaOfTheSheetAndSharesRidges) {

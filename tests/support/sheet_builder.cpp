@@ -134,7 +134,7 @@ FaceId SheetBuilder::bend_face(BendId id, const Developable& surface, int sense,
   blank.sense = sense;
   blank.part_of = id;
   const FaceId face = add_face(std::move(blank), loops);
-  sheet_.bends[index_of(id)].faces.push_back(face);
+  sheet_.bends[id].faces.push_back(face);
   return face;
 }
 
@@ -196,7 +196,7 @@ void SheetBuilder::join(const BorderRef& a, const BorderRef& b, std::optional<Be
 }
 
 Rim SheetBuilder::rim(FaceId flange_face, int border, int loop) const {
-  const Face& face = sheet_.faces[index_of(flange_face)];
+  const Face& face = sheet_.faces[flange_face];
   const Frame& frame = std::get<Frame>(face.surface);
   const Curve2& curve = face.loops[loop][border].curve;
   PLANISH_ASSERT(std::holds_alternative<Segment>(curve));
@@ -213,10 +213,10 @@ double SheetBuilder::sharp_volume() const {
   double sum = 0.0;
   for (const Joint& joint : sheet_.joints) {
     if (!joint.sharp) continue;
-    const Bend& bend = sheet_.bends[index_of(*joint.sharp)];
-    const Border& border = sheet_.faces[index_of(joint.a.face)].loops[joint.a.loop][joint.a.border];
+    const Bend& bend = sheet_[*joint.sharp];
+    const Border& border = sheet_[joint.a];
     sum += (bend.reference_inside ? 1.0 : -1.0) * sheet_.thickness * sheet_.thickness *
-           std::tan(0.5 * bend.angle.radians()) * border.edge_length;
+           std::tan(0.5 * bend.angle.radians()) * *border.edge_length;
   }
   return sum;
 }
@@ -228,14 +228,13 @@ Sheet SheetBuilder::finish() {
       for (Border& border : loop)
         border.edge = ++edge;
   for (const Joint& joint : sheet_.joints) {
-    const auto border = [&](const BorderRef& ref) -> Border& {
-      return sheet_.faces[index_of(ref.face)].loops[ref.loop][ref.border];
-    };
+    const auto border = [&](const BorderRef& ref) -> Border& { return sheet_[ref]; };
     border(joint.b).edge = border(joint.a).edge;
   }
-  sheet_.volume = sharp_volume();
+  double volume = sharp_volume();
   for (const Face& face : sheet_.faces)
-    sheet_.volume += volume_under(face, sheet_.thickness);
+    volume += volume_under(face, sheet_.thickness);
+  sheet_.volume = volume;
   return sheet_;
 }
 

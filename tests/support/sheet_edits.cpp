@@ -113,7 +113,7 @@ Sheet moved(Sheet sheet, const Eigen::Isometry3d& motion) {
 
 Sheet scaled(Sheet sheet, double factor) {
   sheet.thickness *= factor;
-  sheet.volume *= factor * factor * factor;
+  if (sheet.volume) *sheet.volume *= factor * factor * factor;
   for (Bend& bend : sheet.bends)
     bend.inside_radius *= factor;
   for (Face& face : sheet.faces) {
@@ -122,7 +122,7 @@ Sheet scaled(Sheet sheet, double factor) {
     for (BorderLoop& loop : face.loops)
       for (Border& border : loop) {
         border.curve = stretched(border.curve, {plane ? factor : 1.0, factor});
-        border.edge_length *= factor;
+        if (border.edge_length) *border.edge_length *= factor;
       }
   }
   return sheet;
@@ -150,7 +150,7 @@ EdgeDistance edge_distance(const Sheet& sheet) {
   for (const Face& face : sheet.faces)
     for (const BorderLoop& loop : face.loops)
       for (const Border& border : loop)
-        edges.try_emplace(border.edge, face, border.curve);
+        if (border.edge) edges.try_emplace(*border.edge, face, border.curve);
   return [edges](int edge, const Vec3& p) {
     const auto& [face, curve] = edges.at(edge);
     return distance(face, curve, p);

@@ -33,7 +33,7 @@ TEST(MakeTransition, MakesACylinderOfTwoEqualCircles) {
   EXPECT_EQ(transition.patches[0].kind, PatchKind::cone);
   EXPECT_NEAR(transition.patches[0].turn.radians(), 2.0 * kPi, 1e-12);
   ASSERT_EQ(transition.pieces[0].bends.size(), 1u);
-  EXPECT_EQ(transition.pieces[0].bends[0].kind, BendKind::cylinder);
+  EXPECT_EQ(transition.pieces[0].bends.front().kind, BendKind::cylinder);
   const FlatPattern pattern = laid_flat(transition.pieces[0], spec);
   const Vec2 blank = blank_size(pattern);
   EXPECT_NEAR(blank.x(), 2.0 * kPi * 50, 1e-9);
@@ -49,7 +49,7 @@ TEST(MakeTransition, MakesAConeFrustumBothWaysUp) {
     const Transition transition = made(spec);
     ASSERT_EQ(transition.patches.size(), 1u);
     EXPECT_NEAR(transition.patches[0].turn.radians(), 2.0 * kPi * 80 / slant, 1e-11);
-    EXPECT_EQ(transition.pieces[0].bends[0].kind, BendKind::cone);
+    EXPECT_EQ(transition.pieces[0].bends.front().kind, BendKind::cone);
     for (const Contour& contour : {laid_flat(transition.pieces[0], spec).outer}) {
       ASSERT_EQ(contour.loop.size(), 4u);
       EXPECT_EQ(std::count_if(contour.loop.begin(), contour.loop.end(),

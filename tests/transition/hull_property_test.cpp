@@ -163,9 +163,9 @@ RC_GTEST_PROP(TransitionSurface, LaysFlatWithItsAreaAndItsBorders, ()) {
   }
   const FlattenOptions options = flatten_options(spec);
   const auto certificate = certify(transition.pieces[0], pattern,
-                                   border_distance(transition.pieces[0]), options);
+                                   border_distance(transition.pieces[0]), options.curve_tolerance);
   RC_ASSERT(certificate.has_value());
-  RC_LOG() << certificate->refold_deviation << ' ' << certificate->length_error << '\n';
+  RC_LOG() << *certificate->refold_deviation << ' ' << certificate->length_error << '\n';
   RC_ASSERT(certificate->refold_deviation < 1e-5);
   RC_ASSERT(certificate->length_error < 1e-6);
   RC_ASSERT(std::abs(certificate->flat_area_half / transition.area - 1.0) < 1e-9);

@@ -22,7 +22,7 @@ TEST(TransitionSizes, AreThoseOfTheFaceTheyAreGivenFor) {
       spec.sizes_are = face;
       const double neutral = r + (k - share) * t;
       expect_sizes(spec, 2 * kPi * neutral * 80, 2 * kPi * neutral, 2 * kPi * neutral);
-      EXPECT_NEAR(made(spec).pieces[0].bends[0].inside_radius, neutral - k * t, 1e-9);
+      EXPECT_NEAR(made(spec).pieces[0].bends.front().inside_radius, neutral - k * t, 1e-9);
     }
   }
 }
@@ -58,11 +58,11 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
       for (const Sheet& piece : transition.pieces) {
         const BorderLoop &first = piece.faces.front().loops.front(),
                          &last = piece.faces.back().loops.front();
-        const bool whole_side = last.size() == 4 || last[0].edge_length > 0.0;
+        const bool whole_side = last.size() == 4 || *last[0].edge_length > 0.0;
         const auto index = whole_side && lies_on(piece.faces.back(), last[0], spec.from) ? 1u
                            : last.size() == 4                                            ? 1u
                                                                                          : 0u;
-        seams.push_back({first.back().edge_length, last[index].edge_length});
+        seams.push_back({*first.back().edge_length, *last[index].edge_length});
       }
       for (std::size_t i = 0; i < seams.size(); ++i)
         EXPECT_NEAR(seams[i][1], seams[(i + 1) % seams.size()][0], 1e-9 * seams[i][1])
@@ -106,7 +106,7 @@ TEST(TransitionPressing, ByChordPutsLinesAtEqualDistancesAlongTheWiderProfile) {
   const Transition transition = made(spec);
   const Sheet& sheet = transition.pieces.at(0);
   ASSERT_EQ(sheet.bends.size(), 1u);
-  const auto& lines = sheet.bends[0].press_lines;
+  const auto& lines = sheet.bends.front().press_lines;
   const double perimeter = ellipse_perimeter(90, 40);
   ASSERT_EQ(lines.size(), static_cast<std::size_t>(std::ceil(perimeter / 11.0)));
   // On the ellipse between the feet of neighbouring lines.
@@ -194,7 +194,7 @@ TEST(TransitionPressing, AngleOfALineIsThatOfTheSurfaceAboutIt) {
   const Transition transition = made(spec);
   for (const Sheet& sheet : transition.pieces)
     for (const Bend& bend : sheet.bends) {
-      const auto& surface = std::get<Developable>(sheet.faces[index_of(bend.faces[0])].surface);
+      const auto& surface = std::get<Developable>(sheet[bend.faces[0]].surface);
       for (std::size_t i = 1; i < bend.press_lines.size(); ++i) {
         const Vec3 a = normal_on(surface, bend.press_lines[i - 1].u),
                    b = normal_on(surface, bend.press_lines[i].u);
@@ -331,7 +331,7 @@ TEST(TransitionSeams, LeaveNoSliversOfPatches) {
         double longest = 0.0;
         for (const Border& border : face.loops.front())
           if (lies_on(face, border, spec.from) || lies_on(face, border, spec.to))
-            longest = std::max(longest, border.edge_length);
+            longest = std::max(longest, *border.edge_length);
         EXPECT_GT(longest, 1e-8) << "seed " << seed;
       }
   }
@@ -381,10 +381,10 @@ TEST(TransitionPressing, CountsTheLinesOfAPatchThatASeamDivides) {
 TEST(TransitionBends, AreMeasuredBetweenTheirEndsTheLongWayRound) {
   // Half and three quarters of flat cones: their normals turn little on the way.
   TransitionSpec spec = between(EllipseProfile{100, 100}, EllipseProfile{50, 50}, {0, 0, 10});
-  EXPECT_NEAR(made(spec).pieces.at(0).bends[0].angle.degrees(), 360.0, 1e-9);
+  EXPECT_NEAR(made(spec).pieces.at(0).bends.front().angle.degrees(), 360.0, 1e-9);
   spec.pieces = Pieces::two;
   const double lean = std::atan2(50, 10);  // of the normals from the cone's plane
-  EXPECT_NEAR(made(spec).pieces.at(0).bends[0].angle.radians(), 2 * (kPi / 2 - lean), 1e-9);
+  EXPECT_NEAR(made(spec).pieces.at(0).bends.front().angle.radians(), 2 * (kPi / 2 - lean), 1e-9);
 }
 
 }  // namespace

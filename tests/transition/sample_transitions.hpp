@@ -85,11 +85,11 @@ inline double flat_border_length(const Transition& transition, const TransitionS
                                  const PlacedProfile& profile) {
   double sum = 0.0;
   for (const Sheet& piece : transition.pieces) {
-    const FlatPattern pattern = laid_flat(piece, spec);
-    for (std::size_t f = 0; f < piece.faces.size(); ++f) {
-      const BorderLoop& loop = piece.faces[f].loops.front();
+    const auto flat = flat_sheet(piece, flatten_options(spec));
+    for (const FaceId id : piece.faces.ids()) {
+      const BorderLoop& loop = piece[id].loops.front();
       for (std::size_t i = 0; i < loop.size(); ++i)
-        if (lies_on(piece.faces[f], loop[i], profile)) sum += length(pattern.face_outlines[f][i]);
+        if (lies_on(piece[id], loop[i], profile)) sum += length(flat->layout.outline(id)[i]);
     }
   }
   return sum;

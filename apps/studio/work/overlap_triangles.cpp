@@ -43,13 +43,13 @@ std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
   return triangles;
 }
 
-std::vector<Vec2> overlap_triangles(const FlatPattern& pattern) {
+std::vector<Vec2> overlap_triangles(const Layout& layout, double thickness) {
   constexpr double kChord = 0.05;         // mm
   constexpr double kContactShare = 1e-3;  // of the thickness: less deep overlaps only touch
   std::vector<Polygon> polygons;
-  for (std::size_t f = 0; f < pattern.face_outlines.size(); ++f)
-    polygons.push_back(polygon_of({pattern.face_outlines[f], pattern.face_openings[f]}, kChord));
-  const double clearance = std::max(kContactShare * pattern.thickness, kChord);
+  for (const FaceId face : layout.images.ids())
+    polygons.push_back(polygon_of(layout.region(face), kChord));
+  const double clearance = std::max(kContactShare * thickness, kChord);
   std::vector<Vec2> triangles;
   for (const Overlap& overlap : overlaps(polygons, clearance, clearance * clearance))
     for (const auto& ring : overlap.outline) {

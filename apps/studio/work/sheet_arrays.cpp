@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace planish::studio {
 namespace {
@@ -38,8 +39,8 @@ std::uint32_t row_of(const Sheet& sheet, BendId bend) {
 Json faces_json(const Sheet& sheet, const std::vector<FaceId>& faces) {
   Json json = Json::array();
   for (const FaceId id : faces) {
-    const Face& face = sheet.faces[index_of(id)];
-    if (face.source_face > 0) json.push_back(face.source_face);
+    const Face& face = sheet[id];
+    if (face.source_face) json.push_back(*face.source_face);
     for (const int number : face.merged_faces)
       if (number != face.source_face) json.push_back(number);
   }
@@ -47,15 +48,15 @@ Json faces_json(const Sheet& sheet, const std::vector<FaceId>& faces) {
 }
 
 void add_parts(Shape& shape, const Sheet& sheet) {
-  for (std::size_t i = 0; i < sheet.flanges.size(); ++i)
-    shape.parts.push_back({{"name", fmt::format("F{}", i + 1)},
+  for (const FlangeId id : sheet.flanges.ids())
+    shape.parts.push_back({{"name", fmt::format("F{}", index_of(id) + 1)},
                            {"kind", "flange"},
-                           {"faces", faces_json(sheet, sheet.flanges[i].faces)}});
-  for (std::size_t i = 0; i < sheet.bends.size(); ++i)
-    shape.parts.push_back({{"name", fmt::format("B{}", i + 1)},
+                           {"faces", faces_json(sheet, sheet[id].faces)}});
+  for (const BendId id : sheet.bends.ids())
+    shape.parts.push_back({{"name", fmt::format("B{}", index_of(id) + 1)},
                            {"kind", "bend"},
-                           {"angle", sheet.bends[i].angle.degrees()},
-                           {"faces", faces_json(sheet, sheet.bends[i].faces)}});
+                           {"angle", sheet[id].angle.degrees()},
+                           {"faces", faces_json(sheet, sheet[id].faces)}});
 }
 
 void add_directions(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
@@ -92,7 +93,7 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   Numbers parts, edge_facets, edge_numbers;
   for (const Facet& facet : facets.facets) {
     polygons.add_facet(facet.polygons);
-    parents.push_back(facet.parent);
+    parents.push_back(facet.parent.value_or(-1));
     append(hinges, facet.hinge);
     angles.push_back(static_cast<float>(facet.angle.radians()));
     parts.push_back(std::visit([&](auto id) { return row_of(sheet, id); }, facet.part));
@@ -142,17 +143,19 @@ class Contours {
   std::vector<std::int32_t> parts_;
 };
 
-void add_contours(Shape& shape, const Sheet& sheet, const FlatPattern& flat, double chord) {
+void add_contours(Shape& shape, const job::Report& report, double chord) {
+  const auto& [sheet, flat, layout] = std::tie(report.laid, report.flat, report.layout);
   constexpr std::int32_t kWhole = -1;
   Contours contours(chord);
   contours.add(flat.outer.loop, true, kWhole);
   for (const Contour& opening : flat.openings)
     contours.add(opening.loop, false, kWhole);
-  for (std::size_t f = 0; f < sheet.faces.size(); ++f) {
-    const auto row = std::visit([&](auto id) { return row_of(sheet, id); }, sheet.faces[f].part_of);
-    contours.add(flat.face_outlines[f], true, static_cast<std::int32_t>(row));
-    for (const Loop& opening : flat.face_openings[f])
-      contours.add(opening, false, static_cast<std::int32_t>(row));
+  for (const FaceId id : sheet.faces.ids()) {
+    const auto row = std::visit([&, &sheet = sheet](auto part) { return row_of(sheet, part); },
+                                sheet[id].part_of);
+    const std::vector<Loop>& loops = layout.images[id];
+    for (std::size_t i = 0; i < loops.size(); ++i)
+      contours.add(loops[i], i == 0, static_cast<std::int32_t>(row));
   }
   contours.add_to(shape);
 }
@@ -174,7 +177,7 @@ void add_overlaps(Shape& shape, const job::Report& report) {
                                  [](const Finding& f) { return f.code == "overlap"; });
   if (!known) return;
   std::vector<float> points;
-  for (const Vec2& p : overlap_triangles(report.flat))
+  for (const Vec2& p : overlap_triangles(report.layout, report.flat.thickness))
     append(points, p);
   shape.add("overlaps", points);
 }
@@ -186,9 +189,9 @@ void add_sheet(Shape& shape, const job::Report& report, job::Effort effort) {
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
   const FacetOptions options = effort == job::Effort::draft ? kOfDrafts : FacetOptions{};
-  add_facets(shape, sheet, facets_of(sheet, report.flat, options));
+  add_facets(shape, sheet, facets_of(sheet, report.layout, options));
   add_directions(shape, sheet, report.flat);
-  add_contours(shape, sheet, report.flat, options.chord);
+  add_contours(shape, report, options.chord);
   add_bend_lines(shape, sheet, report.flat);
   add_overlaps(shape, report);
 }

@@ -59,8 +59,10 @@ enum class ErrorCode {
   pattern_wrong,      ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   // Others.
-  cancelled,  ///< the caller asked to stop (exit status 1)
-  internal,   ///< a defect of Planish or its kernel (exit status 1)
+  invalid_sheet,  ///< a sheet that breaks a rule of `check`: a defect of who made it (exit status
+                  ///< 1)
+  cancelled,      ///< the caller asked to stop (exit status 1)
+  internal,       ///< a defect of Planish or its kernel (exit status 1)
 };
 
 /// Name of a code as reports spell it, e.g. "not_a_sheet".

@@ -60,7 +60,9 @@ std::span<const RuleField> rule_fields();
 /// Flanges are counted from 1. Pieces may touch: overlaps less deep than 0.002 of the thickness (or
 /// than curve tolerance and `closure`, if larger) are not seen, and slits of no width are none.
 /// Cost: near-linear in the number of faces when little overlaps.
-std::vector<Finding> find_overlaps(const Sheet& sheet, const FlatPattern& pattern);
+/// `layout` and `pattern` are of one `FlatSheet` of the sheet.
+std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
+                                   const FlatPattern& pattern);
 
 /// Manufacturability warnings by the rules. What misses a limit by less than 0.001 mm satisfies it.
 /// - flange_height: the least flat length beside a bend, to the edge or the next bend, told as

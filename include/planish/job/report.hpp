@@ -68,6 +68,7 @@ struct Report {
   Sheet laid;  ///< the sheet itself, whose faces and bends `flat` names; no faces where it was not
                ///< known
   FlatPattern flat;
+  Layout layout;             ///< how the faces of `laid` lie in `flat`, before slits are cut
   Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
   Certificate certificate;
   std::vector<Finding> findings;

@@ -3,22 +3,25 @@
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <functional>
-#include <limits>
+#include <optional>
 
 namespace planish {
 
-/// The residuals that show a flat pattern right. NaN where nothing could be measured.
+/// The residuals that show a flat pattern right; none of what could not be measured.
 struct Certificate {
   double flat_area_half = 0.0;  ///< flat area at K = ½, mm²
-  double volume_ratio = 0.0;    ///< flat_area_half · thickness / volume of the solid (MATH 1)
+  /// flat_area_half · thickness / volume of the solid (MATH 1).
+  std::optional<double> volume_ratio = {};
   /// The same for the solid without what its formed features and mitred corners add or take: 1 when
-  /// nothing was missed. NaN where one of them could not be measured.
-  double explained_ratio = std::numeric_limits<double>::quiet_NaN();
-  double length_error = 0.0;  ///< largest |length of developed skin border − length of the solid's
-                              ///< edge|, mm
+  /// nothing was missed.
+  std::optional<double> explained_ratio = {};
+  /// Largest |length of developed skin border − length of the solid's edge|, mm.
+  double length_error = 0.0;
   Vec2 length_error_at = Vec2::Zero();
-  double refold_deviation = 0.0;  ///< largest distance of a refolded contour point from the solid's
-                                  ///< edge, mm
+  /// Largest distance between the solid's edges and the contours, both ways: of a contour point,
+  /// folded back, from its edge; of an edge, laid flat, from the contours; of a contour from every
+  /// edge, mm.
+  std::optional<double> refold_deviation = {};
   Vec2 refold_at = Vec2::Zero();
 };
 
@@ -30,10 +33,16 @@ using EdgeDistance = std::function<double(int edge, const Vec3& point)>;
 /// is, one of none infinitely far. Exact on flanges; on bends to 1e-9 of the border's length.
 EdgeDistance border_distance(const Sheet& sheet);
 
-/// Measures a pattern against the sheet and the solid it came from, independently of how it was
-/// made: the volume identity at K = ½ whatever K the pattern used, edge lengths on the reference
-/// skin, and contour points of the finished pattern folded back onto the solid's edges.
+/// Measures a pattern as it is written (its contours, and of each bend the K-factor and allowance)
+/// against the sheet, and by `distance` against the solid it came from. It shares no placement,
+/// tree, contour or origin with what made the pattern (MATH 10.4): it develops each face anew, lays
+/// the faces out over a tree of its own from where the pattern says its root lies, and looks for
+/// every border among the contours and for every contour among the borders. What was lost or added
+/// on the way is therefore a deviation, and so is a face in the wrong place. Certify first, cut
+/// slits then. `curve_tolerance`: to which developed curves are fitted, mm.
+/// Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the sheet or has no
+/// outer contour), `not_a_sheet` (faces that no joint leads to).
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
-                            const EdgeDistance& distance, const FlattenOptions& options = {});
+                            const EdgeDistance& distance, double curve_tolerance = 1e-4);
 
 }  // namespace planish

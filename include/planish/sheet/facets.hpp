@@ -1,9 +1,9 @@
 #pragma once
 
 #include <planish/geometry/region.hpp>
-#include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/layout.hpp>
 
-#include <variant>
+#include <optional>
 #include <vector>
 
 namespace planish {
@@ -11,8 +11,8 @@ namespace planish {
 /// A flat piece of the sheet, in the coordinates of the flat pattern: a face of a flange, or what
 /// lies between two rulings of a bend.
 struct Facet {
-  std::variant<FlangeId, BendId> part;
-  int parent = -1;  ///< the facet it is hinged to, earlier in the list; −1: the root
+  PartId part;
+  std::optional<int> parent = {};  ///< the facet it is hinged to, earlier in the list; root: none
   Segment hinge = {Vec2::Zero(), Vec2::Zero()};  ///< in the flat pattern; of the root none
   Angle angle;  ///< of the folded sheet: turn about the hinge's direction by the right hand, +z up
   std::vector<Polygon> polygons;  ///< outer rings counter-clockwise, holes clockwise
@@ -39,14 +39,15 @@ struct Facets {
 };
 
 struct FacetOptions {
-  double chord = 0.05;  ///< mm, by which facets and polygons may leave what is curved
-  Angle most = Angle::radians(
-      0.1047197551);  ///< and at most so much between two facets of a bend: 6°
+  double chord = 0.05;               ///< mm, by which facets and polygons may leave what is curved
+  Angle most = Angle::degrees(6.0);  ///< between two facets of a bend
 };
 
-/// `pattern` is the sheet laid flat. Facets of cylinders and cones fold to where the bend ends
-/// within angle²/24 of its width, those of general bends likewise.
-Facets facets_of(const Sheet& sheet, const FlatPattern& pattern, const FacetOptions& options = {});
+/// Cuts the sheet as it was laid out along its joints and along rulings of its bends. The tree is
+/// the layout's, hung up at the largest flange. Facets of cylinders and cones fold to where the
+/// bend ends within angle²/24 of its width, those of general bends likewise. Requires the layout of
+/// that sheet and options above 0.
+Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& options = {});
 
 /// By facet, from the flat pattern into space: every angle `share` times as large as folded, 0
 /// (flat, in the root's plane) to 1.

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <planish/sheet/allowance.hpp>
-#include <planish/sheet/sheet.hpp>
+#include <planish/sheet/layout.hpp>
 
 namespace planish {
 
@@ -56,40 +55,29 @@ struct FlatPattern {
   std::vector<FlatBend> bends;
   std::vector<FlatFeature> features;
   std::vector<FlatLabel> labels;
-  std::vector<Isometry2> placement;    ///< by face: developed plane → pattern
-  std::vector<double> neutral_offset;  ///< by face: neutral surface from the reference skin along
-                                       ///< the surface normal
-  std::vector<Loop> face_outlines;     ///< by face: image of loops[0] (for overlap checks)
-  std::vector<std::vector<Loop>> face_openings;  ///< by face: images of loops[1…]
-  double area = 0.0;                             ///< of one side, openings taken out, mm²
-  double perimeter = 0.0;                        ///< all cutting length, slits once, mm
-  double closure = 0.0;  ///< largest mismatch met where joints close a cycle, mm
+  double area = 0.0;       ///< of one side, openings taken out, mm²
+  double perimeter = 0.0;  ///< all cutting length, slits once, mm
+  double closure = 0.0;    ///< largest mismatch met where joints close a cycle, mm
+  FaceId root{};           ///< the face that the rest was laid around…
+  Isometry2 root_placement = Isometry2::Identity();  ///< …and where its developed plane lies
 };
 
 /// Sides of the smallest rectangle, in any direction, that the pattern is cut from, longer first,
 /// mm; zero for an empty pattern. Curves are measured to 1e-4 mm.
 Vec2 blank_size(const FlatPattern& pattern);
 
-enum class UpSide { automatic, reference, other };
-
-struct FlattenOptions {
-  AllowanceRule allowance = ConstantK{};
-  std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends, before `allowance`
-  std::optional<FaceId> root = std::nullopt;  ///< face that stays where it is; default: largest
-                                              ///< flange face
-  /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the
-  /// longest bend line along x, its lower left corner at the origin.
-  bool keep_root = false;
-  UpSide up = UpSide::automatic;    ///< automatic: the side from which more bends go up
-  double curve_tolerance = 1e-4;    ///< mm: image of curves that are neither lines nor arcs
-  double merge_tolerance = 1e-5;    ///< mm: recognition of lines, arcs, circles
-  double closure_tolerance = 0.01;  ///< mm: cycles of joints that close within this are no loop
+/// A sheet laid flat: how its faces lie, and the pattern in the same coordinates.
+struct FlatSheet {
+  Layout layout;
+  FlatPattern pattern;
 };
 
-/// Lays the sheet flat: unfolding tree over the joints (longest first), each face developed at its
-/// neutral surface and placed by border trihedrons (MATH 4.2), free borders chained to contours.
-/// Errors: `closed_loop` (a cycle of joints does not close; the message proposes the rip),
-/// `not_a_sheet` (faces not connected), errors of `bend_allowance`.
+/// Lays the sheet out, chains its free borders to contours and turns the whole as the options say.
+/// Errors: those of `lay_out`, `unsupported_shape` (a sharp bend whose faces are too narrow to be
+/// set back), and that of a formed feature that reaches the outer contour.
+Result<FlatSheet> flat_sheet(const Sheet& sheet, const FlattenOptions& options = {});
+
+/// The pattern of `flat_sheet`.
 Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options = {});
 
 }  // namespace planish

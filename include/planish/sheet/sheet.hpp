@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/angle.hpp>
+#include <planish/base/id_vector.hpp>
 #include <planish/base/result.hpp>
 #include <planish/geometry/developable.hpp>
 #include <planish/geometry/frame.hpp>
@@ -12,25 +13,29 @@
 
 namespace planish {
 
-/// Index types: which row of the sheet's vectors is meant.
+/// Which row of the sheet is meant.
 enum class FaceId : int {};
 enum class FlangeId : int {};
 enum class BendId : int {};
+enum class FeatureId : int {};
 constexpr int index_of(FaceId id) { return static_cast<int>(id); }
 constexpr int index_of(FlangeId id) { return static_cast<int>(id); }
 constexpr int index_of(BendId id) { return static_cast<int>(id); }
+constexpr int index_of(FeatureId id) { return static_cast<int>(id); }
+
+/// The flange or the bend that a face is a part of.
+using PartId = std::variant<FlangeId, BendId>;
 
 /// One border curve of a face, in the (u, v) of the face's surface: mm on a plane; see
-/// geometry/developable.hpp for bends. `edge` names the edge of the solid it came from (−1: none),
-/// so that a certificate can measure against the solid.
+/// geometry/developable.hpp for bends.
 struct Border {
   Curve2 curve;
-  int edge = -1;
-  double edge_depth = 0.0;   ///< how far below the reference skin that edge lies, mm (0, or the
-                             ///< thickness)
-  double edge_length = 0.0;  ///< length measured on the original edge, mm; 0 when not known
-  int feature = -1;  ///< formed feature that the material goes on into beyond this border; −1: a
-                     ///< cut
+  /// The edge that the border came from: of the solid, or, of a sheet that was made, the border's
+  /// own number. A certificate measures against it. None: what closes a gap of the file.
+  std::optional<int> edge = {};
+  double edge_depth = 0.0;                 ///< of that edge below the reference surface, mm
+  std::optional<double> edge_length = {};  ///< measured on that edge, mm; none: not known
+  std::optional<FeatureId> feature = {};   ///< into which the material goes on beyond this border
 };
 using BorderLoop = std::vector<Border>;
 
@@ -42,9 +47,9 @@ struct Face {
   std::variant<Frame, Developable> surface;
   int sense = 1;
   std::vector<BorderLoop> loops;
-  std::variant<FlangeId, BendId> part_of;
-  int source_face = -1;  ///< face number in the solid (1-based, as `planish info` counts), −1: none
-  std::vector<int> merged_faces;  ///< numbers of coplanar faces that became part of this one
+  PartId part_of;
+  std::optional<int> source_face = {};  ///< its number in the solid, from 1 as `info` counts
+  std::vector<int> merged_faces = {};   ///< numbers of coplanar faces that became part of this one
 };
 
 /// Position of a border: loops[loop][border] of a face.
@@ -60,7 +65,7 @@ struct BorderRef {
 struct Joint {
   BorderRef a;
   BorderRef b;
-  std::optional<BendId> sharp;
+  std::optional<BendId> sharp = {};
 };
 
 /// A planar part: its coplanar faces, connected or bridged by bends.
@@ -79,10 +84,10 @@ struct PressLine {
 /// Everything that turns between two flanges about one developable surface.
 struct Bend {
   BendKind kind = BendKind::cylinder;
-  std::vector<FaceId> faces;   ///< empty for sharp bends
-  Angle angle;                 ///< bend angle α > 0, the angle through which the sheet was turned
-  double inside_radius = 0.0;  ///< mm; for cones at mid-length, for general bends the smallest of
-                               ///< the middles of their rulings
+  std::vector<FaceId> faces;  ///< empty for sharp bends
+  Angle angle;                ///< bend angle α > 0, the angle through which the sheet was turned
+  /// mm; of a cone at mid-length, of a general bend the smallest in the middle of its rulings.
+  double inside_radius = 0.0;
   bool reference_inside = false;            ///< the reference skin is the inside (concave) one
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
@@ -90,11 +95,12 @@ struct Bend {
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
 /// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
 struct FormedFeature {
-  std::string kind;  ///< "countersink", "slanted cut", "pocket", "chamfer", "formed" (emboss,
-                     ///< louvre, lance, burr, boss)
-  FaceId face{};     ///< face on which `outlines` are given
-  std::vector<BorderLoop> outlines;  ///< in that face's (u, v)
-  int source_face = -1;              ///< a face of the feature in the solid (1-based)
+  /// "countersink", "slanted cut", "pocket", "chamfer", or "formed" (emboss, louvre, lance, burr,
+  /// boss).
+  std::string kind;
+  FaceId face{};                        ///< face on which `outlines` are given
+  std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
+  std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
   Error at_rim;  ///< why there is no flat pattern when it reaches the outer contour
 };
 
@@ -109,26 +115,51 @@ struct PointLabel {
 /// its two skins, the other lies `thickness` towards the material; or it is a surface between them,
 /// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp
 /// bends are hinges that take no allowance.
+///
+/// A value: makers build it (`SheetBuilder`), what uses one only reads it. What `check` holds of it
+/// is taken for granted everywhere.
 struct Sheet {
   double thickness = 0.0;         ///< mm
   double reference_depth = 0.0;   ///< mm, 0 to the thickness
   double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
-  double volume = 0.0;            ///< of the solid, mm³; 0 when there is none
-  std::vector<Face> faces;
+  std::optional<double> volume;   ///< of the solid, mm³; none: not measured, or there is no solid
+  IdVector<FaceId, Face> faces;
   std::vector<Joint> joints;
-  std::vector<Flange> flanges;
-  std::vector<Bend> bends;
-  std::vector<FormedFeature> features;
+  IdVector<FlangeId, Flange> flanges;
+  IdVector<BendId, Bend> bends;
+  IdVector<FeatureId, FormedFeature> features;
   std::vector<PointLabel> labels;
-  double forms_volume = 0.0;   ///< what the features add to the plain sheet (pockets: negative),
-                               ///< mm³…
-  bool forms_measured = true;  ///< …all of them, or only as far as could be told
+  /// What the features add to the plain sheet (pockets: negative), mm³; none where one of them
+  /// cannot be measured.
+  std::optional<double> forms_volume = 0.0;
   double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³
+
+  /// The row of an id. Ids and positions that are not of this sheet stop at an assertion.
+  const Face& operator[](FaceId id) const { return faces[id]; }
+  const Flange& operator[](FlangeId id) const { return flanges[id]; }
+  const Bend& operator[](BendId id) const { return bends[id]; }
+  const FormedFeature& operator[](FeatureId id) const { return features[id]; }
+  const Border& operator[](const BorderRef& ref) const;
+  Border& operator[](const BorderRef& ref);
+
+  /// Whether the face has such a loop, and that such a border.
+  bool has(const BorderRef& ref) const;
+  /// The faces of a flange or a bend; none of a sharp one.
+  const std::vector<FaceId>& faces_of(PartId part) const;
 };
 
 /// Outward unit normal of the reference surface at (u, v).
 Vec3 outward_normal(const Face& face, const Vec2& uv);
 /// Point of the reference surface at (u, v).
 Vec3 skin_point(const Face& face, const Vec2& uv);
+/// Box of the outer loop in (u, v).
+Box2 parameter_box(const Face& face);
+
+/// Whether the sheet is one that everything here can rely on: sizes are numbers in their range,
+/// every id names a row, faces and their parts name each other, planes belong to flanges and
+/// developable surfaces to bends, no border is in two joints, a sharp joint names a bend without
+/// faces. Error: `invalid_sheet`, with the rule that is broken; `where` names the row ("face 3,
+/// loop 0, border 2"). O(borders).
+Result<void> check(const Sheet& sheet);
 
 }  // namespace planish

@@ -1,6 +1,6 @@
-#include <planish/sheet/trihedron.hpp>
+#include "support/trihedron.hpp"
 
-namespace planish {
+namespace planish::test {
 namespace {
 
 Eigen::Isometry3d isometry_of(const Frame& frame) {
@@ -15,8 +15,8 @@ Eigen::Isometry3d isometry_of(const Frame& frame) {
 }  // namespace
 
 Frame border_trihedron(const Sheet& sheet, const BorderRef& ref) {
-  const Face& face = sheet.faces[index_of(ref.face)];
-  const Curve2& curve = face.loops[ref.loop][ref.border].curve;
+  const Face& face = sheet[ref.face];
+  const Curve2& curve = sheet[ref].curve;
   const Vec3 start = skin_point(face, start_of(curve));
   return frame_from_axes(start, outward_normal(face, start_of(curve)),
                          skin_point(face, end_of(curve)) - start);
@@ -46,4 +46,4 @@ Eigen::Isometry3d unfolding_by_trihedra(const Frame& parent, const Frame& child,
   return isometry_of(image) * isometry_of(child).inverse();
 }
 
-}  // namespace planish
+}  // namespace planish::test

@@ -2,7 +2,7 @@
 
 #include <planish/sheet/sheet.hpp>
 
-namespace planish {
+namespace planish::test {
 
 /// Border trihedron of a face (MATH 4.2): origin at the border's start, x along the border, y into
 /// the face, z outward from the reference skin.
@@ -23,4 +23,4 @@ Eigen::Isometry3d unfolding_by_steps(const Frame& parent, const Frame& child, An
 Eigen::Isometry3d unfolding_by_trihedra(const Frame& parent, const Frame& child,
                                         double border_length, double allowance);
 
-}  // namespace planish
+}  // namespace planish::test

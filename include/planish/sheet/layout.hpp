@@ -1,0 +1,67 @@
+#pragma once
+
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/allowance.hpp>
+#include <planish/sheet/sheet.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace planish {
+
+enum class UpSide { automatic, reference, other };
+
+struct FlattenOptions {
+  AllowanceRule allowance = ConstantK{};
+  std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends, before `allowance`
+  /// The face that stays where it is; default: the largest face of a flange.
+  std::optional<FaceId> root = std::nullopt;
+  /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the
+  /// longest bend line along x, its lower left corner at the origin.
+  bool keep_root = false;
+  UpSide up = UpSide::automatic;    ///< automatic: the side from which more bends go up
+  double curve_tolerance = 1e-4;    ///< mm: image of curves that are neither lines nor arcs
+  double merge_tolerance = 1e-5;    ///< mm: recognition of lines, arcs, circles
+  double closure_tolerance = 0.01;  ///< mm: cycles of joints that close within this are no loop
+};
+
+/// How a sheet lies in the plane: each bend developed once at its neutral surface, each face
+/// placed, each border imaged. Flat pattern, facets, checks and drawings all read this. It
+/// describes the sheet as it was laid: with its outwardly sharp bends set back, before slits are
+/// cut.
+///
+/// The coordinates are those of the flat pattern, mm. A pattern that shows the sheet from its other
+/// side has placements that reflect.
+struct Layout {
+  FaceId root{};          ///< the face that the tree grew from
+  std::vector<int> tree;  ///< joints that hold it together: a spanning tree, longest joints first
+  IdVector<BendId, BendAllowance> allowance;
+  IdVector<BendId, std::optional<Development>> development;  ///< none of sharp bends
+  IdVector<FaceId, double> neutral_offset;     ///< neutral surface from the reference surface, mm
+  IdVector<FaceId, Isometry2> placement;       ///< developed plane → flat pattern
+  IdVector<FaceId, std::vector<Loop>> images;  ///< of the borders, by loop
+  double closure = 0.0;  ///< largest mismatch met where joints close a cycle, mm
+
+  const Curve2& image(const BorderRef& ref) const;
+  const Loop& outline(FaceId face) const { return images[face].front(); }
+  /// Outline and openings of a face, as they lie.
+  Region region(FaceId face) const;
+
+  /// Image of a point of a face, given by its (u, v); exact.
+  Vec2 develop(const Sheet& sheet, FaceId face, const Vec2& uv) const;
+  /// (u, v) of the point of a face whose image is p: the inverse of `develop`.
+  Vec2 fold(const Sheet& sheet, FaceId face, const Vec2& p) const;
+
+  /// Moves all of it; a reflection shows the sheet from its other side.
+  void move(const Isometry2& motion);
+};
+
+/// Lays the faces out from the root, whose coordinates they take: each bend developed at its
+/// neutral surface, each face placed by border trihedrons (MATH 4.2) over a tree of the longest
+/// joints. Errors: `closed_loop` (a cycle of joints does not close; the message proposes the rip),
+/// `not_a_sheet` (joints do not lead to every face), `no_such_face` (the root), `bad_option` (a
+/// tolerance, a bend of `bend_k`), those of `bend_allowance` and of `check`.
+Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options = {});
+
+}  // namespace planish

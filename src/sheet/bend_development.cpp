@@ -1,0 +1,73 @@
+#include "bend_development.hpp"
+
+namespace planish::sheet_detail {
+namespace {
+
+/// How far the neutral surface of a bend lies below the reference surface.
+double neutral_depth(const Sheet& sheet, const Bend& bend, double k) {
+  return (bend.reference_inside ? k : 1.0 - k) * sheet.thickness - sheet.reference_depth;
+}
+
+Result<BendAllowance> allowance_of(const Sheet& sheet, BendId id, const FlattenOptions& options) {
+  const Bend& bend = sheet[id];
+  const auto by = [&](const AllowanceRule& rule) {
+    return bend_allowance(rule, sheet.thickness, bend.inside_radius, bend.angle);
+  };
+  for (const auto& [single, k] : options.bend_k)
+    if (single == id) return by(ConstantK{k, "this bend"});
+  return by(options.allowance);
+}
+
+/// Between skins a sharp bend turns about the reference surface; outside the faces meet beyond it.
+void settle_hinge(const Sheet& sheet, const Bend& bend, BendAllowance& allowance) {
+  const double outwards = bend.reference_inside ? 1.0 : -1.0;
+  allowance.allowance = bend.angle.radians() * outwards *
+                        neutral_depth(sheet, bend, allowance.k_factor);
+  const double outside = bend.reference_inside ? sheet.thickness - sheet.reference_depth
+                                               : sheet.reference_depth;
+  allowance.deduction = 2.0 * outside_setback(0.0, outside, bend.angle) - allowance.allowance;
+}
+
+}  // namespace
+
+Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
+                                                      const FlattenOptions& options) {
+  IdVector<BendId, BendAllowance> allowances;
+  for (const BendId id : sheet.bends.ids()) {
+    auto allowance = allowance_of(sheet, id, options);
+    if (!allowance) return tl::unexpected(allowance.error());
+    if (sheet[id].faces.empty() && sheet.reference_depth > 0.0)
+      settle_hinge(sheet, sheet[id], *allowance);
+    allowances.push_back(std::move(*allowance));
+  }
+  return allowances;
+}
+
+IdVector<BendId, std::optional<Development>> developments_of(
+    const Sheet& sheet, const IdVector<BendId, BendAllowance>& allowances) {
+  IdVector<BendId, std::optional<Development>> developments;
+  for (const BendId id : sheet.bends.ids()) {
+    auto& development = developments.emplace_back();
+    const Bend& bend = sheet[id];
+    if (bend.faces.empty()) continue;
+    const Face& face = sheet[bend.faces.front()];
+    const Box2 box = parameter_box(face);
+    development.emplace(std::get<Developable>(face.surface),
+                        -face.sense * neutral_depth(sheet, bend, allowances[id].k_factor),
+                        0.5 * (box.lo.x() + box.hi.x()));
+  }
+  return developments;
+}
+
+IdVector<FaceId, double> neutral_offsets_of(const Sheet& sheet,
+                                            const IdVector<BendId, BendAllowance>& allowances) {
+  IdVector<FaceId, double> offsets;
+  for (const Face& face : sheet.faces) {
+    const auto* bend = std::get_if<BendId>(&face.part_of);
+    offsets.push_back(
+        bend ? -face.sense * neutral_depth(sheet, sheet[*bend], allowances[*bend].k_factor) : 0.0);
+  }
+  return offsets;
+}
+
+}  // namespace planish::sheet_detail

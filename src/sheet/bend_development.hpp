@@ -1,0 +1,19 @@
+#pragma once
+
+#include <planish/sheet/layout.hpp>
+
+namespace planish::sheet_detail {
+
+/// What each bend takes of the flat sheet. Errors: those of `bend_allowance`.
+Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
+                                                      const FlattenOptions& options);
+
+/// How each bend is developed at its neutral surface; sharp bends are not.
+IdVector<BendId, std::optional<Development>> developments_of(
+    const Sheet& sheet, const IdVector<BendId, BendAllowance>& allowances);
+
+/// How far the neutral surface lies from the reference surface along its normal, by face.
+IdVector<FaceId, double> neutral_offsets_of(const Sheet& sheet,
+                                            const IdVector<BendId, BendAllowance>& allowances);
+
+}  // namespace planish::sheet_detail

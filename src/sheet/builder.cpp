@@ -1,0 +1,66 @@
+#include <planish/base/assert.hpp>
+#include <planish/sheet/builder.hpp>
+
+namespace planish {
+
+SheetBuilder::SheetBuilder(double thickness, double reference_depth) {
+  sheet_.thickness = thickness;
+  sheet_.reference_depth = reference_depth;
+}
+
+FlangeId SheetBuilder::add_flange() { return sheet_.flanges.push_back({}); }
+
+BendId SheetBuilder::add_bend(Bend bend) {
+  PLANISH_ASSERT(bend.faces.empty());
+  return sheet_.bends.push_back(std::move(bend));
+}
+
+FaceId SheetBuilder::add_face(Face face) {
+  const PartId part = face.part_of;
+  const FaceId id = sheet_.faces.push_back(std::move(face));
+  if (const auto* flange = std::get_if<FlangeId>(&part))
+    sheet_.flanges[*flange].faces.push_back(id);
+  else
+    sheet_.bends[std::get<BendId>(part)].faces.push_back(id);
+  return id;
+}
+
+void SheetBuilder::join(const BorderRef& a, const BorderRef& b, std::optional<BendId> sharp) {
+  PLANISH_ASSERT(sheet_.has(a) && sheet_.has(b));
+  PLANISH_ASSERT(!sharp || sheet_[*sharp].faces.empty());
+  sheet_.joints.push_back({a, b, sharp});
+}
+
+FeatureId SheetBuilder::add_feature(FormedFeature feature) {
+  PLANISH_ASSERT(sheet_.faces.has(feature.face));
+  return sheet_.features.push_back(std::move(feature));
+}
+
+void SheetBuilder::add_label(PointLabel label) {
+  PLANISH_ASSERT(sheet_.faces.has(label.face));
+  sheet_.labels.push_back(std::move(label));
+}
+
+void SheetBuilder::number_edges() {
+  int edge = 0;
+  for (Face& face : sheet_.faces)
+    for (BorderLoop& loop : face.loops)
+      for (Border& border : loop)
+        border.edge = ++edge;
+  for (const Joint& joint : sheet_.joints)
+    sheet_[joint.b].edge = sheet_[joint.a].edge;
+}
+
+void SheetBuilder::add_form_volume(std::optional<double> volume) {
+  if (!volume)
+    sheet_.forms_volume.reset();
+  else if (sheet_.forms_volume)
+    *sheet_.forms_volume += *volume;
+}
+
+Result<Sheet> SheetBuilder::build() && {
+  if (auto right = check(sheet_); !right) return tl::unexpected(std::move(right.error()));
+  return std::move(sheet_);
+}
+
+}  // namespace planish

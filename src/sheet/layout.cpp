@@ -1,0 +1,162 @@
+#include "bend_development.hpp"
+#include "placement.hpp"
+
+#include <planish/sheet/layout.hpp>
+#include <planish/sheet/topology.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+using sheet_detail::Placed;
+
+Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
+  if (options.root && !sheet.faces.has(*options.root))
+    return fail(ErrorCode::no_such_face,
+                fmt::format("The sheet has faces 0 to {}; face {}, named as the root, is none of "
+                            "them.",
+                            sheet.faces.size() - 1, index_of(*options.root)));
+  for (const auto& [bend, k] : options.bend_k)
+    if (!sheet.bends.has(bend))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("A K-factor is given for bend {}; the sheet has {}.",
+                              index_of(bend) + 1, sheet.bends.size()));
+  const auto positive = [](double value) { return value > 0.0 && std::isfinite(value); };
+  if (!positive(options.curve_tolerance) || !positive(options.merge_tolerance) ||
+      !positive(options.closure_tolerance))
+    return fail(ErrorCode::bad_option, "The tolerances of a flat pattern are numbers above 0.");
+  return {};
+}
+
+/// The largest face of a flange; the first face where there is no flange.
+FaceId largest_flange_face(const Sheet& sheet) {
+  FaceId best{};
+  double best_area = -1.0;
+  for (const FaceId id : sheet.faces.ids()) {
+    if (!std::holds_alternative<FlangeId>(sheet[id].part_of)) continue;
+    double area = 0.0;
+    for (const BorderLoop& loop : sheet[id].loops)
+      for (const Border& border : loop)
+        area += green_area(border.curve);
+    if (area <= best_area) continue;
+    best_area = area;
+    best = id;
+  }
+  return best;
+}
+
+Loop image_of(const BorderLoop& loop, const std::optional<Development>& development,
+              const Isometry2& placement, const FlattenOptions& options) {
+  Loop image;
+  for (const Border& border : loop) {
+    if (!development) {
+      image.push_back(transformed(border.curve, placement));
+      continue;
+    }
+    Curve2 curve = transformed(development->develop(border.curve, options.curve_tolerance),
+                               placement);
+    // A border that becomes a point, as at a cone's apex, is one, not the rounding about it.
+    const bool point = bounds(curve).size().norm() <= options.merge_tolerance;
+    image.push_back(point ? Curve2(Segment{start_of(curve), end_of(curve)}) : std::move(curve));
+  }
+  return image;
+}
+
+std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
+                            const FlattenOptions& options) {
+  static const std::optional<Development> kPlane;
+  const auto* bend = std::get_if<BendId>(&sheet[id].part_of);
+  std::vector<Loop> images;
+  for (const BorderLoop& loop : sheet[id].loops)
+    images.push_back(
+        image_of(loop, bend ? layout.development[*bend] : kPlane, layout.placement[id], options));
+  return images;
+}
+
+Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
+  const auto name = [&](const BorderRef& ref) {
+    const auto source = sheet[ref.face].source_face;
+    return source ? fmt::format("face {}", *source) : fmt::format("face {}", index_of(ref.face));
+  };
+  const std::string a = name(joint.a), b = name(joint.b);
+  const auto edge = sheet[joint.a].edge;
+  return {ErrorCode::closed_loop,
+          fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses "
+                      "by {:.3g} mm); a rip along the edge between {} and {} would open it.",
+                      closure, a, b),
+          edge ? fmt::format("edge {} between {} and {}", *edge, a, b)
+               : fmt::format("between {} and {}", a, b)};
+}
+
+/// Measures how far every joint is from closing, and refuses what does not.
+Result<double> closure_of(const Sheet& sheet, const Layout& layout, double tolerance) {
+  double closure = 0.0;
+  const Joint* worst = nullptr;
+  for (const Joint& joint : sheet.joints) {
+    const double mismatch = sheet_detail::mismatch(sheet, layout, joint);
+    if (mismatch <= closure) continue;
+    closure = mismatch;
+    worst = &joint;
+  }
+  if (closure > tolerance) return tl::unexpected(loop_error(sheet, *worst, closure));
+  return closure;
+}
+
+}  // namespace
+
+const Curve2& Layout::image(const BorderRef& ref) const {
+  return images[ref.face].at(ref.loop).at(ref.border);
+}
+
+Region Layout::region(FaceId face) const {
+  const std::vector<Loop>& loops = images[face];
+  return {loops.front(), {loops.begin() + 1, loops.end()}};
+}
+
+Vec2 Layout::develop(const Sheet& sheet, FaceId face, const Vec2& uv) const {
+  const auto* bend = std::get_if<BendId>(&sheet[face].part_of);
+  return placement[face] * (bend ? development[*bend]->develop(uv) : uv);
+}
+
+Vec2 Layout::fold(const Sheet& sheet, FaceId face, const Vec2& p) const {
+  const auto* bend = std::get_if<BendId>(&sheet[face].part_of);
+  const Vec2 local = placement[face].inverse() * p;
+  return bend ? development[*bend]->fold(local) : local;
+}
+
+void Layout::move(const Isometry2& motion) {
+  for (Isometry2& placed : placement)
+    placed = motion * placed;
+  for (std::vector<Loop>& loops : images)
+    for (Loop& loop : loops)
+      loop = transformed(loop, motion);
+}
+
+Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
+  if (auto right = check(sheet); !right) return tl::unexpected(right.error());
+  if (auto right = check_options(sheet, options); !right) return tl::unexpected(right.error());
+  auto allowances = sheet_detail::allowances_of(sheet, options);
+  if (!allowances) return tl::unexpected(allowances.error());
+
+  Layout layout;
+  layout.root = options.root.value_or(largest_flange_face(sheet));
+  layout.allowance = std::move(*allowances);
+  layout.development = sheet_detail::developments_of(sheet, layout.allowance);
+  layout.neutral_offset = sheet_detail::neutral_offsets_of(sheet, layout.allowance);
+  auto placed = sheet_detail::placed_over_longest_joints(sheet, Topology(sheet), layout);
+  if (!placed) return tl::unexpected(placed.error());
+  layout.tree = std::move(placed->tree);
+  layout.placement = std::move(placed->placement);
+  const auto closure = closure_of(sheet, layout, options.closure_tolerance);
+  if (!closure) return tl::unexpected(closure.error());
+  layout.closure = *closure;
+  for (const FaceId id : sheet.faces.ids())
+    layout.images.push_back(images_of(sheet, id, layout, options));
+  return layout;
+}
+
+}  // namespace planish

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/topology.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace planish::sheet_detail {
+
+/// A sheet laid out for its certificate, with K-factors and allowances as a pattern states them,
+/// and from where it says that its root lies. Nothing here is taken from the layout that made the
+/// pattern, so that a mistake in one shows against the other: joints are taken in order of length
+/// into a tree (Kruskal), and the sheet is as it was made, its sharp bends not set back.
+struct Relaid {
+  IdVector<FaceId, std::optional<Development>> development;  ///< of bends, at the neutral surface
+  IdVector<FaceId, Isometry2> placement;                     ///< developed plane → pattern
+
+  Vec2 image(FaceId face, const Vec2& uv) const;
+  /// (u, v) of what lies at p.
+  Vec2 fold(FaceId face, const Vec2& p) const;
+};
+
+/// Errors: `pattern_wrong` (the pattern leaves out a bend), `not_a_sheet` (joints do not lead to
+/// every face).
+Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern);
+
+/// How far the faces at an outwardly sharp joint are cut back, mm; 0 at other joints.
+double setback_at(const Sheet& sheet, const Joint& joint);
+
+/// The band that a sharp bend takes in the pattern, between the borders that it joins.
+struct HingeBand {
+  Vec2 origin, along, outwards;
+  double length = 0.0, width = 0.0;
+  bool holds(const Vec2& p, double tolerance) const;
+};
+HingeBand hinge_band(const Sheet& sheet, const Relaid& laid, const Joint& joint, double allowance);
+
+/// The allowance that the pattern states of each bend.
+IdVector<BendId, std::optional<BendAllowance>> stated_allowances(const Sheet& sheet,
+                                                                 const FlatPattern& pattern);
+
+}  // namespace planish::sheet_detail
