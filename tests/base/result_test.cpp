@@ -43,7 +43,7 @@ TEST(ErrorCodes, HaveTheExitStatusOfTheirGroup) {
       expected = 2;
     } else if (code <= ErrorCode::shell_not_solid) {
       expected = 3;
-    } else if (code >= ErrorCode::cancelled) {
+    } else if (code >= ErrorCode::invalid_sheet) {
       expected = 1;
     }
     EXPECT_EQ(exit_status(code), expected) << code_name(code);
