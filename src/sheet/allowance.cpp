@@ -1,3 +1,4 @@
+#include <planish/base/tolerance.hpp>
 #include <planish/sheet/allowance.hpp>
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ struct BendSize {
 constexpr double kRightAngle = 90.0;  // degrees: what a BA or BD without angle is for
 
 // How far a K that was computed from BA or BD may leave [0, 1] by rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kBeyond = tolerance::kComputed;
 
 double k_of_allowance(double allowance, const BendSize& bend) {
   return (allowance / bend.angle.radians() - bend.radius) / bend.thickness;
@@ -79,7 +80,7 @@ std::vector<TablePoint> points_of(const BendTable& table) {
 
 /// The same place along one dimension: tables write 0.0598 where CAD has 0.05980001.
 bool same(double a, double b) {
-  constexpr double kRelative = 1e-6;
+  constexpr double kRelative = 1e-6;  // tables have four digits, CAD has seven
   return std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
 }
 
@@ -198,7 +199,7 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
   const BendSize bend{thickness, inside_radius, angle};
   const auto found = std::visit([&](const auto& r) { return k_of(r, bend); }, rule);
   if (!found) return tl::unexpected(found.error());
-  if (!(found->k >= -kRounding && found->k <= 1.0 + kRounding)) {
+  if (!(found->k >= -kBeyond && found->k <= 1.0 + kBeyond)) {
     return fail(
         ErrorCode::bad_option,
         fmt::format(
@@ -217,7 +218,8 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
 }
 
 double outside_setback(double inside_radius, double thickness, Angle angle) {
-  constexpr double kHalfTurn = std::numbers::pi - 1e-6;
+  constexpr double kNearly = 1e-6;  // rad: a hem in a CAD file is seldom closer to its half turn
+  constexpr double kHalfTurn = std::numbers::pi - kNearly;
   const double outside_radius = inside_radius + thickness;
   return angle.radians() < kHalfTurn ? outside_radius * std::tan(angle.radians() / 2.0)
                                      : outside_radius;

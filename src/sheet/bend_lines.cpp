@@ -1,10 +1,12 @@
 #include "bend_lines.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 struct Range {
@@ -41,7 +43,7 @@ std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, doub
   std::vector<std::pair<double, double>> result;
   if (intervals.empty()) return result;
   const double extent = intervals.back().second - intervals.front().first;
-  const double touching = 1e-6 * std::abs(extent);  // share of the bend's length: far below any cut
+  const double touching = tolerance::kAside * std::abs(extent);  // far below any cut
   for (const auto& interval : intervals) {
     if (!result.empty() && interval.first - result.back().second <= touching)
       result.back().second = std::max(result.back().second, interval.second);
@@ -76,7 +78,7 @@ Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
 /// the ruling itself where that finds the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
                                   const Range& range, double at) {
-  constexpr double kAside = 1e-6;  // share of the range
+  constexpr double kAside = tolerance::kAside;  // share of the range
   const double u = range.lo + at * (range.hi - range.lo);
   const double looked_at = range.lo +
                            std::clamp(at + kAside, kAside, 1.0 - kAside) * (range.hi - range.lo);
@@ -157,4 +159,4 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -14,6 +14,8 @@
 namespace planish {
 namespace {
 
+using namespace sheet_detail;
+
 /// Reads a number; a comma alone is a decimal comma.
 std::optional<double> number(std::string text) {
   if (text.find('.') == std::string::npos && std::count(text.begin(), text.end(), ',') == 1)

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 /// How a header may spell a column: lower case, nothing but letters, digits and '/'. Values are
@@ -203,4 +203,4 @@ std::optional<std::string> TableShape::problem(const CsvRecord& header) const {
   return std::nullopt;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

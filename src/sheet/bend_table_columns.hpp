@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// What a column of a bend table can hold.
 enum class Column { ratio, radius, thickness, angle, k, allowance, deduction };
@@ -50,4 +50,4 @@ class TableShape {
   std::array<std::optional<Heading>, kColumns> headings_;
 };
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

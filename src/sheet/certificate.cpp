@@ -10,9 +10,7 @@
 namespace planish {
 namespace {
 
-using sheet_detail::CurveIndex;
-using sheet_detail::HingeBand;
-using sheet_detail::Relaid;
+using namespace sheet_detail;
 
 /// A deviation and where it is in the pattern.
 struct Worst {
@@ -32,46 +30,78 @@ double area_as_written(const FlatPattern& pattern) {
   return area;
 }
 
-/// Whether all of a loop is the outline of a form, so that the material goes on.
-bool is_formed(const BorderLoop& loop) {
-  return std::all_of(loop.begin(), loop.end(), [](const Border& b) { return b.feature; });
+using Allowances = IdVector<BendId, BendAllowance>;
+
+Curve2 image_of(const Sheet& sheet, const Relaid& laid, const BorderRef& ref, double tolerance) {
+  const auto& development = laid.development[ref.face];
+  const Curve2& curve = sheet[ref].curve;
+  return transformed(development ? development->develop(curve, tolerance) : curve,
+                     laid.placement[ref.face]);
 }
 
-double developed_area(const Face& face, const Development& development, double tolerance) {
-  double area = 0.0;
-  for (size_t l = 0; l < face.loops.size(); ++l) {
-    if (l > 0 && is_formed(face.loops[l])) continue;
-    for (const Border& border : face.loops[l])
-      area += green_area(development.develop(border.curve, tolerance));
-  }
-  return std::abs(area);
-}
-
-/// What the bends of the pattern as written take more than those of one with K = ½.
-double area_beyond_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
-                        double tolerance) {
-  const auto stated = sheet_detail::stated_allowances(sheet, pattern);
-  double beyond = 0.0;
+/// What the bends take of the sheet, less their openings.
+double area_of_bends(const Sheet& sheet, const Relaid& laid, const Allowances& allowances,
+                     double tolerance) {
+  double sum = 0.0;
   for (const FaceId id : sheet.faces.ids()) {
-    const auto* bend = std::get_if<BendId>(&sheet[id].part_of);
-    if (!bend || stated[*bend]->k_factor == 0.5) continue;
-    const Face& face = sheet[id];
-    const double half = face.sense * (sheet.reference_depth - 0.5 * sheet.thickness);
-    const Development middle(std::get<Developable>(face.surface), half);
-    beyond += developed_area(face, *laid.development[id], tolerance) -
-              developed_area(face, middle, tolerance);
+    if (!laid.development[id]) continue;
+    double area = 0.0;
+    for (const BorderLoop& loop : sheet[id].loops)
+      for (const Border& border : loop)
+        area += green_area(laid.development[id]->develop(border.curve, tolerance));
+    sum += std::abs(area);
   }
-  for (const Joint& joint : sheet.joints) {
-    if (!joint.sharp) continue;
-    const double wider = sheet[*joint.sharp].angle.radians() * sheet.thickness *
-                         (stated[*joint.sharp]->k_factor - 0.5);
-    const auto length = [&](const BorderRef& ref) {
-      const Curve2& curve = sheet[ref].curve;
-      return (laid.image(ref.face, end_of(curve)) - laid.image(ref.face, start_of(curve))).norm();
-    };
-    beyond += wider * 0.5 * (length(joint.a) + length(joint.b));
+  const auto length = [&](const BorderRef& ref) {
+    const Curve2& curve = sheet[ref].curve;
+    return (laid.image(ref.face, end_of(curve)) - laid.image(ref.face, start_of(curve))).norm();
+  };
+  for (const Joint& joint : sheet.joints)
+    if (joint.sharp)
+      sum += allowances[*joint.sharp].allowance * 0.5 * (length(joint.a) + length(joint.b));
+  return sum;
+}
+
+/// What lies within the outlines of formed features, where the material goes on.
+double area_of_forms(const Sheet& sheet, const Topology& topology, const Relaid& laid,
+                     double tolerance) {
+  double sum = 0.0;
+  IdVector<BorderId, bool> seen(topology.border_count(), false);
+  for (const BorderId start : topology.borders()) {
+    if (seen[start] || !topology.is_free(start)) continue;
+    Loop outline;
+    bool formed = false;
+    for (BorderId at = start; !seen[at]; at = topology.along_contour(at).border) {
+      seen[at] = true;
+      formed |= sheet[topology[at]].feature.has_value();
+      const Curve2 image = image_of(sheet, laid, topology[at], tolerance);
+      if (!outline.empty()) outline.push_back(Segment{end_of(outline.back()), start_of(image)});
+      outline.push_back(image);
+    }
+    outline.push_back(Segment{end_of(outline.back()), start_of(outline.front())});
+    if (formed) sum += std::abs(signed_area(outline));
   }
-  return beyond;
+  return sum;
+}
+
+/// The area of the pattern as written, were all its bends of K = ½: less by what the bends, and the
+/// forms that lie over them, take more with the K-factors that the pattern states.
+Result<double> area_at_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
+                            const Allowances& stated, double tolerance) {
+  const double written = area_as_written(pattern);
+  const bool all_half = std::all_of(stated.begin(), stated.end(),
+                                    [](const BendAllowance& bend) { return bend.k_factor == 0.5; });
+  if (all_half) return written;
+  const Allowances half = at_half(sheet, stated);
+  const auto halfway = relaid(sheet, pattern, half);
+  if (!halfway) return tl::unexpected(halfway.error());
+  double beyond = area_of_bends(sheet, laid, stated, tolerance) -
+                  area_of_bends(sheet, *halfway, half, tolerance);
+  if (!sheet.features.empty()) {
+    const Topology topology(sheet);
+    beyond += area_of_forms(sheet, topology, laid, tolerance) -
+              area_of_forms(sheet, topology, *halfway, tolerance);
+  }
+  return written - beyond;
 }
 
 /// Lengths on the reference surface itself: its development must keep them, whatever the K-factor.
@@ -122,7 +152,7 @@ struct CutStrip {
 IdVector<FaceId, std::vector<CutStrip>> cut_strips(const Sheet& sheet) {
   IdVector<FaceId, std::vector<CutStrip>> strips(sheet.faces.size());
   for (const Joint& joint : sheet.joints) {
-    const double setback = sheet_detail::setback_at(sheet, joint);
+    const double setback = setback_at(sheet, joint);
     if (setback <= 0.0) continue;
     for (const BorderRef& ref : {joint.a, joint.b}) {
       const Vec2 from = start_of(sheet[ref].curve);
@@ -169,22 +199,17 @@ Worst worst_border(const Sheet& sheet, const FlatPattern& pattern, const Relaid&
 /// Every contour of the pattern is looked for among the sheet's free borders, laid flat; across
 /// sharp bends it runs within their bands.
 Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
-                    double tolerance) {
-  const auto stated = sheet_detail::stated_allowances(sheet, pattern);
+                    const Allowances& stated, double tolerance) {
   const Topology topology(sheet);
   std::vector<Curve2> borders;
   for (const BorderId id : topology.borders()) {
     if (!topology.is_free(id)) continue;
-    const BorderRef& ref = topology[id];
-    const auto& development = laid.development[ref.face];
-    const Curve2& curve = sheet[ref].curve;
-    borders.push_back(transformed(development ? development->develop(curve, tolerance) : curve,
-                                  laid.placement[ref.face]));
+    borders.push_back(image_of(sheet, laid, topology[id], tolerance));
   }
   std::vector<HingeBand> bands;
   for (const Joint& joint : sheet.joints)
     if (joint.sharp)
-      bands.push_back(hinge_band(sheet, laid, joint, stated[*joint.sharp]->allowance));
+      bands.push_back(hinge_band(sheet, laid, joint, stated[*joint.sharp].allowance));
   const CurveIndex index(std::move(borders));
   const auto across_hinge = [&](const Vec2& p) {
     return std::any_of(bands.begin(), bands.end(),
@@ -209,13 +234,15 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   if (pattern.outer.loop.empty())
     return fail(ErrorCode::pattern_wrong, "The flat pattern has no outer contour.");
   PLANISH_ASSERT(sheet.faces.has(pattern.root) && curve_tolerance > 0.0);
-  const auto laid = sheet_detail::relaid(sheet, pattern);
+  const auto stated = stated_allowances(sheet, pattern);
+  if (!stated) return tl::unexpected(stated.error());
+  const auto laid = relaid(sheet, pattern, *stated);
   if (!laid) return tl::unexpected(laid.error());
+  const auto half = area_at_half(sheet, pattern, *laid, *stated, curve_tolerance);
+  if (!half) return tl::unexpected(half.error());
 
   Certificate certificate;
-  const double area = area_as_written(pattern) -
-                      area_beyond_half(sheet, pattern, *laid, curve_tolerance);
-  certificate.flat_area_half = area;
+  const double area = certificate.flat_area_half = *half;
   if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
   if (sheet.volume && sheet.forms_volume) {
     const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
@@ -226,7 +253,7 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   certificate.length_error_at = length.at;
   if (!distance) return certificate;
   Worst refold = worst_border(sheet, pattern, *laid, distance);
-  const Worst contour = worst_contour(sheet, pattern, *laid, curve_tolerance);
+  const Worst contour = worst_contour(sheet, pattern, *laid, *stated, curve_tolerance);
   refold.take(contour.distance, contour.at);
   certificate.refold_deviation = refold.distance;
   certificate.refold_at = refold.at;

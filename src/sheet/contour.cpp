@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 /// Contour before recognition: exact images of the borders.
@@ -93,4 +93,4 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
   return contours;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -2,7 +2,7 @@
 
 #include <planish/sheet/flat_pattern.hpp>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// The free borders of the flat sheet chained to closed contours, the outer one first.
 struct Contours {
@@ -17,4 +17,4 @@ struct Contours {
 Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
                                 const FlattenOptions& options);
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -152,4 +152,4 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
   return CsvReader(text, separator, name).records();
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -1,4 +1,4 @@
-#include "bend_strips.hpp"
+#include "bend_facets.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/facets.hpp>
@@ -11,6 +11,8 @@
 
 namespace planish {
 namespace {
+
+using namespace sheet_detail;
 
 const Segment kNoHinge{Vec2::Zero(), Vec2::Zero()};
 
@@ -73,7 +75,7 @@ class FacetTree {
   /// What lies beyond a joint whose side a is there.
   void hang(const Joint& joint);
 
-  const BendStrips& strips_of(BendId bend);
+  const BendFacets& strips_of(BendId bend);
 
  private:
   int add(const PartId& part, const Hinge& hinge, std::vector<Polygon> polygons) {
@@ -91,7 +93,7 @@ class FacetTree {
   const Layout& layout_;
   const FacetOptions& options_;
   Topology topology_;
-  IdVector<BendId, std::optional<BendStrips>> strips_;
+  IdVector<BendId, std::optional<BendFacets>> strips_;
   IdVector<FaceId, int> facet_of_face_;
   IdVector<BendId, std::vector<int>> facets_of_bend_;
   int borders_ = 0;  ///< of which there are edges
@@ -123,7 +125,7 @@ void FacetTree::hang_flange_face(FaceId face, const Hinge& hinge) {
     }
 }
 
-const BendStrips& FacetTree::strips_of(BendId bend) {
+const BendFacets& FacetTree::strips_of(BendId bend) {
   auto& strips = strips_[bend];
   if (strips) return *strips;
   strips.emplace(sheet_, layout_, bend, options_);
@@ -136,11 +138,11 @@ const BendStrips& FacetTree::strips_of(BendId bend) {
 
 /// The strip numbered `entry` is hinged to the parent, the others to those beside them.
 void FacetTree::hang_bend(BendId bend, int entry, const Hinge& hinge) {
-  const BendStrips& strips = strips_of(bend);
+  const BendFacets& strips = strips_of(bend);
   std::vector<int> facets(strips.count());
   const auto add_strip = [&](int strip, const Hinge& on) {
     facets[strip] = add(bend, on, strips.polygons(strip));
-    for (const BendStrips::Edge& edge : strips.edges(strip))
+    for (const BendFacets::Edge& edge : strips.edges(strip))
       made_.edges.push_back({facets[strip], edge.line, borders_ + edge.border});
   };
   const auto beside = [&](int from, int strip) -> Hinge {
@@ -247,7 +249,7 @@ int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
     return tree.topology().node_of(*face);
   }
   const BendId bend = std::get<BendId>(sheet.faces.front().part_of);
-  const BendStrips& strips = tree.strips_of(bend);
+  const BendFacets& strips = tree.strips_of(bend);
   const int middle = strips.count() / 2;
   tree.set_root(strips.in_space(middle, middle_depth(sheet)));
   tree.hang_bend(bend, middle, {});

@@ -13,6 +13,8 @@
 namespace planish {
 namespace {
 
+using namespace sheet_detail;
+
 std::vector<FlatFeature> flat_features(const Sheet& sheet, const Layout& layout,
                                        const Contours& contours, double tolerance) {
   std::vector<FlatFeature> features;

@@ -12,7 +12,7 @@
 namespace planish {
 namespace {
 
-using sheet_detail::Placed;
+using namespace sheet_detail;
 
 Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   if (options.root && !sheet.faces.has(*options.root))
@@ -97,9 +97,9 @@ Result<double> closure_of(const Sheet& sheet, const Layout& layout, double toler
   double closure = 0.0;
   const Joint* worst = nullptr;
   for (const Joint& joint : sheet.joints) {
-    const double mismatch = sheet_detail::mismatch(sheet, layout, joint);
-    if (mismatch <= closure) continue;
-    closure = mismatch;
+    const double off = mismatch(sheet, layout, joint);
+    if (off <= closure) continue;
+    closure = off;
     worst = &joint;
   }
   if (closure > tolerance) return tl::unexpected(loop_error(sheet, *worst, closure));
@@ -139,15 +139,15 @@ void Layout::move(const Isometry2& motion) {
 Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
   if (auto right = check(sheet); !right) return tl::unexpected(right.error());
   if (auto right = check_options(sheet, options); !right) return tl::unexpected(right.error());
-  auto allowances = sheet_detail::allowances_of(sheet, options);
+  auto allowances = allowances_of(sheet, options);
   if (!allowances) return tl::unexpected(allowances.error());
 
   Layout layout;
   layout.root = options.root.value_or(largest_flange_face(sheet));
   layout.allowance = std::move(*allowances);
-  layout.development = sheet_detail::developments_of(sheet, layout.allowance);
-  layout.neutral_offset = sheet_detail::neutral_offsets_of(sheet, layout.allowance);
-  auto placed = sheet_detail::placed_over_longest_joints(sheet, Topology(sheet), layout);
+  layout.development = developments_of(sheet, layout.allowance);
+  layout.neutral_offset = neutral_offsets_of(sheet, layout.allowance);
+  auto placed = placed_over_longest_joints(sheet, Topology(sheet), layout);
   if (!placed) return tl::unexpected(placed.error());
   layout.tree = std::move(placed->tree);
   layout.placement = std::move(placed->placement);

@@ -1,6 +1,6 @@
 #include "measure.hpp"
 
-namespace planish {
+namespace planish::sheet_detail {
 
 void measure(FlatPattern& pattern) {
   pattern.area = signed_area(pattern.outer.loop);
@@ -13,4 +13,4 @@ void measure(FlatPattern& pattern) {
     pattern.perimeter += length(Curve2(slit));
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -11,7 +11,7 @@
 namespace planish::sheet_detail {
 namespace {
 
-using Stated = IdVector<BendId, std::optional<BendAllowance>>;
+using Stated = IdVector<BendId, BendAllowance>;
 
 double middle_u(const Face& face) {
   const Box2 box = parameter_box(face);
@@ -113,7 +113,7 @@ Isometry2 beyond(const Relaid& laid, const Sheet& sheet, const Joint& joint, con
 
 /// Distance between the borders of a joint in the pattern.
 double distance_apart(const Sheet& sheet, const Joint& joint, const Stated& stated) {
-  return joint.sharp ? stated[*joint.sharp]->allowance - 2.0 * setback_at(sheet, joint) : 0.0;
+  return joint.sharp ? stated[*joint.sharp].allowance - 2.0 * setback_at(sheet, joint) : 0.0;
 }
 
 /// Motions of the nodes, the root's the identity.
@@ -161,11 +161,28 @@ Vec2 Relaid::fold(FaceId face, const Vec2& p) const {
   return development[face] ? development[face]->fold(local) : local;
 }
 
-Stated stated_allowances(const Sheet& sheet, const FlatPattern& pattern) {
-  Stated stated(sheet.bends.size());
+Result<Stated> stated_allowances(const Sheet& sheet, const FlatPattern& pattern) {
+  IdVector<BendId, std::optional<BendAllowance>> found(sheet.bends.size());
   for (const FlatBend& bend : pattern.bends)
-    if (sheet.bends.has(bend.bend)) stated[bend.bend] = bend.allowance;
+    if (sheet.bends.has(bend.bend)) found[bend.bend] = bend.allowance;
+  Stated stated;
+  for (const BendId id : sheet.bends.ids()) {
+    if (!found[id])
+      return fail(ErrorCode::pattern_wrong,
+                  fmt::format("The flat pattern leaves out bend B{}.", index_of(id) + 1));
+    stated.push_back(*found[id]);
+  }
   return stated;
+}
+
+Stated at_half(const Sheet& sheet, Stated allowances) {
+  for (const BendId id : sheet.bends.ids()) {
+    BendAllowance& allowance = allowances[id];
+    const double wider = allowance.k_factor - 0.5;
+    allowance.k_factor = 0.5;
+    allowance.allowance -= sheet[id].angle.radians() * sheet.thickness * wider;
+  }
+  return allowances;
 }
 
 double setback_at(const Sheet& sheet, const Joint& joint) {
@@ -175,17 +192,12 @@ double setback_at(const Sheet& sheet, const Joint& joint) {
   return sheet.thickness * std::tan(0.5 * bend.angle.radians());
 }
 
-Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern) {
-  const Stated stated = stated_allowances(sheet, pattern);
-  for (const BendId id : sheet.bends.ids())
-    if (!stated[id])
-      return fail(ErrorCode::pattern_wrong,
-                  fmt::format("The flat pattern leaves out bend B{}.", index_of(id) + 1));
+Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern, const Stated& stated) {
   Relaid laid;
   for (const Face& face : sheet.faces) {
     auto& development = laid.development.emplace_back();
     if (const auto* bend = std::get_if<BendId>(&face.part_of))
-      development.emplace(neutral_development(sheet, face, stated[*bend]->k_factor));
+      development.emplace(neutral_development(sheet, face, stated[*bend].k_factor));
   }
   const Topology topology(sheet);
   const auto motions = walked(laid, sheet, topology, pattern.root, stated);

@@ -21,9 +21,17 @@ struct Relaid {
   Vec2 fold(FaceId face, const Vec2& p) const;
 };
 
-/// Errors: `pattern_wrong` (the pattern leaves out a bend), `not_a_sheet` (joints do not lead to
-/// every face).
-Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern);
+/// What the pattern states of each bend. Error: `pattern_wrong` (it leaves out a bend).
+Result<IdVector<BendId, BendAllowance>> stated_allowances(const Sheet& sheet,
+                                                          const FlatPattern& pattern);
+/// The same at K = ½.
+IdVector<BendId, BendAllowance> at_half(const Sheet& sheet,
+                                        IdVector<BendId, BendAllowance> allowances);
+
+/// Lays the sheet out anew with these allowances. Error: `not_a_sheet` (joints do not lead to every
+/// face).
+Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern,
+                      const IdVector<BendId, BendAllowance>& allowances);
 
 /// How far the faces at an outwardly sharp joint are cut back, mm; 0 at other joints.
 double setback_at(const Sheet& sheet, const Joint& joint);
@@ -35,9 +43,5 @@ struct HingeBand {
   bool holds(const Vec2& p, double tolerance) const;
 };
 HingeBand hinge_band(const Sheet& sheet, const Relaid& laid, const Joint& joint, double allowance);
-
-/// The allowance that the pattern states of each bend.
-IdVector<BendId, std::optional<BendAllowance>> stated_allowances(const Sheet& sheet,
-                                                                 const FlatPattern& pattern);
 
 }  // namespace planish::sheet_detail

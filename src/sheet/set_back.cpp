@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 /// The line that a border moves to: `distance` into its face.
@@ -101,4 +101,4 @@ Result<Sheet> with_setback(const Sheet& sheet) {
   return moved;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -2,7 +2,7 @@
 
 #include <planish/sheet/sheet.hpp>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// The sheet with the borders of its outwardly sharp bends (reference skin outside) moved back to
 /// where the bend begins, the outside setback t·tan(α/2) from the corner (MATH 1 with r = 0), and
@@ -14,4 +14,4 @@ Result<Sheet> with_setback(const Sheet& sheet);
 /// Whether there is anything to set back.
 bool needs_setback(const Sheet& sheet);
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -1,5 +1,7 @@
 #include "slot_shape.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,7 @@
 #include <numbers>
 #include <utility>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
 using std::numbers::pi;
@@ -61,7 +63,7 @@ MouthCorner mouth_corner(const Slot& slot, const Vec2& along, const Vec2& bank_s
                          const Vec2& away) {
   const Vec2 mouth = slot.axis.a, beside = slot.half_width * bank_side;
   const double forward = along.dot(away), aside = bank_side.dot(away);
-  constexpr double kLevel = 1e-9;  // radians: a mouth this near to perpendicular is
+  constexpr double kLevel = tolerance::kComputed;  // radians: a mouth this near to perpendicular is
   if (forward > kLevel && aside > 0.0) {
     const double distance = slot.half_width / aside;
     return {distance, mouth + distance * away, false};
@@ -127,7 +129,8 @@ double distance(const Segment& a, const Segment& b) {
 
 std::vector<Vec2> chain_of(const Curve2& curve) {
   if (const auto* line = std::get_if<Segment>(&curve)) return {line->a, line->b};
-  std::vector<Vec2> points = sampled(curve, 1e-3 * length(curve));
+  constexpr double kChord = 1e-3;  // share of the length
+  std::vector<Vec2> points = sampled(curve, kChord * length(curve));
   points.push_back(end_of(curve));
   return points;
 }
@@ -204,7 +207,7 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
   };
   std::vector<Segment> pieces;
   double done = 0.0;
-  constexpr double kNothing = 1e-9;  // share of the line: rounding, no piece
+  constexpr double kNothing = tolerance::kComputed;  // share of the line
   for (const auto& [enter, leave] : cuts) {
     if (enter > done + kNothing) pieces.push_back({at(done), at(enter)});
     done = std::max(done, leave);
@@ -213,4 +216,4 @@ std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots
   return pieces;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

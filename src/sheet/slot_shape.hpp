@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// A corner of a contour, where curve `at` begins; contour 0 is the outer one, then come the
 /// openings.
@@ -46,4 +46,4 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
 /// What of a line is in no slot.
 std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots);
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -14,6 +14,8 @@
 namespace planish {
 namespace {
 
+using namespace sheet_detail;
+
 Result<void> check_options(const SlotOptions& options) {
   const auto check = [](double value, const char* what, const char* where) -> Result<void> {
     if (std::isfinite(value) && value >= 0.0) return {};

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
 
-struct Piece {
+struct TracedCurve {
   Curve2 curve;
   std::vector<Origin> origins;
 };
@@ -21,50 +21,50 @@ double distance_to_line(const Vec2& p, const Segment& line) {
 
 double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
 
-/// Whether the path turns round between the two pieces and comes back on its own line.
+/// Whether the path turns round between the two curves and comes back on its own line.
 bool turns_round(const Segment& there, const Segment& back, double tolerance) {
   if ((there.b - there.a).dot(back.b - back.a) >= 0.0) return false;
   return length_of(there) > length_of(back) ? distance_to_line(back.b, there) <= tolerance
                                             : distance_to_line(there.a, back) <= tolerance;
 }
 
-/// The path so far, in which no piece runs back along the one before.
+/// The path so far, in which no curve runs back along the one before.
 class Path {
  public:
   explicit Path(double tolerance) : tolerance_(tolerance) {}
 
-  void append(Piece piece) {
-    while (auto rest = folded_back(pieces_.empty() ? nullptr : &pieces_.back(), piece)) {
-      pieces_.pop_back();
-      if (rest->before) return pieces_.push_back(std::move(*rest->before));
+  void append(TracedCurve curve) {
+    while (auto rest = folded_back(curves_.empty() ? nullptr : &curves_.back(), curve)) {
+      curves_.pop_back();
+      if (rest->before) return curves_.push_back(std::move(*rest->before));
       if (!rest->after) return;
-      piece = std::move(*rest->after);
+      curve = std::move(*rest->after);
     }
-    pieces_.push_back(std::move(piece));
+    curves_.push_back(std::move(curve));
   }
 
-  /// The last piece and the first follow each other too.
+  /// The last curve and the first follow each other too.
   void close() {
-    while (pieces_.size() > 1) {
-      auto rest = folded_back(&pieces_.back(), pieces_.front());
+    while (curves_.size() > 1) {
+      auto rest = folded_back(&curves_.back(), curves_.front());
       if (!rest) return;
-      pieces_.pop_back();
-      pieces_.pop_front();
-      if (rest->before) pieces_.push_back(std::move(*rest->before));
-      if (rest->after) pieces_.push_front(std::move(*rest->after));
+      curves_.pop_back();
+      curves_.pop_front();
+      if (rest->before) curves_.push_back(std::move(*rest->before));
+      if (rest->after) curves_.push_front(std::move(*rest->after));
     }
   }
 
-  const std::deque<Piece>& pieces() const { return pieces_; }
+  const std::deque<TracedCurve>& curves() const { return curves_; }
   const std::vector<Segment>& slits() const { return slits_; }
 
  private:
   struct Rest {
-    std::optional<Piece> before, after;
+    std::optional<TracedCurve> before, after;
   };
 
-  /// What is left of two pieces that turn round between them; nothing when they do not.
-  std::optional<Rest> folded_back(const Piece* before, const Piece& after) {
+  /// What is left of two curves that turn round between them; nothing when they do not.
+  std::optional<Rest> folded_back(const TracedCurve* before, const TracedCurve& after) {
     if (before == nullptr) return std::nullopt;
     const auto* there = std::get_if<Segment>(&before->curve);
     const auto* back = std::get_if<Segment>(&after.curve);
@@ -74,16 +74,16 @@ class Path {
     Rest rest;
     if (longer > tolerance_) {
       slits_.push_back({back->a, back->b});
-      rest.before = Piece{Segment{there->a, back->b}, before->origins};
+      rest.before = TracedCurve{Segment{there->a, back->b}, before->origins};
     } else {
       slits_.push_back({there->b, there->a});
-      if (longer < -tolerance_) rest.after = Piece{Segment{there->a, back->b}, after.origins};
+      if (longer < -tolerance_) rest.after = TracedCurve{Segment{there->a, back->b}, after.origins};
     }
     return rest;
   }
 
   double tolerance_;
-  std::deque<Piece> pieces_;
+  std::deque<TracedCurve> curves_;
   std::vector<Segment> slits_;
 };
 
@@ -103,15 +103,15 @@ std::optional<Segment> joined(const Segment& a, const Segment& b, double toleran
   return Segment{from < 0.0 ? first : longer.a, to > length_of(longer) ? last : longer.b};
 }
 
-std::vector<Segment> joined(std::vector<Segment> pieces, double tolerance) {
+std::vector<Segment> joined(std::vector<Segment> curves, double tolerance) {
   std::vector<Segment> whole;
-  while (!pieces.empty()) {
-    Segment slit = pieces.back();
-    pieces.pop_back();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (const auto both = joined(slit, pieces[i], tolerance)) {
+  while (!curves.empty()) {
+    Segment slit = curves.back();
+    curves.pop_back();
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      if (const auto both = joined(slit, curves[i], tolerance)) {
         slit = *both;
-        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+        curves.erase(curves.begin() + static_cast<std::ptrdiff_t>(i));
         i = static_cast<std::size_t>(-1);
       }
     whole.push_back(slit);
@@ -130,12 +130,12 @@ WithoutSpurs without_spurs(const Contour& contour, double tolerance) {
   path.close();
   WithoutSpurs result;
   if (path.slits().empty()) return {contour, {}};
-  for (const Piece& piece : path.pieces()) {
-    result.contour.loop.push_back(piece.curve);
-    result.contour.origins.push_back(piece.origins);
+  for (const TracedCurve& curve : path.curves()) {
+    result.contour.loop.push_back(curve.curve);
+    result.contour.origins.push_back(curve.origins);
   }
   result.slits = joined(path.slits(), tolerance);
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -2,7 +2,7 @@
 
 #include <planish/sheet/flat_pattern.hpp>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// A contour without the stretches that it runs there and back, and these, each once. Whoever is
 /// wholly such a stretch has no curves left. Where a slit leaves the contour there is a corner.
@@ -15,4 +15,4 @@ struct WithoutSpurs {
 /// each other; stretches that lie in one line and touch are one. O(n), and the square of the slits.
 WithoutSpurs without_spurs(const Contour& contour, double tolerance);
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -1,10 +1,14 @@
-#include "bend_strips.hpp"
+#include "bend_facets.hpp"
+
+#include <planish/base/tolerance.hpp>
 
 #include <algorithm>
 #include <cmath>
 
-namespace planish {
+namespace planish::sheet_detail {
 namespace {
+
+using tolerance::kComputed;
 
 Box2 range_of(const Sheet& sheet, BendId bend) {
   Box2 box;
@@ -19,7 +23,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-BendStrips::BendStrips(const Sheet& sheet, const Layout& layout, BendId bend,
+BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
                        const FacetOptions& options)
     : sheet_(sheet),
       face_(sheet[sheet[bend].faces.front()]),
@@ -39,7 +43,7 @@ BendStrips::BendStrips(const Sheet& sheet, const Layout& layout, BendId bend,
   edges_.resize(static_cast<size_t>(count()));
 }
 
-void BendStrips::place_rulings(const FacetOptions& options) {
+void BendFacets::place_rulings(const FacetOptions& options) {
   constexpr int kSamples = 64;
   const auto& surface = std::get<Developable>(face_.surface);
   std::vector<double> turned{0.0};
@@ -55,7 +59,8 @@ void BendStrips::place_rulings(const FacetOptions& options) {
   const double whole = turned.back(), radius = speed_ * (hi_ - lo_) / whole;
   const double by_chord = 2.0 * std::acos(std::max(0.0, 1.0 - options.chord / radius));
   const int strips = std::max(
-      1, static_cast<int>(std::ceil(whole / std::min(by_chord, options.most.radians()) - 1e-9)));
+      1,
+      static_cast<int>(std::ceil(whole / std::min(by_chord, options.most.radians()) - kComputed)));
   rulings_.push_back(lo_);
   size_t above = 1;
   for (int i = 1; i < strips; ++i) {
@@ -68,32 +73,32 @@ void BendStrips::place_rulings(const FacetOptions& options) {
   rulings_.push_back(hi_);
 }
 
-Segment BendStrips::ruling(int i) const {
+Segment BendFacets::ruling(int i) const {
   const double u = rulings_[i];
   return {image({u, v_lo_}), image({u, v_hi_})};
 }
 
-double BendStrips::turn(int from, int to) const {
+double BendFacets::turn(int from, int to) const {
   const Vec3 axis = ruling_on(std::get<Developable>(face_.surface), rulings_[std::max(from, to)]);
   const Vec3 a = normal(from), b = normal(to);
   return std::atan2(axis.dot(a.cross(b)), a.dot(b));
 }
 
-int BendStrips::strip_at(double u) const {
+int BendFacets::strip_at(double u) const {
   const auto above = std::upper_bound(rulings_.begin() + 1, rulings_.end() - 1, u);
   return static_cast<int>(above - rulings_.begin()) - 1;
 }
 
-int BendStrips::beside(FaceId id, double u) const {
+int BendFacets::beside(FaceId id, double u) const {
   double middle = 0.0;
   const BorderLoop& loop = sheet_[id].loops.front();
   for (const Border& border : loop)
     middle += start_of(border.curve).x() / static_cast<double>(loop.size());
-  const double aside = 1e-6 * (hi_ - lo_);
+  const double aside = tolerance::kAside * (hi_ - lo_);
   return strip_at(u + (middle > u ? aside : -aside));
 }
 
-Eigen::Isometry3d BendStrips::in_space(int strip, double depth) const {
+Eigen::Isometry3d BendFacets::in_space(int strip, double depth) const {
   const auto& surface = std::get<Developable>(face_.surface);
   const Vec2 uv(u_of_strip(strip), 0.5 * (v_lo_ + v_hi_));
   const Vec2 at = image(uv);
@@ -113,7 +118,7 @@ Eigen::Isometry3d BendStrips::in_space(int strip, double depth) const {
 }
 
 /// Parameters between which chords leave a curve by no more than `chord_`.
-void BendStrips::add_stops(const Curve2& curve, std::vector<double>& stops) const {
+void BendFacets::add_stops(const Curve2& curve, std::vector<double>& stops) const {
   if (std::holds_alternative<Arc>(curve)) {
     constexpr int kParts = 64;
     for (int i = 1; i < kParts; ++i)
@@ -136,7 +141,7 @@ void BendStrips::add_stops(const Curve2& curve, std::vector<double>& stops) cons
   std::erase(stops, 0.0);
 }
 
-std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
+std::vector<Vec2> BendFacets::sampled_in_strips(const Curve2& curve) const {
   std::vector<double> stops;
   for (const double u : rulings_)
     for (const double t : crossings(curve, Vec2(u, 0.0), Vec2(0.0, 1.0)))
@@ -145,19 +150,19 @@ std::vector<Vec2> BendStrips::sampled_in_strips(const Curve2& curve) const {
   std::sort(stops.begin(), stops.end());
   std::vector<Vec2> points{start_of(curve)};
   for (size_t i = 0; i < stops.size(); ++i) {
-    if (i > 0 && stops[i] - stops[i - 1] < 1e-12) continue;
+    if (i > 0 && stops[i] - stops[i - 1] < tolerance::kRounding) continue;
     Vec2 p = point_at(curve, stops[i]);
     // A crossing lies on its ruling, not beside it.
     const auto near = std::lower_bound(rulings_.begin(), rulings_.end(),
-                                       p.x() - 1e-9 * (hi_ - lo_));
-    if (near != rulings_.end() && std::abs(*near - p.x()) <= 1e-9 * (hi_ - lo_)) p.x() = *near;
+                                       p.x() - kComputed * (hi_ - lo_));
+    if (near != rulings_.end() && std::abs(*near - p.x()) <= kComputed * (hi_ - lo_)) p.x() = *near;
     points.push_back(p);
   }
   points.push_back(end_of(curve));
   return points;
 }
 
-void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
+void BendFacets::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
   const Face& face = sheet_[id];
   const BorderLoop& borders = face.loops[loop];
   for (size_t i = 0; i < borders.size(); ++i) {
@@ -166,28 +171,29 @@ void BendStrips::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
       const Vec2 &a = points[k - 1], &b = points[k];
       const int strip = strip_at(0.5 * (a.x() + b.x()));
       if (!joined[i]) edges_[strip].push_back({{image(a), image(b)}, border_count_});
-      if (a.x() != b.x()) sides_[strip].push_back(a.x() < b.x() ? Side{a, b} : Side{b, a});
+      if (a.x() != b.x())
+        sides_[strip].push_back(a.x() < b.x() ? UvSegment{a, b} : UvSegment{b, a});
     }
     if (!joined[i]) ++border_count_;
   }
 }
 
-void BendStrips::close() {
+void BendFacets::close() {
   for (int strip = 0; strip < count(); ++strip) {
-    const std::vector<Side>& sides = sides_[strip];
+    const std::vector<UvSegment>& sides = sides_[strip];
     // Between neighbouring corners what lies between two sides, one above the other, is a
     // trapezoid.
     std::vector<double> corners;
-    for (const Side& side : sides) {
+    for (const UvSegment& side : sides) {
       corners.push_back(side.a.x());
       corners.push_back(side.b.x());
     }
     std::sort(corners.begin(), corners.end());
     for (size_t i = 1; i < corners.size(); ++i) {
       const double from = corners[i - 1], to = corners[i];
-      if (to - from <= 1e-12 * (hi_ - lo_)) continue;
+      if (to - from <= tolerance::kRounding * (hi_ - lo_)) continue;
       std::vector<std::array<double, 2>> heights;  // of the sides across, at both ends
-      for (const Side& side : sides) {
+      for (const UvSegment& side : sides) {
         if (side.a.x() > from || side.b.x() < to) continue;
         const auto at = [&](double u) {
           return std::lerp(side.a.y(), side.b.y(), (u - side.a.x()) / (side.b.x() - side.a.x()));
@@ -207,4 +213,4 @@ void BendStrips::close() {
   }
 }
 
-}  // namespace planish
+}  // namespace planish::sheet_detail

@@ -5,13 +5,13 @@
 #include <array>
 #include <vector>
 
-namespace planish {
+namespace planish::sheet_detail {
 
 /// A bend cut along rulings into strips that are nearly flat.
-class BendStrips {
+class BendFacets {
  public:
   /// Rulings by equal turns of the normal.
-  BendStrips(const Sheet& sheet, const Layout& layout, BendId bend, const FacetOptions& options);
+  BendFacets(const Sheet& sheet, const Layout& layout, BendId bend, const FacetOptions& options);
 
   /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of
   /// the sheet.
@@ -41,8 +41,8 @@ class BendStrips {
   int border_count() const { return border_count_; }
 
  private:
-  struct Side {
-    Vec2 a, b;  ///< (u, v), a.x() <= b.x()
+  struct UvSegment {
+    Vec2 a, b;  ///< a.x() <= b.x()
   };
   Vec2 image(const Vec2& uv) const { return placement_ * development_.develop(uv); }
   double u_of_strip(int strip) const {
@@ -62,10 +62,10 @@ class BendStrips {
   double speed_ = 1.0;  ///< how long a step of u is at most, mm
   std::vector<double> rulings_;
   std::vector<Vec3> normals_;
-  std::vector<std::vector<Side>> sides_;
+  std::vector<std::vector<UvSegment>> sides_;
   std::vector<std::vector<Polygon>> polygons_;
   std::vector<std::vector<Edge>> edges_;
   int border_count_ = 0;
 };
 
-}  // namespace planish
+}  // namespace planish::sheet_detail
