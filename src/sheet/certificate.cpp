@@ -23,10 +23,11 @@ struct Worst {
   }
 };
 
+/// Openings run clockwise; what covers itself may be bounded by one that does not.
 double area_as_written(const FlatPattern& pattern) {
-  double area = std::abs(signed_area(pattern.outer.loop));
+  double area = signed_area(pattern.outer.loop);
   for (const Contour& opening : pattern.openings)
-    area -= std::abs(signed_area(opening.loop));
+    area += signed_area(opening.loop);
   return area;
 }
 
