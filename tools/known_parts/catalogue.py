@@ -21,7 +21,7 @@ def bent():
     a, z = strips.angle, strips.zed
     return {
         "angle": a(2, 3, 50, 30, 90, 40),
-        "angle_down": a(2, 3, 50, 30, 90, 40, "down"),
+        "angle_down": a(2, 3, 55, 35, 90, 40, "down"),
         "angle_135": a(2, 2, 40, 30, 135, 25),
         "angle_150": a(3, 4, 60, 40, 150, 35),
         "angle_30": a(1.5, 6, 40, 40, 30, 55),
@@ -45,8 +45,8 @@ def bent():
         "joggle": strips.jog(1, 1, 60, 5, 30, 25),
         "wave": strip("wave", "Bends in turn, no straight piece between them.", 1, 40,
                       [S(20), B(60, 8), B(120, 8, "down"), B(120, 8), B(60, 8, "down"), S(20)]),
-        "compound_radius": strip("compound_radius", "One bend of two radii, 3 and then 10 mm.", 2, 45,
-                                 [S(30), B(40, 3), B(50, 10), S(30)]),
+        "compound_radius": strip("compound_radius", "One bend of two radii, 3 and then 9 mm.", 2, 45,
+                                 [S(30), B(40, 3), B(50, 9), S(30)]),
         "curled_ends": strip("curled_ends", "Both ends curled through 270°.", 1, 20,
                              [S(6), B(270, 10), S(60), B(270, 10), S(6)]),
         "curl": strip("curl", "An end curled through 300°, nothing behind it.", 1, 30,
@@ -250,10 +250,24 @@ def drawn_half_tube(d):
     return round_parts.oblique_half_tube(d.t, d.size(8, 20), d.size(20, 30), d.size(2, 15))
 
 
+def drawn_refusal(d):
+    make = d.chance.choice((
+        lambda: refused.block(d.size(3, 10)),
+        lambda: refused.round_tube(d.t, d.size(3, 20), d.size(10, 60)),
+        lambda: refused.box_tube(d.t, d.size(0.5, 3), d.size(15, 40), d.size(15, 40), d.size(20, 60)),
+        lambda: refused.dome(d.t, d.size(10, 40)),
+        lambda: refused.uneven_angle(d.t, 1.5 * d.t, d.size(15, 40), d.size(10, 40)),
+        lambda: refused.wedge(d.t, 1.5 * d.t, d.size(20, 50), d.size(20, 50)),
+        lambda: refused.tee(d.t, d.size(15, 30), d.size(15, 30), d.size(20, 50)),
+        lambda: refused.shelled_box(d.t, d.size(20, 40), d.size(20, 40), d.size(8, 20)),
+        lambda: refused.crossing_walls(d.t, d.r, d.size(50, 70), d.size(20, 30), d.size(12, 18))))
+    return make()
+
+
 DRAWN = [drawn_angle, drawn_channel, drawn_zed, drawn_hat, drawn_staircase, drawn_hem, drawn_jog,
          drawn_cylinder, drawn_sharp, drawn_mitred, drawn_holes, drawn_slot, drawn_hole_in_bend,
          drawn_notch, drawn_box, drawn_tray, drawn_tab, drawn_oblique, drawn_cone, drawn_rolled_cone,
-         drawn_half_tube]
+         drawn_half_tube, drawn_refusal]
 
 
 def drawn(count, seed):

@@ -24,9 +24,9 @@ class Part:
                "file_unit": "inch" if self.inch else "mm", "thickness": self.thickness and rounded(self.thickness)}
         if self.refused:
             return row | {"refused": self.refused}
-        volume = self.volume or self.thickness * self.flat(MIDDLE).area
-        return row | {"volume": rounded(volume),
-                      "flat": {rule.name: self._flat(rule) for rule in RULES if self._has(rule)}}
+        flats = {rule.name: self._flat(rule) for rule in RULES if self._has(rule)}
+        volume = self.volume or self.thickness * flats[MIDDLE.name]["area"]
+        return row | {"volume": rounded(volume), "flat": flats}
 
     def _has(self, rule):
         return all(rule.k(b.radius, self.thickness) is not None for b in self.bends) and (

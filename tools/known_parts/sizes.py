@@ -141,13 +141,13 @@ def smallest_rectangle(points):
 def smallest_rectangle_of_curve(points):
     """Of outlines with curved sides, as many points on them: the same over all directions."""
     ring = hull(points)
-    steps = 720
+    few, steps = _coarse(ring), 180
     step = math.pi / 2 / steps
 
-    def area(angle):
+    def area(angle, ring=ring):
         width, height = _extent(ring, angle)
         return width * height
-    values = [area(i * step) for i in range(steps)]
+    values = [area(i * step, few) for i in range(steps)]
     sizes = []
     for i, value in enumerate(values):
         if value <= values[i - 1] and value <= values[(i + 1) % steps]:
@@ -156,9 +156,18 @@ def smallest_rectangle_of_curve(points):
     return _only(sizes)
 
 
+def _coarse(ring):
+    """About 400 of the points, and every end of a long side."""
+    every, around = 1 + len(ring) // 400, sum(math.dist(p, q) for p, q in zip(ring, ring[1:]))
+    long = 4 * around / len(ring)
+    return [p for i, p in enumerate(ring)
+            if i % every == 0 or math.dist(p, ring[i - 1]) > long
+            or math.dist(p, ring[(i + 1) % len(ring)]) > long]
+
+
 def _golden(f, a, b):
     ratio = (math.sqrt(5) - 1) / 2
-    while b - a > 1e-10:
+    while b - a > 1e-9:
         c, d = b - ratio * (b - a), a + ratio * (b - a)
         a, b = (a, d) if f(c) < f(d) else (c, b)
     return (a + b) / 2

@@ -16,8 +16,10 @@ MM_PER_INCH = 25.4
 
 
 def number(x):
-    text = f"{x + 0.0:.15g}"
-    return text if "." in text or "e" in text else text + "."
+    """A REAL of ISO 10303-21: always with a point, the exponent in capitals."""
+    mantissa, _, exponent = f"{x + 0.0:.15G}".partition("E")
+    point = "" if "." in mantissa else "."
+    return mantissa + point + (f"E{exponent}" if exponent else "")
 
 
 def numbers(values):
