@@ -58,6 +58,9 @@ def bent():
                              [S(50), B(90, 0), S(30)]),
         "sharp_angle_down": strip("sharp_angle_down", "Sharp inside, round outside, bent down.", 2, 40,
                                   [S(50), B(60, 0, "down"), S(30)]),
+        "sharp_angle_5": strip("sharp_angle", "Sharp inside, round outside, bent up by 5°.", 1, 30,
+                               [S(20), B(5, 0), S(15)]),
+        "nearly_sharp_angle_2": a(2, 0.01, 40, 32, 2, 30),
         "sharp_zed": strips.sharp(1, 50, 20, 30, 40),
         "mitred_angle": strips.mitred_angle(2, 50, 30, 90, 40),
         "mitred_angle_120": strips.mitred_angle(1.5, 40, 25, 120, 30),
@@ -67,6 +70,7 @@ def bent():
 def flat_and_opened():
     return {
         "plate_with_holes": plates.plate_with_holes(3, 100, 60, 10, 20, 8),
+        "perforated_plate": plates.perforated_plate(1, 135, 110, 8, 5),
         "ring": plates.ring(2, 40, 25),
         "rounded_plate": plates.rounded_plate(6, 120, 70, 15),
         "angle_with_holes": plates.angle_with_holes(2, 3, 50, 40, 60, 10, 24, 8),
@@ -99,6 +103,7 @@ def walled():
 def rounded():
     return {
         "cone_joint": round_parts.cone_joint(1.5, 20, 70, 60, 50, 40, 30),
+        "cone_joint_250": round_parts.cone_joint(1.5, 10, 250, 180, 50, 12, 10),
         "cone_joint_down": round_parts.cone_joint(2, 12, 100, 80, 60, 25, 45, "down"),
         "rolled_cone": round_parts.rolled_cone(1.5, 20, 300, 60, 80),
         "half_cone": round_parts.rolled_cone(3, 35, 180, 50, 40),

@@ -23,6 +23,18 @@ def plate_with_holes(thickness, length, width, diameter, slot_length, slot_width
                 lambda rule: with_openings(rectangle_flat(length, width), openings))
 
 
+def perforated_plate(thickness, length, width, pitch, diameter):
+    """Round holes in rows, a pitch and a quarter from the edges at least."""
+    counts = [int((size - 2.5 * pitch) / pitch) + 1 for size in (length, width)]
+    centers = [(1.25 * pitch + i * pitch, 1.25 * pitch + j * pitch)
+               for i in range(counts[0]) for j in range(counts[1])]
+    sheet = ThickSheet(thickness)
+    sheet.flat(Frame(), rectangle(0, 0, length, width), *[hole(c, diameter / 2) for c in centers])
+    openings = [circle_opening(diameter / 2)] * len(centers)
+    return Part("perforated_plate", f"A flat plate with {len(centers)} round holes.", thickness,
+                sheet.solid(), lambda rule: with_openings(rectangle_flat(length, width), openings))
+
+
 def ring(thickness, outer, inner):
     sheet = ThickSheet(thickness)
     sheet.flat(Frame(), circle((0, 0), outer), hole((0, 0), inner))

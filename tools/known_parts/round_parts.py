@@ -35,6 +35,8 @@ class ConeSize:
         if flanges:
             s, c = math.sin(self.half_angle), math.cos(self.half_angle)
             angle = math.degrees(math.acos(s * s + c * c * math.cos(self.turn)))
+            if self.turn > math.pi:
+                angle = 360.0 - angle
         return Bend(angle, 0.0, self.width, self.up, measured=False)
 
 
