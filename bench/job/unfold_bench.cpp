@@ -1,3 +1,4 @@
+#include "support/real_parts.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/brep/step.hpp>
@@ -21,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace planish;
 
-const fs::path kParts = fs::path(__FILE__).parent_path() / "../../../shared/parts";
+const fs::path kParts = test::real_parts_folder();
 
 std::vector<fs::path> parts() {
   std::vector<fs::path> files;

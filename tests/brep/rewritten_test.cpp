@@ -1,6 +1,7 @@
 #include "body.hpp"
 #include "guarded.hpp"
 #include "step_out.hpp"
+#include "support/real_parts.hpp"
 
 #include <planish/brep/step.hpp>
 
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Rewrite = std::function<TopoDS_Shape(const TopoDS_Shape&)>;
 
-const fs::path kParts = fs::path(__FILE__).parent_path() / "../../../shared/parts";
+const fs::path kParts = real_parts_folder();
 
 struct Laid {
   Sheet sheet;
@@ -81,7 +82,7 @@ std::vector<fs::path> some_parts() {
 class Rewritten : public ::testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(kParts)) GTEST_SKIP() << "no real parts at " << kParts;
+    if (!fs::exists(kParts)) GTEST_SKIP() << kNoRealParts;
   }
 
   static void keeps_patterns(const Rewrite& rewrite) {
