@@ -1,10 +1,12 @@
 """The parts: a fixed list, and as many more as one wants, drawn by chance from the same families."""
 
+import math
 import random
 
 from . import boxes, plates, refused, round_parts, strips
 from .part import Part
 from .strips import B, S, strip
+from .vectors import turned, unit
 
 INCH = 25.4
 
@@ -158,6 +160,13 @@ class Draw:
     def way(self):
         return self.chance.choice(("up", "down"))
 
+    def put_anywhere(self, solid):
+        """Turned about any axis, up to a metre away from the origin."""
+        axis = unit(tuple(self.chance.gauss(0, 1) for _ in range(3)))
+        angle = self.chance.uniform(0, 2 * math.pi)
+        shift = tuple(self.chance.uniform(-1000, 1000) for _ in range(3))
+        solid.move(lambda v: turned(v, axis, angle), shift)
+
 
 def drawn_angle(d):
     return strips.angle(d.t, d.r, d.size(10, 40), d.size(10, 40), d.turn(5, 160), d.size(5, 60), d.way())
@@ -276,11 +285,12 @@ DRAWN = [drawn_angle, drawn_channel, drawn_zed, drawn_hat, drawn_staircase, draw
 
 
 def drawn(count, seed):
-    """`count` parts, each family in turn; the same seed gives the same parts."""
+    """`count` parts, each family in turn, anywhere in space; the same seed gives the same parts."""
     parts: dict[str, Part] = {}
     for i in range(count):
         draw = Draw(random.Random(f"{seed}/{i}"))
         part = DRAWN[i % len(DRAWN)](draw)
+        draw.put_anywhere(part.solid)
         part.inch = draw.inch
         part.name = f"{part.family}_{seed}_{i:04d}"
         parts[part.name] = part

@@ -162,6 +162,27 @@ class Solid:
         self.face(plane, True, [[Line(p, q) for p, q in zip(loop, loop[1:] + loop[:1])]
                                 for loop in loops])
 
+    def move(self, turn, shift):
+        """Turns directions by `turn`, and points by it before they are shifted."""
+        def point(p):
+            return add(turn(p), shift)
+
+        surfaces = [face.surface for face in self.faces]
+        splines = [s for ruled in surfaces if isinstance(ruled, Ruled)
+                   for s in (ruled.first, ruled.second)]
+        curves = [edge[3] for edge in self.edges]
+        for item in {id(item): item for item in curves + surfaces + splines}.values():
+            for field in dataclasses.fields(item):
+                value = getattr(item, field.name)
+                if field.name in ("start", "end", "center", "origin"):
+                    setattr(item, field.name, point(value))
+                elif field.name in ("axis", "ref", "normal"):
+                    setattr(item, field.name, turn(value))
+                elif field.name == "controls":
+                    item.controls = [point(p) for p in value]
+        self.vertices = [point(p) for p in self.vertices]
+        self._middles = [point(p) for p in self._middles]
+
     def open_edges(self):
         """Edges that are not met exactly once in each direction: none in a closed solid."""
         met = {}
