@@ -147,7 +147,9 @@ TEST_F(Corpus, EveryBodyUnfoldsOrIsRefusedForItsReasonAndEveryDxfReadsBack) {
     check_part(row);
     ++parts;
   }
-  if (present_.size() == listed_.size()) EXPECT_GT(parts, 150);
+  if (present_.size() == listed_.size()) {
+    EXPECT_GT(parts, 150);
+  }
   const std::string check = "/usr/bin/python3 '" + (kSource / "../../tools/check_dxf.py").string() +
                             "' --list '" + (folder_ / "list.tsv").string() + "' > '" +
                             (folder_ / "dxf.json").string() + "'";
