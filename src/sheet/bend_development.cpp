@@ -1,5 +1,11 @@
 #include "bend_development.hpp"
 
+#include <planish/base/tolerance.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+
 namespace planish::sheet_detail {
 namespace {
 
@@ -28,6 +34,22 @@ void settle_hinge(const Sheet& sheet, const Bend& bend, BendAllowance& allowance
   allowance.deduction = 2.0 * outside_setback(0.0, outside, bend.angle) - allowance.allowance;
 }
 
+/// Whether the surface at this offset is one: general surfaces end at their edge of regression,
+/// which lies away from the sheet.
+bool has_radius(const Sheet& sheet, const Bend& bend, double offset) {
+  const double least = tolerance::kComputed * sheet.thickness;
+  for (const FaceId id : bend.faces) {
+    const auto& surface = std::get<Developable>(sheet[id].surface);
+    if (const auto* cylinder = std::get_if<Cylinder>(&surface))
+      if (cylinder->radius + offset <= least) return false;
+    if (const auto* cone = std::get_if<Cone>(&surface)) {
+      const double nearest = parameter_box(sheet[id]).lo.y() * std::tan(cone->half_angle);
+      if (nearest + offset < -least) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
@@ -43,7 +65,7 @@ Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
   return allowances;
 }
 
-IdVector<BendId, std::optional<Development>> developments_of(
+Result<IdVector<BendId, std::optional<Development>>> developments_of(
     const Sheet& sheet, const IdVector<BendId, BendAllowance>& allowances) {
   IdVector<BendId, std::optional<Development>> developments;
   for (const BendId id : sheet.bends.ids()) {
@@ -51,10 +73,16 @@ IdVector<BendId, std::optional<Development>> developments_of(
     const Bend& bend = sheet[id];
     if (bend.faces.empty()) continue;
     const Face& face = sheet[bend.faces.front()];
+    const auto& surface = std::get<Developable>(face.surface);
+    const double offset = -face.sense * neutral_depth(sheet, bend, allowances[id].k_factor);
+    if (!has_radius(sheet, bend, offset))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("Bend B{} has an inside radius of {:.3g} mm, so with K = {:.3g} its "
+                              "neutral surface has no radius; give it a larger K-factor.",
+                              index_of(id) + 1, bend.inside_radius, allowances[id].k_factor),
+                  fmt::format("B{}", index_of(id) + 1));
     const Box2 box = parameter_box(face);
-    development.emplace(std::get<Developable>(face.surface),
-                        -face.sense * neutral_depth(sheet, bend, allowances[id].k_factor),
-                        0.5 * (box.lo.x() + box.hi.x()));
+    development.emplace(surface, offset, 0.5 * (box.lo.x() + box.hi.x()));
   }
   return developments;
 }

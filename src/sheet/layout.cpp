@@ -145,7 +145,9 @@ Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
   Layout layout;
   layout.root = options.root.value_or(largest_flange_face(sheet));
   layout.allowance = std::move(*allowances);
-  layout.development = developments_of(sheet, layout.allowance);
+  auto developments = developments_of(sheet, layout.allowance);
+  if (!developments) return tl::unexpected(developments.error());
+  layout.development = std::move(*developments);
   layout.neutral_offset = neutral_offsets_of(sheet, layout.allowance);
   auto placed = placed_over_longest_joints(sheet, Topology(sheet), layout);
   if (!placed) return tl::unexpected(placed.error());

@@ -60,5 +60,19 @@ TEST(LayOut, RefusesOptionsThatMeanNothing) {
   }
 }
 
+TEST(LayOut, RefusesAKThatLeavesASharpInsideNoNeutralSurface) {
+  // A bend without inside radius, rolled about its outer skin: at K = 0 it has nothing to unroll.
+  const Sheet sheet = strip(
+      {Straight{50}, Turn{Angle::degrees(90), 0.0, BendDirection::down}, Straight{30}}, 40.0, 2.0);
+  for (const AllowanceRule& rule :
+       {AllowanceRule(ConstantK{0.0, "test"}), AllowanceRule(Din6935{})}) {
+    const auto result = flatten(sheet, {.allowance = rule});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(result.error().where, "B1");
+  }
+  EXPECT_TRUE(flatten(sheet, {.allowance = ConstantK{0.01, "test"}}));
+}
+
 }  // namespace
 }  // namespace planish::test
