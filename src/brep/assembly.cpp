@@ -1,6 +1,7 @@
 #include "assembly.hpp"
 
 #include "borders.hpp"
+#include "dihedral.hpp"
 #include "face_volume.hpp"
 #include "features.hpp"
 #include "widest.hpp"

@@ -1,7 +1,9 @@
 #include "assembly.hpp"
 #include "body.hpp"
+#include "closed_forms.hpp"
 #include "guarded.hpp"
 #include "solid_reader.hpp"
+#include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
 
