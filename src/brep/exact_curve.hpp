@@ -5,7 +5,7 @@
 namespace planish::brep {
 
 /// The curve as a line or circle when it is of another kind but within `tolerance` (mm) of one;
-/// else as it is. Many systems write straight lines and circles as splines.
+/// otherwise as it is. Many systems write straight lines and circles as splines.
 SpaceCurve exact_curve(SpaceCurve curve, double tolerance);
 
 }  // namespace planish::brep

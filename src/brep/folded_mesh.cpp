@@ -34,7 +34,7 @@ using Triangle = std::array<int, 3>;
 
 constexpr Angle largest_turn = Angle::degrees(10);  // between neighbouring chords
 
-/// Numbers some of which stand for the same thing.
+/// Sets of numbers that stand for the same thing.
 class Classes {
  public:
   /// Adds `count` numbers; returns the first.

@@ -45,9 +45,9 @@ std::vector<std::vector<int>> rows_of(const Sheet& sheet, SheetTopology& topolog
 
 /// The tangent planes that meet in a corner: one of each direction.
 void add_direction(std::vector<Vec3>& normals, const Vec3& normal) {
-  constexpr double same = 1e-4;
+  constexpr double kSame = 1e-4;  // radians
   for (const Vec3& n : normals)
-    if ((n - normal).norm() < same) return;
+    if ((n - normal).norm() < kSame) return;
   normals.push_back(normal);
 }
 

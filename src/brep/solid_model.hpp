@@ -28,7 +28,7 @@ struct SpaceCurve {
   Vec3 point(double t) const;
   Vec3 derivative(double t) const;
   Vec3 tangent(double t) const;  ///< unit
-  /// Length: closed form for lines and circles, adaptive Gauss quadrature else.
+  /// Length: closed form for lines and circles, adaptive Gauss quadrature for others.
   double length() const;
   /// Distance of p from the curve.
   double distance(const Vec3& p) const;

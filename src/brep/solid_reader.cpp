@@ -111,7 +111,7 @@ std::optional<std::vector<CoEdge>> uses_explored(const TopoDS_Wire& wire, const 
 }
 
 /// Wires of files are mostly in order already; the kernel's explorer, which sorts them through
-/// their parameter curves, costs more than all else here and is asked only for the others.
+/// their parameter curves, costs more than everything else here; only the others are left to it.
 std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face,
                               const Numbered& shapes, const std::vector<SolidEdge>& edges) {
   std::vector<CoEdge> uses = uses_in(wire, shapes);

@@ -13,7 +13,7 @@ struct Vote {
   double area = 0.0;
 };
 
-/// General surfaces are dear to compare, and most are walls of engraved letters.
+/// General surfaces are expensive to compare, and most are walls of engraved letters.
 bool is_general(const SolidFace& face) {
   const auto* surface = std::get_if<Developable>(&face.surface);
   return surface && std::holds_alternative<Ruled>(*surface);

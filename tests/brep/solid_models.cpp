@@ -200,10 +200,15 @@ int SolidMaker::vertex_at(const Vec3& point) {
 }
 
 SolidModel SolidMaker::build() && {
-  Vec3 lo = vertices_.front(), hi = lo;
-  for (const SolidEdge& edge : model_.edges) {
+  for (const SolidEdge& edge : model_.edges)
     EXPECT_EQ(edge.uses, 2) << "an edge at " << edge.curve.start.transpose() << " … "
                             << edge.curve.end.transpose();
+  return std::move(*this).build_open();
+}
+
+SolidModel SolidMaker::build_open() && {
+  Vec3 lo = vertices_.front(), hi = lo;
+  for (const SolidEdge& edge : model_.edges) {
     for (const Vec3& p : {edge.curve.start, middle_of(edge.curve), edge.curve.end}) {
       lo = lo.cwiseMin(p);
       hi = hi.cwiseMax(p);

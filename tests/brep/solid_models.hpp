@@ -31,6 +31,8 @@ class SolidMaker {
   /// The model with its size, its centre and the volumes of its faces. Every edge must have two
   /// faces.
   SolidModel build() &&;
+  /// The same of a part of a boundary: edges may have one face.
+  SolidModel build_open() &&;
 
  private:
   int add(SolidFace face, const std::vector<Path>& loops);
