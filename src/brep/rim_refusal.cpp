@@ -38,8 +38,8 @@ Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& 
   for (const Contact& at : contacts)
     if (const auto* curved = std::get_if<DoublyCurved>(&model.faces[at.face].surface))
       return {ErrorCode::doubly_curved,
-              fmt::format("Face {} ({}) is curved in two directions. It was drawn or formed, not "
-                          "bent, so it has no flat pattern.",
+              fmt::format("Face {} ({}) is curved in two directions: it was drawn or formed, not "
+                          "bent, and has no flat pattern.",
                           at.face + 1, curved->kind),
               face_name(at.face)};
   constexpr double kContinues = 0.1;  // radians between the outward normals

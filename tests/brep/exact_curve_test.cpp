@@ -41,14 +41,22 @@ SpaceCurve circular(double angle, double bump = 0.0) {
 
 TEST(ExactCurve, RecognisesALine) {
   const auto straight = other_curve(
-      0, 1, [](double t) -> Vec3 { return {t * t, 2 * t * t, 0}; },
-      [](double t) -> Vec3 { return {2 * t, 4 * t, 0}; });
+      0, 1,
+      [](double t) -> Vec3 {
+        return {t * t, 2 * t * t, 0};
+      },
+      [](double t) -> Vec3 {
+        return {2 * t, 4 * t, 0};
+      });
   EXPECT_EQ(exact_curve(straight, 1e-7).kind, Kind::line);
 }
 
 TEST(ExactCurve, LeavesALineThatTurnsBack) {
   const auto back = other_curve(
-      0, 1, [](double t) -> Vec3 { return {std::sin(0.75 * kPi * t), 0, 0}; },
+      0, 1,
+      [](double t) -> Vec3 {
+        return {std::sin(0.75 * kPi * t), 0, 0};
+      },
       [](double) -> Vec3 { return Vec3::Zero(); });
   EXPECT_EQ(exact_curve(back, 1e-7).kind, Kind::other);
 }

@@ -34,8 +34,7 @@ TEST(PairFaces, HoldsToItsSlack) {
 }
 
 TEST(PairFaces, PairsFlangesAndBendsWithTheirLikes) {
-  const SolidModel bent = prism(
-      {strip_profile(2, {{50, std::numbers::pi / 2, 3}, {30}})}, 40);
+  const SolidModel bent = prism({strip_profile(2, {{50, std::numbers::pi / 2, 3}, {30}})}, 40);
   const FacePairs pairs = pairs_of(bent, 2, 0.04);
   EXPECT_THAT(pairs.partners[2], ElementsAre(8));
   EXPECT_THAT(pairs.partners[3], ElementsAre(7));

@@ -15,8 +15,8 @@ using ::testing::ElementsAre;
 constexpr double kPi = std::numbers::pi;
 
 TEST(GroupFaces, MakesFlangesAndBends) {
-  const Groups groups =
-      recognised(prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40), 2, 2).groups;
+  const Groups groups = recognised(prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40), 2, 2)
+                            .groups;
   ASSERT_EQ(groups.rows.size(), 3u);
   EXPECT_TRUE(groups.rows[0].flange);
   EXPECT_FALSE(groups.rows[1].flange);
@@ -31,8 +31,8 @@ TEST(GroupFaces, MakesFlangesAndBends) {
 }
 
 TEST(GroupFaces, JoinsFlangesAtSharpEdges) {
-  const Groups groups =
-      recognised(prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40), 2, 6).groups;
+  const Groups groups = recognised(prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40), 2, 6)
+                            .groups;
   ASSERT_EQ(groups.rows.size(), 2u);
   ASSERT_EQ(groups.joints.size(), 1u);
   EXPECT_TRUE(groups.joints.front().sharp);
@@ -86,12 +86,12 @@ TEST(GroupFaces, KeepsPiecesOfAnotherRadiusApart) {
 
 TEST(GroupFaces, MakesOneBendOfFacesThatMeetAtASeam) {
   // A quarter bend in two eighths.
-  const SolidModel model = prism({{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -kPi / 2, kPi / 4},
-                                   Arc{{50, 5}, 5, -kPi / 4, kPi / 4}, Segment{{55, 5}, {55, 35}},
-                                   Segment{{55, 35}, {53, 35}}, Segment{{53, 35}, {53, 5}},
-                                   Arc{{50, 5}, 3, 0, -kPi / 2}, Segment{{50, 2}, {0, 2}},
-                                   Segment{{0, 2}, {0, 0}}}},
-                                 40);
+  const SolidModel model = prism(
+      {{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -kPi / 2, kPi / 4},
+        Arc{{50, 5}, 5, -kPi / 4, kPi / 4}, Segment{{55, 5}, {55, 35}}, Segment{{55, 35}, {53, 35}},
+        Segment{{53, 35}, {53, 5}}, Arc{{50, 5}, 3, 0, -kPi / 2}, Segment{{50, 2}, {0, 2}},
+        Segment{{0, 2}, {0, 0}}}},
+      40);
   const Groups groups = recognised(model, 2, 2).groups;
   ASSERT_EQ(groups.rows.size(), 3u);
   EXPECT_THAT(groups.rows[1].faces, ElementsAre(3, 4));

@@ -16,20 +16,22 @@ Vec3 at(double x, double y, double z) { return {x, y, z}; }
 /// A box of 100 × 60 × 2 whose top is two faces that meet at x = 40: faces 0 and 1.
 SolidModel split_top() {
   SolidMaker maker;
-  maker.plane(Vec3::UnitZ(), {polygon_path({at(0, 0, 2), at(40, 0, 2), at(40, 60, 2),
-                                            at(0, 60, 2)})});
-  maker.plane(Vec3::UnitZ(), {polygon_path({at(40, 0, 2), at(100, 0, 2), at(100, 60, 2),
-                                            at(40, 60, 2)})});
-  maker.plane(-Vec3::UnitZ(), {polygon_path({at(0, 60, 0), at(100, 60, 0), at(100, 0, 0),
-                                             at(0, 0, 0)})});
-  maker.plane(-Vec3::UnitY(), {polygon_path({at(0, 0, 0), at(100, 0, 0), at(100, 0, 2),
-                                             at(40, 0, 2), at(0, 0, 2)})});
-  maker.plane(Vec3::UnitX(), {polygon_path({at(100, 0, 0), at(100, 60, 0), at(100, 60, 2),
-                                            at(100, 0, 2)})});
-  maker.plane(Vec3::UnitY(), {polygon_path({at(100, 60, 0), at(0, 60, 0), at(0, 60, 2),
-                                            at(40, 60, 2), at(100, 60, 2)})});
-  maker.plane(-Vec3::UnitX(), {polygon_path({at(0, 60, 0), at(0, 0, 0), at(0, 0, 2),
-                                             at(0, 60, 2)})});
+  maker.plane(Vec3::UnitZ(),
+              {polygon_path({at(0, 0, 2), at(40, 0, 2), at(40, 60, 2), at(0, 60, 2)})});
+  maker.plane(Vec3::UnitZ(),
+              {polygon_path({at(40, 0, 2), at(100, 0, 2), at(100, 60, 2), at(40, 60, 2)})});
+  maker.plane(-Vec3::UnitZ(),
+              {polygon_path({at(0, 60, 0), at(100, 60, 0), at(100, 0, 0), at(0, 0, 0)})});
+  maker.plane(
+      -Vec3::UnitY(),
+      {polygon_path({at(0, 0, 0), at(100, 0, 0), at(100, 0, 2), at(40, 0, 2), at(0, 0, 2)})});
+  maker.plane(Vec3::UnitX(),
+              {polygon_path({at(100, 0, 0), at(100, 60, 0), at(100, 60, 2), at(100, 0, 2)})});
+  maker.plane(
+      Vec3::UnitY(),
+      {polygon_path({at(100, 60, 0), at(0, 60, 0), at(0, 60, 2), at(40, 60, 2), at(100, 60, 2)})});
+  maker.plane(-Vec3::UnitX(),
+              {polygon_path({at(0, 60, 0), at(0, 0, 0), at(0, 0, 2), at(0, 60, 2)})});
   return std::move(maker).build();
 }
 

@@ -35,8 +35,8 @@ SolidModel domed() {
                 {polygon_path({low[i], low[j], high[j], high[i]})});
   }
   const Vec3 foot(60, 30, 2), pole(50, 30, 8);
-  maker.doubly_curved("sphere", {{arc(centre, 10, 0, 2 * kPi), line(foot, pole),
-                                  line(pole, foot)}});
+  maker.doubly_curved("sphere",
+                      {{arc(centre, 10, 0, 2 * kPi), line(foot, pole), line(pole, foot)}});
   return std::move(maker).build();
 }
 
@@ -61,8 +61,8 @@ TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
 }
 
 TEST(RimRefusal, IsOfAnotherBodyElsewhere) {
-  const Recognised seen = recognised(
-      plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2, 1);
+  const Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2,
+                                     1);
   EXPECT_EQ(refusal_at(seen, 6).code, ErrorCode::not_a_sheet);
 }
 

@@ -49,8 +49,8 @@ TEST(FindRim, HoldsAPocketWithinTheSheetOnOneSkin) {
 }
 
 TEST(FindRim, SeesABossLeaveTheSheet) {
-  const Recognised seen = recognised(
-      plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2, 1);
+  const Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2,
+                                     1);
   const RimPart& boss = part_with(seen, 6);
   EXPECT_FALSE(boss.within);
   EXPECT_EQ(boss.refusal.code, ErrorCode::not_a_sheet);

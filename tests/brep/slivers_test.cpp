@@ -11,10 +11,10 @@ namespace {
 SolidModel step(double height) {
   const auto at = [](double x, double y, double z) { return Vec3(x, y, z); };
   SolidMaker maker;
-  maker.plane(Vec3::UnitZ(), {polygon_path({at(0, 0, 0), at(40, 0, 0), at(40, 60, 0),
-                                            at(0, 60, 0)})});
-  maker.plane(-Vec3::UnitX(), {polygon_path({at(40, 60, 0), at(40, 0, 0), at(40, 0, height),
-                                             at(40, 60, height)})});
+  maker.plane(Vec3::UnitZ(),
+              {polygon_path({at(0, 0, 0), at(40, 0, 0), at(40, 60, 0), at(0, 60, 0)})});
+  maker.plane(-Vec3::UnitX(),
+              {polygon_path({at(40, 60, 0), at(40, 0, 0), at(40, 0, height), at(40, 60, height)})});
   maker.plane(Vec3::UnitZ(), {polygon_path({at(40, 0, height), at(100, 0, height),
                                             at(100, 60, height), at(40, 60, height)})});
   return std::move(maker).build_open();

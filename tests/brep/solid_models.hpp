@@ -6,8 +6,8 @@
 
 #include <vector>
 
-// Solids as recognition sees them, made by hand and without a kernel: each step is tested on a small
-// one whose sizes are known.
+// Solids as recognition sees them, made by hand and without a kernel: each step is tested on a
+// small one whose sizes are known.
 
 namespace planish::brep::test {
 

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(SolidModels, PlateHasItsVolume) {
-  EXPECT_NEAR(volume_of(plate(2, {100, 60})), 12000.0, 1e-8);
-}
+TEST(SolidModels, PlateHasItsVolume) { EXPECT_NEAR(volume_of(plate(2, {100, 60})), 12000.0, 1e-8); }
 
 TEST(SolidModels, PrismOfABentStripHasItsVolume) {
   const SolidModel model = prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40);
@@ -36,8 +34,7 @@ TEST(SolidModels, LoftedContoursHaveTheirVolume) {
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
   const auto low = clockwise(rectangle_at({40, 20}, {60, 40}));
   const auto high = clockwise(rectangle_at({41, 20}, {61, 40}));
-  const SolidModel model = plate(2, {{{outer, outer, inset}, {0, 1.5, 2}},
-                                     {{low, high}, {0, 2}}});
+  const SolidModel model = plate(2, {{{outer, outer, inset}, {0, 1.5, 2}}, {{low, high}, {0, 2}}});
   // ∫ (100 − 2z)(60 − 2z) dz over 0 … ½
   const double chamfered = 6000 * 0.5 - 160 * 2 * 0.125 + 4.0 / 3 * 0.125;
   EXPECT_NEAR(volume_of(model), 9000 + chamfered - 800, 1e-8);

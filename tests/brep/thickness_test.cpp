@@ -33,8 +33,7 @@ TEST(LikelyThicknesses, OfAPlateIsItsOwn) {
 }
 
 TEST(LikelyThicknesses, OfABentStripIsThatOfFlangesAndBends) {
-  const SolidModel bent = prism({strip_profile(1.5, {{50, kPi / 2, 3}, {30, -1.0, 2}, {20}})},
-                                400);
+  const SolidModel bent = prism({strip_profile(1.5, {{50, kPi / 2, 3}, {30, -1.0, 2}, {20}})}, 400);
   EXPECT_THAT(thicknesses(bent), ElementsAre(DoubleNear(1.5, 1e-9)));
 }
 
