@@ -2,7 +2,8 @@
 
 #include "dihedral.hpp"
 #include "same_surface.hpp"
-#include "union_find.hpp"
+
+#include <planish/base/union_find.hpp>
 
 #include <map>
 #include <set>
@@ -32,10 +33,10 @@ std::vector<GroupJoint> face_joints(const SolidModel& model, const Skins& skins,
 
 /// Faces that continue each other on one surface.
 UnionFind continued_faces(const SolidModel& model, const std::vector<GroupJoint>& joints) {
-  UnionFind sets(model.faces.size());
+  UnionFind sets(static_cast<int>(model.faces.size()));
   for (const GroupJoint& joint : joints)
     if (!joint.sharp && same_surface(model.faces[joint.a], model.faces[joint.b], model.size))
-      sets.join(joint.a, joint.b);
+      sets.unite(joint.a, joint.b);
   return sets;
 }
 
@@ -63,7 +64,7 @@ UnionFind with_interrupted_bends(const SolidModel& model, const std::vector<Grou
     for (size_t i = 0; i < bends.size(); ++i)
       for (size_t j = i + 1; j < bends.size(); ++j)
         if (same_surface(model.faces[bends[i]], model.faces[bends[j]], model.size))
-          sets.join(bends[i], bends[j]);
+          sets.unite(bends[i], bends[j]);
   return sets;
 }
 

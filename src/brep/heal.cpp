@@ -2,7 +2,8 @@
 
 #include "dihedral.hpp"
 #include "slivers.hpp"
-#include "union_find.hpp"
+
+#include <planish/base/union_find.hpp>
 
 #include <map>
 #include <set>
@@ -21,12 +22,12 @@ bool is_plane(const SolidModel& model, int f) {
 
 /// Connected planes that continue each other, two or more a set, in the order of their numbers.
 std::vector<std::vector<int>> coplanar_faces(const SolidModel& model) {
-  UnionFind sets(model.faces.size());
+  UnionFind sets(static_cast<int>(model.faces.size()));
   for (int e = 0; e < std::ssize(model.edges); ++e) {
     const SolidEdge& edge = model.edges[e];
     if (passed_both_ways(edge) && is_plane(model, edge.faces[0]) &&
         is_plane(model, edge.faces[1]) && edge.faces[0] != edge.faces[1] && smooth_edge(model, e))
-      sets.join(edge.faces[0], edge.faces[1]);
+      sets.unite(edge.faces[0], edge.faces[1]);
   }
   std::map<int, std::vector<int>> by_root;
   for (int f = 0; f < std::ssize(model.faces); ++f)

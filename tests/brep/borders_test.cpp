@@ -37,7 +37,7 @@ TEST(ReadBorders, OfAPlaneAreExactLinesAndArcs) {
   const Arc& circle = std::get<Arc>(hole.front().curve);
   EXPECT_NEAR(circle.radius, 5.0, 1e-12);
   EXPECT_NEAR(circle.sweep, -2 * kPi, 1e-12) << "openings run clockwise";
-  EXPECT_NEAR(hole.front().edge_length, 10 * kPi, 1e-9);
+  EXPECT_NEAR(hole.front().edge_length.value(), 10 * kPi, 1e-9);
 }
 
 TEST(ReadBorders, OfACylinderAreRulingsAndParallels) {
