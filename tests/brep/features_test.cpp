@@ -85,6 +85,17 @@ TEST(AddFeatures, CutACountersinkToItsBoreOnBothSkins) {
   }
 }
 
+TEST(AddFeatures, CutACounterboreToItsBoreOnBothSkins) {
+  for (const int reference : {kTop, kBottom}) {
+    const Sheet sheet = sheet_of(
+        plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {4, 1.2}, {2.5, 1.2}, {2.5, 0}}}}), reference);
+    EXPECT_NEAR(opening_area(sheet), kPi * 6.25, 1e-8);
+    ASSERT_EQ(sheet.features.size(), 1u);
+    EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), kPi * 16, 1e-8);
+    EXPECT_NEAR(sheet.forms_volume.value(), -kPi * (16 - 6.25) * 0.8, 1e-8);
+  }
+}
+
 TEST(AddFeatures, AreNoneOfAStraightHole) {
   const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {5, 0}}}}), kTop);
   EXPECT_TRUE(sheet.features.empty());

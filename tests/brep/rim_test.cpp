@@ -57,6 +57,15 @@ TEST(FindRim, SeesABossLeaveTheSheet) {
   EXPECT_EQ(boss.refusal.where, "face 7");
 }
 
+TEST(FindRim, SeesACupLeaveTheSheetOnItsFarSide) {
+  // Pressed down by 3 mm: its inside touches the top alone, its outside the bottom alone.
+  const Turned inside{{30, 30}, {{8, 2}, {8, -1}, {0, -1}}};
+  const Turned outside{{30, 30}, {{0, -3}, {10, -3}, {10, 0}}};
+  const Recognised seen = recognised(plate(2, {100, 60}, {inside, outside}), 2, 1);
+  EXPECT_FALSE(part_with(seen, 6).within);
+  EXPECT_FALSE(part_with(seen, 9).within);
+}
+
 TEST(FindRim, HoldsAChamferWithinTheSheet) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
