@@ -59,6 +59,15 @@ TEST(ReadBorders, RunOnTheTurnNearTheOneAsked) {
   EXPECT_NEAR(there.lo.x() - here.lo.x(), 6 * kPi, 1e-12);
 }
 
+TEST(ReadBorders, RunBackwardsStartOnTheTurnAsked) {
+  SolidModel model;
+  model.edges.emplace_back().curve = arc(Frame{}, 5, 0.0, 1.9 * kPi);
+  const Developable cylinder = Cylinder{Frame{}, 5};
+  const BorderLoop loop = read_borders(model, {{0, false}}, cylinder, 0.0, kTolerance);
+  EXPECT_NEAR(start_of(loop.front().curve).x(), -0.1 * kPi, 1e-12);
+  EXPECT_NEAR(end_of(loop.front().curve).x(), -2 * kPi, 1e-12);
+}
+
 TEST(ReadBorders, OfAnObliqueCutAreWithinTheTolerance) {
   // The plane z = x cuts the cylinder of radius 7 along z = 7 cos u.
   SpaceCurve cut;

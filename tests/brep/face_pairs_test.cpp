@@ -33,6 +33,15 @@ TEST(PairFaces, HoldsToItsSlack) {
   EXPECT_EQ(pairs_of(plate(2.05, {100, 60}), 2, 0.06).rows.size(), 1u);
 }
 
+TEST(PairFaces, LeavesWedgesThatAreAsThickOnAverageOnly) {
+  // 1.95 mm at one end, 2.05 mm at the other.
+  const SolidModel wedge = prism({{Segment{{0, 0}, {100, 0}}, Segment{{100, 0}, {100, 2.05}},
+                                   Segment{{100, 2.05}, {0, 1.95}}, Segment{{0, 1.95}, {0, 0}}}},
+                                 40);
+  EXPECT_THAT(pairs_of(wedge, 2, 0.04).rows, IsEmpty());
+  EXPECT_EQ(pairs_of(wedge, 2, 0.11).rows.size(), 1u);
+}
+
 TEST(PairFaces, PairsFlangesAndBendsWithTheirLikes) {
   const SolidModel bent = prism({strip_profile(2, {{50, std::numbers::pi / 2, 3}, {30}})}, 40);
   const FacePairs pairs = pairs_of(bent, 2, 0.04);

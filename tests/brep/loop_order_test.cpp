@@ -50,5 +50,18 @@ TEST(Chained, TakesTheNearestStartWhereEndsLieApart) {
   EXPECT_EQ(numbers(uses), std::vector<int>({0, 1, 2, 3}));
 }
 
+TEST(Chained, TakesTheFirstOfTwoThatStartAsNear) {
+  // Edges 1 and 2 leave one corner, which edge 3 reaches.
+  const Vec3 a(0, 0, 0), b(1, 0, 0), c(2, 0, 0), d(3, 1, 0), e(3, -1, 0);
+  const std::vector<std::pair<Vec3, Vec3>> ends{{a, b}, {c, d}, {c, e}, {b, c}};
+  std::vector<SolidEdge> edges(4);
+  for (int i = 0; i < 4; ++i) {
+    edges[i].curve.start = ends[i].first;
+    edges[i].curve.end = ends[i].second;
+  }
+  const auto uses = chained(edges, {{0, true}, {1, true}, {2, true}, {3, true}});
+  EXPECT_EQ(numbers(uses), std::vector<int>({0, 3, 1, 2}));
+}
+
 }  // namespace
 }  // namespace planish::brep

@@ -68,6 +68,14 @@ TEST(RoundedOutsides, HaveTheThicknessAsRadius) {
   EXPECT_THAT(rounded_outsides(model, outlines, candidates, 2.1, 0.04), IsEmpty());
 }
 
+TEST(SharpEdges, AreNotTheEdgesOfASquareBar) {
+  // All four sides have partners at the thickness, but all edges are convex.
+  const SolidModel bar = prism({{Segment{{0, 0}, {2, 0}}, Segment{{2, 0}, {2, 2}},
+                                 Segment{{2, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+                               100);
+  EXPECT_THAT(found_in(bar, 2, {2, 3, 4, 5}).sharp, IsEmpty());
+}
+
 TEST(SharpEdges, AreNotTheCutEdgesOfAPlate) {
   const Found found = found_in(plate(2, {100, 60}), 2, {0, 1, 2, 3, 4, 5});
   EXPECT_THAT(found.sharp, IsEmpty());

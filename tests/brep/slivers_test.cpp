@@ -32,9 +32,13 @@ TEST(WithoutSlivers, LetsTheFacesOnBothSidesMeet) {
   const SolidModel model = without_slivers(step(5e-4));
   EXPECT_TRUE(model.faces[1].loops.empty());
   EXPECT_EQ(shared_edges(model, 0, 2), 1);
-  for (const SolidEdge& edge : model.edges)
-    if (edge.faces[0] == 0 && edge.faces[1] == 2)
-      EXPECT_NE(edge.forward[0], edge.forward[1]) << "both faces keep it on their left";
+  for (int e = 0; e < std::ssize(model.edges); ++e) {
+    const SolidEdge& edge = model.edges[e];
+    if (edge.faces[0] != 0 || edge.faces[1] != 2) continue;
+    EXPECT_NE(edge.forward[0], edge.forward[1]) << "both faces keep it on their left";
+    for (const CoEdge& use : model.faces[2].loops.front())
+      if (use.edge == e) EXPECT_EQ(use.forward, edge.forward[1]);
+  }
 }
 
 TEST(WithoutSlivers, KeepsStepsThatAreMeant) {

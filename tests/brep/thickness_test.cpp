@@ -37,6 +37,13 @@ TEST(LikelyThicknesses, OfABentStripIsThatOfFlangesAndBends) {
   EXPECT_THAT(thicknesses(bent), ElementsAre(DoubleNear(1.5, 1e-9)));
 }
 
+TEST(LikelyThicknesses, OfAChannelAreMeasuredToTheNearestFace) {
+  // Each leg's outside lies 2 mm over its inside and 24 mm over the other leg's outside.
+  const SolidModel channel = prism({strip_profile(2, {{40, kPi / 2, 3}, {14, kPi / 2, 3}, {40}})},
+                                   300);
+  EXPECT_THAT(thicknesses(channel), ElementsAre(DoubleNear(2.0, 1e-9)));
+}
+
 TEST(LikelyThicknesses, AreOrderedByTheAreaThatAgrees) {
   // Bottom and left top vote for 2 mm with 60 × 200 mm² each, the right top for 5 mm with 40 × 200.
   EXPECT_THAT(thicknesses(stepped(2, 5)), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(5, 1e-9)));
