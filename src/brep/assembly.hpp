@@ -19,7 +19,7 @@ struct Recognition {
 };
 
 /// Builds the Sheet: faces, joints, flanges, bends, features. Errors: `doubly_curved` when two
-/// faces meet tangentially along a curve (no development keeps both).
+/// faces meet tangentially along a curve (no development keeps both), those of `check`.
 Result<Sheet> assemble_sheet(const Recognition& of);
 
 }  // namespace planish::brep

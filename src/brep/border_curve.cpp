@@ -3,6 +3,8 @@
 #include "fitted_curve.hpp"
 #include "kernel_points.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <Geom2d_BSplineCurve.hxx>
 #include <Geom2d_Circle.hxx>
 #include <Geom2d_Line.hxx>
@@ -21,11 +23,13 @@ namespace {
 using Shape = BorderCurve::Shape;
 
 /// Corners below this are rounding of a fit.
-constexpr double kink = 1e-7;
+constexpr double kKink = 1e-7;  // radians
+/// Of a border's length: parameters nearer than this are one knot.
+constexpr double kSameKnot = tolerance::kComputed;
 
 const Developable* developable(const Face& face) { return std::get_if<Developable>(&face.surface); }
 
-/// Millimetres per unit of u at height v of the reference skin; 0 where circles are none.
+/// Millimetres per unit of u at height v of the reference skin; 0 where it has no circles.
 double circle_radius(const Developable& surface, double v) {
   if (const auto* cylinder = std::get_if<Cylinder>(&surface)) return cylinder->radius;
   if (const auto* cone = std::get_if<Cone>(&surface)) return v * std::sin(cone->half_angle);
@@ -60,12 +64,12 @@ std::vector<double> breaks_of(const Face& face, const BorderCurve& border) {
     const double u0 = border.at(0).x(), u1 = border.at(border.length).x();
     for (const Ruled::Knot& knot : ruled->knots) {
       const double s = (knot.u - u0) / (u1 - u0) * border.length;
-      if (s > 1e-9 * border.length && s < (1 - 1e-9) * border.length) breaks.push_back(s);
+      if (s > kSameKnot * border.length && s < (1 - kSameKnot) * border.length) breaks.push_back(s);
     }
   }
   std::ranges::sort(breaks);
   const auto repeated = std::ranges::unique(
-      breaks, [&](double a, double b) { return b - a < 1e-9 * border.length; });
+      breaks, [&](double a, double b) { return b - a < kSameKnot * border.length; });
   breaks.erase(repeated.begin(), repeated.end());
   return breaks;
 }
@@ -82,8 +86,7 @@ Handle(Geom_Curve) lifted(const Face& face, const BorderCurve& border, double de
 
 /// The border's (u, v) curve run over 0 … length; null when it cannot be stretched to that.
 Handle(Geom2d_Curve) with_length(const BorderCurve& border, double length) {
-  constexpr double same = 1e-12;
-  if (std::abs(border.length - length) < same * length) return border.uv;
+  if (std::abs(border.length - length) < tolerance::kRounding * length) return border.uv;
   if (!Handle(Geom2d_Line)::DownCast(border.uv).IsNull()) return border.uv;
   const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(border.uv);
   if (spline.IsNull()) return {};
@@ -123,7 +126,7 @@ BorderCurve border_curve(const Face& face, const Curve2& border, double toleranc
     return {plane ? Shape::circle : Shape::general,
             new Geom2d_Circle(axis, arc->radius, arc->sweep > 0), std::abs(arc->sweep)};
   }
-  const Handle(Geom2d_BSplineCurve) curve = plane_curve(std::get<CubicSpline>(border), kink);
+  const Handle(Geom2d_BSplineCurve) curve = plane_curve(std::get<CubicSpline>(border), kKink);
   return {plane ? Shape::planar_spline : Shape::general, curve.get(), curve->LastParameter()};
 }
 

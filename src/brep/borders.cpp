@@ -1,5 +1,6 @@
 #include "borders.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
 
 #include <algorithm>
@@ -9,7 +10,8 @@
 namespace planish::brep {
 namespace {
 
-constexpr double kParallel = 1e-9;  // 1 − cosine: axes of one feature agree to STEP's digits
+/// 1 − cosine: axes of one feature agree to the digits of a STEP file.
+constexpr double kParallel = tolerance::kComputed;
 
 Curve2 on_plane(const SpaceCurve& curve, const Frame& plane, double tolerance) {
   if (curve.kind == SpaceCurve::Kind::line)
@@ -40,105 +42,108 @@ Tangents tangents_at(const Developable& surface, const Vec2& uv) {
     return {cylinder->radius * ruling.cross(normal), ruling};
   if (const auto* cone = std::get_if<Cone>(&surface))
     return {uv.y() * std::sin(cone->half_angle) * cone->frame.z.cross(normal).normalized(), ruling};
-  constexpr double kStep = 1e-6;  // of the range of u: central difference
+  constexpr double kStep = tolerance::kAside;  // of the range of u: central difference
   const auto& knots = std::get<Ruled>(surface).knots;
   const double h = kStep * (knots.back().u - knots.front().u);
   const Vec2 du(h, 0.0);
   return {(point_on(surface, uv + du) - point_on(surface, uv - du)) / (2 * h), ruling};
 }
 
-/// A curve drawn in the parameters of a developable.
-class OnDevelopable {
- public:
-  OnDevelopable(const SpaceCurve& curve, const Developable& surface, double u_near,
-                double tolerance)
-      : curve_(curve),
-        surface_(surface),
-        tolerance_(tolerance),
-        start_(parameters_of(surface, curve.start, u_near)),
-        u_scale_(std::max(tangents_at(surface, start_).u.norm(), tolerance)) {}
-
-  Curve2 run() const {
-    if (curve_.kind == SpaceCurve::Kind::line)
-      if (auto ruling = as_ruling(parameters_of(surface_, curve_.end, start_.x()))) return *ruling;
-    if (curve_.kind == SpaceCurve::Kind::circle)
-      if (auto parallel = as_parallel()) return *parallel;
-    return fitted();
-  }
-
- private:
-  std::optional<Segment> as_ruling(const Vec2& end) const {
-    if (std::abs(end.x() - start_.x()) * u_scale_ > ruling_tolerance()) return {};
-    const double u = (start_.x() + end.x()) / 2;
-    return Segment{{u, start_.y()}, {u, end.y()}};
-  }
+/// A curve to be drawn in the parameters of a developable, and where it starts there.
+struct OnDevelopable {
+  const SpaceCurve& curve;
+  const Developable& surface;
+  double tolerance;  ///< mm on the surface
+  Vec2 start;
+  double u_scale;  ///< |∂x/∂u| there
 
   /// Systems write the rulings of a bend with their own tolerance, coarser than a fit's.
-  double ruling_tolerance() const { return 10 * tolerance_; }
-
-  /// Circle about the axis: v constant, u turned by the arc's angle.
-  std::optional<Segment> as_parallel() const {
-    const Frame* axis = nullptr;
-    if (const auto* cylinder = std::get_if<Cylinder>(&surface_)) axis = &cylinder->frame;
-    if (const auto* cone = std::get_if<Cone>(&surface_)) axis = &cone->frame;
-    if (!axis) return {};
-    const double tilt = curve_.circle.z.dot(axis->z);
-    if (1.0 - std::abs(tilt) > kParallel ||
-        axis->local2(curve_.circle.origin).norm() > ruling_tolerance())
-      return {};
-    return Segment{start_, {start_.x() + std::copysign(curve_.t1 - curve_.t0, tilt), start_.y()}};
-  }
-
-  /// u at evenly spaced parameters, unwrapped, so that any parameter finds its turn.
-  std::vector<double> unwrapped_u() const {
-    constexpr int kSteps = 32;
-    std::vector<double> u{start_.x()};
-    for (int i = 1; i <= kSteps; ++i)
-      u.push_back(parameters_of(surface_,
-                                curve_.point(curve_.t0 + (curve_.t1 - curve_.t0) * i / kSteps),
-                                u.back())
-                      .x());
-    return u;
-  }
-
-  Curve2 fitted() const {
-    const std::vector<double> turns = unwrapped_u();
-    const auto f = [&](double t) -> CurveSample {
-      const double share = std::clamp((t - curve_.t0) / (curve_.t1 - curve_.t0), 0.0, 1.0);
-      const double
-          u_near = turns[static_cast<std::size_t>(share * static_cast<double>(turns.size() - 1))];
-      const Vec3 derivative = curve_.derivative(t);
-      const Vec2 uv = parameters_of(surface_, curve_.point(t), u_near);
-      const Tangents tangents = tangents_at(surface_, uv);
-      const double uu = tangents.u.squaredNorm();
-      const double uw = tangents.u.dot(tangents.v);
-      const double ru = derivative.dot(tangents.u);
-      const double rv = derivative.dot(tangents.v);
-      const double det = uu - uw * uw;
-      return {{uv.x() * u_scale_, uv.y()},
-              {(ru - uw * rv) / det * u_scale_, (uu * rv - uw * ru) / det}};
-    };
-    CubicSpline spline = fit_cubics(f, curve_.t0, curve_.t1, tolerance_).spline;
-    const Curve2 simple = recognized(spline, tolerance_);
-    if (const auto* line = std::get_if<Segment>(&simple)) {
-      const Segment scaled{unscaled(line->a), unscaled(line->b)};
-      if (std::abs(line->a.x() - line->b.x()) > ruling_tolerance()) return scaled;
-      const double u = (scaled.a.x() + scaled.b.x()) / 2;
-      return Segment{{u, scaled.a.y()}, {u, scaled.b.y()}};
-    }
-    for (Vec2& pole : spline.poles)
-      pole = unscaled(pole);
-    return spline;
-  }
-
-  Vec2 unscaled(const Vec2& p) const { return {p.x() / u_scale_, p.y()}; }
-
-  const SpaceCurve& curve_;
-  const Developable& surface_;
-  double tolerance_;
-  Vec2 start_;
-  double u_scale_;
+  double ruling_tolerance() const { return 10 * tolerance; }
 };
+
+OnDevelopable placed(const SpaceCurve& curve, const Developable& surface, double u_near,
+                     double tolerance) {
+  const Vec2 start = parameters_of(surface, curve.start, u_near);
+  return {curve, surface, tolerance, start,
+          std::max(tangents_at(surface, start).u.norm(), tolerance)};
+}
+
+std::optional<Segment> as_ruling(const OnDevelopable& on) {
+  if (on.curve.kind != SpaceCurve::Kind::line) return {};
+  const Vec2 end = parameters_of(on.surface, on.curve.end, on.start.x());
+  if (std::abs(end.x() - on.start.x()) * on.u_scale > on.ruling_tolerance()) return {};
+  const double u = (on.start.x() + end.x()) / 2;
+  return Segment{{u, on.start.y()}, {u, end.y()}};
+}
+
+/// Circle about the axis: v constant, u turned by the arc's angle.
+std::optional<Segment> as_parallel(const OnDevelopable& on) {
+  if (on.curve.kind != SpaceCurve::Kind::circle) return {};
+  const Frame* axis = nullptr;
+  if (const auto* cylinder = std::get_if<Cylinder>(&on.surface)) axis = &cylinder->frame;
+  if (const auto* cone = std::get_if<Cone>(&on.surface)) axis = &cone->frame;
+  if (!axis) return {};
+  const double tilt = on.curve.circle.z.dot(axis->z);
+  if (1.0 - std::abs(tilt) > kParallel ||
+      axis->local2(on.curve.circle.origin).norm() > on.ruling_tolerance())
+    return {};
+  const double turn = std::copysign(on.curve.t1 - on.curve.t0, tilt);
+  return Segment{on.start, {on.start.x() + turn, on.start.y()}};
+}
+
+/// u at evenly spaced parameters, unwrapped, so that any parameter finds its turn.
+std::vector<double> unwrapped_u(const OnDevelopable& on) {
+  constexpr int kSteps = 32;
+  std::vector<double> u{on.start.x()};
+  for (int i = 1; i <= kSteps; ++i)
+    u.push_back(
+        parameters_of(on.surface,
+                      on.curve.point(on.curve.t0 + (on.curve.t1 - on.curve.t0) * i / kSteps),
+                      u.back())
+            .x());
+  return u;
+}
+
+/// Points and derivatives of the curve's image, u scaled to millimetres.
+std::function<CurveSample(double)> scaled_image(const OnDevelopable& on) {
+  return [on, turns = unwrapped_u(on)](double t) -> CurveSample {
+    const double share = std::clamp((t - on.curve.t0) / (on.curve.t1 - on.curve.t0), 0.0, 1.0);
+    const auto step = static_cast<size_t>(share * static_cast<double>(turns.size() - 1));
+    const Vec3 derivative = on.curve.derivative(t);
+    const Vec2 uv = parameters_of(on.surface, on.curve.point(t), turns[step]);
+    const Tangents tangents = tangents_at(on.surface, uv);
+    const double uu = tangents.u.squaredNorm();
+    const double uw = tangents.u.dot(tangents.v);
+    const double ru = derivative.dot(tangents.u);
+    const double rv = derivative.dot(tangents.v);
+    const double det = uu - uw * uw;
+    return {{uv.x() * on.u_scale, uv.y()},
+            {(ru - uw * rv) / det * on.u_scale, (uu * rv - uw * ru) / det}};
+  };
+}
+
+Curve2 fitted(const OnDevelopable& on) {
+  const auto unscaled = [&](const Vec2& p) -> Vec2 { return {p.x() / on.u_scale, p.y()}; };
+  CubicSpline spline = fit_cubics(scaled_image(on), on.curve.t0, on.curve.t1, on.tolerance).spline;
+  const Curve2 simple = recognized(spline, on.tolerance);
+  if (const auto* line = std::get_if<Segment>(&simple)) {
+    const Segment segment{unscaled(line->a), unscaled(line->b)};
+    if (std::abs(line->a.x() - line->b.x()) > on.ruling_tolerance()) return segment;
+    const double u = (segment.a.x() + segment.b.x()) / 2;
+    return Segment{{u, segment.a.y()}, {u, segment.b.y()}};
+  }
+  for (Vec2& pole : spline.poles)
+    pole = unscaled(pole);
+  return spline;
+}
+
+Curve2 on_developable(const SpaceCurve& curve, const Developable& surface, double u_near,
+                      double tolerance) {
+  const OnDevelopable on = placed(curve, surface, u_near, tolerance);
+  if (const auto ruling = as_ruling(on)) return *ruling;
+  if (const auto parallel = as_parallel(on)) return *parallel;
+  return fitted(on);
+}
 
 /// The whole turns that bring u near to u_near; ruled surfaces have none.
 double turns_to(const Developable& surface, double u, double u_near) {
@@ -168,7 +173,7 @@ BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop
       if (!use.forward) border.curve = reversed(border.curve);
     } else {
       const auto& developable = std::get<Developable>(surface);
-      border.curve = OnDevelopable(edge, developable, u_near, tolerance).run();
+      border.curve = on_developable(edge, developable, u_near, tolerance);
       if (!use.forward) border.curve = reversed(border.curve);
       const double turns = turns_to(developable, start_of(border.curve).x(), u_near);
       if (turns != 0.0) border.curve = shifted_u(border.curve, turns);

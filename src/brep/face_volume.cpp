@@ -3,6 +3,7 @@
 #include "quadrature.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 
 #include <cmath>
 
@@ -87,8 +88,7 @@ double volume_of(const SolidModel& model) {
 
 double volume_under(const SolidFace& face, const SolidModel& model) {
   const Vec3& centre = model.centre;
-  constexpr double kRelative = 1e-12;
-  const double area_error = kRelative * model.size * model.size;
+  const double area_error = tolerance::kRounding * model.size * model.size;
   const double error = area_error * model.size;
   const auto along_borders = [&](const auto& form) {
     double sum = 0.0;

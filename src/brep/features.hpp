@@ -2,6 +2,8 @@
 
 #include "assembly.hpp"
 
+#include <planish/sheet/builder.hpp>
+
 #include <map>
 #include <set>
 #include <tuple>
@@ -10,14 +12,14 @@ namespace planish::brep {
 
 /// Where the solid's faces and the uses of its edges are in the sheet.
 struct SheetMap {
-  std::vector<FaceId> face_id;                              ///< by face of the solid
+  std::map<int, FaceId> face_id;                            ///< by face of the solid
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
-  std::set<std::pair<int, int>> widened;  ///< face, loop: cut wider than the skin's own outline
+  std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
 };
 
-/// Notes what a flat pattern only outlines: formed features and bosses (their borders marked, drawn
-/// and not cut), pockets, countersinks (cut to the narrowest section), chamfered rims; and measures
-/// what they add to the plain sheet's volume or take from it.
-void add_features(Sheet& sheet, const SheetMap& map, const Recognition& of);
+/// Adds what a flat pattern only outlines: formed features and bosses (their borders marked, drawn
+/// and not cut), pockets, countersinks (cut to the narrowest section), slanted cuts, chamfered
+/// rims; and what they add to the plain sheet's volume or take from it.
+void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of);
 
 }  // namespace planish::brep

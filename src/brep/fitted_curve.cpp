@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 
 /// Slope by differences that stay within [lo, hi]: f need not exist outside.
 VectorXd slope(const PathFunction& f, double t, double lo, double hi) {
-  const double h = 1e-5 * (hi - lo);
+  constexpr double kStep = 1e-5;  // of the range: rounding and curvature weigh alike
+  const double h = kStep * (hi - lo);
   if (t - h < lo) return (4 * f(t + h) - f(t + 2 * h) - 3 * f(t)) / (2 * h);
   if (t + h > hi) return (3 * f(t) - 4 * f(t - h) + f(t - 2 * h)) / (2 * h);
   return (f(t + h) - f(t - h)) / (2 * h);

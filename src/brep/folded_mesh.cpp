@@ -4,6 +4,7 @@
 #include "thicken.hpp"
 
 #include <planish/base/angle.hpp>
+#include <planish/base/union_find.hpp>
 #include <planish/brep/step.hpp>
 
 #include <BRepBuilderAPI_Copy.hxx>
@@ -24,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <utility>
 
 namespace planish {
@@ -32,58 +32,42 @@ namespace {
 
 using Triangle = std::array<int, 3>;
 
-constexpr Angle largest_turn = Angle::degrees(10);  // between neighbouring chords
+constexpr Angle kLargestTurn = Angle::degrees(10);  // between neighbouring chords
 
-/// Numbers some of which stand for the same thing.
-class Classes {
- public:
-  /// Adds `count` numbers; returns the first.
-  int add(int count) {
-    const int first = static_cast<int>(parent_.size());
-    parent_.resize(parent_.size() + count);
-    std::iota(parent_.begin() + first, parent_.end(), first);
-    return first;
+int node_count(const TopoDS_Shape& solid) {
+  int count = 0;
+  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
+    TopLoc_Location place;
+    const Handle(Poly_Triangulation)
+        own = BRep_Tool::Triangulation(TopoDS::Face(faces.Current()), place);
+    if (!own.IsNull()) count += own->NbNodes();
   }
-  /// The number that stands for all of its class: the smallest.
-  int of(int n) {
-    while (parent_[n] != n)
-      n = parent_[n] = parent_[parent_[n]];
-    return n;
-  }
-  void unite(int a, int b) {
-    a = of(a);
-    b = of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
+  return count;
+}
 
 /// The kernel's triangles, face by face, put together along edges and vertices: the kernel gives
 /// every face nodes of its own.
 class Welder {
  public:
-  explicit Welder(const TopoDS_Shape& solid) {
+  explicit Welder(const TopoDS_Shape& solid) : same_(node_count(solid)) {
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
       add(TopoDS::Face(faces.Current()));
   }
 
-  /// The triangles over the points that are left; those of which two corners are one point are
-  /// gone.
+  /// The triangles over the points that are left, without those that have two corners at one point.
   Mesh mesh() {
     Mesh result;
     std::vector<int> number(points_.size(), -1);
     const auto numbered = [&](int node) {
-      int& n = number[classes_.of(node)];
+      int& n = number[same_.root(node)];
       if (n < 0) {
         n = static_cast<int>(result.points.size());
-        result.points.push_back(points_[classes_.of(node)]);
+        result.points.push_back(points_[same_.root(node)]);
       }
       return n;
     };
     for (const Triangle& t : triangles_) {
-      const Triangle roots{classes_.of(t[0]), classes_.of(t[1]), classes_.of(t[2])};
+      const Triangle roots{same_.root(t[0]), same_.root(t[1]), same_.root(t[2])};
       if (roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0]) continue;
       result.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
     }
@@ -95,7 +79,7 @@ class Welder {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
     if (own.IsNull()) return;  // the gap is found in the end
-    const int first = classes_.add(own->NbNodes());
+    const int first = static_cast<int>(points_.size());
     for (int i = 1; i <= own->NbNodes(); ++i)
       points_.push_back(brep::vector_of(own->Node(i).Transformed(place)));
     for (int i = 1; i <= own->NbTriangles(); ++i) {
@@ -120,16 +104,16 @@ class Welder {
     const auto& known = rows_.emplace(edges_.Add(edge), row).first->second;
     if (known.size() == row.size())
       for (std::size_t i = 0; i < row.size(); ++i)
-        classes_.unite(known[i], row[i]);
+        same_.unite(known[i], row[i]);
     join(TopExp::FirstVertex(edge), row.front());
     join(TopExp::LastVertex(edge), row.back());
   }
 
   void join(const TopoDS_Vertex& vertex, int node) {
-    classes_.unite(node_at_.emplace(vertices_.Add(vertex), node).first->second, node);
+    same_.unite(node_at_.emplace(vertices_.Add(vertex), node).first->second, node);
   }
 
-  Classes classes_;
+  UnionFind same_;  ///< nodes at one point
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
   TopTools_IndexedMapOfShape edges_, vertices_;
@@ -160,7 +144,7 @@ Result<void> check_chord(double chord) {
 Mesh triangulated(const TopoDS_Shape& solid, double chord) {
   IMeshTools_Parameters limits;
   limits.Deflection = chord;
-  limits.Angle = largest_turn.radians();
+  limits.Angle = kLargestTurn.radians();
   limits.MinSize = Precision::Confusion();  // by itself the kernel stops at a tenth of the chord
   const BRepMesh_IncrementalMesh triangles(solid, limits);
   return Welder(solid).mesh();

@@ -30,9 +30,4 @@ struct Groups {
 Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
                    const Skins& skins, Side side);
 
-/// Forms that stay attached all round (bridges, closed lances): groups inside an inner loop of a
-/// flange that make a ring with it. Their faces, for the caller to take off the skin.
-std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
-                              const Groups& groups);
-
 }  // namespace planish::brep

@@ -29,7 +29,7 @@ struct ResultOf<Result<T>> {
 
 /// Runs `f` and hands back its result; whatever it throws becomes an `internal` error that holds
 /// the exception's message. `f` may return a Result or a plain value. The kernel's Standard_Failure
-/// is no std::exception, so it is caught first. Every call from outside into kernel code goes
+/// is not a std::exception, so it is caught first. Every call from outside into kernel code goes
 /// through here.
 template <typename F>
 typename ResultOf<std::invoke_result_t<F>>::type guarded(F&& f, std::string where = {}) {

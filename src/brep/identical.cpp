@@ -78,10 +78,10 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
 
 bool identical(const Fingerprint& a, const Fingerprint& b) {
   if (a.counts != b.counts) return false;
-  constexpr double kRounding = 1e-6;  // STEP files carry about 1e-7 relative for placed copies
-  if (std::abs(a.moments[0] - b.moments[0]) > kRounding * a.moments[0]) return false;
+  constexpr double kPlaced = 1e-6;  // STEP files carry about 1e-7 relative for placed copies
+  if (std::abs(a.moments[0] - b.moments[0]) > kPlaced * a.moments[0]) return false;
   for (size_t i = 1; i < a.moments.size(); ++i)
-    if (std::abs(a.moments[i] - b.moments[i]) > kRounding) return false;
+    if (std::abs(a.moments[i] - b.moments[i]) > kPlaced) return false;
   return true;
 }
 

@@ -123,7 +123,7 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   return builder.shell();
 }
 
-/// Triangles in one plane become one face, where the kernel can tell that they are.
+/// Triangles in one plane become one face, where the kernel sees that they are in one.
 TopoDS_Shape with_whole_faces(const TopoDS_Shape& solid) {
   ShapeUpgrade_UnifySameDomain unify(solid, true, true, false);
   unify.Build();

@@ -1,5 +1,7 @@
 #include "outline.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,24 +27,15 @@ Vec2 flat_point(const SolidFace& face, const Outline& outline, const Vec3& p, do
   return {uv.x() * outline.u_scale, uv.y()};
 }
 
-double ring_sum(const std::vector<Vec2>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i) {
-    const Vec2& a = ring[i];
-    const Vec2& b = ring[(i + 1) % ring.size()];
-    sum += a.x() * b.y() - a.y() * b.x();
-  }
-  return sum / 2;
-}
-
 double scale_of(const SolidFace& face, const Vec3& p) {
   const auto* surface = std::get_if<Developable>(&face.surface);
   if (!surface) return 1.0;
   if (const auto* cylinder = std::get_if<Cylinder>(surface)) return cylinder->radius;
   if (const auto* cone = std::get_if<Cone>(surface))
-    return std::max(parameters_of(*surface, p, 0.0).y() * std::sin(cone->half_angle), 1e-300);
+    return std::max(parameters_of(*surface, p, 0.0).y() * std::sin(cone->half_angle),
+                    tolerance::kTiniest);
   const auto& knots = std::get<Ruled>(*surface).knots;
-  return std::max(knots[knots.size() / 2].b_prime.norm(), 1e-300);
+  return std::max(knots[knots.size() / 2].b_prime.norm(), tolerance::kTiniest);
 }
 
 Outline outline_of(const SolidModel& model, const SolidFace& face) {
@@ -69,11 +62,7 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
       u_near = flat.back().x();
       outline.box.add(flat.back());
     }
-    outline.area += face.sense * ring_sum(flat) *
-                    (std::holds_alternative<Developable>(face.surface) &&
-                             std::holds_alternative<Cone>(std::get<Developable>(face.surface))
-                         ? -1.0
-                         : 1.0);
+    outline.area += ring_area(flat);
     u_near = (outline.box.lo.x() + outline.box.hi.x()) / 2;
   }
   outline.area = std::abs(outline.area);
@@ -143,6 +132,16 @@ Projection project(const SolidFace& face, const Outline& outline, const Vec3& p,
 }
 
 }  // namespace
+
+double ring_area(const std::vector<Vec2>& ring) {
+  double sum = 0.0;
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2& a = ring[i];
+    const Vec2& b = ring[(i + 1) % ring.size()];
+    sum += a.x() * b.y() - a.y() * b.x();
+  }
+  return sum / 2;
+}
 
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;

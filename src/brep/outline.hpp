@@ -33,6 +33,10 @@ struct Opposite {
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,
                                  int a, int b);
 
+/// Outward unit normal of a plane or developable face at the point of its surface nearest to this.
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
+
+/// Area inside a closed polygon, positive when it runs counter-clockwise.
+double ring_area(const std::vector<Vec2>& ring);
 
 }  // namespace planish::brep

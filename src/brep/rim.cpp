@@ -1,6 +1,6 @@
 #include "rim.hpp"
 
-#include <fmt/format.h>
+#include "rim_refusal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,202 +9,145 @@
 namespace planish::brep {
 namespace {
 
-class RimFinder {
- public:
-  RimFinder(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins)
-      : model_(model), outlines_(outlines), skins_(skins), edges_of_(model.faces.size()) {
-    for (size_t e = 0; e < model.edges.size(); ++e)
-      for (const int f : model.edges[e].faces)
-        if (f >= 0) edges_of_[f].push_back(static_cast<int>(e));
-    mark_skin_vertices();
-  }
+using EdgesByFace = std::vector<std::vector<int>>;
 
-  Rim run() {
-    rim_.part_of.assign(model_.faces.size(), -1);
-    for (size_t f = 0; f < model_.faces.size(); ++f) {
-      if (side(static_cast<int>(f)) != Side::none || rim_.part_of[f] >= 0) continue;
-      grow(static_cast<int>(f));
-    }
-    note_loops();
-    for (RimPart& part : rim_.parts)
-      judge(part);
-    return std::move(rim_);
-  }
+bool is_skin(const Skins& skins, int face) { return face >= 0 && skins.side[face] != Side::none; }
 
- private:
-  Side side(int face) const { return skins_.side[face]; }
+bool on_skin(const Skins& skins, const SolidEdge& edge) {
+  return is_skin(skins, edge.faces[0]) || is_skin(skins, edge.faces[1]);
+}
 
-  void mark_skin_vertices() {
-    for (const SolidEdge& edge : model_.edges) {
-      const bool on_skin = std::any_of(edge.faces.begin(), edge.faces.end(),
-                                       [&](int f) { return f >= 0 && side(f) != Side::none; });
-      if (on_skin) skin_vertices_.insert(edge.vertices.begin(), edge.vertices.end());
-    }
-  }
-
-  int across(int e, int face) const {
-    const auto& faces = model_.edges[e].faces;
-    return faces[0] == face ? faces[1] : faces[0];
-  }
-
-  void grow(int seed) {
-    const int label = static_cast<int>(rim_.parts.size());
-    RimPart& part = rim_.parts.emplace_back();
+/// Faces of no skin, connected over their edges.
+Rim connected_parts(const SolidModel& model, const EdgesByFace& edges, const Skins& skins) {
+  Rim rim;
+  rim.part_of.assign(model.faces.size(), -1);
+  for (int seed = 0; seed < std::ssize(model.faces); ++seed) {
+    if (is_skin(skins, seed) || rim.part_of[seed] >= 0) continue;
+    const int label = static_cast<int>(rim.parts.size());
+    RimPart& part = rim.parts.emplace_back();
     std::vector<int> stack{seed};
-    rim_.part_of[seed] = label;
+    rim.part_of[seed] = label;
     while (!stack.empty()) {
       const int face = stack.back();
       stack.pop_back();
       part.faces.push_back(face);
-      for (const int e : edges_of_[face]) {
-        const int next = across(e, face);
-        if (next < 0 || side(next) != Side::none || rim_.part_of[next] >= 0) continue;
-        rim_.part_of[next] = label;
+      for (const int e : edges[face]) {
+        const int next = face_across(model.edges[e], face);
+        if (next < 0 || is_skin(skins, next) || rim.part_of[next] >= 0) continue;
+        rim.part_of[next] = label;
         stack.push_back(next);
       }
     }
   }
+  return rim;
+}
 
-  void note_loops() {
-    for (size_t f = 0; f < model_.faces.size(); ++f) {
-      if (side(static_cast<int>(f)) == Side::none) continue;
-      for (size_t l = 0; l < model_.faces[f].loops.size(); ++l) {
-        std::set<int> parts;
-        for (const CoEdge& use : model_.faces[f].loops[l])
-          if (const int next = across(use.edge, static_cast<int>(f)); next >= 0)
-            if (const int part = rim_.part_of[next]; part >= 0) parts.insert(part);
-        for (const int part : parts) {
-          RimPart& row = rim_.parts[part];
-          (side(static_cast<int>(f)) == Side::first ? row.first : row.second)
-              .push_back({static_cast<int>(f), static_cast<int>(l)});
-        }
+/// Parts that the loop of a skin face touches.
+std::set<int> parts_along(const SolidModel& model, const Rim& rim, const LoopRef& ref) {
+  std::set<int> parts;
+  for (const CoEdge& use : model.faces[ref.face].loops[ref.loop])
+    if (const int next = face_across(model.edges[use.edge], ref.face);
+        next >= 0 && rim.part_of[next] >= 0)
+      parts.insert(rim.part_of[next]);
+  return parts;
+}
+
+/// The rim with the loops that each part touches.
+Rim with_loops(Rim rim, const SolidModel& model, const Skins& skins) {
+  for (int f = 0; f < std::ssize(model.faces); ++f) {
+    if (!is_skin(skins, f)) continue;
+    for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
+      for (const int p : parts_along(model, rim, {f, l})) {
+        RimPart& part = rim.parts[p];
+        (skins.side[f] == Side::first ? part.first : part.second).push_back({f, l});
       }
+  }
+  return rim;
+}
+
+/// Depth of a point below a skin face.
+double depth_below(const SolidFace& face, const Outline& outline, const Vec3& p) {
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) return -plane->local(p).z();
+  const auto& surface = std::get<Developable>(face.surface);
+  const Vec2 uv = parameters_of(surface, p, outline.u_middle);
+  return -face.sense * (p - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+}
+
+/// Whether a point lies between the skins, seen from one of these skin faces.
+bool between(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
+             const std::set<int>& skin_faces, const Vec3& p) {
+  constexpr double kTouching = 0.05;  // of the thickness: fillets and chamfers touch from inside
+  const double t = skins.thickness;
+  const double slack = kTouching * t + skins.spread;
+  return std::any_of(skin_faces.begin(), skin_faces.end(), [&](int f) {
+    const Outline& outline = outlines[f];
+    const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() &&
+                      (p.array() <= (outline.hi.array() + 2 * t)).all();
+    if (!near) return false;
+    const double depth = depth_below(model.faces[f], outline, p);
+    return depth >= -slack && depth <= t + slack;
+  });
+}
+
+std::set<int> vertices_on_skins(const SolidModel& model, const Skins& skins) {
+  std::set<int> vertices;
+  for (const SolidEdge& edge : model.edges)
+    if (on_skin(skins, edge)) vertices.insert(edge.vertices.begin(), edge.vertices.end());
+  return vertices;
+}
+
+/// Points of the part that are not on a skin's border: middles of its edges and free corners.
+std::vector<Vec3> own_points(const SolidModel& model, const EdgesByFace& edges, const Skins& skins,
+                             const std::set<int>& skin_vertices, const RimPart& part) {
+  std::vector<Vec3> points;
+  std::set<int> seen;
+  const auto at_skin = [&](int vertex) { return skin_vertices.count(vertex) > 0; };
+  for (const int f : part.faces)
+    for (const int e : edges[f]) {
+      const SolidEdge& edge = model.edges[e];
+      if (!seen.insert(e).second || edge.vertices[0] < 0 || on_skin(skins, edge)) continue;
+      const bool wall = at_skin(edge.vertices[0]) && at_skin(edge.vertices[1]);
+      if (wall && edge.curve.kind == SpaceCurve::Kind::line) continue;
+      points.push_back(edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2));
+      if (!at_skin(edge.vertices[0])) points.push_back(edge.curve.start);
+      if (!at_skin(edge.vertices[1])) points.push_back(edge.curve.end);
     }
-  }
+  return points;
+}
 
-  /// Whether a point lies between the skins, seen from one of the skin faces the part touches.
-  bool between(const Vec3& p, const std::vector<int>& skin_faces) const {
-    const double t = skins_.thickness;
-    const double slack = 0.05 * t +
-                         skins_.spread;  // fillets and chamfers touch the skins from inside
-    return std::any_of(skin_faces.begin(), skin_faces.end(), [&](int f) {
-      const Outline& outline = outlines_[f];
-      const bool near = ((outline.lo.array() - 2 * t) <= p.array()).all() &&
-                        (p.array() <= (outline.hi.array() + 2 * t)).all();
-      if (!near) return false;
-      const SolidFace& face = model_.faces[f];
-      double depth = 0.0;
-      if (const auto* plane = std::get_if<Frame>(&face.surface)) {
-        depth = -plane->local(p).z();
-      } else {
-        const auto& surface = std::get<Developable>(face.surface);
-        const Vec2 uv = parameters_of(surface, p, outline.u_middle);
-        depth = -face.sense * (p - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
-      }
-      return depth >= -slack && depth <= t + slack;
-    });
-  }
-
-  /// Points of the part that are not on a skin's border: middles of its edges and free corners.
-  std::vector<Vec3> own_points(const RimPart& part) const {
-    std::vector<Vec3> points;
-    std::set<int> seen;
-    for (const int f : part.faces)
-      for (const int e : edges_of_[f]) {
-        const SolidEdge& edge = model_.edges[e];
-        if (!seen.insert(e).second || edge.vertices[0] < 0) continue;
-        const bool on_skin = std::any_of(edge.faces.begin(), edge.faces.end(), [&](int face) {
-          return face >= 0 && side(face) != Side::none;
-        });
-        if (on_skin) continue;
-        const bool wall = skin_vertices_.count(edge.vertices[0]) &&
-                          skin_vertices_.count(edge.vertices[1]);
-        if (wall && edge.curve.kind == SpaceCurve::Kind::line) continue;
-        points.push_back(edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2));
-        if (!skin_vertices_.count(edge.vertices[0])) points.push_back(edge.curve.start);
-        if (!skin_vertices_.count(edge.vertices[1])) points.push_back(edge.curve.end);
-      }
-    return points;
-  }
-
-  void judge(RimPart& part) {
-    std::set<int> skin_faces;
-    for (const LoopRef& ref : part.first)
-      skin_faces.insert(ref.face);
-    for (const LoopRef& ref : part.second)
-      skin_faces.insert(ref.face);
-    const std::vector<int> touched(skin_faces.begin(), skin_faces.end());
-    for (const Vec3& p : own_points(part)) {
-      if (between(p, touched)) continue;
-      part.within = false;
-      break;
-    }
-    if (!part.within) part.refusal = refusal_of(part, skin_faces);
-  }
-
-  /// A neighbour that continues a skin tangentially tells what went wrong there.
-  Error refusal_of(const RimPart& part, const std::set<int>& skin_faces) const {
-    Error doubly{ErrorCode::internal, {}, {}};
-    Error thickness = doubly;
-    for (const int f : part.faces)
-      for (const int e : edges_of_[f]) {
-        const int skin = across(e, f);
-        if (skin < 0 || !skin_faces.count(skin)) continue;
-        const SolidFace& face = model_.faces[f];
-        if (const auto* curved = std::get_if<DoublyCurved>(&face.surface)) {
-          if (doubly.message.empty())
-            doubly = {ErrorCode::doubly_curved,
-                      fmt::format("Face {} ({}) is curved two ways; it was drawn or formed, not "
-                                  "bent, and has no flat "
-                                  "pattern.",
-                                  f + 1, curved->kind),
-                      fmt::format("face {}", f + 1)};
-        } else if (const auto angle = dihedral(model_, e); angle && std::abs(*angle) < 0.1) {
-          if (thickness.message.empty())
-            thickness = {ErrorCode::thickness_not_constant,
-                         fmt::format("Below face {}, which goes on from face {}, the material is "
-                                     "not {:.4g} mm thick.",
-                                     f + 1, skin + 1, skins_.thickness),
-                         fmt::format("face {}", f + 1)};
-        }
-      }
-    if (!doubly.message.empty()) return doubly;
-    if (!thickness.message.empty()) return thickness;
-    return {ErrorCode::not_a_sheet,
-            fmt::format("Material at face {} leaves the sheet of {:.4g} mm; this is not a part "
-                        "made of one sheet.",
-                        part.faces.front() + 1, skins_.thickness),
-            fmt::format("face {}", part.faces.front() + 1)};
-  }
-
-  const SolidModel& model_;
-  const std::vector<Outline>& outlines_;
-  const Skins& skins_;
-  std::vector<std::vector<int>> edges_of_;
-  std::set<int> skin_vertices_;
-  Rim rim_;
-};
+std::set<int> touched_faces(const RimPart& part) {
+  std::set<int> faces;
+  for (const auto* loops : {&part.first, &part.second})
+    for (const LoopRef& ref : *loops)
+      faces.insert(ref.face);
+  return faces;
+}
 
 }  // namespace
 
 Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins) {
-  return RimFinder(model, outlines, skins).run();
+  const EdgesByFace edges = edges_by_face(model);
+  const std::set<int> skin_vertices = vertices_on_skins(model, skins);
+  Rim rim = with_loops(connected_parts(model, edges, skins), model, skins);
+  for (RimPart& part : rim.parts) {
+    const std::set<int> touched = touched_faces(part);
+    const std::vector<Vec3> points = own_points(model, edges, skins, skin_vertices, part);
+    part.within = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
+      return between(model, outlines, skins, touched, p);
+    });
+    if (!part.within) part.refusal = rim_refusal(model, edges, skins, part);
+  }
+  return rim;
 }
 
 int outer_loop(const Outline& outline) {
   int best = 0;
   double best_area = -1.0;
-  for (size_t l = 0; l < outline.flat.size(); ++l) {
-    double sum = 0.0;
-    const auto& ring = outline.flat[l];
-    for (size_t i = 0; i < ring.size(); ++i) {
-      const Vec2& a = ring[i];
-      const Vec2& b = ring[(i + 1) % ring.size()];
-      sum += a.x() * b.y() - a.y() * b.x();
-    }
-    if (std::abs(sum) <= best_area) continue;
-    best_area = std::abs(sum);
-    best = static_cast<int>(l);
+  for (int l = 0; l < std::ssize(outline.flat); ++l) {
+    const double area = std::abs(ring_area(outline.flat[l]));
+    if (area <= best_area) continue;
+    best_area = area;
+    best = l;
   }
   return best;
 }

@@ -8,6 +8,7 @@ namespace planish::brep {
 struct LoopRef {
   int face = 0;
   int loop = 0;
+  friend auto operator<=>(const LoopRef&, const LoopRef&) = default;
 };
 
 /// Connected faces that belong to no skin: the walls of a cut, a countersink, an emboss, a boss.

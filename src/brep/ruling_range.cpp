@@ -3,6 +3,8 @@
 #include "border_curve.hpp"
 #include "fitted_curve.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <Geom2d_BSplineCurve.hxx>
 
 #include <algorithm>
@@ -40,7 +42,8 @@ Box2 extent(const Face& face) {
 double speed_across(const Face& face, const Vec2& uv, double depth) {
   const auto& surface = std::get<Developable>(face.surface);
   const auto& knots = std::get<Ruled>(surface).knots;
-  const Vec2 h(1e-5 * (knots.back().u - knots.front().u), 0.0);
+  constexpr double kStep = 1e-5;  // of the range of u: central difference
+  const Vec2 h(kStep * (knots.back().u - knots.front().u), 0.0);
   const Vec3 across = ruling_on(surface, uv.x()).cross(normal_on(surface, uv.x()));
   return (point_below(face, uv + h, depth) - point_below(face, uv - h, depth)).dot(across) /
          (2 * h.x());
@@ -99,8 +102,7 @@ Handle(Geom2d_Curve) carried_into(const RulingRange& range, const Handle(Geom2d_
     return {p.X(), box.lo.y() + box.size().y() * (p.Y() - lo) / (hi - lo)};
   };
   const gp_Pnt2d start = curve->Value(0.0), end = curve->Value(length);
-  constexpr double same = 1e-12;
-  if (std::abs(end.X() - start.X()) < same * box.size().x())
+  if (std::abs(end.X() - start.X()) < tolerance::kRounding * box.size().x())
     return plane_line(carried(start), carried(end), length);
 
   std::vector<double> breaks{0.0, length};

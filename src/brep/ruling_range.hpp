@@ -16,7 +16,7 @@ Box2 extent(const Face& face);
 /// of itself.
 double speed_across(const Face& face, const Vec2& uv, double depth);
 
-/// What part of each ruling a face on a ruled surface asks for: all of it lies in lo(u) … hi(u).
+/// The part of each ruling that a face on a ruled surface uses: all of it lies in lo(u) … hi(u).
 /// The same for all u, the face's extent, unless the edge of regression comes into that; then the
 /// limit on its side keeps away from it.
 class RulingRange {

@@ -3,31 +3,15 @@
 #include "border_curve.hpp"
 #include "side_wall.hpp"
 
+#include <planish/base/union_find.hpp>
+
 #include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <numbers>
-#include <numeric>
 
 namespace planish::brep {
 namespace {
-
-/// Sets of rows that are the same corner.
-class Corners {
- public:
-  explicit Corners(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int i) {
-    while (parent_[i] != i)
-      i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(int a, int b) { parent_[root(a)] = root(b); }
-
- private:
-  std::vector<int> parent_;
-};
 
 /// Row of every border: first_row[face][loop] + border.
 std::vector<std::vector<int>> rows_of(const Sheet& sheet, SheetTopology& topology) {
@@ -45,9 +29,9 @@ std::vector<std::vector<int>> rows_of(const Sheet& sheet, SheetTopology& topolog
 
 /// The tangent planes that meet in a corner: one of each direction.
 void add_direction(std::vector<Vec3>& normals, const Vec3& normal) {
-  constexpr double same = 1e-4;
+  constexpr double kSame = 1e-4;  // radians
   for (const Vec3& n : normals)
-    if ((n - normal).norm() < same) return;
+    if ((n - normal).norm() < kSame) return;
   normals.push_back(normal);
 }
 
@@ -69,7 +53,7 @@ Result<SheetTopology> sheet_topology(const Sheet& sheet) {
   const auto row_of = [&](const BorderRef& ref) {
     return first_row[index_of(ref.face)][ref.loop] + ref.border;
   };
-  Corners corners(topology.borders.size());
+  UnionFind corners(static_cast<int>(topology.borders.size()));  // rows that start there
   std::vector<int> sharp_rows;
   for (std::size_t j = 0; j < sheet.joints.size(); ++j) {
     const Joint& joint = sheet.joints[j];

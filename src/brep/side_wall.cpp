@@ -2,6 +2,8 @@
 
 #include "kernel_points.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <Geom2d_Line.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
@@ -16,7 +18,7 @@ namespace planish::brep {
 namespace {
 
 /// Radii or heights that differ by less are the same, mm.
-constexpr double same = 1e-9;
+constexpr double kSame = 1e-9;
 
 Handle(Geom2d_Curve) ray(const Vec2& from, const Vec2& direction) {
   return new Geom2d_Line(kernel_point(from), gp_Dir2d(direction.x(), direction.y()));
@@ -42,11 +44,11 @@ void set_turned_surface(SideWall& wall, const SpaceCircle& reference, const Spac
                         double sweep) {
   const double rise = (other.center - reference.center).dot(reference.axis);
   const double growth = other.radius - reference.radius;
-  if (std::abs(rise) < same) {
+  if (std::abs(rise) < kSame) {
     wall.surface = plane(reference.center, wall.outward);
     return;
   }
-  if (std::abs(growth) < same) {
+  if (std::abs(growth) < kSame) {
     wall.surface = new Geom_CylindricalSurface(
         kernel_axes(reference.center, reference.axis, reference.start), reference.radius);
     set_curves(wall, 1.0, sweep, rise);
@@ -71,7 +73,7 @@ Vec3 outward_across(const Face& face, const BorderCurve& border, double s) {
   if (const auto* frame = std::get_if<Frame>(&face.surface)) {
     along = d.X() * frame->x + d.Y() * frame->y;
   } else {
-    const double h = 1e-6 * border.length;
+    const double h = tolerance::kAside * border.length;
     along = point_below(face, uv + h * Vec2(d.X(), d.Y()), 0.0) -
             point_below(face, uv - h * Vec2(d.X(), d.Y()), 0.0);
   }

@@ -36,10 +36,10 @@ struct SideWall {
 SideWall straight_wall(const std::array<Vec3, 4>& corners, const Vec3& outward, double tolerance);
 
 /// Wall along a curved border between two depths: a plane, cylinder or cone along circles; along
-/// planar splines an extrusion; else a ruled surface.
+/// planar splines an extrusion; otherwise a ruled surface.
 struct CurvedWall {
   SideWall wall;
-  /// Both long edges when the wall fitted them, else null.
+  /// Both long edges where the wall was fitted; otherwise null.
   Handle(Geom_Curve) reference_edge, other_edge;
 };
 CurvedWall curved_wall(const Face& face, const BorderCurve& border, const Depths& depths,

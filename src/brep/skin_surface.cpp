@@ -3,6 +3,8 @@
 #include "kernel_points.hpp"
 #include "ruling_range.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
@@ -46,7 +48,7 @@ SkinSurface surface_below(const Cone& cone, const Face& face, double depth, doub
 SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, double tolerance) {
   const Box2 box = extent(face);
   std::vector<double> breaks{box.lo.x()};
-  const double margin = 1e-9 * box.size().x();
+  const double margin = tolerance::kComputed * box.size().x();
   for (const Ruled::Knot& knot : ruled.knots)
     if (knot.u > box.lo.x() + margin && knot.u < box.hi.x() - margin) breaks.push_back(knot.u);
   breaks.push_back(box.hi.x());
@@ -67,22 +69,23 @@ SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, do
 /// Radius of curvature across the ruling at a point of the reference skin, positive where it curves
 /// towards the material; not positive where the skin itself folds over.
 double radius_towards_material(const Face& face, const Vec2& uv) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
-  constexpr double deeper = 1.0;  // mm; the speed is linear in the depth
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  constexpr double kDeeper = 1.0;  // mm; the speed is linear in the depth
   const double speed = speed_across(face, uv, 0.0);
   if (speed <= 0.0) return 0.0;
-  const double loss = speed - speed_across(face, uv, deeper);
-  return loss > 0.0 ? deeper * speed / loss : infinite;
+  const double loss = speed - speed_across(face, uv, kDeeper);
+  return loss > 0.0 ? kDeeper * speed / loss : kInfinite;
 }
 
 double smallest_ruled_radius(const Face& face, double depth) {
-  constexpr int samples = 32;
+  constexpr int kSamples = 32;
   double smallest = std::numeric_limits<double>::infinity();
   for (const BorderLoop& loop : face.loops)
     for (const Border& border : loop)
-      for (int i = 0; i <= samples; ++i)
-        smallest = std::min(
-            smallest, radius_towards_material(face, point_at(border.curve, double(i) / samples)));
+      for (int i = 0; i <= kSamples; ++i)
+        smallest = std::min(smallest,
+                            radius_towards_material(
+                                face, point_at(border.curve, static_cast<double>(i) / kSamples)));
   return smallest - depth;
 }
 
@@ -100,9 +103,9 @@ SkinSurface skin_surface(const Face& face, double depth, double tolerance) {
 }
 
 double smallest_radius(const Face& face, double depth) {
-  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const auto* surface = std::get_if<Developable>(&face.surface);
-  if (surface == nullptr) return infinite;
+  if (surface == nullptr) return kInfinite;
   if (const auto* cylinder = std::get_if<Cylinder>(surface))
     return cylinder->radius - face.sense * depth;
   if (const auto* cone = std::get_if<Cone>(surface))

@@ -4,6 +4,8 @@
 #include "guarded.hpp"
 #include "kernel_points.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -76,8 +78,8 @@ bool closed(const TopoDS_Shape& shape) {
 void measure(const TopoDS_Shape& shape, SolidCheck& check) {
   GProp_GProps volume, area;
   // The kernel's other integrators are up to a per cent off on planes bounded by splines.
-  BRepGProp::VolumePropertiesGK(shape, volume, 1e-9);
-  BRepGProp::SurfaceProperties(shape, area, 1e-9);
+  BRepGProp::VolumePropertiesGK(shape, volume, tolerance::kComputed);
+  BRepGProp::SurfaceProperties(shape, area, tolerance::kComputed);
   check.volume = volume.Mass();
   check.area = area.Mass();
   Bnd_Box box;

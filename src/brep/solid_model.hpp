@@ -11,7 +11,7 @@
 
 namespace planish::brep {
 
-/// Kernel-free picture of a solid's boundary: what recognition reads. All lengths mm.
+// A picture of a solid's boundary without the kernel: what recognition reads. All lengths mm.
 
 /// An edge's curve in space over [t0, t1].
 struct SpaceCurve {
@@ -28,7 +28,7 @@ struct SpaceCurve {
   Vec3 point(double t) const;
   Vec3 derivative(double t) const;
   Vec3 tangent(double t) const;  ///< unit
-  /// Length: closed form for lines and circles, adaptive Gauss quadrature else.
+  /// Length: closed form for lines and circles, adaptive Gauss quadrature for others.
   double length() const;
   /// Distance of p from the curve.
   double distance(const Vec3& p) const;
@@ -42,13 +42,16 @@ struct SolidEdge {
   int uses = 0;                             ///< coedges; 2 on a closed solid
 };
 
+/// The face on the other side of an edge of a face: the face itself at a seam, −1 at an open edge.
+int face_across(const SolidEdge& edge, int face);
+
 /// An edge as a face runs along it, the face on the left seen from outside.
 struct CoEdge {
   int edge = 0;
   bool forward = true;
 };
 
-/// A surface neither plane nor developable as far as its kind tells.
+/// A surface that is not known to be plane or developable.
 struct DoublyCurved {
   std::string kind;  ///< "sphere", "torus", "spline", …
 };
@@ -69,5 +72,8 @@ struct SolidModel {
   double size = 0.0;           ///< diagonal of the bounding box, mm
   Vec3 centre = Vec3::Zero();  ///< of the bounding box: where volumes are measured from
 };
+
+/// Numbers of the edges that name each face as a neighbour, growing.
+std::vector<std::vector<int>> edges_by_face(const SolidModel& model);
 
 }  // namespace planish::brep

@@ -1,9 +1,14 @@
 #include "solid_reader.hpp"
 
+#include "exact_curve.hpp"
 #include "face_volume.hpp"
 #include "heal.hpp"
+#include "kernel_points.hpp"
+#include "loop_order.hpp"
 #include "patch_volume.hpp"
 #include "surface_reader.hpp"
+
+#include <planish/base/tolerance.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepBndLib.hxx>
@@ -11,7 +16,6 @@
 #include <BRep_Tool.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
@@ -21,62 +25,25 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 namespace planish::brep {
 namespace {
 
-Vec3 vec(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
-
-/// Many systems write straight lines and circles as splines. What lies on one within this share of
-/// the solid's size is one: STEP files carry about ten digits.
-constexpr double kExactShare = 1e-9;
-constexpr int kProbes = 12;
+/// A spline that lies on a line or circle within this share of the solid's size is one.
+constexpr double kExactShare = tolerance::kComputed;
 /// A face's volume is measured this closely, of the cubed size.
-constexpr double kVolume = 1e-11;
+constexpr double kVolumeShare = 1e-11;
 
-bool is_straight(const SpaceCurve& curve, double tolerance) {
-  const Vec3 chord = curve.end - curve.start;
-  if (chord.norm() <= tolerance) return false;
-  const Vec3 along = chord.normalized();
-  double reached = 0.0;
-  for (int i = 1; i < kProbes; ++i) {
-    const Vec3 d = curve.point(curve.t0 + (curve.t1 - curve.t0) * i / kProbes) - curve.start;
-    if ((d - d.dot(along) * along).norm() > tolerance || d.dot(along) < reached) return false;
-    reached = d.dot(along);
-  }
-  return true;
-}
-
-/// The circle through three points of the curve, when the others lie on it and turn one way.
-std::optional<SpaceCurve> as_circle(const SpaceCurve& curve, double tolerance) {
-  const auto at = [&](double share) {
-    return curve.point(curve.t0 + (curve.t1 - curve.t0) * share);
-  };
-  const Vec3 a = at(0.0);
-  const Vec3 u = at(1.0 / 3) - a;
-  const Vec3 v = at(2.0 / 3) - a;
-  const Vec3 n = u.cross(v);
-  if (n.norm() <= tolerance * std::max(u.norm(), v.norm())) return {};
-  const Vec3 centre = a + (v.squaredNorm() * n.cross(u) - u.squaredNorm() * n.cross(v)) /
-                              (2 * n.squaredNorm());
-  SpaceCurve circle = curve;
-  circle.kind = SpaceCurve::Kind::circle;
-  circle.circle = frame_from_axes(centre, n.normalized(), a - centre);
-  circle.radius = (a - centre).norm();
-  circle.t0 = 0.0;
-  double angle = 0.0;
-  for (int i = 1; i <= kProbes; ++i) {
-    const Vec3 local = circle.circle.local(at(static_cast<double>(i) / kProbes));
-    if (std::hypot(local.head<2>().norm() - circle.radius, local.z()) > tolerance) return {};
-    double next = std::atan2(local.y(), local.x());
-    while (next < angle)
-      next += 2 * std::numbers::pi;
-    if (next - angle > std::numbers::pi) return {};
-    angle = next;
-  }
-  circle.t1 = (curve.end - curve.start).norm() <= tolerance ? 2 * std::numbers::pi : angle;
-  return circle;
+/// The kernel's faces, edges and vertices by their numbers from 1.
+struct Numbered {
+  TopTools_IndexedMapOfShape faces, edges, vertices;
+};
+Numbered numbered(const TopoDS_Solid& solid) {
+  Numbered shapes;
+  TopExp::MapShapes(solid, TopAbs_FACE, shapes.faces);
+  TopExp::MapShapes(solid, TopAbs_EDGE, shapes.edges);
+  TopExp::MapShapes(solid, TopAbs_VERTEX, shapes.vertices);
+  return shapes;
 }
 
 SpaceCurve read_curve(const TopoDS_Edge& edge, double size) {
@@ -84,166 +51,141 @@ SpaceCurve read_curve(const TopoDS_Edge& edge, double size) {
   SpaceCurve curve;
   curve.t0 = adaptor->FirstParameter();
   curve.t1 = adaptor->LastParameter();
-  curve.start = vec(adaptor->Value(curve.t0).XYZ());
-  curve.end = vec(adaptor->Value(curve.t1).XYZ());
+  curve.start = vector_of(adaptor->Value(curve.t0));
+  curve.end = vector_of(adaptor->Value(curve.t1));
   curve.evaluate = [adaptor](double t, Vec3& point, Vec3& derivative) {
     gp_Pnt p;
     gp_Vec d;
     adaptor->D1(t, p, d);
-    point = vec(p.XYZ());
-    derivative = vec(d.XYZ());
+    point = vector_of(p);
+    derivative = vector_of(d);
   };
   if (adaptor->GetType() == GeomAbs_Line) {
     curve.kind = SpaceCurve::Kind::line;
   } else if (adaptor->GetType() == GeomAbs_Circle) {
     const gp_Circ circle = adaptor->Circle();
-    curve.kind = SpaceCurve::Kind::circle;
     const gp_Ax2& axes = circle.Position();
-    curve.circle = frame_from_axes(vec(axes.Location().XYZ()), vec(axes.Direction().XYZ()),
-                                   vec(axes.XDirection().XYZ()));
+    curve.kind = SpaceCurve::Kind::circle;
+    curve.circle = frame_from_axes(vector_of(axes.Location()), vector_of(axes.Direction().XYZ()),
+                                   vector_of(axes.XDirection().XYZ()));
     curve.radius = circle.Radius();
-  } else if (is_straight(curve, kExactShare * size)) {
-    curve.kind = SpaceCurve::Kind::line;
-  } else if (auto circle = as_circle(curve, kExactShare * size)) {
-    return *circle;
   }
-  return curve;
+  return exact_curve(std::move(curve), kExactShare * size);
 }
 
-class Reader {
- public:
-  Reader(const TopoDS_Solid& solid, double tolerance) : tolerance_(tolerance) {
-    TopExp::MapShapes(solid, TopAbs_FACE, faces_);
-    TopExp::MapShapes(solid, TopAbs_EDGE, edges_);
-    TopExp::MapShapes(solid, TopAbs_VERTEX, vertices_);
-    Bnd_Box box;
-    BRepBndLib::AddClose(solid, box);
-    if (!box.IsVoid()) {
-      model_.centre = vec((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
-      model_.size = box.CornerMin().Distance(box.CornerMax());
-    }
+std::vector<SolidEdge> read_edges(const Numbered& shapes, double size) {
+  std::vector<SolidEdge> edges;
+  for (int i = 1; i <= shapes.edges.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(shapes.edges(i));
+    SolidEdge& row = edges.emplace_back();
+    if (BRep_Tool::Degenerated(edge)) continue;
+    row.curve = read_curve(edge, size);
+    row.vertices = {shapes.vertices.FindIndex(TopExp::FirstVertex(edge)) - 1,
+                    shapes.vertices.FindIndex(TopExp::LastVertex(edge)) - 1};
   }
+  return edges;
+}
 
-  SolidModel run() {
-    for (int i = 1; i <= edges_.Extent(); ++i) {
-      const TopoDS_Edge& edge = TopoDS::Edge(edges_(i));
-      SolidEdge& row = model_.edges.emplace_back();
-      if (BRep_Tool::Degenerated(edge)) continue;
-      row.curve = read_curve(edge, model_.size);
-      row.vertices = {vertices_.FindIndex(TopExp::FirstVertex(edge)) - 1,
-                      vertices_.FindIndex(TopExp::LastVertex(edge)) - 1};
-    }
-    for (int i = 1; i <= faces_.Extent(); ++i) {
-      const TopoDS_Face& face = TopoDS::Face(faces_(i));
-      SolidFace row = read_surface(face, tolerance_);
-      read_loops(face, row, i - 1);
-      if (!has_border_volume(row))
-        row.volume = patch_volume(face, model_.centre, kVolume * std::pow(model_.size, 3));
-      model_.faces.push_back(std::move(row));
-    }
-    for (SolidFace& face : model_.faces)
-      if (has_border_volume(face)) face.volume = volume_under(face, model_);
-    heal(model_);
-    return std::move(model_);
+/// Uses of the wire's edges in the file's order; degenerate edges have none.
+std::vector<CoEdge> uses_in(const TopoDS_Wire& wire, const Numbered& shapes) {
+  std::vector<CoEdge> uses;
+  for (TopoDS_Iterator edges(wire); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Value());
+    if (!BRep_Tool::Degenerated(edge))
+      uses.push_back({shapes.edges.FindIndex(edge) - 1, edge.Orientation() == TopAbs_FORWARD});
   }
+  return uses;
+}
 
- private:
-  void read_loops(const TopoDS_Face& face, SolidFace& row, int index) {
-    const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
-    for (TopoDS_Iterator wires(forward); wires.More(); wires.Next()) {
-      if (wires.Value().ShapeType() != TopAbs_WIRE) continue;
-      std::vector<CoEdge> loop = read_wire(TopoDS::Wire(wires.Value()), forward);
-      if (loop.empty()) continue;
-      if (face.Orientation() == TopAbs_REVERSED) {
-        std::reverse(loop.begin(), loop.end());
-        for (CoEdge& use : loop)
-          use.forward = !use.forward;
+/// The same in the order in which the kernel's explorer meets them; empty when it misses some.
+std::optional<std::vector<CoEdge>> uses_explored(const TopoDS_Wire& wire, const TopoDS_Face& face,
+                                                 const Numbered& shapes) {
+  std::vector<CoEdge> uses;
+  int met = 0;
+  for (BRepTools_WireExplorer explorer(wire, face); explorer.More(); explorer.Next(), ++met)
+    if (!BRep_Tool::Degenerated(explorer.Current()))
+      uses.push_back({shapes.edges.FindIndex(explorer.Current()) - 1,
+                      explorer.Current().Orientation() == TopAbs_FORWARD});
+  if (met != wire.NbChildren()) return {};
+  return uses;
+}
+
+/// Wires of files are mostly in order already; the kernel's explorer, which sorts them through
+/// their parameter curves, costs more than everything else here; only the others are left to it.
+std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face,
+                              const Numbered& shapes, const std::vector<SolidEdge>& edges) {
+  std::vector<CoEdge> uses = uses_in(wire, shapes);
+  if (in_order(edges, uses)) return uses;
+  std::vector<CoEdge> backwards(uses.rbegin(), uses.rend());
+  if (in_order(edges, backwards)) return backwards;
+  if (auto explored = uses_explored(wire, face, shapes)) return *explored;
+  return chained(edges, std::move(uses));
+}
+
+std::vector<std::vector<CoEdge>> read_loops(const TopoDS_Face& face, const Numbered& shapes,
+                                            const std::vector<SolidEdge>& edges) {
+  const TopoDS_Face forward = TopoDS::Face(face.Oriented(TopAbs_FORWARD));
+  std::vector<std::vector<CoEdge>> loops;
+  for (TopoDS_Iterator wires(forward); wires.More(); wires.Next()) {
+    if (wires.Value().ShapeType() != TopAbs_WIRE) continue;
+    std::vector<CoEdge> loop = read_wire(TopoDS::Wire(wires.Value()), forward, shapes, edges);
+    if (loop.empty()) continue;
+    if (face.Orientation() == TopAbs_REVERSED) {
+      std::reverse(loop.begin(), loop.end());
+      for (CoEdge& use : loop)
+        use.forward = !use.forward;
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// The edges with the faces that use them.
+std::vector<SolidEdge> with_neighbours(std::vector<SolidEdge> edges,
+                                       const std::vector<SolidFace>& faces) {
+  for (int f = 0; f < std::ssize(faces); ++f)
+    for (const auto& loop : faces[f].loops)
+      for (const CoEdge& use : loop) {
+        SolidEdge& edge = edges[use.edge];
+        if (edge.uses < 2) {
+          edge.faces[edge.uses] = f;
+          edge.forward[edge.uses] = use.forward;
+        }
+        ++edge.uses;
       }
-      for (const CoEdge& use : loop)
-        note_use(use, index);
-      row.loops.push_back(std::move(loop));
-    }
-  }
+  return edges;
+}
 
-  void note_use(const CoEdge& use, int face) {
-    SolidEdge& row = model_.edges[use.edge];
-    if (row.uses < 2) {
-      row.faces[row.uses] = face;
-      row.forward[row.uses] = use.forward;
-    }
-    ++row.uses;
+SolidModel read_model(const TopoDS_Solid& solid, double surface_tolerance) {
+  const Numbered shapes = numbered(solid);
+  SolidModel model;
+  Bnd_Box box;
+  BRepBndLib::AddClose(solid, box);
+  if (!box.IsVoid()) {
+    model.centre = vector_of((box.CornerMin().XYZ() + box.CornerMax().XYZ()) / 2);
+    model.size = box.CornerMin().Distance(box.CornerMax());
   }
-
-  /// Wires of files are mostly in order already; the kernel's explorer, which sorts them through
-  /// their parameter curves, costs more than all else here and is asked only for the others.
-  std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face) const {
-    std::vector<CoEdge> loop;
-    int expected = 0;
-    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next(), ++expected)
-      add_use(TopoDS::Edge(edges.Value()), loop);
-    if (in_order(loop)) return loop;
-    std::reverse(loop.begin(), loop.end());
-    if (in_order(loop)) return loop;
-    loop.clear();
-    int met = 0;
-    for (BRepTools_WireExplorer explorer(wire, face); explorer.More(); explorer.Next(), ++met)
-      add_use(explorer.Current(), loop);
-    if (met == expected) return loop;
-    return chained(wire);
+  model.edges = read_edges(shapes, model.size);
+  for (int i = 1; i <= shapes.faces.Extent(); ++i) {
+    const TopoDS_Face& face = TopoDS::Face(shapes.faces(i));
+    SolidFace& row = model.faces.emplace_back(read_surface(face, surface_tolerance));
+    row.loops = read_loops(face, shapes, model.edges);
+    if (!has_border_volume(row))
+      row.volume = patch_volume(face, model.centre, kVolumeShare * std::pow(model.size, 3));
   }
-
-  /// Every use starts at the vertex where the one before ends.
-  bool in_order(const std::vector<CoEdge>& loop) const {
-    const auto vertex = [&](const CoEdge& use, bool last) {
-      return model_.edges[use.edge].vertices[use.forward == last ? 1 : 0];
-    };
-    for (size_t i = 0; i < loop.size(); ++i)
-      if (vertex(loop[i], true) != vertex(loop[(i + 1) % loop.size()], false)) return false;
-    return true;
-  }
-
-  void add_use(const TopoDS_Edge& edge, std::vector<CoEdge>& loop) const {
-    if (BRep_Tool::Degenerated(edge)) return;
-    loop.push_back({edges_.FindIndex(edge) - 1, edge.Orientation() == TopAbs_FORWARD});
-  }
-
-  /// For wires that the kernel's explorer cannot follow: the next edge starts nearest to the end.
-  std::vector<CoEdge> chained(const TopoDS_Wire& wire) const {
-    std::vector<CoEdge> rest;
-    for (TopoDS_Iterator edges(wire); edges.More(); edges.Next())
-      add_use(TopoDS::Edge(edges.Value()), rest);
-    const auto end_point = [&](const CoEdge& use, bool last) {
-      const SpaceCurve& curve = model_.edges[use.edge].curve;
-      return use.forward == last ? curve.end : curve.start;
-    };
-    std::vector<CoEdge> loop;
-    while (!rest.empty()) {
-      auto next = rest.begin();
-      if (!loop.empty()) {
-        const Vec3 end = end_point(loop.back(), true);
-        next = std::min_element(rest.begin(), rest.end(), [&](const CoEdge& a, const CoEdge& b) {
-          return (end_point(a, false) - end).squaredNorm() <
-                 (end_point(b, false) - end).squaredNorm();
-        });
-      }
-      loop.push_back(*next);
-      rest.erase(next);
-    }
-    return loop;
-  }
-
-  double tolerance_;
-  TopTools_IndexedMapOfShape faces_, edges_, vertices_;
-  SolidModel model_;
-};
+  model.edges = with_neighbours(std::move(model.edges), model.faces);
+  for (SolidFace& face : model.faces)
+    if (has_border_volume(face)) face.volume = volume_under(face, model);
+  return healed(std::move(model));
+}
 
 }  // namespace
 
 SolidModel read_solid(const TopoDS_Solid& solid, double surface_tolerance) {
-  SolidModel model = Reader(solid, surface_tolerance).run();
+  SolidModel model = read_model(solid, surface_tolerance);
   if (volume_of(model) >= 0.0) return model;
   // Some systems write solids inside out.
-  return Reader(TopoDS::Solid(solid.Reversed()), surface_tolerance).run();
+  return read_model(TopoDS::Solid(solid.Reversed()), surface_tolerance);
 }
 
 }  // namespace planish::brep

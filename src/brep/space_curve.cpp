@@ -1,6 +1,8 @@
 #include "quadrature.hpp"
 #include "solid_model.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -73,17 +75,16 @@ double SpaceCurve::length() const {
     evaluate(t, point, derivative);
     return derivative.norm();
   };
-  constexpr double kRelative = 1e-12;
   const double whole = gauss(speed, t0, t1);
-  return adaptive_gauss(speed, t0, t1, whole, kRelative * std::abs(whole));
+  return adaptive_gauss(speed, t0, t1, whole, tolerance::kRounding * std::abs(whole));
 }
 
 double SpaceCurve::distance(const Vec3& p) const {
   if (kind == Kind::circle) return distance_to_circle(*this, p);
   if (kind == Kind::other) return distance_to_other(*this, p);
   const Vec3 chord = end - start;
-  const double share = std::clamp((p - start).dot(chord) / std::max(chord.squaredNorm(), 1e-300),
-                                  0.0, 1.0);
+  const double share = std::clamp(
+      (p - start).dot(chord) / std::max(chord.squaredNorm(), tolerance::kTiniest), 0.0, 1.0);
   return (p - start - share * chord).norm();
 }
 

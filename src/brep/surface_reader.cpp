@@ -50,7 +50,7 @@ std::vector<SurfaceSample> samples_of(const Patch& patch) {
   return samples;
 }
 
-/// +1 when the outward normal at a sample is the surface's normal, −1 else.
+/// +1 when the outward normal at a sample is the surface's normal, −1 when it is the opposite.
 int sense_of(const Developable& surface, const SurfaceSample& sample) {
   const Vec2 uv = parameters_of(surface, sample.point, 0.0);
   return normal_on(surface, uv.x()).dot(sample.normal) >= 0 ? 1 : -1;

@@ -5,18 +5,15 @@
 namespace planish::brep {
 namespace {
 
-/// Sine of the slope from which a wall is no straight cut: 3°, more than draft and tolerance make.
+/// Sine of the slope from which a wall is not a straight cut: 3°, more than draft and tolerances
+/// make.
 constexpr double kSlope = 0.05;
 /// Cosine of the flattest chamfer; what is flatter is a step or a neighbouring flange's rim.
 constexpr double kFlattest = 0.99;
 /// Share of the thickness that a chamfer goes down at least, and leaves at least.
 constexpr double kShallowest = 1e-3;
 
-int across(const SolidEdge& edge, int face) {
-  return edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
-}
-
-/// Outward normal of a wall near a point of its border; empty where it cannot be told.
+/// Outward normal of a wall near a point of its border; empty where it is not known.
 std::optional<Vec3> wall_normal(const SolidModel& model, int wall, const Vec3& point) {
   const SolidFace& face = model.faces[wall];
   if (std::holds_alternative<DoublyCurved>(face.surface)) return {};
@@ -54,13 +51,14 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
                                   // wall
   for (int i = 0; i < kMostStrips; ++i) {
     const SolidEdge& edge = model.edges[at.edge];
-    const int wall = across(edge, from);
+    const int wall = face_across(edge, from);
     if (edge.uses != 2 || wall < 0 || rim.part_of[wall] < 0) break;
     if (!rim.parts[rim.part_of[wall]].within) break;
     const auto next = opposite_edge(model.faces[wall], at.edge);
     if (!next) break;
     // A slanted wall from skin to skin is a slanted cut: the skin's own border stands for it.
-    if (const int beyond = across(model.edges[*next], wall); beyond < 0 || rim.part_of[beyond] < 0)
+    if (const int beyond = face_across(model.edges[*next], wall);
+        beyond < 0 || rim.part_of[beyond] < 0)
       break;
     // A wall widens where its middle faces towards the skin's outside.
     const SpaceCurve& far = model.edges[*next].curve;

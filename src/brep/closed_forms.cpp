@@ -1,0 +1,89 @@
+#include "closed_forms.hpp"
+
+#include "rim.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace planish::brep {
+namespace {
+
+using Neighbours = std::vector<std::vector<int>>;  // by group
+
+Neighbours neighbours_of(const Groups& groups) {
+  Neighbours neighbours(groups.rows.size());
+  for (const GroupJoint& joint : groups.joints) {
+    if (joint.a == joint.b) continue;
+    neighbours[joint.a].push_back(joint.b);
+    neighbours[joint.b].push_back(joint.a);
+  }
+  return neighbours;
+}
+
+/// Groups that a loop of the flange joins it to.
+std::set<int> joined_along(const std::vector<CoEdge>& loop,
+                           const std::map<int, GroupJoint>& joint_at, int flange) {
+  std::set<int> joined;
+  for (const CoEdge& use : loop)
+    if (const auto found = joint_at.find(use.edge); found != joint_at.end()) {
+      const GroupJoint& joint = found->second;
+      const int other = joint.a == flange ? joint.b : joint.a;
+      if (other != flange) joined.insert(other);
+    }
+  return joined;
+}
+
+/// Groups reached from these without crossing the flange.
+std::set<int> reached_from(const std::set<int>& seeds, const Neighbours& neighbours, int flange) {
+  std::set<int> reached = seeds;
+  std::vector<int> stack(seeds.begin(), seeds.end());
+  while (!stack.empty()) {
+    const int at = stack.back();
+    stack.pop_back();
+    for (const int next : neighbours[at])
+      if (next != flange && reached.insert(next).second) stack.push_back(next);
+  }
+  return reached;
+}
+
+/// A tree of n groups and the flange has n joints; more make a ring.
+bool makes_ring(const Groups& groups, const std::set<int>& inside, int flange) {
+  std::set<std::pair<int, int>> links;
+  const auto in = [&](int g) { return g == flange || inside.count(g) > 0; };
+  for (const GroupJoint& joint : groups.joints)
+    if (joint.a != joint.b && in(joint.a) && in(joint.b))
+      links.insert(std::minmax(joint.a, joint.b));
+  return links.size() > inside.size();
+}
+
+}  // namespace
+
+std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
+                              const Groups& groups) {
+  const Neighbours neighbours = neighbours_of(groups);
+  std::map<int, GroupJoint> joint_at;  // by edge
+  for (const GroupJoint& joint : groups.joints)
+    joint_at[joint.edge] = joint;
+  std::set<int> taken;
+  const auto look_inside = [&](int flange, const std::vector<CoEdge>& loop) {
+    const std::set<int> seeds = joined_along(loop, joint_at, flange);
+    if (seeds.empty()) return;
+    const std::set<int> inside = reached_from(seeds, neighbours, flange);
+    if (makes_ring(groups, inside, flange)) taken.insert(inside.begin(), inside.end());
+  };
+  for (int g = 0; g < std::ssize(groups.rows); ++g) {
+    if (!groups.rows[g].flange) continue;
+    for (const int f : groups.rows[g].faces) {
+      const int outer = outer_loop(outlines[f]);
+      for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
+        if (l != outer) look_inside(g, model.faces[f].loops[l]);
+    }
+  }
+  std::vector<int> faces;
+  for (const int g : taken)
+    faces.insert(faces.end(), groups.rows[g].faces.begin(), groups.rows[g].faces.end());
+  return faces;
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "solid_model.hpp"
+
+namespace planish::brep {
+
+/// The curve as a line or circle when it is of another kind but within `tolerance` (mm) of one;
+/// otherwise as it is. Many systems write straight lines and circles as splines.
+SpaceCurve exact_curve(SpaceCurve curve, double tolerance);
+
+}  // namespace planish::brep

@@ -1,0 +1,136 @@
+#include "face_reader.hpp"
+
+#include "borders.hpp"
+#include "widest.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::brep {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+/// Loops on planes and ruled surfaces have one place only.
+bool repeats(const std::variant<Frame, Developable>& surface) {
+  const auto* developable = std::get_if<Developable>(&surface);
+  return developable && !std::holds_alternative<Ruled>(*developable);
+}
+
+BorderLoop shifted(BorderLoop loop, double by) {
+  if (by != 0.0)
+    for (Border& border : loop)
+      border.curve = shifted_u(border.curve, by);
+  return loop;
+}
+
+double middle_u(const BorderLoop& loop) {
+  Box2 box;
+  for (const Border& border : loop)
+    box.add(bounds(border.curve));
+  return (box.lo.x() + box.hi.x()) / 2;
+}
+
+/// A border along an edge below the skin, with its depth; its length is not the skin's.
+Border below_skin(Border border, const SolidFace& face, const Vec3& point) {
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) {
+    border.edge_depth = -plane->local(point).z();
+    return border;
+  }
+  const auto& surface = std::get<Developable>(face.surface);
+  const Vec2 uv = parameters_of(surface, point, 0.0);
+  border.edge_depth = -face.sense * (point - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
+  border.edge_length = {};
+  return border;
+}
+
+/// Beside a chamfer that ends, its short side closes the contour.
+void connect(BorderLoop& borders, const Border& next) {
+  if (borders.empty()) return;
+  const Vec2 from = end_of(borders.back().curve);
+  const Vec2 to = start_of(next.curve);
+  constexpr double kStep = 1e-3;  // mm: less is the rounding of the file, which merging closes
+  if ((to - from).norm() <= kStep) return;
+  Border step;
+  step.curve = Segment{from, to};
+  borders.push_back(step);
+}
+
+struct ReadLoop {
+  BorderLoop borders;
+  std::vector<int> places;  // in `borders`, by use
+  bool widened = false;
+};
+ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface& surface,
+                   double u_near) {
+  const SolidFace& face = of.model.faces[ref.face];
+  const auto& loop = face.loops[ref.loop];
+  ReadLoop result;
+  std::vector<CoEdge> uses;
+  for (const CoEdge& use : loop) {
+    uses.push_back(widest_edge(of.model, of.rim, of.skins.thickness, ref.face, use));
+    result.widened |= uses.back().edge != use.edge;
+  }
+  BorderLoop read = read_borders(of.model, uses, surface, u_near, of.tolerance);
+  for (size_t i = 0; i < loop.size(); ++i) {
+    if (uses[i].edge != loop[i].edge)
+      read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].edge].curve.start);
+    if (result.widened) connect(result.borders, read[i]);
+    result.places.push_back(static_cast<int>(result.borders.size()));
+    result.borders.push_back(std::move(read[i]));
+  }
+  if (result.widened) connect(result.borders, Border(result.borders.front()));
+  return result;
+}
+
+/// The sheet's face without loops.
+Face empty_face(const SolidModel& model, int f, int leader) {
+  const SolidFace& stands = model.faces[leader];
+  Face face;
+  face.source_face = f + 1;
+  for (const int other : model.faces[f].merged)
+    face.merged_faces.push_back(other + 1);
+  face.sense = stands.sense;
+  if (const auto* plane = std::get_if<Frame>(&stands.surface))
+    face.surface = *plane;
+  else
+    face.surface = std::get<Developable>(stands.surface);
+  return face;
+}
+
+}  // namespace
+
+ReadFace read_face(const Recognition& of, int f, int leader) {
+  const SolidSurface& surface = of.model.faces[leader].surface;
+  const int outer = outer_loop(of.outlines[f]);
+  ReadFace result;
+  result.face = empty_face(of.model, f, leader);
+  result.loops.resize(of.model.faces[f].loops.size());
+  const auto add = [&](int l, ReadLoop loop) {
+    result.loops[l] = {static_cast<int>(result.face.loops.size()), std::move(loop.places),
+                       loop.widened};
+    result.face.loops.push_back(std::move(loop.borders));
+  };
+  add(outer, read_loop(of, {f, outer}, surface, of.outlines[leader].u_middle));
+  const double u_near = middle_u(result.face.loops.front());
+  for (int l = 0; l < std::ssize(result.loops); ++l) {
+    if (l == outer) continue;
+    ReadLoop hole = read_loop(of, {f, l}, surface, u_near);
+    // A hole read from its own first point may lie a turn away from the face's outer loop.
+    if (repeats(result.face.surface)) {
+      const double turns = std::round((u_near - middle_u(hole.borders)) / kTurn);
+      hole.borders = shifted(std::move(hole.borders), turns * kTurn);
+    }
+    add(l, std::move(hole));
+  }
+  return result;
+}
+
+Face turned_by(Face face, double by) {
+  const double turns = kTurn * std::round(by / kTurn);
+  for (BorderLoop& loop : face.loops)
+    loop = shifted(std::move(loop), turns);
+  return face;
+}
+
+}  // namespace planish::brep

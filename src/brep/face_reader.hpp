@@ -1,0 +1,24 @@
+#pragma once
+
+#include "assembly.hpp"
+
+namespace planish::brep {
+
+/// A face of the solid as the sheet has it, its part still open: on the surface of `leader`, which
+/// stands for its group; the outer loop first.
+struct ReadFace {
+  Face face;
+  /// By loop of the solid's face: which loop of `face` it is, and which border each of its uses.
+  struct Loop {
+    int place = 0;
+    std::vector<int> borders;
+    bool widened = false;  ///< cut wider than the skin's own outline, see `widest_edge`
+  };
+  std::vector<Loop> loops;
+};
+ReadFace read_face(const Recognition& of, int face, int leader);
+
+/// The face with its borders moved along u by the whole turns nearest to `by`.
+Face turned_by(Face face, double by);
+
+}  // namespace planish::brep

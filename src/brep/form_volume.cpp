@@ -1,0 +1,68 @@
+#include "form_volume.hpp"
+
+#include "borders.hpp"
+
+#include <cmath>
+
+namespace planish::brep {
+namespace {
+
+/// What a loop in the plane of a skin encloses.
+struct Cover {
+  double height = 0.0;  ///< of the plane over the model's centre
+  double area = 0.0;
+};
+Cover cover_of(const Recognition& of, const LoopRef& ref) {
+  const SolidFace& face = of.model.faces[ref.face];
+  const auto& plane = std::get<Frame>(face.surface);
+  return {(plane.origin - of.model.centre).dot(plane.z),
+          loop_area(read_borders(of.model, face.loops[ref.loop], plane, 0.0, of.tolerance))};
+}
+
+double volume_under(const Recognition& of, const RimPart& part) {
+  double sum = 0.0;
+  for (const int f : part.faces)
+    sum += of.model.faces[f].volume;
+  return sum;
+}
+
+}  // namespace
+
+double loop_area(const BorderLoop& borders) {
+  double sum = 0.0;
+  for (const Border& border : borders)
+    sum += green_area(border.curve);
+  return std::abs(sum);
+}
+
+bool opening_in_plane(const Recognition& of, const LoopRef& ref) {
+  return std::holds_alternative<Frame>(of.model.faces[ref.face].surface) &&
+         outer_loop(of.outlines[ref.face]) != ref.loop;
+}
+
+std::optional<double> form_volume(const Recognition& of, const RimPart& part) {
+  double excess = volume_under(of, part);
+  for (const auto* loops : {&part.first, &part.second})
+    for (const LoopRef& ref : *loops) {
+      if (!opening_in_plane(of, ref)) return {};
+      const Cover over = cover_of(of, ref);
+      excess -= over.area * over.height / 3;
+    }
+  return excess;
+}
+
+double opening_volume(const Recognition& of, const RimPart& part,
+                      const std::array<LoopRef, 2>& openings, double cut) {
+  // Covers are the rings around the cut. The wall of a straight opening takes 2/3 of its volume:
+  // the plug's caps have the other third.
+  double excess = volume_under(of, part);
+  double depth = 0.0;
+  for (const LoopRef& ref : openings) {
+    const Cover over = cover_of(of, ref);
+    excess -= (over.area - cut) * over.height / 3;
+    depth += over.height;
+  }
+  return excess + cut * depth * 2 / 3;
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,61 @@
+#include "rim_refusal.hpp"
+
+#include "dihedral.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace planish::brep {
+namespace {
+
+/// An edge between a face of a part and a skin face.
+struct Contact {
+  int edge = 0;
+  int face = 0;
+  int skin = 0;
+};
+
+std::vector<Contact> contacts_of(const SolidModel& model,
+                                 const std::vector<std::vector<int>>& edges, const Skins& skins,
+                                 const RimPart& part) {
+  std::vector<Contact> contacts;
+  for (const int f : part.faces)
+    for (const int e : edges[f]) {
+      const int skin = face_across(model.edges[e], f);
+      if (skin >= 0 && skins.side[skin] != Side::none) contacts.push_back({e, f, skin});
+    }
+  return contacts;
+}
+
+std::string face_name(int face) { return fmt::format("face {}", face + 1); }
+
+}  // namespace
+
+Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& edges,
+                  const Skins& skins, const RimPart& part) {
+  const std::vector<Contact> contacts = contacts_of(model, edges, skins, part);
+  for (const Contact& at : contacts)
+    if (const auto* curved = std::get_if<DoublyCurved>(&model.faces[at.face].surface))
+      return {ErrorCode::doubly_curved,
+              fmt::format("Face {} ({}) is curved in two directions: it was drawn or formed, not "
+                          "bent, and has no flat pattern.",
+                          at.face + 1, curved->kind),
+              face_name(at.face)};
+  constexpr double kContinues = 0.1;  // radians between the outward normals
+  for (const Contact& at : contacts)
+    if (const auto angle = dihedral(model, at.edge); angle && std::abs(*angle) < kContinues)
+      return {ErrorCode::thickness_not_constant,
+              fmt::format("The material below face {}, which continues face {}, is not {:.4g} mm "
+                          "thick.",
+                          at.face + 1, at.skin + 1, skins.thickness),
+              face_name(at.face)};
+  const int face = part.faces.front();
+  return {ErrorCode::not_a_sheet,
+          fmt::format("At face {} the body extends beyond the sheet of {:.4g} mm; it is not made "
+                      "of one sheet.",
+                      face + 1, skins.thickness),
+          face_name(face)};
+}
+
+}  // namespace planish::brep

@@ -1,0 +1,95 @@
+#include "thickness.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace planish::brep {
+namespace {
+
+/// A face votes for the depth of its nearest opposite face with the area that both share.
+struct Vote {
+  double depth = 0.0;
+  double area = 0.0;
+};
+
+/// General surfaces are expensive to compare, and most are walls of engraved letters.
+bool is_general(const SolidFace& face) {
+  const auto* surface = std::get_if<Developable>(&face.surface);
+  return surface && std::holds_alternative<Ruled>(*surface);
+}
+
+/// The faces that are asked, largest first: large ones decide, and their number bounds the cost.
+/// Small general ones are not asked.
+std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& outlines) {
+  constexpr size_t kMost = 60;
+  constexpr double kWorthwhile = 0.05;  // of the largest face
+  double largest = 0.0;
+  for (const Outline& outline : outlines)
+    largest = std::max(largest, outline.area);
+  std::vector<int> faces;
+  for (int f = 0; f < std::ssize(outlines); ++f)
+    if (!outlines[f].flat.empty() &&
+        (!is_general(model.faces[f]) || outlines[f].area > kWorthwhile * largest))
+      faces.push_back(f);
+  std::sort(faces.begin(), faces.end(),
+            [&](int a, int b) { return outlines[a].area > outlines[b].area; });
+  if (faces.size() > kMost) faces.resize(kMost);
+  return faces;
+}
+
+std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
+  constexpr double kLeastShare = 0.1;  // of the smaller face: less is a chance meeting
+  constexpr double kParallel = 0.1;    // spread, of the depth
+  Vote vote{std::numeric_limits<double>::infinity(), 0.0};
+  for (int b = 0; b < std::ssize(outlines); ++b) {
+    if (a == b || outlines[b].flat.empty()) continue;
+    const auto seen = opposite(model, outlines, a, b);
+    if (!seen || seen->depth <= 0 || seen->depth >= vote.depth) continue;
+    if (seen->overlap < kLeastShare * std::min(outlines[a].area, outlines[b].area)) continue;
+    if (seen->spread > kParallel * seen->depth) continue;
+    vote = {seen->depth, seen->overlap};
+  }
+  if (vote.area <= 0) return {};
+  return vote;
+}
+
+/// Votes within the tolerance of each other as one, with their mean depth and their whole area.
+std::vector<Vote> counted(std::vector<Vote> votes, double tolerance) {
+  std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
+    return std::tie(a.depth, a.area) < std::tie(b.depth, b.area);
+  });
+  std::vector<Vote> rows;
+  for (size_t first = 0; first < votes.size();) {
+    double area = 0.0;
+    double moment = 0.0;
+    size_t i = first;
+    for (; i < votes.size() && votes[i].depth <= votes[first].depth * (1 + tolerance); ++i) {
+      area += votes[i].area;
+      moment += votes[i].depth * votes[i].area;
+    }
+    rows.push_back({moment / area, area});
+    first = i;
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<double> likely_thicknesses(const SolidModel& model,
+                                       const std::vector<Outline>& outlines, double tolerance) {
+  constexpr double kWorthTrying = 0.15;  // of the heaviest
+  constexpr size_t kMost = 3;
+  std::vector<Vote> votes;
+  for (const int face : voters(model, outlines))
+    if (const auto vote = vote_of(model, outlines, face)) votes.push_back(*vote);
+  std::vector<Vote> rows = counted(std::move(votes), tolerance);
+  std::sort(rows.begin(), rows.end(), [](const Vote& a, const Vote& b) { return a.area > b.area; });
+  std::vector<double> depths;
+  for (const Vote& row : rows)
+    if (depths.size() < kMost && row.area >= kWorthTrying * rows.front().area)
+      depths.push_back(row.depth);
+  return depths;
+}
+
+}  // namespace planish::brep

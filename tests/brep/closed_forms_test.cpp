@@ -1,0 +1,68 @@
+#include "closed_forms.hpp"
+
+#include "solid_models.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish::brep::test {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+/// A plate with a square opening. Faces: 1 the top, 6 … 9 the opening's walls, which stand for the
+/// faces of a form here.
+SolidModel with_opening() {
+  const auto outer = rectangle_at({0, 0}, {100, 60});
+  const auto inner = clockwise(rectangle_at({40, 20}, {60, 40}));
+  return plate(2, {{{outer, outer}, {0, 2}}, {{inner, inner}, {0, 2}}});
+}
+
+int edge_between(const SolidModel& model, int a, int b) {
+  for (int e = 0; e < std::ssize(model.edges); ++e) {
+    const auto& faces = model.edges[e].faces;
+    if ((faces[0] == a && faces[1] == b) || (faces[0] == b && faces[1] == a)) return e;
+  }
+  return -1;
+}
+
+/// The top as a flange and a chain of bend, flange and bend behind one side of its opening.
+Groups lance(const SolidModel& model) {
+  Groups groups;
+  groups.rows = {{{1}, true, 1}, {{6}, false, 6}, {{7}, true, 7}, {{8}, false, 8}};
+  groups.of_face.assign(model.faces.size(), -1);
+  for (int g = 0; g < 4; ++g)
+    groups.of_face[groups.rows[g].faces.front()] = g;
+  groups.joints = {{edge_between(model, 1, 6), 0, 1, false},
+                   {edge_between(model, 6, 7), 1, 2, false},
+                   {edge_between(model, 7, 8), 2, 3, false}};
+  return groups;
+}
+
+TEST(ClosedForms, AreNotLancesThatEndFree) {
+  const SolidModel model = with_opening();
+  EXPECT_THAT(closed_forms(model, outlines_of(model), lance(model)), IsEmpty());
+}
+
+TEST(ClosedForms, AreBridgesThatComeBackToTheirFlange) {
+  const SolidModel model = with_opening();
+  Groups groups = lance(model);
+  groups.joints.push_back({edge_between(model, 8, 1), 3, 0, false});
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups), UnorderedElementsAre(6, 7, 8));
+}
+
+TEST(ClosedForms, LieInsideAnOpeningAndNotAtTheOutline) {
+  // The same ring at the outer contour is a loop of the part itself, for which there is a refusal.
+  const SolidModel model = with_opening();
+  Groups groups;
+  groups.rows = {{{1}, true, 1}, {{2}, false, 2}, {{3}, true, 3}};
+  groups.of_face.assign(model.faces.size(), -1);
+  groups.joints = {{edge_between(model, 1, 2), 0, 1, false},
+                   {edge_between(model, 2, 3), 1, 2, false},
+                   {edge_between(model, 3, 1), 2, 0, false}};
+  EXPECT_THAT(closed_forms(model, outlines_of(model), groups), IsEmpty());
+}
+
+}  // namespace
+}  // namespace planish::brep::test

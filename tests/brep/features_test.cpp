@@ -1,0 +1,130 @@
+#include "features.hpp"
+
+#include "form_volume.hpp"
+#include "recognised.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace planish::brep::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kBottom = 0;
+constexpr int kTop = 1;
+
+/// The sheet of a plate, seen on one of its faces.
+Sheet sheet_of(SolidModel model, int reference) {
+  const Recognised seen = recognised(std::move(model), 2, reference);
+  auto sheet = assemble_sheet(seen.view());
+  EXPECT_TRUE(sheet) << sheet.error().message;
+  return sheet.value_or(Sheet{});
+}
+
+double opening_area(const Sheet& sheet) {
+  EXPECT_EQ(sheet.faces.size(), 1u);
+  EXPECT_EQ(sheet.faces.front().loops.size(), 2u);
+  return loop_area(sheet.faces.front().loops.back());
+}
+
+std::optional<FeatureId> mark_of_opening(const Sheet& sheet) {
+  return sheet.faces.front().loops.at(1).front().feature;
+}
+
+SolidModel pocketed() { return plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 1.2}, {0, 1.2}}}}); }
+
+TEST(AddFeatures, MarksThePocketOnItsOwnSkin) {
+  const Sheet sheet = sheet_of(pocketed(), kTop);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "pocket");
+  EXPECT_EQ(sheet.features.front().source_face, 7);
+  EXPECT_EQ(mark_of_opening(sheet), FeatureId{0}) << "drawn, not cut";
+  EXPECT_NEAR(sheet.forms_volume.value(), -kPi * 64 * 0.8, 1e-8);
+}
+
+TEST(AddFeatures, DrawsThePocketSeenThroughTheSheet) {
+  const Sheet sheet = sheet_of(pocketed(), kBottom);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "pocket");
+  ASSERT_EQ(sheet.features.front().outlines.size(), 1u);
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), kPi * 64, 1e-8);
+  EXPECT_NEAR(sheet.features.front().outlines.front().front().edge_depth, 2.0, 1e-12);
+  EXPECT_NEAR(sheet.forms_volume.value(), -kPi * 64 * 0.8, 1e-8);
+}
+
+SolidModel bossed() { return plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}); }
+
+TEST(AddFeatures, MarksABossAsFormed) {
+  const Sheet sheet = sheet_of(bossed(), kTop);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "formed");
+  EXPECT_EQ(sheet.features.front().at_rim.code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(mark_of_opening(sheet), FeatureId{0});
+  EXPECT_NEAR(sheet.forms_volume.value(), kPi * 64 * 4, 1e-8);
+}
+
+TEST(AddFeatures, DrawsABossOnTheOtherSkin) {
+  const Sheet sheet = sheet_of(bossed(), kBottom);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "formed");
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), kPi * 64, 1e-8);
+}
+
+TEST(AddFeatures, CutACountersinkToItsBoreOnBothSkins) {
+  const double ring = kPi / 3 * 1.5 * (16 + 10 + 6.25) - kPi * 6.25 * 1.5;
+  for (const int reference : {kTop, kBottom}) {
+    const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}}}),
+                                 reference);
+    EXPECT_NEAR(opening_area(sheet), kPi * 6.25, 1e-8);
+    ASSERT_EQ(sheet.features.size(), 1u);
+    EXPECT_EQ(sheet.features.front().kind, "countersink");
+    ASSERT_EQ(sheet.features.front().outlines.size(), 1u);
+    EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), kPi * 16, 1e-8);
+    EXPECT_NEAR(sheet.forms_volume.value(), -ring, 1e-8);
+  }
+}
+
+TEST(AddFeatures, CutACounterboreToItsBoreOnBothSkins) {
+  for (const int reference : {kTop, kBottom}) {
+    const Sheet sheet = sheet_of(
+        plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {4, 1.2}, {2.5, 1.2}, {2.5, 0}}}}), reference);
+    EXPECT_NEAR(opening_area(sheet), kPi * 6.25, 1e-8);
+    ASSERT_EQ(sheet.features.size(), 1u);
+    EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), kPi * 16, 1e-8);
+    EXPECT_NEAR(sheet.forms_volume.value(), -kPi * (16 - 6.25) * 0.8, 1e-8);
+  }
+}
+
+TEST(AddFeatures, AreNoneOfAStraightHole) {
+  const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {5, 0}}}}), kTop);
+  EXPECT_TRUE(sheet.features.empty());
+  EXPECT_NEAR(opening_area(sheet), kPi * 25, 1e-8);
+  EXPECT_FALSE(mark_of_opening(sheet));
+}
+
+TEST(AddFeatures, DrawTheFarOutlineOfASlantedCut) {
+  const auto outer = rectangle_at({0, 0}, {100, 60});
+  const auto low = clockwise(rectangle_at({40, 20}, {60, 40}));
+  const auto high = clockwise(rectangle_at({41, 20}, {61, 40}));
+  const Sheet sheet = sheet_of(plate(2, {{{outer, outer}, {0, 2}}, {{low, high}, {0, 2}}}), kTop);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "slanted cut");
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), 400.0, 1e-8);
+  EXPECT_NEAR(opening_area(sheet), 400.0, 1e-8);
+  EXPECT_EQ(sheet.forms_volume, 0.0);
+}
+
+TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
+  const auto outer = rectangle_at({0, 0}, {100, 60});
+  const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});
+  const Sheet sheet = sheet_of(plate(2, {{{outer, outer, inset}, {0, 1.5, 2}}}), kTop);
+  ASSERT_EQ(sheet.features.size(), 1u);
+  EXPECT_EQ(sheet.features.front().kind, "chamfer");
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), 99 * 59, 1e-8);
+  EXPECT_NEAR(loop_area(sheet.faces.front().loops.front()), 6000.0, 1e-8);
+  EXPECT_FALSE(sheet.forms_volume) << "not measured";
+}
+
+}  // namespace
+}  // namespace planish::brep::test

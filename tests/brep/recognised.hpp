@@ -1,0 +1,31 @@
+#pragma once
+
+#include "assembly.hpp"
+#include "solid_models.hpp"
+
+namespace planish::brep::test {
+
+/// A model with all that recognition finds before it assembles the sheet.
+struct Recognised {
+  SolidModel model;
+  std::vector<Outline> outlines;
+  Skins skins;
+  Rim rim;
+  Groups groups;
+  Side side;
+
+  Recognition view() const { return {model, outlines, skins, rim, groups, side, 1e-5}; }
+};
+
+/// Recognised at this thickness, the skin of face `reference` as the reference skin.
+inline Recognised recognised(SolidModel model, double thickness, int reference) {
+  Recognised result{std::move(model), {}, {}, {}, {}, Side::none};
+  result.outlines = outlines_of(result.model);
+  result.skins = find_skins(result.model, result.outlines, thickness, 0.02).value();
+  result.rim = find_rim(result.model, result.outlines, result.skins);
+  result.side = result.skins.side[reference];
+  result.groups = group_faces(result.model, result.outlines, result.skins, result.side);
+  return result;
+}
+
+}  // namespace planish::brep::test

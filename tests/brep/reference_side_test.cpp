@@ -1,0 +1,58 @@
+#include "reference_side.hpp"
+
+#include "solid_models.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace planish::brep::test {
+namespace {
+
+/// Whether the skin of this face is the reference.
+bool is_reference(const SolidModel& model, int face) {
+  const auto outlines = outlines_of(model);
+  const Skins skins = find_skins(model, outlines, 2, 0.02).value();
+  return skins.side[face] == reference_side(model, outlines, skins);
+}
+
+TEST(ReferenceSide, IsTheSkinInOnePiece) {
+  // A groove parts the top in two; the bottom is one face.
+  const SolidModel model = prism(
+      {{Segment{{0, 0}, {100, 0}}, Segment{{100, 0}, {100, 2}}, Segment{{100, 2}, {61, 2}},
+        Segment{{61, 2}, {61, 1}}, Segment{{61, 1}, {60, 1}}, Segment{{60, 1}, {60, 2}},
+        Segment{{60, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+      40);
+  EXPECT_TRUE(is_reference(model, 2));
+  EXPECT_FALSE(is_reference(model, 4));
+}
+
+TEST(ReferenceSide, IsTheInsideOfASharpFold) {
+  const SolidModel model = prism(
+      {{Segment{{0, 0}, {50, 0}}, Segment{{50, 0}, {50, 30}}, Segment{{50, 30}, {48, 30}},
+        Segment{{48, 30}, {48, 2}}, Segment{{48, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+      40);
+  EXPECT_TRUE(is_reference(model, 5));
+  EXPECT_FALSE(is_reference(model, 2));
+}
+
+TEST(ReferenceSide, IsTheSkinWithTheNarrowerOpenings) {
+  const Turned countersink{{30, 30}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}};
+  EXPECT_TRUE(is_reference(plate(2, {100, 60}, {countersink}), 0));
+  const Turned from_below{{30, 30}, {{2.5, 2}, {2.5, 1.5}, {4, 0}}};
+  EXPECT_TRUE(is_reference(plate(2, {100, 60}, {from_below}), 1));
+}
+
+TEST(ReferenceSide, ComparesBendsAtTheirNeutralSurface) {
+  // The outside of a bend is longer, but holds no more material: the first skin stays.
+  const SolidModel model = prism({strip_profile(2, {{50, std::numbers::pi / 2, 3}, {30}})}, 40);
+  const auto outlines = outlines_of(model);
+  Skins skins = find_skins(model, outlines, 2, 0.02).value();
+  EXPECT_EQ(reference_side(model, outlines, skins), Side::first);
+  for (Side& side : skins.side)
+    side = side == Side::first ? Side::second : side == Side::second ? Side::first : side;
+  EXPECT_EQ(reference_side(model, outlines, skins), Side::first);
+}
+
+}  // namespace
+}  // namespace planish::brep::test

@@ -1,0 +1,70 @@
+#include "rim_refusal.hpp"
+
+#include "recognised.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::brep::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Error refusal_at(const Recognised& seen, int face) {
+  const RimPart& part = seen.rim.parts.at(seen.rim.part_of.at(face));
+  EXPECT_FALSE(part.within);
+  return rim_refusal(seen.model, edges_by_face(seen.model), seen.skins, part);
+}
+
+/// A plate with a spherical cap on it; faces: bottom, top, four walls, the cap.
+SolidModel domed() {
+  const auto corners = [](double z) {
+    return std::vector<Vec3>{{0, 0, z}, {100, 0, z}, {100, 60, z}, {0, 60, z}};
+  };
+  const auto low = corners(0), high = corners(2);
+  Frame centre;
+  centre.origin = {50, 30, 2};
+  SolidMaker maker;
+  maker.plane(-Vec3::UnitZ(), {polygon_path({low[3], low[2], low[1], low[0]})});
+  maker.plane(Vec3::UnitZ(), {polygon_path(high), {arc(centre, 10, 2 * kPi, 0)}});
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    maker.plane((low[j] - low[i]).cross(Vec3::UnitZ()).normalized(),
+                {polygon_path({low[i], low[j], high[j], high[i]})});
+  }
+  const Vec3 foot(60, 30, 2), pole(50, 30, 8);
+  maker.doubly_curved("sphere",
+                      {{arc(centre, 10, 0, 2 * kPi), line(foot, pole), line(pole, foot)}});
+  return std::move(maker).build();
+}
+
+TEST(RimRefusal, NamesAFaceThatIsCurvedInTwoDirections) {
+  const Error refusal = refusal_at(recognised(domed(), 2, 1), 6);
+  EXPECT_EQ(refusal.code, ErrorCode::doubly_curved);
+  EXPECT_EQ(refusal.where, "face 7");
+  EXPECT_NE(refusal.message.find("sphere"), std::string::npos);
+}
+
+TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
+  // The top rises by 3° behind 100 mm.
+  const double high = 2 + 40 * std::tan(3 * kPi / 180);
+  const SolidModel wedge = prism(
+      {{Segment{{0, 0}, {140, 0}}, Segment{{140, 0}, {140, high}}, Segment{{140, high}, {100, 2}},
+        Segment{{100, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+      60);
+  const Error refusal = refusal_at(recognised(wedge, 2, 5), 4);
+  EXPECT_EQ(refusal.code, ErrorCode::thickness_not_constant);
+  EXPECT_EQ(refusal.where, "face 5");
+  EXPECT_NE(refusal.message.find("face 6"), std::string::npos) << refusal.message;
+}
+
+TEST(RimRefusal, IsOfAnotherBodyElsewhere) {
+  const Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}), 2,
+                                     1);
+  EXPECT_EQ(refusal_at(seen, 6).code, ErrorCode::not_a_sheet);
+}
+
+}  // namespace
+}  // namespace planish::brep::test

@@ -1,0 +1,68 @@
+#include "thickness.hpp"
+
+#include "solid_models.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace planish::brep::test {
+namespace {
+
+using ::testing::DoubleNear;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+constexpr double kPi = std::numbers::pi;
+
+std::vector<double> thicknesses(const SolidModel& model) {
+  return likely_thicknesses(model, outlines_of(model), 0.02);
+}
+
+/// Two thicknesses over a flat bottom, 60 mm and 40 mm wide.
+SolidModel stepped(double left, double right) {
+  return prism({{Segment{{0, 0}, {100, 0}}, Segment{{100, 0}, {100, right}},
+                 Segment{{100, right}, {60, right}}, Segment{{60, right}, {60, left}},
+                 Segment{{60, left}, {0, left}}, Segment{{0, left}, {0, 0}}}},
+               200);
+}
+
+TEST(LikelyThicknesses, OfAPlateIsItsOwn) {
+  EXPECT_THAT(thicknesses(plate(2, {100, 60})), ElementsAre(DoubleNear(2.0, 1e-9)));
+}
+
+TEST(LikelyThicknesses, OfABentStripIsThatOfFlangesAndBends) {
+  const SolidModel bent = prism({strip_profile(1.5, {{50, kPi / 2, 3}, {30, -1.0, 2}, {20}})}, 400);
+  EXPECT_THAT(thicknesses(bent), ElementsAre(DoubleNear(1.5, 1e-9)));
+}
+
+TEST(LikelyThicknesses, OfAChannelAreMeasuredToTheNearestFace) {
+  // Each leg's outside lies 2 mm over its inside and 24 mm over the other leg's outside.
+  const SolidModel channel = prism({strip_profile(2, {{40, kPi / 2, 3}, {14, kPi / 2, 3}, {40}})},
+                                   300);
+  EXPECT_THAT(thicknesses(channel), ElementsAre(DoubleNear(2.0, 1e-9)));
+}
+
+TEST(LikelyThicknesses, AreOrderedByTheAreaThatAgrees) {
+  // Bottom and left top vote for 2 mm with 60 × 200 mm² each, the right top for 5 mm with 40 × 200.
+  EXPECT_THAT(thicknesses(stepped(2, 5)), ElementsAre(DoubleNear(2, 1e-9), DoubleNear(5, 1e-9)));
+}
+
+TEST(LikelyThicknesses, ThatNearlyAgreeAreOneMean) {
+  const double mean = (2.0 * (60 + 60) + 2.02 * 40) / 160;
+  EXPECT_THAT(thicknesses(stepped(2, 2.02)), ElementsAre(DoubleNear(mean, 1e-9)));
+}
+
+TEST(LikelyThicknesses, AreUnknownWhereNoFacesAreOpposite) {
+  SolidMaker tetrahedron;
+  const Vec3 o(0, 0, 0), x(10, 0, 0), y(0, 10, 0), z(0, 0, 10);
+  tetrahedron.plane(-Vec3::UnitZ(), {polygon_path({o, y, x})});
+  tetrahedron.plane(-Vec3::UnitY(), {polygon_path({o, x, z})});
+  tetrahedron.plane(-Vec3::UnitX(), {polygon_path({o, z, y})});
+  tetrahedron.plane(Vec3(1, 1, 1).normalized(), {polygon_path({x, y, z})});
+  EXPECT_THAT(thicknesses(std::move(tetrahedron).build()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace planish::brep::test
