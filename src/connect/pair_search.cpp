@@ -1,5 +1,7 @@
 #include "pair_search.hpp"
 
+#include "tolerances.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
