@@ -228,11 +228,11 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
 
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
-    return tl::unexpected(
-        at(task, {ErrorCode::radius_too_small,
-                  fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm",
-                              *task.request.inside_radius, kSmallestInsideRadius),
-                  "/inside_radius"}));
+    return tl::unexpected(at(
+        task, {ErrorCode::radius_too_small,
+               fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
+                           *task.request.inside_radius, kSmallestInsideRadius),
+               "/inside_radius"}));
   const auto choice = search_pair(task, options);
   if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);

@@ -112,8 +112,8 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
                                    std::optional<double> apex) {
   if (edges == EdgeKind::averted)
     return fail(ErrorCode::no_bend_fits,
-                "a general bend joins edges that look towards each other; these look away: choose "
-                "a cylinder or a cone",
+                "a general bend joins edges that look towards each other; these look away from "
+                "each other: choose a cylinder or a cone",
                 "/surface");
   if (apex && !beyond(*apex, corners))
     return fail(
@@ -129,11 +129,11 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
     if (lines && (!best || lines->area < best->area)) best = *lines;
   }
   if (!best)
-    return fail(ErrorCode::no_bend_fits,
-                "no edge runs towards the line where the plates' planes meet, so that there is no "
-                "apex for a general bend: "
-                "give one, or choose a cylinder or a cone",
-                "/surface");
+    return fail(
+        ErrorCode::no_bend_fits,
+        "no edge runs towards the line where the plates' planes meet, so a general bend has "
+        "no apex: give one, or choose a cylinder or a cone",
+        "/surface");
   return *best;
 }
 

@@ -108,7 +108,7 @@ Result<void> check_edges(const FitTask& task) {
                                           escaped(task.request.between[side]));
     if (task.request.edges[side]->empty())
       return fail(ErrorCode::invalid_input,
-                  "an empty list of edges: leave it out to have them chosen", place);
+                  "the list of edges is empty: leave it out to have them chosen", place);
     for (std::size_t i = 0; i < task.request.edges[side]->size(); ++i) {
       const int edge = (*task.request.edges[side])[i];
       if (edge >= 0 && edge < count) continue;

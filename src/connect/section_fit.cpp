@@ -131,8 +131,8 @@ Result<void> check(const FitTask& task) {
   if (smallest < kSmallestInsideRadius)
     return tl::unexpected(
         at(task, ErrorCode::radius_too_small,
-           fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm", smallest,
-                       kSmallestInsideRadius),
+           fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
+                       smallest, kSmallestInsideRadius),
            request.inside_radii ? "/inside_radii" : "/inside_radius"));
   return {};
 }

@@ -47,8 +47,10 @@ Result<void> check_radius(double tightest, double outwards, const std::string& p
 
 Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place) {
   if (corners.size() < 3)
-    return fail(ErrorCode::too_few_corners,
-                fmt::format("there are {} points; a profile needs three", corners.size()), place);
+    return fail(
+        ErrorCode::too_few_corners,
+        fmt::format("a profile needs at least three points; this one has {}", corners.size()),
+        place);
   double size = 0.0;
   for (const Vec2& p : corners) {
     if (!p.allFinite())

@@ -27,6 +27,9 @@ struct Division {
 };
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
+  if (!(options.tolerance > 0.0))
+    return fail(ErrorCode::bad_option,
+                fmt::format("The tolerance is {}; it must be positive.", options.tolerance));
   if (auto sound = check_request(spec); !sound) return tl::unexpected(sound.error());
   auto ring = ring_of(spec, options);
   if (!ring) return tl::unexpected(ring.error());
