@@ -27,13 +27,6 @@ int add_point(Mesh& mesh, const Vec3& p) {
   return static_cast<int>(mesh.points.size()) - 1;
 }
 
-/// The next ruling of a strip; an end that stands still keeps its point.
-Ends add_ruling(Mesh& mesh, const Strip& strip, double at, const Ends& last) {
-  const auto [p, q] = strip.ruling(at);
-  const int first = strip.stands(0) ? last[0] : add_point(mesh, p);
-  return {first, strip.stands(1) ? last[1] : add_point(mesh, q)};
-}
-
 /// The facets between two rulings.
 void add_facets(Mesh& mesh, const Ends& a, const Ends& b) {
   for (const std::array<int, 3>& facet : {std::array{a[0], b[0], b[1]}, {a[0], b[1], a[1]}})
@@ -41,20 +34,33 @@ void add_facets(Mesh& mesh, const Ends& a, const Ends& b) {
       mesh.triangles.push_back(facet);
 }
 
+/// The last strip that moves on a side: where it ends, that side is round.
+int last_moving(const Ring& ring, int side) {
+  int i = ring.count() - 1;
+  while (i > 0 && ring.strip(i).stands(side))
+    --i;
+  return i;
+}
+
 }  // namespace
 
 Mesh surface_mesh(const Ring& ring, double chord) {
   Mesh mesh;
-  const auto [p, q] = ring.strip(0).ruling(0.0);
-  const int begin = add_point(mesh, p);
-  const Ends first{begin, add_point(mesh, q)};
+  Ends first{};
+  for (int side = 0; side < 2; ++side)
+    first[side] = add_point(mesh, ring.strip(0).ruling(0.0)[side]);
+  const Ends closing{last_moving(ring, 0), last_moving(ring, 1)};
   Ends last = first;
   for (int i = 0; i < ring.count(); ++i) {
     const Strip& strip = ring.strip(i);
     const int facets = facets_of(strip, chord);
     for (int k = 1; k <= facets; ++k) {
-      const bool closes = i + 1 == ring.count() && k == facets;
-      const Ends next = closes ? first : add_ruling(mesh, strip, double(k) / facets, last);
+      const std::array<Vec3, 2> ruling = strip.ruling(double(k) / facets);
+      Ends next = last;  // an end that stands still keeps its point
+      for (int side = 0; side < 2; ++side)
+        if (!strip.stands(side))
+          next[side] = i == closing[side] && k == facets ? first[side]
+                                                         : add_point(mesh, ruling[side]);
       add_facets(mesh, last, next);
       last = next;
     }

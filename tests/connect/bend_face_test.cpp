@@ -72,8 +72,9 @@ TEST(BendFace, HasItsJointsOnBothRulings) {
 TEST(BendFace, MeasuresItsBordersInSpace) {
   const Parts parts = parts_of(angle_pair(14.0, 200, 4.0));
   for (const int sense : {1, -1}) {
+    const JoinedFace made = bend_face(parts, 0, sense);
     double sum = 0.0;
-    for (const Border& border : bend_face(parts, 0, sense).face.loops[0])
+    for (const Border& border : made.face.loops[0])
       sum += border.edge_length.value();
     EXPECT_NEAR(sum, 2 * 200.0 + 2 * (kPi / 2) * (14.0 + 2.0 * sense), 1e-8);
   }

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace planish::test {
 namespace {
@@ -45,19 +47,38 @@ TEST(GeneralLines, RefuseWhatNoGeneralBendCanBe) {
   EXPECT_EQ(general_lines(parallel, EdgeKind::facing, std::nullopt).error().where, "/surface");
 }
 
-TEST(GeneralSurface, OfEqualSlopesIsTheRightCone) {
-  const Corners corners{{{{100, 20}, {300, 60}}, {{100, 20}, {300, 60}}}};
-  const auto lines = general_lines(corners, EdgeKind::facing, std::nullopt);
-  const auto made = general_surface(kRightAngle, *lines, corners, std::nullopt, 300.0);
-  ASSERT_TRUE(made);
-  const BendSurface right = tangent_surface(kRightAngle, EdgeKind::facing, {0.2, 0.0});
-  const Cone& cone = std::get<Cone>(right.mid);
+/// Edges of one slope on both sides: between their far ends runs a quarter of the circle of radius
+/// 60 about (300, 60, 60), square to the line of the planes; the apex is the origin.
+const Corners kEqual{{{{100, 20}, {300, 60}}, {{100, 20}, {300, 60}}}};
+
+BendSurface cone_over_circle() {
+  const auto lines = general_lines(kEqual, EdgeKind::facing, std::nullopt);
+  const auto made = general_surface(kRightAngle, *lines, kEqual, std::nullopt, 300.0);
+  EXPECT_TRUE(made);
+  return *made;
+}
+
+/// Smallest radius of curvature of that cone along the circle (Meusnier, Euler).
+double tightest_radius() {
+  double smallest = 1e300;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = 0.5 * std::numbers::pi * i / 1000;
+    const Vec3 out(0, -std::cos(t), -std::sin(t)), along(0, std::sin(t), -std::cos(t));
+    const Vec3 g = (Vec3(300, 60, 60) + 60 * out).normalized(), n = along.cross(g).normalized();
+    const double sine = along.cross(g).norm();
+    smallest = std::min(smallest, sine * sine * 60 / std::abs(n.dot(out)));
+  }
+  return smallest;
+}
+
+TEST(GeneralSurface, OfEqualSlopesIsTheConeOverACircle) {
+  const BendSurface made = cone_over_circle();
   for (const double u : {0.0, 0.2, 0.5, 1.0})
     for (const double v : {-100.0, 0.0}) {
-      const Vec3 arm = point_on(made->mid, {u, v}) - cone.frame.origin;
-      EXPECT_NEAR(std::acos(arm.normalized().dot(cone.frame.z)), cone.half_angle, 1e-8);
+      const Vec3 p = point_on(made.mid, {u, v});
+      EXPECT_NEAR((300 / p.x() * p - Vec3(300, 60, 60)).norm(), 60.0, 1e-6);
     }
-  EXPECT_NEAR(made->tightest / std::hypot(300, 60), right.tan_half_angle, 1e-3);
+  EXPECT_NEAR(made.tightest, tightest_radius(), 1e-9);
 }
 
 TEST(GeneralSurface, TouchesBothPlatesAlongTheirLines) {
@@ -96,15 +117,10 @@ TEST(OffsetSurface, LiesAtItsDistanceAlongTheNormal) {
   }
 }
 
-TEST(MiddleRadius, IsThatOfARightConeBetweenTwoCircles) {
-  const Corners corners{{{{100, 20}, {300, 60}}, {{100, 20}, {300, 60}}}};
-  const auto lines = general_lines(corners, EdgeKind::facing, std::nullopt);
-  const auto made = general_surface(kRightAngle, *lines, corners, std::nullopt, 300.0);
-  ASSERT_TRUE(made);
-  const double far = std::hypot(300, 60);
-  const Curve2 low = made->at_level(0.4, 1e-9), high = made->at_level(1.0, 1e-9);
-  const double tangent = tangent_surface(kRightAngle, EdgeKind::facing, {0.2, 0.0}).tan_half_angle;
-  EXPECT_NEAR(middle_radius(*made, low, high), 0.7 * far * tangent, 1e-6);
+TEST(MiddleRadius, IsTheSmallestHalfwayBetweenBothBoundaries) {
+  const BendSurface made = cone_over_circle();
+  const Curve2 low = made.at_level(0.4, 1e-9), high = made.at_level(1.0, 1e-9);
+  EXPECT_NEAR(middle_radius(made, low, high), 0.7 * tightest_radius(), 1e-6);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ TEST(FitTree, HangsEachWallOnTheFloorByAnEdgeOfItsOwn) {
 TEST(FitTree, JoinsTheNearestFirst) {
   // Three plates in a row of right angles; the gap at the second is smaller.
   PlateStructure s = angle_pair(14.0);
-  s.plates.push_back(rectangle_plate("C", {0, 124, 224}, {200, 0, 0}, {0, 100, 0}));
+  s.plates.push_back(rectangle_plate("C", {0, 124, 124}, {200, 0, 0}, {0, 100, 0}));
   const auto fits = tree(s);
   ASSERT_TRUE(fits) << fits.error().message;
   ASSERT_EQ(fits->size(), 2u);
@@ -53,10 +53,11 @@ TEST(FitTree, JoinsTheNearestFirst) {
 
 TEST(FitTree, SaysWhichPlateStaysAloneAndWhy) {
   PlateStructure s = angle_pair(14.0);
-  s.plates.push_back(rectangle_plate("C", {0, -300, 0}, {200, 0, 0}, {0, 100, 0}));
+  s.plates[1] = rectangle_plate("C", {0, -300, 0}, {200, 0, 0}, {0, 100, 0});
   const auto alone = tree(s);
   ASSERT_FALSE(alone);
-  EXPECT_EQ(alone.error().where, "/plates/2");
+  EXPECT_EQ(alone.error().code, ErrorCode::plates_coplanar);
+  EXPECT_EQ(alone.error().where, "/plates/1");
   EXPECT_NE(alone.error().message.find("\"C\""), std::string::npos) << alone.error().message;
 }
 

@@ -36,8 +36,8 @@ TEST(ReferenceBend, JoinsTheNearestEdges) {
   const SamplePair pair(steps, steps, 1.0);
   const auto bend = reference_bend(pair.pair, kAny);
   ASSERT_TRUE(bend);
-  EXPECT_EQ(bend->choice.runs[0], (Run{0, 2, 2}));
-  EXPECT_EQ(bend->choice.runs[1], (Run{0, 2, 2}));
+  EXPECT_EQ(bend->choice.runs[0], (planish::Run{0, 2, 2}));
+  EXPECT_EQ(bend->choice.runs[1], (planish::Run{0, 2, 2}));
   // ½ Ψ̃ per side on heights of 10, without extension.
   EXPECT_NEAR(bend->length, 0.5 * (10 + 10), 1e-9);
 }
@@ -47,7 +47,7 @@ TEST(ReferenceBend, PaysForWhatTheEdgesAreShifted) {
   const SamplePair pair({{0, 10}, {100, 10}}, {{0, 12}, {100, 12}, {101, 10}, {201, 10}}, 1.0);
   const auto bend = reference_bend(pair.pair, kAny);
   ASSERT_TRUE(bend);
-  EXPECT_EQ(bend->choice.runs[1], (Run{0, 0, 0}));
+  EXPECT_EQ(bend->choice.runs[1], (planish::Run{0, 0, 0}));
   EXPECT_NEAR(bend->length, 10 + 2, 1e-9);
 }
 
@@ -56,7 +56,7 @@ TEST(ReferenceBend, UsesAllEdgesThatAreFixed) {
   pair.pair.fixed[0] = std::pair{0, 1};
   const auto bend = reference_bend(pair.pair, kAny);
   ASSERT_TRUE(bend);
-  EXPECT_EQ(bend->choice.runs[0], (Run{0, 0, 1}));
+  EXPECT_EQ(bend->choice.runs[0], (planish::Run{0, 0, 1}));
 }
 
 TEST(ReferenceBend, IsNotThereBeyondTheBound) {

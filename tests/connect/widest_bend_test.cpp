@@ -1,7 +1,6 @@
 #include "sample_chains.hpp"
 
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +31,7 @@ TEST(WidestBend, TakesAllEdgesWhereWidthIsWorthEverything) {
   const auto found = widest_bend(stairs().pair, first_edges(), 100.0, std::nullopt);
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->width, 160.0, 1e-9);
-  EXPECT_EQ(found->runs[0], (Run{0, 0, 3}));
+  EXPECT_EQ(found->runs[0], (planish::Run{0, 0, 3}));
 }
 
 TEST(WidestBend, GrowsAsFarAsTheSpanIsPaidFor) {
@@ -72,8 +71,8 @@ TEST(WidestBend, KeepsEdgesThatAreFixed) {
   ASSERT_TRUE(reference);
   const auto found = widest_bend(pair.pair, reference->choice, 100.0, std::nullopt);
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->runs[0], (Run{0, 1, 2}));
-  EXPECT_EQ(found->runs[1], (Run{0, 0, 3}));
+  EXPECT_EQ(found->runs[0], (planish::Run{0, 1, 2}));
+  EXPECT_EQ(found->runs[1], (planish::Run{0, 0, 3}));
 }
 
 }  // namespace
