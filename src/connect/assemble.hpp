@@ -1,20 +1,12 @@
 #pragma once
 
-#include "bend_fit.hpp"
+#include "parts.hpp"
 
-#include <string>
+#include <planish/sheet/sheet.hpp>
+
 #include <vector>
 
 namespace planish::connect_detail {
-
-/// Plates and the bends that join them, ready to become a sheet. The bends form a tree.
-struct Parts {
-  double thickness = 0.0;
-  std::vector<PlacedPlate> plates;
-  std::vector<std::string> ids;
-  std::vector<BendFit> fits;
-  int root = 0;  ///< row of the plates
-};
 
 struct Assembled {
   Sheet sheet;
@@ -24,7 +16,7 @@ struct Assembled {
 };
 
 /// The sheet: flange i is plate i with its extensions, bend i is fit i. The reference skin is that
-/// to which the root's normal points. Errors: `overlap` as in `extended_outline`.
+/// to which the root's normal points. Errors: `overlap` as in `extended_outline`, `invalid_sheet`.
 Result<Assembled> assembled(const Parts& parts);
 
 }  // namespace planish::connect_detail

@@ -2,6 +2,7 @@
 
 #include "general_fit.hpp"
 #include "tangent_line.hpp"
+#include "tolerances.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,7 @@ using Corners = std::array<std::vector<Vec2>, 2>;
 using Interval = std::pair<double, double>;
 
 // A corner this share of the extent off the tangent ruling lies on it.
-constexpr double kOnRuling = 1e-9;
+constexpr double kOnRuling = tolerance::kComputed;
 
 Error at(const FitTask& task, Error error) {
   // Keys of the request become pointers; other places stay.
@@ -113,7 +114,8 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
 }
 
 Result<void> check_radius(const FitTask& task, double radius) {
-  if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - 1e-9)) return {};
+  if (radius - 0.5 * task.thickness >= kSmallestInsideRadius * (1.0 - tolerance::kComputed))
+    return {};
   return fail(ErrorCode::radius_too_small,
               fmt::format("the thickness of {:.4g} mm is too large for the bend: its mid-surface "
                           "has a radius of {:.4g} "
@@ -226,11 +228,11 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
 
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
-    return tl::unexpected(
-        at(task, {ErrorCode::radius_too_small,
-                  fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm",
-                              *task.request.inside_radius, kSmallestInsideRadius),
-                  "/inside_radius"}));
+    return tl::unexpected(at(
+        task, {ErrorCode::radius_too_small,
+               fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
+                           *task.request.inside_radius, kSmallestInsideRadius),
+               "/inside_radius"}));
   const auto choice = search_pair(task, options);
   if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);

@@ -1,18 +1,19 @@
 #include "bend_frame.hpp"
 
+#include "tolerances.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace planish::connect_detail {
 namespace {
 
-// Planes that turn by less are parallel: the line where they meet is out of reach, and a plate of a
-// metre is off by a thousandth of a millimetre.
-constexpr double kParallel = 1e-6;
+// Planes that turn by less are parallel: the line where they meet is out of reach.
+constexpr double kParallel = kNegligible;
 // Edges whose directions differ by less are parallel.
-constexpr double kSameDirection = 1e-9;
+constexpr double kSameDirection = tolerance::kComputed;
 // A plate that reaches over the intersection line by less than this share of its extent does not.
-constexpr double kOnLine = 1e-9;
+constexpr double kOnLine = tolerance::kComputed;
 
 Angle between(const Vec3& a, const Vec3& b) {
   return Angle::radians(std::atan2(a.cross(b).norm(), a.dot(b)));

@@ -2,6 +2,7 @@
 
 #include "tangent_program.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <array>
@@ -50,7 +51,7 @@ std::optional<EdgeChoice> measured(const ChainPair& pair,
                                    double start = 0.0);
 
 /// Widths that differ by less than this share of the extent are equal.
-inline constexpr double kEqualWidths = 1e-9;
+inline constexpr double kEqualWidths = tolerance::kComputed;
 
 /// Order of MATH 3.7: the wider, then the smaller span, then the smaller edge numbers.
 bool better(const ChainPair& pair, const EdgeChoice& a, const EdgeChoice& b);

@@ -1,3 +1,4 @@
+#include <planish/base/tolerance.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace {
 
 // Of the outline's extent: what is nearer to the intersection line lies on it, edges whose |Δx| is
 // smaller are parallel to the y axis.
-constexpr double kOnAxis = 1e-9;
+constexpr double kOnAxis = tolerance::kComputed;
 
 enum class Use { none, facing, averted };
 

@@ -67,7 +67,8 @@ Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPla
   for (std::size_t p = 0; p < plates.size(); ++p)
     if (structure.plates[p].id == structure.root) return static_cast<int>(p);
   return fail(ErrorCode::unknown_plate,
-              fmt::format("root is \"{}\", which is no plate's id", structure.root), "/root");
+              fmt::format("root is \"{}\", which is not the id of a plate", structure.root),
+              "/root");
 }
 
 Result<void> check_whole(const PlateStructure& structure) {
@@ -77,7 +78,7 @@ Result<void> check_whole(const PlateStructure& structure) {
                 "/thickness");
   if (structure.plates.empty() && structure.bends.size() != 1)
     return fail(ErrorCode::invalid_input,
-                "without plates there must be one bend, a section of its own", "/plates");
+                "without plates there must be exactly one bend, a section of its own", "/plates");
   return {};
 }
 
@@ -108,21 +109,6 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
     connection.bends.back().bend = made->bends[b];
   }
   return connection;
-}
-
-Result<Connection> refit(const Connection& previous, const Plate& moved,
-                         const ConnectOptions& options) {
-  PlateStructure structure = previous.structure;
-  const auto plate = std::find_if(structure.plates.begin(), structure.plates.end(),
-                                  [&](const Plate& p) { return p.id == moved.id; });
-  if (plate == structure.plates.end())
-    return fail(ErrorCode::unknown_plate, fmt::format("there is no plate \"{}\" to move", moved.id),
-                "/plates");
-  *plate = moved;
-  structure.bends.clear();
-  for (const FittedBend& bend : previous.bends)
-    structure.bends.push_back(bend.request);
-  return connect(structure, options);
 }
 
 }  // namespace planish

@@ -43,64 +43,66 @@ std::string listed(const std::vector<int>& edges) {
   return text;
 }
 
-class PairMaker {
- public:
-  PairMaker(const Sides& sides, Angle beta, const EdgeSearchOptions& options)
-      : sides_(sides), beta_(beta), options_(options) {
-    for (std::size_t i = 0; i < 2; ++i)
-      for (const Chain& chain : sides[i])
-        envelopes_[i].emplace_back(chain.corners);
-  }
+using Places = std::array<std::optional<Place>, 2>;
 
-  Result<std::vector<ChainPair>> pairs() const {
-    std::array<std::optional<Place>, 2> places;
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!options_.edges[i]) continue;
-      places[i] = place_of(sides_[i], *options_.edges[i]);
-      if (!places[i])
-        return fail(
-            ErrorCode::unknown_edge,
-            fmt::format(
-                "edges {} cannot carry one bend: they must follow each other, look the same way, "
-                "towards the line where the plates' planes meet or away from it, lie on one side "
-                "of it "
-                "and be free",
-                listed(*options_.edges[i])));
+/// Where the edges that are given lie.
+Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
+  Places places;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!options.edges[i]) continue;
+    places[i] = place_of(sides[i], *options.edges[i]);
+    if (!places[i])
+      return fail(ErrorCode::unknown_edge,
+                  fmt::format("edges {} cannot carry one bend: they must follow each other, look "
+                              "the same way, towards the line where the plates' planes meet or "
+                              "away from it, lie on one side of it and be free",
+                              listed(*options.edges[i])));
+  }
+  return places;
+}
+
+using Envelopes = std::array<std::vector<RunEnvelope>, 2>;
+
+Envelopes envelopes_of(const Sides& sides) {
+  Envelopes envelopes;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Chain& chain : sides[i])
+      envelopes[i].emplace_back(chain.corners);
+  return envelopes;
+}
+
+/// The pair of two chains, one a side, given by their rows.
+ChainPair pair_of(const Sides& sides, const Envelopes& envelopes,
+                  const std::array<std::size_t, 2>& rows, const Places& places) {
+  ChainPair pair;
+  std::array<CornerRange, 2> whole;
+  for (std::size_t i = 0; i < 2; ++i) {
+    pair.chains[i] = static_cast<int>(rows[i]);
+    pair.sides[i] = &sides[i][rows[i]];
+    pair.envelopes[i] = &envelopes[i][rows[i]];
+    if (places[i]) pair.fixed[i] = places[i]->run;
+    whole[i] = {pair.envelopes[i], 0, static_cast<int>(pair.sides[i]->corners.size()) - 1};
+  }
+  pair.kind = pair.sides[0]->kind;
+  pair.size = size_of(whole);
+  return pair;
+}
+
+/// All pairs of chains of one kind that hold what is given.
+std::vector<ChainPair> pairs_of(const Sides& sides, const Envelopes& envelopes,
+                                const Places& places, Angle beta, const GivenLine& line) {
+  std::vector<ChainPair> pairs;
+  for (std::size_t a = 0; a < sides[0].size(); ++a)
+    for (std::size_t b = 0; b < sides[1].size(); ++b) {
+      const bool chosen = (!places[0] || places[0]->chain == static_cast<int>(a)) &&
+                          (!places[1] || places[1]->chain == static_cast<int>(b));
+      if (!chosen || sides[0][a].kind != sides[1][b].kind) continue;
+      ChainPair& pair = pairs.emplace_back(pair_of(sides, envelopes, {a, b}, places));
+      pair.factor = arc_factor(beta, pair.kind, kLinearisedSlope);
+      pair.line = line;
     }
-    std::vector<ChainPair> all;
-    for (std::size_t a = 0; a < sides_[0].size(); ++a)
-      for (std::size_t b = 0; b < sides_[1].size(); ++b) {
-        const bool chosen = (!places[0] || places[0]->chain == static_cast<int>(a)) &&
-                            (!places[1] || places[1]->chain == static_cast<int>(b));
-        if (chosen && sides_[0][a].kind == sides_[1][b].kind) all.push_back(pair({a, b}, places));
-      }
-    return all;
-  }
-
- private:
-  ChainPair pair(const std::array<std::size_t, 2>& rows,
-                 const std::array<std::optional<Place>, 2>& places) const {
-    ChainPair pair;
-    std::array<CornerRange, 2> whole;
-    for (std::size_t i = 0; i < 2; ++i) {
-      pair.chains[i] = static_cast<int>(rows[i]);
-      pair.sides[i] = &sides_[i][rows[i]];
-      pair.envelopes[i] = &envelopes_[i][rows[i]];
-      if (places[i]) pair.fixed[i] = places[i]->run;
-      whole[i] = {pair.envelopes[i], 0, static_cast<int>(pair.sides[i]->corners.size()) - 1};
-    }
-    pair.kind = pair.sides[0]->kind;
-    pair.factor = arc_factor(beta_, pair.kind, kLinearisedSlope);
-    pair.size = size_of(whole);
-    pair.line = options_.line;
-    return pair;
-  }
-
-  const Sides& sides_;
-  Angle beta_;
-  const EdgeSearchOptions& options_;
-  std::array<std::vector<RunEnvelope>, 2> envelopes_;
-};
+  return pairs;
+}
 
 bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
   return std::any_of(chains.begin(), chains.end(),
@@ -116,8 +118,7 @@ Error nothing_fits(const Sides& sides) {
               {}};
   return {ErrorCode::no_bend_fits,
           fmt::format("no edges look the same way on both plates (of {} and {} chains of edges): "
-                      "turn a plate over or "
-                      "move it to the other side",
+                      "turn a plate over or move it to the other side",
                       sides[0].size(), sides[1].size()),
           {}};
 }
@@ -149,23 +150,24 @@ std::vector<EdgeChoice> alternatives(const std::vector<ChainPair>& pairs, const 
 }  // namespace
 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
-  const PairMaker maker(sides, beta, options);
-  const auto pairs = maker.pairs();
-  if (!pairs) return tl::unexpected(pairs.error());
+  const auto places = places_of(sides, options);
+  if (!places) return tl::unexpected(places.error());
+  const Envelopes envelopes = envelopes_of(sides);
+  const std::vector<ChainPair> pairs = pairs_of(sides, envelopes, *places, beta, options.line);
   EdgeSearch found;
   found.reference_length = std::numeric_limits<double>::infinity();
-  for (const ChainPair& pair : *pairs)
+  for (const ChainPair& pair : pairs)
     if (const auto reference = reference_bend(pair, found.reference_length)) {
       found.reference = reference->choice;
       found.reference_length = reference->length;
     }
   if (!std::isfinite(found.reference_length)) return tl::unexpected(nothing_fits(sides));
   std::optional<EdgeChoice> best;
-  for (const ChainPair& pair : *pairs)
+  for (const ChainPair& pair : pairs)
     if (auto wider = widest_bend(pair, found.reference, options.trade_off, best))
       best = std::move(*wider);
   found.best = best.value_or(found.reference);
-  if (options.alternatives > 0) found.alternatives = alternatives(*pairs, found, options);
+  if (options.alternatives > 0) found.alternatives = alternatives(pairs, found, options);
   return found;
 }
 

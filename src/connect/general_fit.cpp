@@ -1,5 +1,6 @@
 #include "general_fit.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/connect/edge_search.hpp>
 
 #include <fmt/format.h>
@@ -14,7 +15,9 @@ namespace {
 using Corners = std::array<std::vector<Vec2>, 2>;
 
 // An apex this share of the extent beyond the first corner counts as at it.
-constexpr double kAtEnd = 1e-9;
+constexpr double kAtEnd = tolerance::kComputed;
+// A tangent point this share of the extent off the intersection line lies on it.
+constexpr double kOnLine = 1e-5;
 // Knots of the surface leave it by at most this share of the extent.
 constexpr double kSurfaceTolerance = 1e-11;
 // Where the tightest ruling is looked for.
@@ -91,7 +94,6 @@ Result<Vec3> checked_tangent_point(const BendFrame& frame, const Vec3& apex, con
                                    double extent) {
   const Vec3 foot = frame.origin + (point - frame.origin).dot(frame.d) * frame.d;
   const double off = (point - foot).norm();
-  constexpr double kOnLine = 1e-5;  // of the extent
   if (off > kOnLine * extent)
     return fail(
         ErrorCode::no_bend_fits,
@@ -110,8 +112,8 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
                                    std::optional<double> apex) {
   if (edges == EdgeKind::averted)
     return fail(ErrorCode::no_bend_fits,
-                "a general bend joins edges that look towards each other; these look away: choose "
-                "a cylinder or a cone",
+                "a general bend joins edges that look towards each other; these look away from "
+                "each other: choose a cylinder or a cone",
                 "/surface");
   if (apex && !beyond(*apex, corners))
     return fail(
@@ -127,11 +129,11 @@ Result<GeneralLines> general_lines(const Corners& corners, EdgeKind edges,
     if (lines && (!best || lines->area < best->area)) best = *lines;
   }
   if (!best)
-    return fail(ErrorCode::no_bend_fits,
-                "no edge runs towards the line where the plates' planes meet, so that there is no "
-                "apex for a general bend: "
-                "give one, or choose a cylinder or a cone",
-                "/surface");
+    return fail(
+        ErrorCode::no_bend_fits,
+        "no edge runs towards the line where the plates' planes meet, so a general bend has "
+        "no apex: give one, or choose a cylinder or a cone",
+        "/surface");
   return *best;
 }
 

@@ -1,5 +1,7 @@
 #include "lateral.hpp"
 
+#include "tolerances.hpp"
+
 #include <planish/geometry/fit.hpp>
 
 #include <fmt/format.h>
@@ -13,8 +15,8 @@ namespace {
 
 using Interval = std::pair<double, double>;
 
-// A bend narrower than this share of the plates' extent is none.
-constexpr double kNoWidth = 1e-6;
+// A bend has no width below this share of the plates' extent.
+constexpr double kNoWidth = kNegligible;
 // Curves on a cone that are straight when flat are followed to this share of the extent.
 constexpr double kCurveTolerance = 1e-10;
 // Where the boundary leans more than this against the way across the bend, the corners of both

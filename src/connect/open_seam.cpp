@@ -1,3 +1,4 @@
+#include <planish/base/tolerance.hpp>
 #include <planish/connect/connect.hpp>
 
 #include <algorithm>
@@ -8,8 +9,8 @@ namespace planish {
 namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
-constexpr double kSeam = 0.01;      // mm between the ends, at the smaller end of cones
-constexpr double kRounding = 1e-9;  // rad
+constexpr double kSeam = 0.01;  // mm between the ends, at the smaller end of cones
+constexpr double kClosed = tolerance::kComputed;  // rad that a full turn may lack
 
 /// Radius of the surface where the face is narrowest; 0 where azimuths mean nothing.
 double narrowest_radius(const Face& face, const Box2& box) {
@@ -29,7 +30,7 @@ Sheet with_open_seam(const Sheet& sheet) {
     for (const Border& border : face.loops.front())
       box.add(bounds(border.curve));
     const double radius = narrowest_radius(face, box);
-    if (radius <= 0.0 || box.size().x() < kFullTurn - kRounding) continue;
+    if (radius <= 0.0 || box.size().x() < kFullTurn - kClosed) continue;
     // Only sections of their own close: their borders are segments along and across the rulings.
     const double share = 1.0 - kSeam / (kFullTurn * radius), first = box.lo.x();
     for (Border& border : face.loops.front())

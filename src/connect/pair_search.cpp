@@ -1,5 +1,7 @@
 #include "pair_search.hpp"
 
+#include "tolerances.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -180,9 +182,9 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {
   const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
   if (kind == PlanePair::coplanar)
-    return fail(
-        ErrorCode::plates_coplanar,
-        "the plates lie in one plane, there is nothing to bend between them: make them one plate");
+    return fail(ErrorCode::plates_coplanar,
+                "the plates lie in one plane, so there is nothing to bend between them: make them "
+                "one plate");
   const std::optional<EdgeKind> natural = natural_kind(task, options);
   std::optional<PairChoice> best;
   Error why{ErrorCode::no_bend_fits, "no edges of the two plates look towards each other", {}};

@@ -27,9 +27,6 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
 /// The tangent line that a request asks for in a frame.
 GivenLine given_line(const BendRequest& request, const BendFrame& frame, double thickness);
 
-/// Inside radii below this are none: a solid needs a cylinder there, mm.
-inline constexpr double kSmallestInsideRadius = 1e-3;
-
 /// Whether a cone is asked for, by name or by its slope.
 bool is_conical(const BendRequest& request);
 

@@ -1,5 +1,6 @@
 #include "plate_outline.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@ namespace {
 using Piece = ExtendedOutline::Piece;
 
 // Points this share of the plate's extent apart are one.
-constexpr double kSame = 1e-9;
+constexpr double kSame = tolerance::kComputed;
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -84,7 +85,8 @@ Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
   return path;
 }
 
-void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, int bend, double same) {
+void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, std::optional<int> bend,
+            double same) {
   if ((b - a).norm() > same) outline.pieces.push_back({a, b, bend});
 }
 
@@ -104,7 +106,8 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   if (path.joint + 2 == last && (points[last] - points[last - 1]).norm() <= same)
     points[last - 1] = points[last];
   for (std::size_t j = 0; j < last; ++j)
-    append(outline, points[j], points[j + 1], j == path.joint ? on.bend : -1, same);
+    append(outline, points[j], points[j + 1],
+           j == path.joint ? std::optional(on.bend) : std::nullopt, same);
 }
 
 // A corner that lies on a piece which does not end there: the extension runs back to the plate,
@@ -168,7 +171,7 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
       done += run_of(bends[next]).count;
       ++next;
     } else {
-      append(outline, plate.outline[edge], plate.outline[(edge + 1) % n], -1, 0.0);
+      append(outline, plate.outline[edge], plate.outline[(edge + 1) % n], std::nullopt, 0.0);
       ++done;
     }
   }

@@ -2,6 +2,7 @@
 
 #include "bend_fit.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace planish::connect_detail {
@@ -17,7 +18,7 @@ struct BendOnPlate {
 struct ExtendedOutline {
   struct Piece {
     Vec2 a, b;
-    int bend = -1;  ///< row of the fits whose joint this is; −1: a cut
+    std::optional<int> bend = {};  ///< row of the fits whose joint this is; none: a cut
   };
   std::vector<Piece> pieces;
 };

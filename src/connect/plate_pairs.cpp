@@ -2,6 +2,7 @@
 
 #include "bend_frame.hpp"
 #include "lateral.hpp"
+#include "tolerances.hpp"
 
 #include <planish/geometry/curve.hpp>
 #include <planish/geometry/region.hpp>
@@ -16,7 +17,7 @@ namespace {
 using Interval = std::pair<double, double>;
 
 // Plates that pass through each other by less than this share of their extent touch.
-constexpr double kTouch = 1e-6;
+constexpr double kTouch = kNegligible;
 
 // Intervals of the line y = 0 with material on both of its sides.
 std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d,

@@ -1,5 +1,6 @@
 #include "plate_plane.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -13,9 +14,9 @@ namespace {
 using Ring = std::vector<Vec3>;
 
 // Corners of a polygon nearer than this share of its extent are one corner.
-constexpr double kSameCorner = 1e-7;
+constexpr double kSameCorner = tolerance::kFileDigits;
 // A polygon whose area is below this share of extent² is a line.
-constexpr double kNoArea = 1e-9;
+constexpr double kNoArea = tolerance::kComputed;
 
 std::string text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());

@@ -1,5 +1,5 @@
 #include "bend_fit.hpp"
-#include "tangent_line.hpp"
+#include "tolerances.hpp"
 
 #include <fmt/format.h>
 
@@ -110,7 +110,7 @@ Result<void> check(const FitTask& task) {
   };
   if (!request.angle) return missing("a section with a free end needs its angle", "/angle");
   const double angle = std::abs(request.angle->radians());
-  if (!(angle > 0.0) || angle > kFullTurn * (1.0 + 1e-12))
+  if (!(angle > 0.0) || angle > kFullTurn * (1.0 + tolerance::kRounding))
     return missing(fmt::format("the angle is {:.6g}°; it must lie between 0 and 360°",
                                request.angle->degrees()),
                    "/angle");
@@ -131,8 +131,8 @@ Result<void> check(const FitTask& task) {
   if (smallest < kSmallestInsideRadius)
     return tl::unexpected(
         at(task, ErrorCode::radius_too_small,
-           fmt::format("an inside radius of {:.4g} mm is none: it must be at least {} mm", smallest,
-                       kSmallestInsideRadius),
+           fmt::format("an inside radius of {:.4g} mm is too small: it must be at least {} mm",
+                       smallest, kSmallestInsideRadius),
            request.inside_radii ? "/inside_radii" : "/inside_radius"));
   return {};
 }

@@ -1,5 +1,7 @@
 #include "tangent_line.hpp"
 
+#include "tolerances.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,9 +14,9 @@ namespace {
 using Corners = std::array<std::vector<Vec2>, 2>;
 
 // Plates whose edges reach this share of their extent near to the intersection line touch there.
-constexpr double kTouching = 1e-7;
+constexpr double kTouching = tolerance::kFileDigits;
 // A value is on the edge of its range within this share of the extent.
-constexpr double kOnBound = 1e-9;
+constexpr double kOnBound = tolerance::kComputed;
 
 double mid_radius_of(double inside_radius, const FitTask& task) {
   return inside_radius + 0.5 * task.thickness;
@@ -201,9 +203,8 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     return tl::unexpected(fit.error());
   }
   if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
-  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it: over a
-  // metre its radius changes by a micrometre.
-  constexpr double kNoSlope = 1e-6;
+  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it.
+  constexpr double kNoSlope = kNegligible;
   const double slope = std::abs(fit->line.slope);
   const bool asked = given.slope || given.apex || request.surface == SurfaceChoice::cone;
   if (slope != 0.0 && slope < (asked ? kNoSlope : options.smallest_slope)) {

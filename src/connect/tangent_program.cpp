@@ -2,6 +2,8 @@
 
 #include "convex_line.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,7 +14,7 @@ namespace {
 // Rounding of sums of a few products of the size of the corners.
 constexpr double kNoise = 64.0 * std::numeric_limits<double>::epsilon();
 // How far a corner may lie on the wrong side of a line that is given, of the corners' size.
-constexpr double kGivenTolerance = 1e-9;
+constexpr double kGivenTolerance = tolerance::kComputed;
 
 /// A function a + b·k that supports a convex one at some slope.
 struct Linear {

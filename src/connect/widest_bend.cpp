@@ -5,11 +5,15 @@
 #include <limits>
 #include <queue>
 
+// Best-first branch and bound. The span without its shift only grows with the runs, so the edges
+// common to all runs of a node bound it from below; what shift and width cost together is least at
+// a corner of their ranges.
+
 namespace planish::connect_detail {
 namespace {
 
 /// Runs of one side: the first edge lies in [first.low, first.high], the last in [last.low,
-/// last.high]. Where first.high > last.low no edge is common to them all.
+/// last.high]. Where first.high > last.low they have no edge in common.
 struct RunSet {
   struct Interval {
     int low = 0, high = 0;
@@ -19,222 +23,221 @@ struct RunSet {
   bool has_core() const { return first.high <= last.low; }
   bool one() const { return first.one() && last.one(); }
 };
+using RunSets = std::array<RunSet, 2>;
+
+struct Problem {
+  const ChainPair& pair;
+  double trade_off = 1.0;
+  double noise = 0.0;   ///< mm: differences below it are rounding
+  double budget = 0.0;  ///< what span − γ · width may be at most
+
+  double left(int side, int edge) const { return pair.x(side, edge); }
+  double right(int side, int edge) const { return pair.x(side, edge + 1); }
+};
+
+/// The span, without its shift, of the edges common to all runs, and the slope of that line.
+struct Core {
+  double span = 0.0;
+  double slope = 0.0;
+};
 
 struct Node {
-  std::array<RunSet, 2> sides;
-  double widest = 0.0;  ///< no run of the node is wider
-  double core = 0.0;    ///< span without shift of the edges common to all runs
-  double slope = 0.0;   ///< at which that is
+  RunSets sides;
+  double widest = 0.0;  ///< width of its widest runs
+  Core core;
   double least_span = 0.0;
 };
 struct Narrower {
   bool operator()(const Node& a, const Node& b) const { return a.widest < b.widest; }
 };
 
-/// Best-first branch and bound. The span without its shift only grows with the runs, so that the
-/// edges common to all runs of a node bound it from below; what shift and width cost together is
-/// least at a corner of their ranges.
-class Search {
- public:
-  Search(const ChainPair& pair, const EdgeChoice& reference, double trade_off,
-         const std::optional<EdgeChoice>& best)
-      : pair_(pair), trade_off_(trade_off), best_(best), noise_(kEqualWidths * pair.size) {
-    budget_ = reference.span - trade_off * reference.width + noise_;
-    cost_ = {0.5 * pair.factor, 1.0, Vec2::Zero()};
-  }
-
-  std::optional<EdgeChoice> run() {
-    Node root;
-    for (int side = 0; side < 2; ++side) {
-      const auto i = static_cast<std::size_t>(side);
-      const int last = pair_.edge_count(side) - 1;
-      root.sides[i] = {{0, last}, {0, last}};
-      if (pair_.fixed[i])
-        root.sides[i] = {{pair_.fixed[i]->first, pair_.fixed[i]->first},
-                         {pair_.fixed[i]->second, pair_.fixed[i]->second}};
-    }
-    open(root, std::nullopt);
-    while (!open_.empty()) {
-      const Node node = open_.top();
-      open_.pop();
-      if (best_ && node.widest < best_->width - noise_) break;
-      if (hopeless(node)) continue;
-      if (node.sides[0].one() && node.sides[1].one())
-        take(node);
-      else
-        split(node);
-    }
-    return found_ ? best_ : std::nullopt;
-  }
-
- private:
-  double left(int side, int edge) const { return pair_.x(side, edge); }
-  double right(int side, int edge) const { return pair_.x(side, edge + 1); }
-
-  // Least of |a − b| + weight·(sign of growth) over two ranges, where moving outward widens the
-  // bend.
-  struct Range {
-    double low = 0.0, high = 0.0;
-  };
-  // Left ends: min |a − b| + w (a + b); right ends are mirrored.
-  static double least_shift(const Range& a, const Range& b, double weight) {
-    const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
-    const double follow_a = std::clamp(b.low, a.low, a.high),
-                 follow_b = std::clamp(a.low, b.low, b.high);
-    return std::min({at(a.low, b.low), at(follow_a, b.low), at(a.low, follow_b)});
-  }
-
-  Range left_range(const Node& node, int side) const {
-    const RunSet& set = node.sides[side];
-    return {left(side, set.first.low), left(side, set.first.high)};
-  }
-  Range mirrored_right_range(const Node& node, int side) const {
-    const RunSet& set = node.sides[side];
-    return {-right(side, set.last.high), -right(side, set.last.low)};
-  }
-  static double distance(const Range& a, const Range& b) {
-    return std::max({0.0, a.low - b.high, b.low - a.high});
-  }
-
-  // Costs of the core, none where a side has no common edge: that side's own least.
-  bool measure_core(Node& node, double start) const {
-    std::array<CornerRange, 2> core;
-    double apart = 0.0;
-    for (int side = 0; side < 2; ++side) {
-      const RunSet& set = node.sides[side];
-      if (set.has_core())
-        core[side] = pair_.corners(side, set.first.high, set.last.low);
-      else
-        apart += least_alone(side, set);
-    }
-    node.core = apart;
-    node.slope = start;
-    if (core[0].empty() && core[1].empty()) return true;
-    const auto best = cheapest_tangent(core, pair_.kind, cost_, pair_.line, pair_.size, start);
-    if (!best) return false;
-    node.core = best->value + apart;
-    node.slope = best->line.slope;
-    return true;
-  }
-
-  // A side whose runs share no edge costs at least what its lowest corner does: ½Ψ̃ h + |y − h|.
-  double least_alone(int side, const RunSet& set) const {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (int c = set.first.low; c <= set.last.high + 1; ++c)
-      lowest = std::min(lowest, pair_.sides[side]->corners[c].y());
-    return (pair_.kind == EdgeKind::facing ? std::min(0.5 * pair_.factor, 1.0)
-                                           : 0.5 * pair_.factor) *
-           lowest;
-  }
-
-  void open(Node node, const std::optional<Node>& parent) {
-    node.widest = 0.0;
-    for (int side = 0; side < 2; ++side) {
-      const RunSet& set = node.sides[side];
-      node.widest += 0.5 * (right(side, set.last.high) - left(side, set.first.low));
-    }
-    if (best_ && node.widest < best_->width - noise_) return;
-    const bool same_core = parent && same(parent->sides[0], node.sides[0]) &&
-                           same(parent->sides[1], node.sides[1]);
-    if (same_core) {
-      node.core = parent->core;
-      node.slope = parent->slope;
-    } else if (!measure_core(node, parent ? parent->slope : 0.0)) {
-      return;  // not even the common edges admit a tangent line
-    }
-    node.least_span = node.core + distance(left_range(node, 0), left_range(node, 1)) +
-                      distance(mirrored_right_range(node, 0), mirrored_right_range(node, 1));
-    if (!hopeless(node)) open_.push(node);
-  }
-
-  static bool same(const RunSet& a, const RunSet& b) {
-    return a.has_core() && b.has_core() && a.first.high == b.first.high && a.last.low == b.last.low;
-  }
-
-  bool hopeless(const Node& node) const {
-    const double weight = 0.5 * trade_off_;
-    const double ends = least_shift(left_range(node, 0), left_range(node, 1), weight) +
-                        least_shift(mirrored_right_range(node, 0), mirrored_right_range(node, 1),
-                                    weight);
-    if (node.core + ends > budget_) return true;
-    // Of equally wide ones only a smaller span is wanted, or the same with smaller edge numbers.
-    return best_ && node.widest <= best_->width + noise_ && node.least_span > best_->span + noise_;
-  }
-
-  void take(const Node& node) {
-    const auto choice = measured(pair_,
-                                 {std::pair{node.sides[0].first.low, node.sides[0].last.low},
-                                  std::pair{node.sides[1].first.low, node.sides[1].last.low}},
-                                 node.slope);
-    if (!choice || choice->span - trade_off_ * choice->width > budget_) return;
-    if (best_ && !better(pair_, *choice, *best_)) return;
-    best_ = choice;
-    found_ = true;
-  }
-
-  // Halves the widest range of the node's ends. Sides without a common edge are first divided into
-  // runs that hold their middle edge and those to its left and right.
-  void split(const Node& node) {
-    for (int side = 0; side < 2; ++side)
-      if (!node.sides[side].has_core()) return split_by_middle(node, side);
-    int side = 0;
-    bool first = true;
-    double widest = -1.0;
-    for (int s = 0; s < 2; ++s) {
-      const RunSet& set = node.sides[s];
-      if (const double w = left(s, set.first.high) - left(s, set.first.low);
-          !set.first.one() && w > widest) {
-        widest = w;
-        side = s;
-        first = true;
-      }
-      if (const double w = right(s, set.last.high) - right(s, set.last.low);
-          !set.last.one() && w > widest) {
-        widest = w;
-        side = s;
-        first = false;
-      }
-    }
-    Node low = node, high = node;
-    RunSet& a = low.sides[side];
-    RunSet& b = high.sides[side];
-    RunSet::Interval& range_a = first ? a.first : a.last;
-    RunSet::Interval& range_b = first ? b.first : b.last;
-    const int middle = (range_a.low + range_a.high) / 2;
-    range_a.high = middle;
-    range_b.low = middle + 1;
-    open(low, node);
-    open(high, node);
-  }
-
-  void split_by_middle(const Node& node, int side) {
-    const RunSet& set = node.sides[side];
-    const int low = set.first.low, high = set.last.high, middle = (low + high) / 2;
-    const auto with = [&](const RunSet& runs) {
-      Node child = node;
-      child.sides[side] = runs;
-      open(child, node);
-    };
-    with({{low, middle}, {middle, high}});
-    if (low < middle) with({{low, middle - 1}, {low, middle - 1}});
-    if (middle < high) with({{middle + 1, high}, {middle + 1, high}});
-  }
-
-  const ChainPair& pair_;
-  double trade_off_;
-  std::optional<EdgeChoice> best_;
-  bool found_ = false;
-  double noise_;
-  double budget_ = 0.0;
-  TangentCost cost_;
-  std::priority_queue<Node, std::vector<Node>, Narrower> open_;
+struct Range {
+  double low = 0.0, high = 0.0;
 };
+
+Range left_range(const Problem& problem, const RunSets& sides, int side) {
+  const RunSet& set = sides[side];
+  return {problem.left(side, set.first.low), problem.left(side, set.first.high)};
+}
+
+Range mirrored_right_range(const Problem& problem, const RunSets& sides, int side) {
+  const RunSet& set = sides[side];
+  return {-problem.right(side, set.last.high), -problem.right(side, set.last.low)};
+}
+
+double distance(const Range& a, const Range& b) {
+  return std::max({0.0, a.low - b.high, b.low - a.high});
+}
+
+// The shift of the left ends with what the width that they give up costs: the least of
+// |a − b| + w (a + b) over both ranges. Right ends are mirrored.
+double least_shift(const Range& a, const Range& b, double weight) {
+  const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
+  const double follow_a = std::clamp(b.low, a.low, a.high),
+               follow_b = std::clamp(a.low, b.low, b.high);
+  return std::min({at(a.low, b.low), at(follow_a, b.low), at(a.low, follow_b)});
+}
+
+// A side whose runs share no edge costs at least what its lowest corner does: ½Ψ̃ h + |y − h|.
+double least_alone(const ChainPair& pair, int side, const RunSet& set) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (int c = set.first.low; c <= set.last.high + 1; ++c)
+    lowest = std::min(lowest, pair.sides[side]->corners[c].y());
+  const double share = pair.kind == EdgeKind::facing ? std::min(0.5 * pair.factor, 1.0)
+                                                     : 0.5 * pair.factor;
+  return share * lowest;
+}
+
+/// Nothing where not even the common edges admit a tangent line.
+std::optional<Core> core_of(const ChainPair& pair, const RunSets& sides, double start) {
+  std::array<CornerRange, 2> common;
+  double apart = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    const RunSet& set = sides[side];
+    if (set.has_core())
+      common[side] = pair.corners(side, set.first.high, set.last.low);
+    else
+      apart += least_alone(pair, side, set);
+  }
+  if (common[0].empty() && common[1].empty()) return Core{apart, start};
+  const TangentCost cost{0.5 * pair.factor, 1.0, Vec2::Zero()};
+  const auto best = cheapest_tangent(common, pair.kind, cost, pair.line, pair.size, start);
+  if (!best) return std::nullopt;
+  return Core{best->value + apart, best->line.slope};
+}
+
+bool same_core(const RunSet& a, const RunSet& b) {
+  return a.has_core() && b.has_core() && a.first.high == b.first.high && a.last.low == b.last.low;
+}
+
+bool hopeless(const Problem& problem, const Node& node, const std::optional<EdgeChoice>& best) {
+  const double weight = 0.5 * problem.trade_off;
+  const RunSets& sides = node.sides;
+  const double ends = least_shift(left_range(problem, sides, 0), left_range(problem, sides, 1),
+                                  weight) +
+                      least_shift(mirrored_right_range(problem, sides, 0),
+                                  mirrored_right_range(problem, sides, 1), weight);
+  if (node.core.span + ends > problem.budget) return true;
+  // Of equally wide ones only a smaller span is wanted, or the same with smaller edge numbers.
+  return best && node.widest <= best->width + problem.noise &&
+         node.least_span > best->span + problem.noise;
+}
+
+/// The node of these runs; nothing where it cannot hold anything better than `best`.
+std::optional<Node> opened(const Problem& problem, const RunSets& sides, const Node* parent,
+                           const std::optional<EdgeChoice>& best) {
+  Node node{sides, 0.0, {}, 0.0};
+  for (int side = 0; side < 2; ++side)
+    node.widest += 0.5 * (problem.right(side, sides[side].last.high) -
+                          problem.left(side, sides[side].first.low));
+  if (best && node.widest < best->width - problem.noise) return std::nullopt;
+  if (parent && same_core(parent->sides[0], sides[0]) && same_core(parent->sides[1], sides[1])) {
+    node.core = parent->core;
+  } else {
+    const auto core = core_of(problem.pair, sides, parent ? parent->core.slope : 0.0);
+    if (!core) return std::nullopt;
+    node.core = *core;
+  }
+  node.least_span = node.core.span +
+                    distance(left_range(problem, sides, 0), left_range(problem, sides, 1)) +
+                    distance(mirrored_right_range(problem, sides, 0),
+                             mirrored_right_range(problem, sides, 1));
+  if (hopeless(problem, node, best)) return std::nullopt;
+  return node;
+}
+
+/// The only runs of a node, if they fit and are better than `best`.
+std::optional<EdgeChoice> taken(const Problem& problem, const Node& node,
+                                const std::optional<EdgeChoice>& best) {
+  const auto choice = measured(problem.pair,
+                               {std::pair{node.sides[0].first.low, node.sides[0].last.low},
+                                std::pair{node.sides[1].first.low, node.sides[1].last.low}},
+                               node.core.slope);
+  if (!choice || choice->span - problem.trade_off * choice->width > problem.budget)
+    return std::nullopt;
+  if (best && !better(problem.pair, *choice, *best)) return std::nullopt;
+  return choice;
+}
+
+// Runs that hold the middle edge of all, those to its left and those to its right.
+std::vector<RunSets> by_middle(const RunSets& sides, int side) {
+  const int low = sides[side].first.low, high = sides[side].last.high, middle = (low + high) / 2;
+  std::vector<RunSets> parts;
+  const auto add = [&](const RunSet& runs) { parts.emplace_back(sides)[side] = runs; };
+  add({{low, middle}, {middle, high}});
+  if (low < middle) add({{low, middle - 1}, {low, middle - 1}});
+  if (middle < high) add({{middle + 1, high}, {middle + 1, high}});
+  return parts;
+}
+
+/// Divides the runs in which one of both sides has no common edge by their middle edge, others
+/// where their ends are spread most.
+std::vector<RunSets> divided(const Problem& problem, const RunSets& sides) {
+  for (int side = 0; side < 2; ++side)
+    if (!sides[side].has_core()) return by_middle(sides, side);
+  int side = 0;
+  RunSet::Interval RunSet::*end = &RunSet::first;
+  double widest = -1.0;
+  const auto consider = [&](int s, RunSet::Interval RunSet::*which, double width) {
+    if ((sides[s].*which).one() || width <= widest) return;
+    widest = width;
+    side = s;
+    end = which;
+  };
+  for (int s = 0; s < 2; ++s) {
+    const RunSet& set = sides[s];
+    consider(s, &RunSet::first, problem.left(s, set.first.high) - problem.left(s, set.first.low));
+    consider(s, &RunSet::last, problem.right(s, set.last.high) - problem.right(s, set.last.low));
+  }
+  std::vector<RunSets> halves{sides, sides};
+  const RunSet::Interval whole = sides[side].*end;
+  const int middle = (whole.low + whole.high) / 2;
+  (halves[0][side].*end).high = middle;
+  (halves[1][side].*end).low = middle + 1;
+  return halves;
+}
+
+RunSets all_runs(const ChainPair& pair) {
+  RunSets sides;
+  for (int side = 0; side < 2; ++side) {
+    const int last = pair.edge_count(side) - 1;
+    sides[side] = {{0, last}, {0, last}};
+    if (const auto& fixed = pair.fixed[side])
+      sides[side] = {{fixed->first, fixed->first}, {fixed->second, fixed->second}};
+  }
+  return sides;
+}
 
 }  // namespace
 
 std::optional<EdgeChoice> widest_bend(const ChainPair& pair, const EdgeChoice& reference,
                                       double trade_off, const std::optional<EdgeChoice>& best) {
-  return Search(pair, reference, trade_off, best).run();
+  const double noise = kEqualWidths * pair.size;
+  const Problem problem{pair, trade_off, noise,
+                        reference.span - trade_off * reference.width + noise};
+  std::optional<EdgeChoice> known = best;
+  bool found = false;
+  std::priority_queue<Node, std::vector<Node>, Narrower> open;
+  const auto add = [&](const RunSets& sides, const Node* parent) {
+    if (const auto node = opened(problem, sides, parent, known)) open.push(*node);
+  };
+  add(all_runs(pair), nullptr);
+  while (!open.empty()) {
+    const Node node = open.top();
+    open.pop();
+    if (known && node.widest < known->width - noise) break;
+    if (hopeless(problem, node, known)) continue;
+    if (node.sides[0].one() && node.sides[1].one()) {
+      if (const auto choice = taken(problem, node, known)) {
+        known = choice;
+        found = true;
+      }
+      continue;
+    }
+    for (const RunSets& part : divided(problem, node.sides))
+      add(part, &node);
+  }
+  return found ? known : std::nullopt;
 }
 
 }  // namespace planish::connect_detail

@@ -2,6 +2,8 @@
 
 #include "roots.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +17,14 @@ namespace {
 /// Share of the extent within which a point lies in a plane.
 constexpr double kInPlane = 1e-10;
 
-/// Places nearer to each other are one: rounding, of places that the other boundary's tangents lead
-/// to.
-constexpr double kSamePlace = 5e-9;
+/// A plane within this share of the extent of a profile touches it.
+constexpr double kTouching = tolerance::kComputed;
+
+/// Places nearer to each other are one: the tangents of the other boundary lead to them.
+constexpr double kSamePlace = 5.0 * tolerance::kComputed;
+
+/// So far a place may lie before the last one and still count as the same.
+constexpr double kBack = 100.0 * tolerance::kComputed;
 
 /// A place on a boundary: element plus share of its parameter. Whole numbers are where elements
 /// meet. Places count on past the end, round after round.
@@ -29,158 +36,152 @@ struct Event {
   std::array<Place, 2> from{}, to{};
 };
 
-class Walker {
- public:
-  Walker(std::array<Boundary, 2> boundaries, double size)
-      : boundaries_(std::move(boundaries)), in_plane_(kInPlane * size) {}
+using Boundaries = std::array<Boundary, 2>;
 
-  Result<std::vector<Event>> events() {
-    first_side_events();
-    if (auto round = unwrap(); !round) return tl::unexpected(round.error());
-    const std::vector<Event> known = std::move(events_);
-    events_.clear();
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      events_.push_back(known[i]);
-      Event next = known[(i + 1) % known.size()];
-      if (i + 1 == known.size())
-        for (std::size_t side = 0; side < 2; ++side) {
-          next.from[side] += boundaries_[side].count();
-          next.to[side] += boundaries_[side].count();
-        }
-      fill(known[i], next);
-    }
-    return std::move(events_);
+/// Where the slope of the second boundary's points over a tangent line of the first is largest
+/// within an element.
+Place place_on(int element, const Element& curve, const SpaceCurvePoint& line) {
+  const double t = falling_root(
+      [&](double s) {
+        const SpaceCurvePoint q = curve.curve(s);
+        return std::pair{-ahead(line, q),
+                         -line.derivative.cross(q.second).dot(q.point - line.point)};
+      },
+      curve.t0, curve.t1);
+  return element + (t - curve.t0) / (curve.t1 - curve.t0);
+}
+
+/// Where the plane through a tangent line of the first boundary touches the second, all of which
+/// lies on the inner side: where the slope of its points over the line, out over up, is largest.
+std::pair<Place, Place> support(const Boundaries& boundaries, const SpaceCurvePoint& line,
+                                double in_plane) {
+  const auto& [first, second] = boundaries;
+  const Vec3 along = line.derivative.normalized(), out = along.cross(first.axis);
+  const int n = second.count();
+  int best = 0;
+  double steepest = -std::numeric_limits<double>::infinity();
+  Vec3 normal = out;
+  for (int k = 0; k < n; ++k) {
+    const Element& element = second.element(k);
+    const Vec3 arm = element.curve(element.t0).point - line.point;
+    const double up = first.axis.dot(arm), slope = out.dot(arm) / up;
+    if (slope <= steepest) continue;
+    steepest = slope;
+    best = k;
+    normal = (out - slope * first.axis).normalized();
   }
+  const Element &before = second.element(best - 1), &after = second.element(best);
+  const auto in_the_plane = [&](const Vec3& p) {
+    return std::abs(normal.dot(p - line.point)) <= in_plane;
+  };
+  const auto at = [&](Place place) { return std::pair{place, place}; };
+  if (after.straight && in_the_plane(after.curve(after.t1).point)) return {best, best + 1};
+  if (before.straight && in_the_plane(before.curve(before.t0).point))
+    return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
+  if (!after.straight && normal.dot(after.curve(after.t0).derivative) > 0.0)
+    return at(place_on(best, after, line));
+  if (!before.straight && normal.dot(before.curve(before.t1).derivative) < 0.0)
+    return at(place_on((best + n - 1) % n, before, line));
+  return at(best);
+}
 
- private:
-  const Boundary& first() const { return boundaries_[0]; }
-  const Boundary& second() const { return boundaries_[1]; }
-
-  static SpaceCurvePoint at(const Boundary& boundary, int element, double t) {
-    return boundary.element(element).curve(t);
+/// Tangent lines of the first boundary at which an element begins or ends, in order, and what
+/// their planes touch.
+std::vector<Event> first_side_events(const Boundaries& boundaries, double in_plane) {
+  const Boundary& first = boundaries[0];
+  std::vector<Event> events;
+  const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
+    const auto [low, high] = support(boundaries, line, in_plane);
+    events.push_back({{from, low}, {to, high}});
+  };
+  for (int i = 0; i < first.count(); ++i) {
+    const Element &before = first.element(i - 1), &here = first.element(i);
+    if (first.corner_at(i) && !before.straight) add(i, i, before.curve(before.t1));
+    if (!here.straight && (first.corner_at(i) || !before.straight)) add(i, i, here.curve(here.t0));
+    if (here.straight) add(i, i + 1, here.curve(here.t0));
   }
+  return events;
+}
 
-  /// Tangent lines of the first boundary that end or begin something, in order, and what they
-  /// touch.
-  void first_side_events() {
-    for (int i = 0; i < first().count(); ++i) {
-      const Element &before = first().element(i - 1), &here = first().element(i);
-      if (first().corner_at(i) && !before.straight) add_first(i, i, before.curve(before.t1));
-      if (!here.straight && (first().corner_at(i) || !before.straight))
-        add_first(i, i, here.curve(here.t0));
-      if (here.straight) add_first(i, i + 1, here.curve(here.t0));
-    }
+/// The same events, their places on the second boundary (of `n` elements) growing with those on the
+/// first, once round.
+Result<std::vector<Event>> unwrapped(std::vector<Event> events, double n) {
+  const double start = events.front().from[1];
+  double last = start;
+  for (Event& event : events) {
+    const double length = event.to[1] - event.from[1];
+    double from = event.from[1];
+    from += n * std::ceil((last - kBack - from) / n);
+    event.from[1] = std::max(from, last);
+    event.to[1] = std::max(from + length, event.from[1]);
+    last = event.to[1];
   }
+  if (last > start + n + kBack)
+    return fail(ErrorCode::profile_hidden,
+                "the planes that touch both profiles do not follow each other once round: a part "
+                "of one profile is hidden behind the other");
+  return events;
+}
 
-  void add_first(Place from, Place to, const SpaceCurvePoint& line) {
-    const auto [low, high] = support(line);
-    events_.push_back({{from, low}, {to, high}});
+/// Where the plane through a tangent line of the second boundary touches a curve of the first.
+Place first_place(const Boundary& first, const SpaceCurvePoint& line, Place low, Place high) {
+  const int element = static_cast<int>(std::floor(0.5 * (low + high)));
+  const Element& curve = first.element(element);
+  const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
+  const double t = falling_root(
+      [&](double s) {
+        const SpaceCurvePoint p = curve.curve(s);
+        return std::pair{ahead(p, line), p.second.cross(line.derivative).dot(line.point - p.point)};
+      },
+      t_of(low), t_of(high));
+  return std::clamp(element + (t - curve.t0) / (curve.t1 - curve.t0), low, high);
+}
+
+/// Tangent lines of the second boundary at which an element begins or ends between two events, and
+/// what their planes touch of what the first runs through meanwhile.
+std::vector<Event> events_between(const Boundaries& boundaries, const Event& last,
+                                  const Event& next) {
+  const auto& [first, second] = boundaries;
+  std::vector<Event> events;
+  Place here = last.to[0];
+  const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
+    here = next.from[0] > here ? first_place(first, line, here, next.from[0]) : here;
+    events.push_back({{here, from}, {here, to}});
+  };
+  const Place begin = last.to[1], end = next.from[1];
+  for (int j = static_cast<int>(std::ceil(begin)); j <= end; ++j) {
+    const Element &before = second.element(j - 1), &after = second.element(j);
+    if (j > begin && !before.straight && second.corner_at(j)) add(j, j, before.curve(before.t1));
+    if (after.straight && j + 1 <= end) add(j, j + 1, after.curve(after.t0));
+    if (!after.straight && j < end && (second.corner_at(j) || !before.straight))
+      add(j, j, after.curve(after.t0));
   }
+  return events;
+}
 
-  /// Where the plane through a tangent line of the first boundary touches the second, all of it on
-  /// the inner side: where the slope of the points over the line, out over up, is largest.
-  std::pair<Place, Place> support(const SpaceCurvePoint& line) const {
-    const Vec3 along = line.derivative.normalized(), out = along.cross(first().axis);
-    const int n = second().count();
-    int best = 0;
-    double steepest = -std::numeric_limits<double>::infinity();
-    Vec3 normal = out;
-    for (int k = 0; k < n; ++k) {
-      const Element& element = second().element(k);
-      const Vec3 arm = element.curve(element.t0).point - line.point;
-      const double up = first().axis.dot(arm), slope = out.dot(arm) / up;
-      if (slope <= steepest) continue;
-      steepest = slope;
-      best = k;
-      normal = (out - slope * first().axis).normalized();
-    }
-    const Element &before = second().element(best - 1), &after = second().element(best);
-    const auto height = [&](const Vec3& p) { return normal.dot(p - line.point); };
-    if (after.straight && std::abs(height(after.curve(after.t1).point)) <= in_plane_)
-      return {best, best + 1};
-    if (before.straight && std::abs(height(before.curve(before.t0).point)) <= in_plane_)
-      return {best - 1 + (best == 0 ? n : 0), best + (best == 0 ? n : 0)};
-    if (!after.straight && normal.dot(after.curve(after.t0).derivative) > 0.0)
-      return point_on(best, after, line);
-    if (!before.straight && normal.dot(before.curve(before.t1).derivative) < 0.0)
-      return point_on((best + n - 1) % n, before, line);
-    return {best, best};
+/// The same event a round later.
+Event a_round_on(Event event, const Boundaries& boundaries) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    event.from[side] += boundaries[side].count();
+    event.to[side] += boundaries[side].count();
   }
+  return event;
+}
 
-  /// Where the slope is largest within an element.
-  std::pair<Place, Place> point_on(int element, const Element& curve,
-                                   const SpaceCurvePoint& line) const {
-    const double t = falling_root(
-        [&](double s) {
-          const SpaceCurvePoint q = curve.curve(s);
-          return std::pair{-ahead(line, q),
-                           -line.derivative.cross(q.second).dot(q.point - line.point)};
-        },
-        curve.t0, curve.t1);
-    const Place place = element + (t - curve.t0) / (curve.t1 - curve.t0);
-    return {place, place};
+/// All planes that touch both boundaries where an element of one of them begins or ends, in order.
+Result<std::vector<Event>> events_of(const Boundaries& boundaries, double in_plane) {
+  const auto known = unwrapped(first_side_events(boundaries, in_plane), boundaries[1].count());
+  if (!known) return known;
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < known->size(); ++i) {
+    events.push_back((*known)[i]);
+    const bool last = i + 1 == known->size();
+    const Event next = last ? a_round_on(known->front(), boundaries) : (*known)[i + 1];
+    for (const Event& event : events_between(boundaries, (*known)[i], next))
+      events.push_back(event);
   }
-
-  /// Places on the second boundary grow with those on the first, once round.
-  Result<void> unwrap() {
-    const double n = second().count();
-    constexpr double kBack = 1e-7;  // rounding may put a place a little before the last
-    const double start = events_.front().from[1];
-    double last = start;
-    for (Event& event : events_) {
-      const double length = event.to[1] - event.from[1];
-      double from = event.from[1];
-      from += n * std::ceil((last - kBack - from) / n);
-      event.from[1] = std::max(from, last);
-      event.to[1] = std::max(from + length, event.from[1]);
-      last = event.to[1];
-    }
-    if (last > start + n + kBack)
-      return fail(ErrorCode::profile_hidden,
-                  "the planes that touch both profiles do not follow each other once round: a part "
-                  "of one profile is hidden behind "
-                  "the other");
-    return {};
-  }
-
-  /// Tangent lines of the second boundary that end or begin something between two planes, and what
-  /// they touch of what the first runs through meanwhile.
-  void fill(const Event& last, const Event& next) {
-    Place here = last.to[0];
-    const auto add = [&](Place from, Place to, const SpaceCurvePoint& line) {
-      here = next.from[0] > here ? first_place(line, here, next.from[0]) : here;
-      events_.push_back({{here, from}, {here, to}});
-    };
-    const Place begin = last.to[1], end = next.from[1];
-    for (int j = static_cast<int>(std::ceil(begin)); j <= end; ++j) {
-      const Element &before = second().element(j - 1), &after = second().element(j);
-      if (j > begin && !before.straight && second().corner_at(j))
-        add(j, j, before.curve(before.t1));
-      if (after.straight && j + 1 <= end) add(j, j + 1, after.curve(after.t0));
-      if (!after.straight && j < end && (second().corner_at(j) || !before.straight))
-        add(j, j, after.curve(after.t0));
-    }
-  }
-
-  /// Where a plane through a tangent line of the second boundary touches a curve of the first.
-  Place first_place(const SpaceCurvePoint& line, Place low, Place high) const {
-    const int element = static_cast<int>(std::floor(0.5 * (low + high)));
-    const Element& curve = first().element(element);
-    const auto t_of = [&](Place place) { return std::lerp(curve.t0, curve.t1, place - element); };
-    const double t = falling_root(
-        [&](double s) {
-          const SpaceCurvePoint p = curve.curve(s);
-          return std::pair{ahead(p, line),
-                           p.second.cross(line.derivative).dot(line.point - p.point)};
-        },
-        t_of(low), t_of(high));
-    return std::clamp(element + (t - curve.t0) / (curve.t1 - curve.t0), low, high);
-  }
-
-  std::array<Boundary, 2> boundaries_;
-  double in_plane_;
-  std::vector<Event> events_;
-};
+  return events;
+}
 
 /// What a boundary runs through between two places, within one element.
 Stretch stretch_between(const Boundary& boundary, Place from, Place to) {
@@ -215,6 +216,20 @@ bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
   return true;
 }
 
+/// Adds what lies between two rulings, unless both are one; what goes on with the last patch
+/// becomes part of it.
+void add_patch(Hull& hull, const std::array<Place, 2>& from, const std::array<Place, 2>& to,
+               bool plane) {
+  HullPatch patch{plane,
+                  {stretch_between(hull.boundaries[0], from[0], to[0]),
+                   stretch_between(hull.boundaries[1], from[1], to[1])},
+                  {}};
+  patch.stops = {{patch.sides[0].t0, patch.sides[1].t0}, {patch.sides[0].t1, patch.sides[1].t1}};
+  if (!patch.sides[0].moves() && !patch.sides[1].moves()) return;
+  if (hull.patches.empty() || !join(hull, hull.patches.back(), patch))
+    hull.patches.push_back(patch);
+}
+
 /// Where an element is highest or lowest between its ends; one of them where it is not.
 double turning_point(const Element& element, const Vec3& up) {
   return root_between(
@@ -236,7 +251,6 @@ Result<void> check_apart(const Boundary& plane_of, const Boundary& other, double
       low = std::min(low, h);
       high = std::max(high, h);
     }
-  constexpr double kTouching = 1e-9;
   if (low > kTouching * size) return {};
   if (high <= kTouching * size)
     return fail(ErrorCode::profiles_meet, "both profiles lie in one plane: set their frames apart",
@@ -266,28 +280,15 @@ Result<Hull> lateral_hull(Boundary first, Boundary second, double size) {
     return tl::unexpected(apart.error());
   if (auto apart = check_apart(second, first, -1.0, size, false); !apart)
     return tl::unexpected(apart.error());
-  auto events = Walker({first, second}, size).events();
-  if (!events) return tl::unexpected(events.error());
   Hull hull{{std::move(first), std::move(second)}, {}};
-  const auto add = [&](const Event& a, const Event& b, bool plane) {
-    const std::array<Place, 2>& from = plane ? a.from : a.to;
-    const std::array<Place, 2>& to = plane ? a.to : b.from;
-    HullPatch patch{plane,
-                    {stretch_between(hull.boundaries[0], from[0], to[0]),
-                     stretch_between(hull.boundaries[1], from[1], to[1])},
-                    {}};
-    patch.stops = {{patch.sides[0].t0, patch.sides[1].t0}, {patch.sides[0].t1, patch.sides[1].t1}};
-    if (!patch.sides[0].moves() && !patch.sides[1].moves()) return;
-    if (hull.patches.empty() || !join(hull, hull.patches.back(), patch))
-      hull.patches.push_back(patch);
-  };
+  const auto events = events_of(hull.boundaries, kInPlane * size);
+  if (!events) return tl::unexpected(events.error());
   for (std::size_t i = 0; i < events->size(); ++i) {
-    Event next = (*events)[(i + 1) % events->size()];
-    if (i + 1 == events->size())
-      for (std::size_t side = 0; side < 2; ++side)
-        next.from[side] += hull.boundaries[side].count();
-    add((*events)[i], next, true);
-    add((*events)[i], next, false);
+    const Event& here = (*events)[i];
+    const bool last = i + 1 == events->size();
+    const Event next = last ? a_round_on(events->front(), hull.boundaries) : (*events)[i + 1];
+    add_patch(hull, here.from, here.to, true);
+    add_patch(hull, here.to, next.from, false);
   }
   // What begins and ends the round may be one patch too.
   if (hull.patches.size() > 1 && join(hull, hull.patches.back(), hull.patches.front()))

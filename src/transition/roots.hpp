@@ -1,5 +1,7 @@
 #pragma once
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,15 +17,16 @@ double root_between(const Function& f, double a, double b) {
   if ((fa.first > 0.0) == (fb.first > 0.0)) return std::abs(fa.first) < std::abs(fb.first) ? a : b;
   const bool rising = fb.first > 0.0;
   double x = a + (b - a) * fa.first / (fa.first - fb.first);
-  constexpr int kMostSteps = 200;  // bisection alone would take 60
+  constexpr double kNarrow = 1e-16, kStill = 4e-16;  // half an ε and two: no step is left
+  constexpr int kMostSteps = 200;                    // bisection alone would take 60
   for (int i = 0; i < kMostSteps; ++i) {
     const auto [value, slope] = f(x);
     if (value == 0.0) return x;
     ((value > 0.0) == rising ? b : a) = x;
     double next = x - value / slope;
     if (!(next > std::min(a, b)) || !(next < std::max(a, b))) next = 0.5 * (a + b);
-    if (next == x || std::abs(b - a) <= 1e-16 * std::max(std::abs(a), std::abs(b))) return next;
-    if (std::abs(next - x) <= 4e-16 * std::max(std::abs(x), 1e-300)) return next;
+    if (next == x || std::abs(b - a) <= kNarrow * std::max(std::abs(a), std::abs(b))) return next;
+    if (std::abs(next - x) <= kStill * std::max(std::abs(x), tolerance::kTiniest)) return next;
     x = next;
   }
   return x;

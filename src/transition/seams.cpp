@@ -11,6 +11,15 @@
 namespace planish::transition_detail {
 namespace {
 
+/// Rulings whose lengths differ by less (a share) are equally long.
+constexpr double kAsLong = tolerance::kComputed;
+/// A place nearer to a corner is at it, a part narrower than that is a sliver: shares of the first
+/// profile's length.
+constexpr double kAtCorner = tolerance::kComputed;
+constexpr double kSliver = tolerance::kComputed;
+/// How closely the shortest ruling of a strip is looked for, in rulings.
+constexpr double kShortestFound = 1e-6;
+
 double length_of(const Strip& strip, double at) {
   const auto [p, q] = strip.ruling(at);
   return (q - p).norm();
@@ -54,9 +63,8 @@ class Cutter {
     Cut best;
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Cut& cut) {
-      constexpr double kClearlyShorter = 1.0 - 1e-9;
       const double length = length_of(ring_.strip(cut.strip), cut.at);
-      if (length >= least * kClearlyShorter) return;
+      if (length >= least * (1.0 - kAsLong)) return;
       least = length;
       best = cut;
     };
@@ -74,7 +82,7 @@ class Cutter {
   Cut at_length(double length) const {
     const double whole = perimeter();
     length -= whole * std::floor(length / whole);
-    const double noise = 1e-9 * whole;
+    const double noise = kAtCorner * whole;
     for (int i = 0; i < boundary_.count(); ++i) {
       const Element& element = boundary_.element(i);
       const double here = length_of(element);
@@ -143,9 +151,6 @@ class Cutter {
   }
 
  private:
-  /// Share of the first profile's length.
-  static constexpr double kSliver = 1e-9;
-
   /// Between some rulings of a strip, by golden sections about the shortest of them.
   Cut shortest_in(int number) const {
     const Strip& strip = ring_.strip(number);
@@ -156,12 +161,11 @@ class Cutter {
         least = i;
     double low = std::max(0.0, (least - 1) / double(kSamples)),
            high = (least + 1) / double(kSamples);
-    constexpr double kGolden = 0.6180339887498949, kNear = 1e-6;
-    while (high - low > kNear) {
+    constexpr double kGolden = 0.6180339887498949;
+    while (high - low > kShortestFound) {
       const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      (length_of(strip, a) < length_of(strip, b)
-           ? high
-           : low) = length_of(strip, a) < length_of(strip, b) ? b : a;
+      const bool left = length_of(strip, a) < length_of(strip, b);
+      (left ? high : low) = left ? b : a;
     }
     return {number, 0.5 * (low + high)};
   }
@@ -226,7 +230,9 @@ class Cutter {
       if (!side.moves() || here.source != wanted.source || here.straight != wanted.straight)
         continue;
       const double period = wanted.period;
-      const double same = period > 0.0 ? t + period * std::ceil((side.t0 - t) / period - 1e-12) : t;
+      const double same = period > 0.0 ? t + period * std::ceil((side.t0 - t) / period -
+                                                                tolerance::kRounding)
+                                       : t;
       if (same < side.t0 || same >= side.t1) continue;
       return {i, std::clamp(strip.ruling_at(0, same), 0.0, 1.0)};
     }
@@ -319,7 +325,7 @@ Ring begun_at(const Ring& ring, double at, double tolerance) {
     patch.sides[side].t0 = patch.stops.front()[side];
     patch.sides[side].t1 = patch.stops.back()[side];
   }
-  return {ring.hull, {Strip(ring.hull, patch, tolerance)}};
+  return {ring.hull, {Strip(ring.hull, patch, tolerance)}, ring.size};
 }
 
 std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end) {
@@ -336,6 +342,13 @@ std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const C
     add(i, 0.0, 1.0);
   add(end.strip, 0.0, end.at);
   return parts;
+}
+
+double fold_between(const Ring& ring, const StripPart& before, const StripPart& after) {
+  const Vec3 a = ring.strip(before.strip).normal(before.to),
+             b = ring.strip(after.strip).normal(after.from);
+  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+  return angle > kNoFold ? angle : 0.0;
 }
 
 double open_seam(const Ring& ring, std::vector<StripPart>& parts) {

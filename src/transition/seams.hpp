@@ -1,20 +1,17 @@
 #pragma once
 
-#include "strip.hpp"
+#include "ring.hpp"
 
-#include <memory>
+#include <planish/base/tolerance.hpp>
+
+#include <optional>
 #include <vector>
 
 namespace planish::transition_detail {
 
-/// The strips of a hull in order, closed to a ring.
-struct Ring {
-  std::shared_ptr<const Hull> hull;
-  std::vector<Strip> strips;
-
-  int count() const { return static_cast<int>(strips.size()); }
-  const Strip& strip(int i) const { return strips[((i % count()) + count()) % count()]; }
-};
+/// Parts whose normals differ by less (rad) go on smoothly: planes and what they touch agree to a
+/// few 1e-9.
+inline constexpr double kNoFold = 100.0 * tolerance::kComputed;
 
 /// A ruling at which the ring is cut: in a strip, from 0 (its start) up to but not including 1.
 struct Cut {
@@ -35,6 +32,10 @@ struct StripPart {
   double from = 0.0, to = 1.0;
 };
 std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
+
+/// The angle (rad) by which the sheet is folded sharply between two parts that follow each other; 0
+/// where it goes on smoothly.
+double fold_between(const Ring& ring, const StripPart& before, const StripPart& after);
 
 /// Takes 0.005 mm from both ends of what closes to a ring. Returns the area that is missing.
 double open_seam(const Ring& ring, std::vector<StripPart>& parts);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hull.hpp"
+#include "right_surface.hpp"
 
 #include <planish/geometry/ruled_fit.hpp>
 #include <planish/sheet/sheet.hpp>
@@ -125,7 +126,6 @@ class Strip {
   Part ruled_part(double from, double to, const Tips& tips) const;
 
   SpaceCurvePoint point(int side, double t) const { return curves_[side]->curve(t); }
-  void find_right();
   void find_breaks();
 
   std::shared_ptr<const Hull> hull_;
@@ -134,13 +134,7 @@ class Strip {
   double tolerance_;
   std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending
   int base_ = 0;                ///< the side that the surface is written about: it moves
-  /// Of right cones and cylinders.
-  struct Right {
-    Developable surface;
-    double u0 = 0.0, u1 = 0.0;  ///< at rulings 0 and 1
-    std::array<double, 2> v{};  ///< of the profiles
-  };
-  std::optional<Right> right_;
+  std::optional<RightSurface> right_;  ///< of right cones and cylinders
 };
 
 }  // namespace planish::transition_detail

@@ -19,46 +19,53 @@ int facets_of(const Strip& strip, double chord) {
   return std::clamp(static_cast<int>(std::ceil(turn / widest)), 1, kMost);
 }
 
-class Mesher {
- public:
-  Mesh run(const Ring& ring, double chord) {
-    std::array<int, 2> first{}, last{};
-    for (int i = 0; i < ring.count(); ++i) {
-      const Strip& strip = ring.strip(i);
-      const int facets = facets_of(strip, chord);
-      if (i == 0) first = last = points(strip.ruling(0.0));
-      for (int k = 1; k <= facets; ++k) {
-        const bool closes = i + 1 == ring.count() && k == facets;
-        const auto ruling = strip.ruling(double(k) / facets);
-        const std::array<int, 2> next = closes ? first
-                                               : std::array{
-                                                     strip.stands(0) ? last[0] : point(ruling[0]),
-                                                     strip.stands(1) ? last[1] : point(ruling[1])};
-        add(last[0], next[0], next[1]);
-        add(last[0], next[1], last[1]);
-        last = next;
-      }
-    }
-    return std::move(mesh_);
-  }
+/// Rows of both ends of a ruling in a mesh.
+using Ends = std::array<int, 2>;
 
- private:
-  int point(const Vec3& p) {
-    mesh_.points.push_back(p);
-    return static_cast<int>(mesh_.points.size()) - 1;
-  }
-  std::array<int, 2> points(const std::array<Vec3, 2>& ruling) {
-    return {point(ruling[0]), point(ruling[1])};
-  }
-  void add(int a, int b, int c) {
-    if (a != b && b != c && c != a) mesh_.triangles.push_back({a, b, c});
-  }
+int add_point(Mesh& mesh, const Vec3& p) {
+  mesh.points.push_back(p);
+  return static_cast<int>(mesh.points.size()) - 1;
+}
 
-  Mesh mesh_;
-};
+/// The facets between two rulings.
+void add_facets(Mesh& mesh, const Ends& a, const Ends& b) {
+  for (const std::array<int, 3>& facet : {std::array{a[0], b[0], b[1]}, {a[0], b[1], a[1]}})
+    if (facet[0] != facet[1] && facet[1] != facet[2] && facet[2] != facet[0])
+      mesh.triangles.push_back(facet);
+}
+
+/// The last strip that moves on a side: where it ends, that side is round.
+int last_moving(const Ring& ring, int side) {
+  int i = ring.count() - 1;
+  while (i > 0 && ring.strip(i).stands(side))
+    --i;
+  return i;
+}
 
 }  // namespace
 
-Mesh surface_mesh(const Ring& ring, double chord) { return Mesher().run(ring, chord); }
+Mesh surface_mesh(const Ring& ring, double chord) {
+  Mesh mesh;
+  Ends first{};
+  for (int side = 0; side < 2; ++side)
+    first[side] = add_point(mesh, ring.strip(0).ruling(0.0)[side]);
+  const Ends closing{last_moving(ring, 0), last_moving(ring, 1)};
+  Ends last = first;
+  for (int i = 0; i < ring.count(); ++i) {
+    const Strip& strip = ring.strip(i);
+    const int facets = facets_of(strip, chord);
+    for (int k = 1; k <= facets; ++k) {
+      const std::array<Vec3, 2> ruling = strip.ruling(double(k) / facets);
+      Ends next = last;  // an end that stands still keeps its point
+      for (int side = 0; side < 2; ++side)
+        if (!strip.stands(side))
+          next[side] = i == closing[side] && k == facets ? first[side]
+                                                         : add_point(mesh, ruling[side]);
+      add_facets(mesh, last, next);
+      last = next;
+    }
+  }
+  return mesh;
+}
 
 }  // namespace planish::transition_detail

@@ -1,5 +1,7 @@
 #include "tip_cuts.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,18 +10,15 @@
 namespace planish::transition_detail {
 namespace {
 
-/// Folds of less (sine) are none: planes and what they touch agree to rounding.
-constexpr double kSmooth = 1e-7;
+/// Inside radius of what is left, in thicknesses.
+constexpr double kInsideRadius = 0.1;
+/// Of a ruling may be cut off.
+constexpr double kMostOfRuling = 0.9;
+/// Corners of profiles that are one, a share of the extent.
+constexpr double kSameCorner = tolerance::kComputed;
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-/// The sharp fold between two parts that follow each other; 0 where they are smooth.
-double fold_between(const Ring& ring, const StripPart& before, const StripPart& after) {
-  const double angle = angle_between(ring.strip(before.strip).normal(before.to),
-                                     ring.strip(after.strip).normal(after.from));
-  return angle > kSmooth ? angle : 0.0;
 }
 
 /// A corner of a plane part, and the folds along the two borders that meet there (0: none).
@@ -58,9 +57,8 @@ double cut_of(const PanelCorner& corner, double inside, double radius) {
 
 }  // namespace
 
-TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size)
-    : near_(1e-9 * size), thickness_(spec.thickness) {
-  constexpr double kInsideRadius = 0.1;  // in thicknesses
+TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec)
+    : near_(kSameCorner * ring.size), thickness_(spec.thickness) {
   const double inside = spec.k_factor * spec.thickness,
                radius = inside + kInsideRadius * spec.thickness;
   add_cones(ring, radius);
@@ -120,16 +118,14 @@ Strip::Tips TipCuts::of(const Strip& strip, double from, double to) const {
 }
 
 Result<void> TipCuts::leave_room(const Strip& strip, double from, double to) const {
-  constexpr double kMost = 0.9;  // of a ruling may be cut
   const Strip::Tips tips = of(strip, from, to);
   const auto check = [&](const std::array<double, 2>& cuts, double ruling) -> Result<void> {
     const auto [p, q] = strip.ruling(ruling);
     const double length = (q - p).norm();
-    if (cuts[0] + cuts[1] <= kMost * length) return {};
+    if (cuts[0] + cuts[1] <= kMostOfRuling * length) return {};
     return fail(ErrorCode::radius_too_small,
                 fmt::format("a sheet of {:.4g} mm is too thick to be folded there: where bends "
-                            "meet in a corner they need {:.4g} mm of a line "
-                            "that is {:.4g} mm long",
+                            "meet in a corner they need {:.4g} mm of a line that is {:.4g} mm long",
                             thickness_, cuts[0] + cuts[1], length),
                 "/thickness");
   };

@@ -13,8 +13,7 @@ class TipCuts {
  public:
   using Pieces = std::vector<std::vector<StripPart>>;
 
-  /// `size`: extent of the profiles.
-  TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec, double size);
+  TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec);
 
   Strip::Tips of(const Strip& strip, double from, double to) const;
 

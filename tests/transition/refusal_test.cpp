@@ -215,5 +215,14 @@ TEST(TransitionRefuses, APieceForEachSideOfWhatHasNone) {
   expect_refused(spec, ErrorCode::invalid_input, "/pieces");
 }
 
+TEST(TransitionRefuses, TolerancesThatAreNotPositive) {
+  for (const double wrong : {0.0, -1e-9, std::nan("")}) {
+    EXPECT_EQ(make_transition(square_to_circle(), {.tolerance = wrong}).error().code,
+              ErrorCode::bad_option);
+    EXPECT_EQ(folded_pieces(square_to_circle(), {.tolerance = wrong}).error().code,
+              ErrorCode::bad_option);
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -13,9 +13,9 @@
 
 namespace planish {
 
-/// Axes in which slope, offset and apex of a bend are meant (MATH 3): the intersection line of the
-/// plates' planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes have no
-/// such line: then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
+/// The axes of slope, offset and apex of a bend (MATH 3): the intersection line of the plates'
+/// planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes do not meet:
+/// then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
 struct BendFrame {
   Vec3 origin = Vec3::Zero();
   Vec3 d = Vec3::UnitX();
@@ -77,31 +77,28 @@ struct ConnectOptions {
   double k_factor = 0.44;
   /// Cones of a smaller slope become cylinders.
   double smallest_slope = 1e-3;
-  /// Bends between the same pairs of plates are searched with these many alternatives.
+  /// How many other ways to join the same two plates each bend reports at most.
   int alternatives = 3;
   double planarity = 1e-3;  ///< mm that a corner may lie off its plate's plane
 };
 
-/// Joins plates by bends that find themselves (MATH 3). `where` of an error is the JSON pointer of
-/// its cause in a plates file (FORMATS): "/plates/2/outline/3", "/bends/0/inside_radius".
+/// Joins plates by bends, finding what is not given of them (MATH 3). To join the same plates again
+/// after one has moved, give the requests of the bends that were found. `where` of an error is the
+/// place of its cause in the structure, written as a JSON pointer (FORMATS): "/plates/2/outline/3",
+/// "/bends/0/inside_radius".
 /// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
 /// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,
 /// `unknown_edge`, `bend_loop`, `not_connected` (bends given that leave a plate alone).
 /// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset`
 /// (parallel planes, no half-turn reaches both), `no_bend_fits` (with the feasible range of what
 /// was given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,
-/// `no_common_width`.
+/// `no_common_width`, `overlap` (the extensions of a plate run into each other or over it).
+/// Error (exit status 1): `cancelled`.
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
                            const Progress& progress = {});
 
 /// The sheet as a solid can have it: the ends of a section that turns once round stand 0.01 mm
 /// apart, since a solid may not touch itself. Other sheets stay as they are.
 Sheet with_open_seam(const Sheet& sheet);
-
-/// The same after one plate (found by its id) was moved or changed: which plates are joined stays,
-/// bends that do not touch the plate are kept as they are, the others fitted anew with what was
-/// given. Errors: those of `connect`.
-Result<Connection> refit(const Connection& previous, const Plate& moved,
-                         const ConnectOptions& options = {});
 
 }  // namespace planish

@@ -26,7 +26,7 @@ struct Chain {
 };
 
 /// Viable chains of an outline (either way round), those with y ≥ 0 only, in the order of their
-/// first edge number. A loop of edges of one kind does not exist. Edges whose |Δx| is below 1e-9 of
+/// first edge number. Edges of one kind never close a loop. Edges whose |Δx| is below 1e-9 of
 /// the outline's extent count as parallel to the y axis, corners with |y| below that as y = 0.
 std::vector<Chain> viable_chains(const std::vector<Vec2>& outline);
 
@@ -111,7 +111,8 @@ Result<SmallestExtension> smallest_extension(const std::array<std::vector<Vec2>,
 double extension_area(const std::array<std::vector<Vec2>, 2>& corners, EdgeKind kind,
                       const TangentLine& line);
 
-/// Smallest and largest values that a tangent line may have, for messages; empty: none is feasible.
+/// Smallest and largest values that a tangent line may have, for messages; nothing where no value
+/// is feasible.
 struct Range {
   double low = 0.0, high = 0.0;  ///< may be infinite
 };

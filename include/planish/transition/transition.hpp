@@ -55,7 +55,7 @@ struct TransitionSpec {
   SizesAre sizes_are = SizesAre::mid;
   std::optional<Seam> seam;  ///< default: where the weld is shortest
   Pieces pieces = Pieces::one;
-  Pressing pressing;  ///< none: rolled
+  Pressing pressing;  ///< default: rolled
 };
 
 enum class PatchKind { plane, cone, general };
@@ -77,7 +77,7 @@ struct TrueLength {
   double length = 0.0;  ///< mm
   int piece = 0;
   std::string press;  ///< number of the press line, as flat patterns number bends: "B2.3"; empty
-                      ///< where none is
+                      ///< where it is not one
 };
 
 /// A developable surface between two profiles, as sheets that lie flat.
@@ -114,13 +114,14 @@ struct TransitionOptions {
 /// boundary of their convex hull (MATH 5.1–5.3), made of planes, cones and general developables
 /// whose tangent plane touches both profiles. Profiles are set in or out, in their planes, from the
 /// face that they are given for to the neutral surface; so the surface meets what is joined to it
-/// in its own neutral surface. `where` of an error is the JSON pointer of its cause in a transition
-/// file. Errors (exit status 3): `invalid_input` (numbers not finite, or sizes not positive),
-/// `too_few_corners`, `repeated_corner`, `self_crossing`, `unknown_seam`. Errors (exit status 4):
-/// `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in one plane),
-/// `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
-/// the hull), `radius_too_small` (thickness too large for a profile or a bend).
-/// Error (exit status 2): `bad_option` (a chord that is not positive).
+/// in its own neutral surface. `where` of an error is the place of its cause in the request,
+/// written as a JSON pointer ("/from/profile/polygon/2"). Errors (exit status 3): `invalid_input`
+/// (numbers not finite, or sizes not positive), `too_few_corners`, `repeated_corner`,
+/// `self_crossing`, `unknown_seam`. Errors (exit status 4): `profile_not_convex`, `profiles_meet`
+/// (they touch, pierce each other or lie in one plane), `profile_hidden` (one lies on both sides of
+/// the other's plane, so that a part of it is inside the hull), `radius_too_small` (thickness too
+/// large for a profile or a bend). Error (exit status 2): `bad_option` (a tolerance or a chord that
+/// is not positive). Error (exit status 1): `cancelled`.
 Result<Transition> make_transition(const TransitionSpec& spec,
                                    const TransitionOptions& options = {},
                                    const Progress& progress = {});

@@ -1,0 +1,117 @@
+#include "general_fit.hpp"
+#include "joined_face.hpp"
+#include "plate_outline.hpp"
+
+#include <planish/base/tolerance.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::connect_detail {
+namespace {
+
+// Pieces of a ruling shorter than this share of the bend's length are left out.
+constexpr double kNoPiece = tolerance::kComputed;
+
+struct TaggedCurve {
+  Curve2 curve;
+  std::optional<int> plate = {};  // that hangs there
+};
+using TaggedLoop = std::vector<TaggedCurve>;
+
+Curve2 shifted(const Curve2& curve, double v) {
+  Isometry2 motion = Isometry2::Identity();
+  motion.translation() = Vec2(0.0, v);
+  return transformed(curve, motion);
+}
+
+// Length on the skin by chords in space, extrapolated: it does not know of any development. A
+// ruling is its own chord.
+double length_in_space(const Developable& surface, const Curve2& uv) {
+  const auto* segment = std::get_if<Segment>(&uv);
+  if (segment && segment->a.x() == segment->b.x())
+    return (point_on(surface, segment->b) - point_on(surface, segment->a)).norm();
+  const auto* spline = std::get_if<CubicSpline>(&uv);
+  const int chords = std::max(64, spline ? 16 * static_cast<int>(spline->poles.size() / 3) : 0);
+  std::vector<Vec3> points;
+  for (int i = 0; i <= chords; ++i)
+    points.push_back(point_on(surface, point_at(uv, static_cast<double>(i) / chords)));
+  const auto length = [&](std::size_t step) {
+    double sum = 0.0;
+    for (std::size_t i = step; i < points.size(); i += step)
+      sum += (points[i] - points[i - step]).norm();
+    return sum;
+  };
+  const double a = length(4), b = length(2), c = length(1);
+  const double ab = b + (b - a) / 3.0, bc = c + (c - b) / 3.0;
+  return bc + (bc - ab) / 15.0;
+}
+
+TaggedLoop reversed_loop(TaggedLoop loop) {
+  std::reverse(loop.begin(), loop.end());
+  for (TaggedCurve& piece : loop)
+    piece.curve = reversed(piece.curve);
+  return loop;
+}
+
+// The ruling at a side from lower to higher v, the joint in the middle.
+TaggedLoop ruling(const Parts& parts, int bend, int side) {
+  const BendFit& fit = parts.fits[bend];
+  const double u = fit.surface.azimuth(side), low = fit.boundaries.low.v[side],
+               high = fit.boundaries.high.v[side];
+  const auto plate = parts.plate_of(bend, side);
+  if (!plate) return {TaggedCurve{Segment{{u, low}, {u, high}}}};
+  JointRange joint = joint_range(fit, side, parts.plates[*plate]);
+  const double least = kNoPiece * (high - low);
+  if (joint.low - low <= least) joint.low = low;
+  if (high - joint.high <= least) joint.high = high;
+  TaggedLoop pieces;
+  if (joint.low > low) pieces.push_back({Segment{{u, low}, {u, joint.low}}});
+  pieces.push_back({Segment{{u, joint.low}, {u, joint.high}}, plate});
+  if (joint.high < high) pieces.push_back({Segment{{u, joint.high}, {u, high}}});
+  return pieces;
+}
+
+// Counter-clockwise in (u, v).
+TaggedLoop loop_of(const Parts& parts, int bend) {
+  const BendFit& fit = parts.fits[bend];
+  TaggedLoop loop{TaggedCurve{fit.boundaries.low.curve}};
+  const auto append = [&](const TaggedLoop& pieces) {
+    loop.insert(loop.end(), pieces.begin(), pieces.end());
+  };
+  append(ruling(parts, bend, 1 - fit.surface.first));
+  append({TaggedCurve{reversed(fit.boundaries.high.curve)}});
+  append(reversed_loop(ruling(parts, bend, fit.surface.first)));
+  return loop;
+}
+
+// The reference skin, and how much further its v begins than that of the mid-surface.
+std::pair<Developable, double> skin_of(const BendSurface& surface, double offset) {
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface.mid))
+    return {Cylinder{cylinder->frame, cylinder->radius + offset}, 0.0};
+  if (surface.kind == BendKind::general) return {offset_surface(surface, offset), 0.0};
+  Cone cone = std::get<Cone>(surface.mid);
+  cone.frame.origin -= offset / std::sin(cone.half_angle) * cone.frame.z;
+  return {cone, offset / std::tan(cone.half_angle)};
+}
+
+}  // namespace
+
+JoinedFace bend_face(const Parts& parts, int bend, int sense) {
+  const auto [surface, shift] = skin_of(parts.fits[bend].surface, 0.5 * parts.thickness * sense);
+  JoinedFace made;
+  made.face.surface = surface;
+  made.face.sense = sense;
+  TaggedLoop loop = loop_of(parts, bend);
+  if (sense < 0) loop = reversed_loop(std::move(loop));
+  BorderLoop borders;
+  for (const TaggedCurve& piece : loop) {
+    const Curve2 curve = shifted(piece.curve, shift);
+    if (piece.plate) made.joints.push_back({*piece.plate, bend, static_cast<int>(borders.size())});
+    borders.push_back({.curve = curve, .edge_length = length_in_space(surface, curve)});
+  }
+  made.face.loops.push_back(std::move(borders));
+  return made;
+}
+
+}  // namespace planish::connect_detail

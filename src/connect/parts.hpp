@@ -1,0 +1,27 @@
+#pragma once
+
+#include "bend_fit.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::connect_detail {
+
+/// Plates and the bends that join them, ready to become a sheet. The bends form a tree.
+struct Parts {
+  double thickness = 0.0;
+  std::vector<PlacedPlate> plates;
+  std::vector<std::string> ids;
+  std::vector<BendFit> fits;
+  int root = 0;  ///< row of the plates
+
+  /// The plate on one side of a bend; none where that side ends free.
+  std::optional<int> plate_of(int bend, int side) const {
+    const auto& rows = fits[bend].report.plates;
+    if (side >= static_cast<int>(rows.size())) return std::nullopt;
+    return rows[side];
+  }
+};
+
+}  // namespace planish::connect_detail

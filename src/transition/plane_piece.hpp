@@ -1,0 +1,37 @@
+#pragma once
+
+#include "convex_boundary.hpp"
+#include "periodic_spline.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace planish::transition_detail {
+
+using PlaneCurve = std::function<PlanePoint(double)>;
+
+/// A piece in the profile's own plane, run counter-clockwise.
+struct PlanePiece {
+  PlaneCurve curve;
+  double t0 = 0.0, t1 = 1.0;
+  bool straight = false;
+  int source = 0;
+  double period = 0.0;
+  std::vector<double> knots;
+  double circle_radius = 0.0;  ///< 0: not a circle
+  Vec2 circle_centre = Vec2::Zero();
+  std::vector<GivenEdge> edges;      ///< that it is made of
+  std::vector<GivenCorner> corners;  ///< at its start and within
+};
+
+PlanePiece straight(const Vec2& a, const Vec2& b, int source);
+
+/// The curve set off to the right by d (mm): outwards of one that runs counter-clockwise. Its third
+/// derivative is left zero: nobody needs it.
+PlaneCurve set_off(PlaneCurve curve, double d);
+
+/// The part of a circle or ellipse, set `outwards`, from one azimuth to the next, 90° further.
+PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
+                   int source);
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,202 @@
+#include "plane_profile.hpp"
+
+#include "profile_check.hpp"
+
+#include <planish/geometry/region.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace planish::transition_detail {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+using Pieces = Result<std::vector<PlanePiece>>;
+
+/// Every edge moved outwards, corners where they meet.
+std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double outwards) {
+  std::vector<Vec2> moved;
+  for (int i = 0; i < static_cast<int>(corners.size()); ++i) {
+    const auto [in, out] = turn_at(corners, i);
+    const Vec2 bisector = Vec2(in.y() + out.y(), -in.x() - out.x());
+    moved.push_back(corners[i] + 2.0 * outwards / bisector.squaredNorm() * bisector);
+  }
+  return moved;
+}
+
+/// A polygon run counter-clockwise, and the corners at which it turns.
+struct ConvexPolygon {
+  std::vector<Vec2> corners;
+  bool reversed = false;   ///< against the way it was given
+  std::vector<int> turns;  ///< rows of corners
+
+  int count() const { return static_cast<int>(corners.size()); }
+  int given_corner(int i) const { return reversed ? count() - 1 - i : i; }
+};
+
+Result<ConvexPolygon> convex(const PolygonProfile& given, const std::string& place) {
+  if (auto sound = check_polygon(given.corners, place); !sound)
+    return tl::unexpected(sound.error());
+  ConvexPolygon polygon{given.corners, ring_area(given.corners) < 0.0, {}};
+  if (polygon.reversed) std::reverse(polygon.corners.begin(), polygon.corners.end());
+  const auto number = [&](int i) { return polygon.given_corner(i); };
+  if (auto sound = check_convex(polygon.corners, number, place); !sound)
+    return tl::unexpected(sound.error());
+  for (int i = 0; i < polygon.count(); ++i)
+    if (turn_at(polygon.corners, i).sine() > kNoCorner) polygon.turns.push_back(i);
+  return polygon;
+}
+
+/// The edges and corners that were given from turn k to the next, as shares of that length.
+void add_given(PlanePiece& piece, const ConvexPolygon& polygon, std::size_t k, double length) {
+  const int n = polygon.count();
+  const int first = polygon.turns[k], next = polygon.turns[(k + 1) % polygon.turns.size()];
+  const int last = next + (next <= first ? n : 0);
+  const auto share = [&](int i) {
+    return (polygon.corners[i % n] - polygon.corners[first]).norm() / length;
+  };
+  for (int i = first; i < last; ++i) {
+    const int corner = polygon.given_corner(i % n);
+    const int edge = polygon.reversed ? polygon.given_corner((i + 1) % n) : corner;
+    piece.edges.push_back({edge, 0, share(i), i + 1 == last ? 1.0 : share(i + 1)});
+    piece.corners.push_back({corner, 0, share(i)});
+  }
+}
+
+/// Straight sides 2x and 2y long with quarter circles between; edges are numbered from below.
+std::vector<PlanePiece> rounded(double x, double y, double radius, double outwards,
+                                const std::array<int, 4>& edges) {
+  const double r = radius + outwards;
+  const std::array<Vec2, 4> centres{Vec2(x, -y), Vec2(x, y), Vec2(-x, y), Vec2(-x, -y)};
+  std::vector<PlanePiece> pieces;
+  int source = 0;
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 &last = centres[(i + 3) % 4], &centre = centres[i];
+    const Vec2 outward(std::cos(0.5 * kPi * (i - 1)), std::sin(0.5 * kPi * (i - 1)));
+    const bool side = (centre - last).norm() > kNoCorner * (x + y + radius);
+    if (side) {
+      pieces.push_back(straight(last + r * outward, centre + r * outward, ++source));
+      pieces.back().edges = {{edges[i], 0, 0.0, 1.0}};
+    }
+    pieces.push_back(quarter(radius, radius, centre, outwards, 0.5 * kPi * (i - 1), 0));
+    // Half circles of an obround are one curve.
+    const bool goes_on = i > 0 && !side;
+    pieces.back().source = goes_on ? source : ++source;
+  }
+  return pieces;
+}
+
+struct Shaper {
+  double outwards = 0.0;
+  const std::string& pointer;
+
+  Pieces operator()(const PolygonProfile& given) const {
+    const std::string place = pointer + "/polygon";
+    const auto polygon = convex(given, place);
+    if (!polygon) return tl::unexpected(polygon.error());
+    std::vector<Vec2> turning;
+    for (const int i : polygon->turns)
+      turning.push_back(polygon->corners[i]);
+    const std::vector<Vec2> moved = mitred(turning, outwards);
+    std::vector<PlanePiece> pieces;
+    for (std::size_t k = 0; k < turning.size(); ++k) {
+      const std::size_t next = (k + 1) % turning.size();
+      const Vec2 edge = turning[next] - turning[k];
+      PlanePiece piece = straight(moved[k], moved[next], static_cast<int>(k));
+      add_given(piece, *polygon, k, edge.norm());
+      if ((moved[next] - moved[k]).dot(edge) <= 0.0)
+        return fail(ErrorCode::radius_too_small,
+                    fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the "
+                                "neutral surface lies {:.4g} mm within the polygon that is given",
+                                piece.edges.front().number, edge.norm(), -outwards),
+                    place);
+      pieces.push_back(std::move(piece));
+    }
+    return pieces;
+  }
+
+  Pieces operator()(const EllipseProfile& e) const {
+    const std::string place = pointer + (e.rx == e.ry ? "/circle" : "/ellipse");
+    if (auto sound = check_sizes({e.rx, e.ry}, place); !sound) return tl::unexpected(sound.error());
+    const double tightest = std::min(e.rx * e.rx / e.ry, e.ry * e.ry / e.rx);
+    if (auto fits = check_radius(tightest, outwards, place); !fits)
+      return tl::unexpected(fits.error());
+    std::vector<PlanePiece> pieces;
+    for (int i = 0; i < 4; ++i)
+      pieces.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * kPi * i, 0));
+    return pieces;
+  }
+
+  Pieces operator()(const RoundedRectangleProfile& r) const {
+    const std::string place = pointer + "/rounded_rectangle";
+    if (auto sound = check_sizes({r.width, r.height}, place); !sound)
+      return tl::unexpected(sound.error());
+    const double most = 0.5 * std::min(r.width, r.height);
+    if (!(r.radius >= 0.0) || !std::isfinite(r.radius) || r.radius > most)
+      return fail(
+          ErrorCode::invalid_input,
+          fmt::format(
+              "the radius is {:.6g} mm; it must be from 0 to half of the shorter side, {:.6g} mm",
+              r.radius, most),
+          place + "/radius");
+    const double x = 0.5 * r.width, y = 0.5 * r.height;
+    if (r.radius == 0.0) return (*this)(PolygonProfile{{{-x, -y}, {x, -y}, {x, y}, {-x, y}}});
+    if (auto fits = check_radius(r.radius, outwards, place); !fits)
+      return tl::unexpected(fits.error());
+    return rounded(x - r.radius, y - r.radius, r.radius, outwards, {0, 1, 2, 3});
+  }
+
+  Pieces operator()(const ObroundProfile& o) const {
+    const std::string place = pointer + "/obround";
+    if (auto sound = check_sizes({o.length, o.width}, place); !sound)
+      return tl::unexpected(sound.error());
+    if (o.length < o.width)
+      return fail(ErrorCode::invalid_input,
+                  fmt::format("the length of {:.6g} mm, over both half circles, is less than the "
+                              "width of {:.6g} mm",
+                              o.length, o.width),
+                  place + "/length");
+    const double radius = 0.5 * o.width;
+    if (auto fits = check_radius(radius, outwards, place); !fits)
+      return tl::unexpected(fits.error());
+    return rounded(0.5 * o.length - radius, 0.0, radius, outwards, {0, -1, 1, -1});
+  }
+
+  Pieces operator()(const SplineProfile& given) const {
+    const std::string place = pointer + "/spline";
+    std::vector<Vec2> points = given.points;
+    if (auto sound = check_polygon(points, place); !sound) return tl::unexpected(sound.error());
+    if (ring_area(points) < 0.0) std::reverse(points.begin(), points.end());
+    const PeriodicSpline spline(points);
+    if (auto sound = check_convex(spline, outwards, place); !sound)
+      return tl::unexpected(sound.error());
+    const PlaneCurve curve = set_off(spline, outwards);
+    const auto& knots = spline.knots();
+    constexpr int kParts = 4;  // of a piece of the spline: none turns by more than 90°
+    std::vector<PlanePiece> pieces;
+    for (std::size_t k = 0; k + 1 < knots.size(); ++k)
+      for (int part = 0; part < kParts; ++part) {
+        PlanePiece& piece = pieces.emplace_back();
+        piece.curve = curve;
+        piece.t0 = std::lerp(knots[k], knots[k + 1], part / double(kParts));
+        piece.t1 = std::lerp(knots[k], knots[k + 1], (part + 1) / double(kParts));
+        piece.period = knots.back();
+        piece.knots = knots;
+      }
+    return pieces;
+  }
+};
+
+}  // namespace
+
+Result<std::vector<PlanePiece>> pieces_of(const Profile& profile, double outwards,
+                                          const std::string& pointer) {
+  return std::visit(Shaper{outwards, pointer}, profile);
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "seams.hpp"
+
+#include <planish/base/result.hpp>
+
+#include <vector>
+
+namespace planish::transition_detail {
+
+/// The press lines of a part of a strip, from `from` to `to`; none where it is rolled.
+std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to,
+                                     const Pressing& pressing);
+
+/// Error: `invalid_input` for more lines in one bend than anybody presses, 2,000.
+Result<void> check_presses(const Ring& ring, const std::vector<std::vector<StripPart>>& pieces,
+                           const Pressing& pressing);
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/transition/transition.hpp>
+
+namespace planish::transition_detail {
+
+/// Whether the numbers of a request can be calculated with. Error: `invalid_input`.
+Result<void> check_request(const TransitionSpec& spec);
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,79 @@
+#include "ring.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace planish::transition_detail {
+namespace {
+
+/// How far the neutral surface lies outside the face that the sizes are given for.
+double set_off(const TransitionSpec& spec) {
+  const double share = spec.sizes_are == SizesAre::inside ? 0.0
+                       : spec.sizes_are == SizesAre::mid  ? 0.5
+                                                          : 1.0;
+  return (spec.k_factor - share) * spec.thickness;
+}
+
+double extent_of(const std::array<Boundary, 2>& boundaries) {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Boundary& boundary : boundaries)
+    for (const Element& element : boundary.elements) {
+      const Vec3 p = element.curve(element.t0).point;
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+  return (high - low).norm();
+}
+
+Vec3 middle_of(const Boundary& boundary) {
+  Vec3 sum = Vec3::Zero();
+  for (const Element& element : boundary.elements)
+    sum += element.curve(element.t0).point;
+  return sum / boundary.count();
+}
+
+/// Both boundaries, the first one's axis towards the second, the second one's on.
+Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
+  const double outwards = set_off(spec);
+  const auto first = boundary_of(spec.from, outwards, spec.from.frame.z, "/from/profile");
+  if (!first) return tl::unexpected(first.error());
+  const auto second = boundary_of(spec.to, outwards, spec.to.frame.z, "/to/profile");
+  if (!second) return tl::unexpected(second.error());
+  const Vec3 towards = middle_of(*second) - middle_of(*first);
+  return std::array{*boundary_of(spec.from, outwards, towards, "/from/profile"),
+                    *boundary_of(spec.to, outwards, towards, "/to/profile")};
+}
+
+Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
+  const double inside = spec.k_factor * spec.thickness;
+  for (const Strip& strip : ring.strips) {
+    if (strip.plane()) continue;
+    const double radius = strip.smallest_radii(0.0, 1.0).end;
+    if (radius > inside) continue;
+    return fail(ErrorCode::radius_too_small,
+                fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a "
+                            "radius of {:.4g} mm and needs more than "
+                            "{:.4g} mm, the part of the thickness that lies inside it",
+                            spec.thickness, radius, inside),
+                "/thickness");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& options) {
+  auto boundaries = boundaries_of(spec);
+  if (!boundaries) return tl::unexpected(boundaries.error());
+  const double size = extent_of(*boundaries);
+  auto hull = lateral_hull(std::move((*boundaries)[0]), std::move((*boundaries)[1]), size);
+  if (!hull) return tl::unexpected(hull.error());
+  Ring ring{std::make_shared<const Hull>(std::move(*hull)), {}, size};
+  for (const HullPatch& patch : ring.hull->patches)
+    ring.strips.emplace_back(ring.hull, patch, options.tolerance * size);
+  if (auto wide = check_radii(ring, spec); !wide) return tl::unexpected(wide.error());
+  return ring;
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,104 @@
+#include "integral.hpp"
+#include "strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace planish::transition_detail {
+
+double Strip::area(double from, double to) const {
+  if (patch_.plane) {
+    const auto [p0, q0] = ruling(from);
+    const auto [p1, q1] = ruling(to);
+    return 0.5 * (q1 - p0).cross(q0 - p1).norm();
+  }
+  return integral_over(
+      [&](double at) {
+        const Local l = local(at);
+        return 0.5 * l.length * (l.across + l.far_across);
+      },
+      breaks_between(from, to));
+}
+
+double Strip::border_length(int side, double from, double to) const {
+  if (!patch_.sides[side].moves()) return 0.0;
+  if (patch_.plane) return (ruling(to)[side] - ruling(from)[side]).norm();
+  const auto s = static_cast<std::size_t>(side);
+  return arc_length(*curves_[s], pairing(from).t[s], pairing(to).t[s]);
+}
+
+double Strip::turn(double from, double to) const {
+  return patch_.plane || from == to ? 0.0
+                                    : integral_over([&](double at) { return local(at).turn_rate; },
+                                                    breaks_between(from, to));
+}
+
+double Strip::turned(double from, double to) const {
+  const Vec3 a = normal(from), b = normal(to);
+  const double between = std::atan2(a.cross(b).norm(), a.dot(b));
+  // How far the normals go round their common axis, in steps of less than half a turn.
+  constexpr int kSteps = 16;
+  std::vector<Vec3> normals;
+  Vec3 axis = Vec3::Zero();
+  for (int i = 0; i <= kSteps; ++i) {
+    normals.push_back(normal(std::lerp(from, to, i / double(kSteps))));
+    if (i > 0) axis += normals[static_cast<std::size_t>(i) - 1].cross(normals.back());
+  }
+  axis.normalize();
+  double round = 0.0;
+  for (std::size_t i = 1; i < normals.size(); ++i) {
+    const Vec3 p = normals[i - 1] - axis.dot(normals[i - 1]) * axis,
+               q = normals[i] - axis.dot(normals[i]) * axis;
+    round += std::atan2(axis.dot(p.cross(q)), p.dot(q));
+  }
+  return round > std::numbers::pi ? 2.0 * std::numbers::pi - between : between;
+}
+
+Strip::Radii Strip::smallest_radii(double from, double to) const {
+  constexpr int kSamples = 64;
+  Radii radii{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const bool apex = !patch_.sides[0].moves() || !patch_.sides[1].moves();
+  for (int i = 0; i <= kSamples; ++i) {
+    const Local l = local(std::lerp(from, to, i / double(kSamples)));
+    if (l.turn_rate == 0.0) continue;
+    const auto [tight, wide] = std::minmax(l.across, l.far_across);
+    radii.middle = std::min(radii.middle, 0.5 * (tight + wide) / l.turn_rate);
+    radii.end = std::min(radii.end, (apex ? wide : tight) / l.turn_rate);
+  }
+  return radii;
+}
+
+double Strip::distance_of_radius(double radius) const {
+  // On cones the radius grows with the distance from the apex.
+  constexpr int kSamples = 64;
+  double distance = 0.0;
+  for (int i = 0; i <= kSamples; ++i) {
+    const Local l = local(i / double(kSamples));
+    distance = std::max(distance,
+                        radius * l.turn_rate * l.length / std::max(l.across, l.far_across));
+  }
+  return distance;
+}
+
+double Strip::tip_area(double from, double to, const Tips& tips) const {
+  double area = 0.0;
+  if (patch_.plane) {
+    for (const PanelCorner& corner : panel_corners(from, to, tips))
+      area += 0.5 * (corner.cut_before - corner.at).cross(corner.cut_after - corner.at).norm();
+    return area;
+  }
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const double cut = tips.at_from[side]; cut > 0.0 && stands(static_cast<int>(side)))
+      area += 0.5 * cut * cut *
+              integral(
+                  [&](double at) {
+                    const Local l = local(at);
+                    return std::max(l.across, l.far_across) / l.length;
+                  },
+                  from, to);
+  return area;
+}
+
+}  // namespace planish::transition_detail

@@ -1,0 +1,117 @@
+#include "tangent_line.hpp"
+
+#include "sample_fits.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using namespace connect_detail;
+
+Result<TangentLine> line_for(const PairTask& pair) {
+  const auto choice = search_pair(pair.task, {});
+  EXPECT_TRUE(choice) << (choice ? "" : choice.error().message);
+  if (!choice) return tl::unexpected(choice.error());
+  return tangent_line(pair.task, *choice, {});
+}
+
+TEST(TangentLineOf, ParallelEdgesLiesOnThem) {
+  const auto line = line_for(PairTask(angle_pair(14.0)));
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->slope, 0.0);
+  EXPECT_NEAR(line->at(0), 14.0, 1e-9);
+}
+
+TEST(TangentLineOf, EdgesThatRunApartFollowsThem) {
+  const auto line = line_for(PairTask(cone_pair(0.2)));
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(std::abs(line->slope), 0.2, 1e-12);
+}
+
+TEST(TangentLineOf, EdgesThatHardlyRunApartIsLevel) {
+  const auto line = line_for(PairTask(cone_pair(5e-4)));
+  ASSERT_FALSE(line) << "the plates would touch";
+  PlateStructure s = angle_pair(14.0);
+  for (Plate& plate : s.plates)
+    plate.outline[plate.id == "A" ? 2 : 1] += (plate.id == "A"
+                                                   ? Vec3(0, -0.1, 0)
+                                                   : Vec3(0, 0, 0.1));  // a slope of 5e-4
+  const auto level = line_for(PairTask(s));
+  ASSERT_TRUE(level);
+  EXPECT_EQ(level->slope, 0.0);
+  const auto cone = line_for(PairTask(s, {.surface = SurfaceChoice::cone}));
+  ASSERT_TRUE(cone);
+  EXPECT_NEAR(std::abs(cone->slope), 5e-4, 1e-9) << "asked for";
+}
+
+TEST(TangentLineOf, TwoRadiiIsLinearBetweenThem) {
+  const auto line = line_for(
+      PairTask(angle_pair(14.0, 200, 4.0), {.inside_radii = std::array{4.0, 10.0}}));
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->slope, 6.0 / 200, 1e-12);
+  EXPECT_NEAR(line->at(-100), 6.0, 1e-9);
+  EXPECT_NEAR(line->at(100), 12.0, 1e-9);
+}
+
+TEST(TangentLineOf, TwoRadiiThatCutAPlateIsRefused) {
+  const auto line = line_for(
+      PairTask(angle_pair(14.0, 200, 4.0), {.inside_radii = std::array{4.0, 12.1}}));
+  ASSERT_FALSE(line);
+  EXPECT_EQ(line.error().code, ErrorCode::no_bend_fits);
+  EXPECT_EQ(line.error().where, "/inside_radii");
+  EXPECT_NE(line.error().message.find("12 and 12 mm"), std::string::npos) << line.error().message;
+}
+
+TEST(TangentLineOf, AnApertureHasThatHalfAngle) {
+  const double half = 3.0 * std::numbers::pi / 180;
+  const auto line = line_for(PairTask(angle_pair(14.0), {.aperture = Angle::degrees(6)}));
+  ASSERT_TRUE(line);
+  // MATH 3.3 with β = 90°: sin φ is the tangent of the half-angle.
+  EXPECT_NEAR(std::sin(std::atan(std::abs(line->slope))), std::tan(half), 1e-12);
+}
+
+TEST(TangentLineOf, AMiddleRadiusHasItInTheMiddle) {
+  const auto line = line_for(PairTask(angle_pair(14.0), {.inside_radius = 6.0, .slope = 0.02}));
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->slope, 0.02);
+  EXPECT_NEAR(line->at(0.0), 8.0, 1e-9);
+}
+
+TEST(TangentLineOf, PlatesThatTouchOrAreTooThickIsRefused) {
+  EXPECT_EQ(line_for(PairTask(angle_pair(0.0))).error().code, ErrorCode::plates_touch);
+  const auto thick = line_for(PairTask(angle_pair(1.9, 200, 4.0)));
+  ASSERT_FALSE(thick);
+  EXPECT_EQ(thick.error().code, ErrorCode::radius_too_small);
+  EXPECT_NE(thick.error().message.find("1.9 mm"), std::string::npos) << thick.error().message;
+}
+
+TEST(TangentLineOf, ParallelPlatesLiesBeyondBoth) {
+  const auto line = line_for(PairTask(u_pair()));
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->slope, 0.0);
+}
+
+TEST(WithRange, SaysWhatWouldFit) {
+  const Error nothing{ErrorCode::no_bend_fits, "nothing fits", {}};
+  const auto said = [&](const BendRequest& request) {
+    const PairTask pair(angle_pair(14.0, 200, 4.0), request);
+    return with_range(pair.task, {}, nothing);
+  };
+  EXPECT_NE(said({.inside_radius = 20.0}).message.find("up to 12.0000 mm"), std::string::npos)
+      << said({.inside_radius = 20.0}).message;
+  // Between a height of 2.001 at one end and of 14 at the other, 200 mm away.
+  const std::string slope = fmt::format("{:.6g}", (14 - 2.001) / 200);
+  EXPECT_NE(said({.slope = 0.5}).message.find(slope), std::string::npos)
+      << said({.slope = 0.5}).message;
+  EXPECT_EQ(said({.slope = 0.5}).where, "/slope");
+  EXPECT_EQ(said({.apex = 0.0}).code, ErrorCode::apex_in_span);
+  EXPECT_EQ(said({}).message, "nothing fits") << "nothing was given";
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,76 @@
+#include "tip_cuts.hpp"
+
+#include "sample_rings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace planish::test {
+namespace {
+
+using namespace transition_detail;
+
+TransitionSpec thick(double thickness) {
+  TransitionSpec spec;
+  spec.thickness = thickness;
+  spec.k_factor = 0.5;
+  return spec;
+}
+
+TipCuts cuts(const Ring& ring, double thickness) { return {ring, {whole(ring)}, thick(thickness)}; }
+
+double largest(const Strip::Tips& tips) {
+  return std::max({tips.at_from[0], tips.at_from[1], tips.at_to[0], tips.at_to[1]});
+}
+
+TEST(TipCuts, LeaveCornersWholeInWhichOneFoldEnds) {
+  const Ring ring = pyramid();
+  const TipCuts tips = cuts(ring, 2.0);
+  for (const Strip& strip : ring.strips)
+    EXPECT_EQ(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+}
+
+TEST(TipCuts, AreMadeWhereSeveralFoldsMeet) {
+  const Ring ring = antiprism();
+  const TipCuts tips = cuts(ring, 2.0);
+  for (const Strip& strip : ring.strips)
+    if (strip.stands(0)) EXPECT_GT(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+}
+
+TEST(TipCuts, GrowWithTheThickness) {
+  for (const Ring& ring : {antiprism(), square_to_circle()}) {
+    const TipCuts thin = cuts(ring, 1.0), twice = cuts(ring, 2.0);
+    for (const Strip& strip : ring.strips)
+      EXPECT_NEAR(largest(twice.of(strip, 0.0, 1.0)), 2 * largest(thin.of(strip, 0.0, 1.0)), 1e-9);
+  }
+}
+
+TEST(TipCuts, CutConesWhereTheirInsideRadiusIsATenthOfTheThickness) {
+  const double t = 2.0;
+  const Ring ring = square_to_circle();
+  const TipCuts tips = cuts(ring, t);
+  for (const Strip& strip : ring.strips) {
+    if (strip.plane()) continue;
+    const double cut = tips.of(strip, 0.0, 1.0).at_from[0];
+    EXPECT_NEAR(cut, strip.distance_of_radius(0.5 * t + 0.1 * t), 1e-12);
+  }
+}
+
+TEST(TipCuts, RefuseASheetOfWhichTheyLeaveNothing) {
+  const Ring ring = square_to_circle();
+  const auto room = [&](double thickness) {
+    const TipCuts tips = cuts(ring, thickness);
+    for (const Strip& strip : ring.strips)
+      if (auto enough = tips.leave_room(strip, 0.0, 1.0); !enough) return enough;
+    return Result<void>{};
+  };
+  EXPECT_TRUE(room(2.0));
+  const auto refused = room(60.0);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::radius_too_small);
+  EXPECT_EQ(refused.error().where, "/thickness");
+}
+
+}  // namespace
+}  // namespace planish::test
