@@ -228,6 +228,29 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
               where + "/position");
 }
 
+/// One scan of a design.
+Result<void> check_scan(const SlitDesign& design, int index) {
+  const auto& [strip, points] = design.scans[index];
+  const std::string where = fmt::format("/scan/{}", index);
+  if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
+  if (points.size() > kMostPoints)
+    return fail(ErrorCode::scan_too_large,
+                fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip,
+                            points.size(), kMostPoints),
+                where + "/points");
+  if (points.empty())
+    return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", strip),
+                where + "/points");
+  const auto bad = std::find_if(points.begin(), points.end(),
+                                [](const Vec3& p) { return !in_range(p); });
+  if (bad != points.end())
+    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, "
+                               "or that is no number",
+                               bad - points.begin() + 1, strip, kLargest),
+                   where + "/points");
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_sheet(const SlitDesign& design) {
@@ -269,25 +292,6 @@ Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
   return panel;
 }
 
-Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points,
-                        int index) {
-  const std::string where = fmt::format("/scan/{}", index);
-  if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
-  if (points.size() > kMostPoints)
-    return fail(ErrorCode::scan_too_large,
-                fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip,
-                            points.size(), kMostPoints),
-                where + "/points");
-  const auto bad = std::find_if(points.begin(), points.end(),
-                                [](const Vec3& p) { return !in_range(p); });
-  if (bad != points.end())
-    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, "
-                               "or that is no number",
-                               bad - points.begin() + 1, strip, kLargest),
-                   where + "/points");
-  return {};
-}
-
 Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel) {
   if (auto sound = check_seat_curve(design); !sound) return sound;
   if (auto sound = check_weights(design.weights); !sound) return sound;
@@ -302,12 +306,7 @@ Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design)
   std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[i];
-    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound)
-      return tl::unexpected(sound.error());
-    if (scan.points.empty())
-      return fail(ErrorCode::empty_scan,
-                  fmt::format("the scan of strip {} has no points", scan.strip),
-                  fmt::format("/scan/{}/points", i));
+    if (auto sound = check_scan(design, i); !sound) return tl::unexpected(sound.error());
     auto& all = points[scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }

@@ -13,9 +13,6 @@ Result<void> check_sheet(const SlitDesign& design);
 /// The panel over the leg curve, if one can stand there: finite, on one side of the symmetry plane,
 /// nowhere tighter than the material allows, as long as the sheet is wide.
 Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design);
-/// Points of one scan; `index` is its place in the file.
-Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points,
-                        int index);
 /// All of a design but its sheet, its leg curve, whose panel is given, and its scans.
 Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel);
 

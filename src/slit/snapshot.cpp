@@ -121,11 +121,6 @@ void reopen(Snapshot& now, int strip) {
   now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
 
-void reopen_all(Snapshot& now) {
-  for (int strip = 0; strip < now.count(); ++strip)
-    reopen(now, strip);
-}
-
 StripParameters subdivided(const StripBase& base, const StripParameters& p) {
   const int quads = 2 * base.quads;
   StripParameters fine = StripParameters::Zero(parameter_count(quads));

@@ -100,47 +100,5 @@ TEST(Panel, StandsOnChordsOfTheStripsWidths) {
   EXPECT_NEAR(across, 60.0, 1e-12);
 }
 
-SlitSheet sheet_of_widths(const std::vector<double>& widths, double gap, double margin) {
-  SlitSheet sheet;
-  sheet.thickness = 1.0;
-  sheet.panel_height = 100.0;
-  sheet.half_length = 100.0;
-  for (const double width : widths)
-    sheet.strips.push_back({.width = width, .gap = gap});
-  sheet.margin = margin;
-  return sheet;
-}
-
-void expect_fitted(const BezierCurve& curve, const SlitSheet& sheet) {
-  const BezierCurve fitted = fitted_leg_curve(curve, sheet);
-  EXPECT_EQ(fitted.poles.front(), curve.poles.front());
-  const auto panel = slit_detail::panel_of(sheet, fitted);
-  ASSERT_TRUE(panel) << panel.error().message;
-  const PanelFacet& last = panel->back();
-  const Vec3 end = last.frame.point(last.corners[3]);
-  EXPECT_LT((Vec2(end.x(), end.z()) - fitted.poles.back()).norm(), 1e-9 * sheet.width());
-}
-
-TEST(FittedLegCurve, EndsWhereTheStripsEnd) {
-  const SlitSheet equal = sheet_of_widths({60, 60, 60, 60}, 0, 0),
-                  uneven = sheet_of_widths({40, 25, 70}, 8, 12);
-  for (const SlitSheet& sheet : {equal, uneven}) {
-    expect_fitted({{{300, 0}, {300, 10}}}, sheet);
-    expect_fitted({{{300, 0}, {420, 300}, {420, 500}, {250, 900}}}, sheet);
-    expect_fitted({{{30, 2}, {42, 30}, {20, 50}, {35, 90}}}, sheet);
-  }
-}
-
-TEST(FittedLegCurve, OfALineIsAsLongAsTheSheetIsWide) {
-  const BezierCurve fitted = fitted_leg_curve({{{300, 50}, {300, 60}}},
-                                              sheet_of_widths({40, 25}, 5, 10));
-  EXPECT_NEAR(length(fitted), 40 + 25 + 2 * 5 + 10.0, 1e-9);
-}
-
-TEST(FittedLegCurve, OfAPointIsThatPoint) {
-  const BezierCurve point{{{300, 50}, {300, 50}}};
-  EXPECT_EQ(fitted_leg_curve(point, sheet_of_widths({40}, 0, 0)).poles.back(), Vec2(300, 50));
-}
-
 }  // namespace
 }  // namespace planish::test

@@ -115,10 +115,4 @@ struct SlitDesign {
   std::vector<SlitScan> scans;
 };
 
-/// The leg curve scaled about its first pole so that the chords of the sheet's strips end where it
-/// ends, to 1e-9 of the sheet's width. Given back as it is when it has no length, or the sheet no
-/// width. Requires at least one pole. The curve's shape decides alone: what else
-/// `SlitSession::start` refuses in a leg curve it refuses still.
-BezierCurve fitted_leg_curve(const BezierCurve& curve, const SlitSheet& sheet);
-
 }  // namespace planish
