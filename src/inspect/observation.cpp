@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 constexpr size_t kMany = 10;
@@ -65,4 +65,4 @@ std::string factors_text(double t_factor, double r_factor) {
   return term_text(t_factor, "T") + " + " + term_text(r_factor, "R");
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

@@ -13,17 +13,20 @@
 #include <numbers>
 
 namespace planish {
+
+using namespace inspect_detail;
+
 namespace {
 
 using Part = PartId;
 
-/// Share of the thickness by which pieces may cover each other and still only touch. The kerf of a
-/// laser is a hundred times as wide.
+/// Share of the thickness by which pieces may cover each other and still only touch. A laser's kerf
+/// is a hundred times as wide.
 constexpr double kContactShare = 1e-3;
 
 /// By how much pieces are shrunk before their overlap is measured. Overlaps less deep than twice
-/// this go unnoticed: they are not told from the errors of flattened curves, or of a closed ring of
-/// joints, half of which each side gets.
+/// this cannot be told from the errors of flattened curves, or of a closed ring of joints, of which
+/// each side gets half.
 double contact_clearance(const FlatPattern& pattern) {
   const double curves = 2.0 * FlattenOptions{}.curve_tolerance;
   return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
@@ -34,8 +37,8 @@ struct Pieces {
   std::vector<Polygon> polygons;
   std::vector<Part> parts;
   std::vector<int> faces;  // −1: the strip of a sharp bend
-  /// Area that two faces share by right: seen from its outside, a sharp bend takes less than the
-  /// faces give, so that they reach over each other.
+  /// Area that two faces may share: seen from its outside, a sharp bend takes less than the faces
+  /// give, so that they reach over each other.
   std::map<std::pair<int, int>, double> shared;
 };
 
@@ -47,7 +50,7 @@ void add_faces(const Sheet& sheet, const Layout& layout, double chord, Pieces& p
   }
 }
 
-/// A sharp bend has no face; its strip lies between the borders it joins.
+/// A sharp bend has no face; its strip lies between the borders that it joins.
 void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
@@ -102,8 +105,8 @@ SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
     for (const auto& ring : overlap.outline)
       area += clearance * ring_length(ring);
     const auto allowed = pieces.shared.find(std::minmax(pieces.faces[first], pieces.faces[second]));
-    constexpr double kRounding = 1e-6;
-    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kRounding)) continue;
+    constexpr double kSameArea = 1e-6;  // what shrinking and rounding leave
+    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
     SharedArea& shared = result[std::minmax(pieces.parts[first], pieces.parts[second])];
     shared.area += area;
     shared.places += static_cast<int>(overlap.outline.size());
@@ -129,9 +132,9 @@ Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>&
 
 // ---- contours that cross themselves
 
-/// Whether the ring really runs over itself near p, and does not only touch itself: then some
-/// place between the edges that cross there is enclosed twice, or from the wrong side, and lies
-/// deeper than the clearance. Where the edges cross at a small angle it is narrow and farther away.
+/// Whether the ring runs over itself near p rather than merely touching itself: then some place
+/// between the edges that cross there is enclosed twice, or from the wrong side, and lies deeper
+/// than the clearance. Where the edges cross at a small angle it is narrow and farther away.
 bool runs_over_itself(const RingIndex& ring, double orientation, const Vec2& p, double clearance,
                       double extent) {
   constexpr int kDirections = 96;
@@ -161,7 +164,7 @@ std::vector<Vec2> true_crossings(const Loop& loop, double clearance, double chor
   return found;
 }
 
-/// A crossing that an overlap of parts already tells about is left out.
+/// Crossings within an overlap that has been found already are left out.
 void add_crossing(const Loop& loop, const std::string& name, double clearance, double chord,
                   std::vector<Finding>& findings) {
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);

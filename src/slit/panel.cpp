@@ -21,7 +21,7 @@ class ChordWalk {
   const Vec2& at() const { return at_; }
   double t() const { return t_; }
 
-  /// The first point of the rest of the curve at this distance; none where the curve ends before.
+  /// The first point of the rest of the curve at this distance; empty where the curve ends before.
   std::optional<Vec2> step(double chord) {
     for (int i = static_cast<int>(std::floor(t_ * samples_)) + 1; i <= samples_; ++i) {
       const double t = static_cast<double>(i) / samples_;

@@ -1,3 +1,4 @@
+#include <planish/base/tolerance.hpp>
 #include <planish/slit/folded_slit_sheet.hpp>
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 namespace planish {
 namespace {
 
-constexpr double kFolds = 1e-9;  // radians; less is rounding
+constexpr double kFolds = tolerance::kComputed;  // radians; less is rounding
 
 /// A plane piece in flat coordinates, counter-clockwise, and where it lies in space.
 struct Piece {

@@ -53,7 +53,7 @@ void reopen(Snapshot& now, int strip);
 /// A strip with every quad divided in its middle by a ridge that does not fold (MATH 6.4).
 StripParameters subdivided(const StripBase& base, const StripParameters& p);
 
-/// Nothing for no points.
+/// Null where there are no points.
 std::shared_ptr<const ScannedSurface> scan_of(std::vector<Vec3> points);
 
 }  // namespace planish::slit_detail

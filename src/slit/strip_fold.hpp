@@ -9,7 +9,7 @@
 
 namespace planish::slit_detail {
 
-/// What folding leaves alone: where the strip lies in the flat sheet and where it begins in space.
+/// What folding does not change: where the strip lies in the flat sheet and begins in space.
 struct StripBase {
   Frame facet;                  ///< of the panel, flat coordinates to space
   std::array<double, 2> sides;  ///< across, of left and right
@@ -31,7 +31,7 @@ inline int abscissa_index(int quads, int ridge, int side) { return quads + 2 * (
 /// Flat abscissa of a ridge's end, mm.
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side);
 
-/// Equally spaced ridges that do not fold.
+/// Equally spaced ridges, not folded.
 StripParameters flat_parameters(const StripBase& base);
 
 /// Velocity of everything beyond a ridge when one parameter grows: x ↦ axis × (x − pole).

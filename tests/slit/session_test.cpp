@@ -1,4 +1,3 @@
-#include "crossing.hpp"
 #include "sample_sheets.hpp"
 
 #include <algorithm>
@@ -321,25 +320,6 @@ TEST(SlitSession, LevelEndsAreLevelAndMayFold) {
   const auto folded = session.folded();
   for (const FoldedStrip& strip : folded.strips)
     EXPECT_NEAR(strip.quads.back().x.y(), 0.0, 1e-11);
-}
-
-TEST(Crossing, OfStripsThatGoThroughEachOtherIsSeen) {
-  const auto strip = [](const Frame& frame) {
-    FoldedStrip s;
-    s.quads = {frame};
-    for (const double along : {0.0, 100.0})
-      s.ridges.push_back({{Vec2(along, 0), Vec2(along, 20)},
-                          {frame.point({along, 0}), frame.point({along, 20})},
-                          {}});
-    return s;
-  };
-  Frame across = frame_from_axes({50, 10, -30}, Vec3::UnitX(), Vec3::UnitZ());
-  EXPECT_TRUE(slit_detail::cross(strip({}), strip(across)));
-  across.origin.x() = 150;
-  EXPECT_FALSE(slit_detail::cross(strip({}), strip(across)));
-  Frame beside;
-  beside.origin = {0, 20, 0};
-  EXPECT_FALSE(slit_detail::cross(strip({}), strip(beside)));
 }
 
 TEST(SlitScan, OfAKnownChairIsFollowed) {

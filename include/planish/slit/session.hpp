@@ -19,24 +19,23 @@ struct SlitSolveOptions {
   double function_tolerance = 1e-7;
 };
 
-/// How a strip stands. `open`: changed and not solved to the end since. `solved`: the constraints
+/// How a strip stands. `open`: changed, and not solved to the end since. `solved`: the constraints
 /// are met and the objective is at a minimum. `out_of_reach`: no folding was found that meets the
-/// constraints; what is shown comes nearest, `shortfall` says how far it stays away.
+/// constraints; the shape comes nearest, and `shortfall` says how near.
 enum class StripStatus { open, solved, out_of_reach };
 
 struct StripState {
   StripStatus status = StripStatus::open;
   double gap = 0.0;  ///< largest distance of its end from where it must be, mm
-  /// That gap where the strip is out of reach, else 0. Out of reach by 0: its end is there, but
-  /// points backwards.
+  /// The gap of a strip out of reach, else 0. Out of reach by 0: its end is in place, but points
+  /// backwards.
   double shortfall = 0.0;
-  /// Smallest radius of the mid-surface, mm: of arcs that touch neighbouring quads, inside half of
-  /// them. Infinite for a flat strip.
+  /// Smallest radius of the mid-surface, mm: of arcs that touch neighbouring quads, within half of
+  /// each. Infinite for a flat strip.
   double min_radius = 0.0;
   int tightest_ridge = 0;
-  bool too_tight = false;  ///< min_radius is below what the material allows, and could not be kept
-                           ///< above
-  std::vector<int> crosses;    ///< strips of higher numbers that it runs through
+  bool too_tight = false;      ///< min_radius could not be kept above what the material allows
+  std::vector<int> crosses;    ///< strips of higher number that it runs through
   bool crosses_plane = false;  ///< runs through the symmetry plane, and so through its mirror image
   double objective = 0.0;
   double seat_distance = 0.0;  ///< largest distance of the end's corners from the seat curve, mm; 0
@@ -49,7 +48,7 @@ struct StripState {
 
 struct SlitSolveReport {
   bool converged = true;  ///< no strip is left open
-  int strips_solved = 0;  ///< that this call worked on
+  int strips_solved = 0;  ///< on which this call worked
   int iterations = 0;     ///< of all of them
   double seconds = 0.0;
   double gap = 0.0;  ///< largest of all strips, mm
@@ -82,14 +81,14 @@ class SlitSession {
   /// then as before.
   Result<void> set_design(SlitDesign design);
   /// Moves all scans by the rigid motion that brings them nearest to the strips as they are (ICP).
-  /// What comes back is that motion. Error: `empty_scan` (there is none).
+  /// What comes back is that motion. Error: `empty_scan` (there are no scans).
   Result<Eigen::Isometry3d> align_scans();
   /// A ridge without fold in the middle of each quad (MATH 6.4): the shape stays. Ridge i of
   /// anchors becomes 2i.
   void subdivide();
 
-  /// Works on what is open. Errors: `cancelled` (the strips worked on so far keep what they have
-  /// gained).
+  /// Works on the strips that are open. Error: `cancelled` (the strips worked on so far keep what
+  /// they have gained).
   Result<SlitSolveReport> solve(const SlitSolveOptions& options = {},
                                 const Progress& progress = {});
 

@@ -28,7 +28,7 @@ void expect_chair_refused(const Change& change, ErrorCode code, const std::strin
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(SlitRefuses, SheetsThatAreNone) {
+TEST(SlitRefuses, UnsoundSheets) {
   using D = SlitDesign;
   expect_chair_refused([](D& d) { d.sheet.thickness = 0; }, ErrorCode::invalid_input, "/thickness");
   expect_chair_refused([](D& d) { d.sheet.panel_height = -1; }, ErrorCode::invalid_input,
@@ -106,7 +106,7 @@ TEST(SlitRefuses, NegativeWeights) {
   EXPECT_EQ(session.set_design(design).error().where, "/weights/scan");
 }
 
-TEST(SlitRefuses, AnchorsOnWhatIsNotThere) {
+TEST(SlitRefuses, AnchorsOnMissingStripsAndRidges) {
   const Vec3 at(180, 450, 30);
   expect_chair_refused(
       [&](SlitDesign& d) {
