@@ -147,7 +147,7 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
     const auto far = working_ridge(strip, first, last, at, setting, number);
     if (!far) return tl::unexpected(far.error());
     if (at > first) {
-      const auto& from = strip.ridges[static_cast<std::size_t>(at) - 1];
+      const auto& from = strip.ridges[at - 1];
       const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
@@ -173,8 +173,7 @@ Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, con
       continue;
     }
     int last = quad;
-    while (last + 1 < count &&
-           leans_up(strip.towards_mould[static_cast<std::size_t>(last) + 1], setting))
+    while (last + 1 < count && leans_up(strip.towards_mould[last + 1], setting))
       ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
     if (!rib) return tl::unexpected(rib.error());

@@ -73,9 +73,8 @@ Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
     all = true;
   }
   for (int strip = 0; strip < next.count(); ++strip) {
-    const auto i = static_cast<std::size_t>(strip);
-    if (all || design.ends[i] != now.design->ends[i] || !same_anchors(design, *now.design, strip))
-      reopen(next, strip);
+    const bool end_moved = design.ends[strip] != now.design->ends[strip];
+    if (all || end_moved || !same_anchors(design, *now.design, strip)) reopen(next, strip);
   }
   next.design = std::make_shared<const SlitDesign>(std::move(design));
   return next;

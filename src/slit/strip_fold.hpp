@@ -48,7 +48,7 @@ struct StripFold {
   std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
   std::vector<double> ridge_length;       ///< of ridges 0 … quads−1
-  const Frame& quad(int i) const { return frames[static_cast<std::size_t>(i) + 1]; }
+  const Frame& quad(int i) const { return frames[i + 1]; }
   const Vec3& end(int side, int ridge) const { return ends[side][ridge]; }
 };
 StripFold folded(const StripBase& base, const StripParameters& p);

@@ -116,7 +116,7 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
 }
 
 void note_crossings(Snapshot& now, const std::vector<int>& moved) {
-  std::vector<bool> has_moved(static_cast<std::size_t>(now.count()));
+  std::vector<bool> has_moved(now.count());
   for (const int strip : moved)
     has_moved[strip] = true;
   std::vector<std::vector<int>> crosses;
