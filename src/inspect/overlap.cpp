@@ -11,14 +11,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace planish {
 
 using namespace inspect_detail;
 
 namespace {
-
-using Part = PartId;
 
 /// Share of the thickness by which pieces may cover each other and still only touch. A laser's kerf
 /// is a hundred times as wide.
@@ -35,18 +34,18 @@ double contact_clearance(const FlatPattern& pattern) {
 /// Everything that takes area in the pattern, and what part of the sheet it is.
 struct Pieces {
   std::vector<Polygon> polygons;
-  std::vector<Part> parts;
-  std::vector<int> faces;  // −1: the strip of a sharp bend
+  std::vector<PartId> parts;
+  std::vector<std::optional<FaceId>> faces;  ///< empty for the strip of a sharp bend
   /// Area that two faces may share: seen from its outside, a sharp bend takes less than the faces
   /// give, so that they reach over each other.
-  std::map<std::pair<int, int>, double> shared;
+  std::map<std::pair<std::optional<FaceId>, std::optional<FaceId>>, double> shared;
 };
 
 void add_faces(const Sheet& sheet, const Layout& layout, double chord, Pieces& pieces) {
   for (const FaceId id : sheet.faces.ids()) {
     pieces.polygons.push_back(polygon_of(layout.region(id), chord));
     pieces.parts.push_back(sheet[id].part_of);
-    pieces.faces.push_back(index_of(id));
+    pieces.faces.emplace_back(id);
   }
 }
 
@@ -57,21 +56,19 @@ void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
     const Curve2& a = layout.image(joint.a);
     const Curve2& b = layout.image(joint.b);
     const std::vector<Vec2> strip{start_of(a), end_of(a), start_of(b), end_of(b)};
-    const int face_a = index_of(joint.a.face);
-    const int face_b = index_of(joint.b.face);
     // A face lies left of its borders, or right of them where the pattern shows the other side.
     const double turn = signed_area(layout.outline(joint.a.face));
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
-      pieces.shared[std::minmax(face_a, face_b)] += std::abs(ring_area(strip));
+      pieces.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
     } else {
       pieces.polygons.push_back({strip, {}});
       pieces.parts.push_back(*joint.sharp);
-      pieces.faces.push_back(-1);
+      pieces.faces.emplace_back(std::nullopt);
     }
   }
 }
 
-std::string part_text(const FlatPattern& pattern, const Part& part) {
+std::string part_text(const FlatPattern& pattern, const PartId& part) {
   if (const auto* flange = std::get_if<FlangeId>(&part))
     return fmt::format("flange {}", index_of(*flange) + 1);
   const BendId id = std::get<BendId>(part);
@@ -93,13 +90,12 @@ struct SharedArea {
   int places = 0;
   std::vector<Vec2> outline;
 };
-using SharedByParts = std::map<std::pair<Part, Part>, SharedArea>;
+using SharedByParts = std::map<std::pair<PartId, PartId>, SharedArea>;
 
 SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
   SharedByParts result;
   for (const Overlap& overlap : overlaps(pieces.polygons, clearance, clearance * clearance)) {
-    const size_t first = static_cast<size_t>(overlap.first);
-    const size_t second = static_cast<size_t>(overlap.second);
+    const int first = overlap.first, second = overlap.second;
     // Shrinking both pieces took a rim as wide as the clearance off what they share.
     double area = overlap.area;
     for (const auto& ring : overlap.outline)
@@ -116,7 +112,7 @@ SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
   return result;
 }
 
-Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>& parts,
+Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,
                         const SharedArea& shared) {
   const std::string first = part_text(pattern, parts.first);
   const std::string who = parts.first == parts.second

@@ -77,8 +77,7 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
 ///   material only; an opening is compared with its nearest neighbour.
 /// - opening_in_bend: an opening takes material from a bend zone; info if it is cut through from
 ///   flange to flange. Rolled bends are exempt, and windows and reliefs at which the bend ends.
-/// - smallest_opening: the diameter of the largest circle that fits. Slits without width are
-/// exempt.
+/// - smallest_opening: the largest circle that fits; slits without width are exempt.
 /// - k_factor: one finding for each value of K.
 /// More than ten findings of a rule that differ only by their place become one with all places.
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
