@@ -44,12 +44,14 @@ void WarmStrip(benchmark::State& state) {
   if (!session) return state.SkipWithError("not solved");
   const int middle = session->design().ridges / 2;
   const Vec3 at = session->folded().strips[1].ridges[middle].folded[0];
-  if (!session->add_anchor({1, middle, Side::left, at}) || !session->solve())
-    return state.SkipWithError("no anchor");
+  SlitDesign design = session->design();
+  design.anchors = {{1, middle, Side::left, at}};
+  if (!session->set_design(design) || !session->solve()) return state.SkipWithError("no anchor");
   int step = 0, iterations = 0;
   for (auto _ : state) {
     const double lift = 5.0 * (++step % 2);
-    if (!session->move_anchor(0, at + Vec3(0, lift, 0))) return state.SkipWithError("not moved");
+    design.anchors[0].at = at + Vec3(0, lift, 0);
+    if (!session->set_design(design)) return state.SkipWithError("not moved");
     const auto report = session->solve();
     if (!report || !report->converged || report->strips_solved != 1)
       return state.SkipWithError("not solved");
@@ -70,14 +72,14 @@ BENCHMARK(ColdChair)->Arg(0)->Arg(2)->Unit(benchmark::kMillisecond);
 
 /// The back of the seat curve is dragged by 5 mm: all strips are solved again.
 void WarmChair(benchmark::State& state) {
-  const SlitDesign design = six_strips();
-  auto session = solved_slit_sheet(design, static_cast<int>(state.range(0)));
+  auto session = solved_slit_sheet(six_strips(), static_cast<int>(state.range(0)));
   if (!session) return state.SkipWithError("not solved");
+  SlitDesign design = session->design();
+  const double back = design.seat_curve->poles.back().x();
   int step = 0, iterations = 0;
   for (auto _ : state) {
-    BezierCurve seat = *design.seat_curve;
-    seat.poles.back().x() += 5.0 * (++step % 2);
-    if (!session->set_seat_curve(seat)) return state.SkipWithError("not set");
+    design.seat_curve->poles.back().x() = back + 5.0 * (++step % 2);
+    if (!session->set_design(design)) return state.SkipWithError("not set");
     const auto report = session->solve();
     if (!report || !report->converged || report->strips_solved != 6)
       return state.SkipWithError("not solved");

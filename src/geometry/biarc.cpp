@@ -8,16 +8,16 @@
 namespace planish {
 namespace {
 
-using namespace planar;
+using namespace geometry_detail;
 
-/// A joint of pieces that turns by more (about 0.06°) is a corner to be kept, less is what fitting
+/// A joint of pieces that turns by more (about 0.06°) is a corner and kept; less is what fitting
 /// leaves at the joints of a smooth curve.
-constexpr double corner = 1e-3;
+constexpr double kCorner = 1e-3;
 /// An arc that turns by less is given as its chord: the tangent is off by half of this, and a
 /// radius 10⁵ times the length leaves eleven digits to its ends.
-constexpr double flat = 1e-5;
+constexpr double kFlat = 1e-5;
 /// Comparisons along a biarc: its distance from the curve has about four extremes.
-constexpr int comparisons = 32;
+constexpr int kComparisons = 32;
 
 /// A part of the spline in its own parameter: piece number plus parameter in the piece.
 struct Part {
@@ -25,10 +25,10 @@ struct Part {
   double to = 0.0;
 };
 
+/// A smooth spline, and the biarcs that follow it.
 struct BiarcChain {
   const CubicSpline& spline;
   double tolerance;
-  std::vector<Curve2> made{};
 
   Vec2 point(double x) const {
     const auto [i, t] = local(x);
@@ -51,9 +51,9 @@ struct BiarcChain {
     const Bezier b = piece(spline, i);
     const double size = (b[1] - b[0]).norm() + (b[2] - b[1]).norm() + (b[3] - b[2]).norm();
     const Vec2 first = bezier_derivative(b, t);
-    if (first.norm() > std::sqrt(epsilon) * size) return first.normalized();
+    if (first.norm() > std::sqrt(kEpsilon) * size) return first.normalized();
     const Vec2 second = ahead * bezier_second(b, t);
-    if (second.norm() > std::sqrt(epsilon) * size) return second.normalized();
+    if (second.norm() > std::sqrt(kEpsilon) * size) return second.normalized();
     const Vec2 third = b[3] - 3.0 * b[2] + 3.0 * b[1] - b[0];
     return third.isZero(0.0) ? Vec2(Vec2::UnitX()) : third.normalized();
   }
@@ -67,12 +67,12 @@ struct BiarcChain {
   /// Arc from a to b that leaves a along `tangent`, or its chord if it is nearly straight.
   static Curve2 arc_leaving(const Vec2& a, const Vec2& along, const Vec2& b) {
     const double sweep = 2.0 * turn(along, b - a);
-    if (std::abs(sweep) < flat) return Segment{a, b};
+    if (std::abs(sweep) < kFlat) return Segment{a, b};
     return arc_between(a, b, sweep);
   }
 
   /// Two arcs with the tangents of the part at its ends and a common one where they meet, at equal
-  /// distances along the end tangents. None where those tangents point apart.
+  /// distances along the end tangents. Empty where those tangents point apart.
   std::optional<std::array<Curve2, 2>> biarc(const Part& part) const {
     const Vec2 a = point(part.from);
     const Vec2 b = point(part.to);
@@ -90,9 +90,9 @@ struct BiarcChain {
   }
 
   bool close(const std::array<Curve2, 2>& arcs, const Part& part) const {
-    const double allowed = between_stations * tolerance;
+    const double allowed = kBetweenStations * tolerance;
     const double pieces = std::ceil(part.to) - std::floor(part.from);
-    const int n = comparisons * std::max(1, static_cast<int>(pieces / 4.0));
+    const int n = kComparisons * std::max(1, static_cast<int>(pieces / 4.0));
     for (int k = 1; k < n; ++k) {
       const Vec2 p = point(part.from + (part.to - part.from) * k / n);
       if (std::min(nearest(arcs[0], p).distance, nearest(arcs[1], p).distance) > allowed)
@@ -100,8 +100,8 @@ struct BiarcChain {
     }
     const CubicSpline alone = cut(part);
     for (const Curve2& arc : arcs) {
-      for (int k = 1; k <= comparisons / 4; ++k) {
-        const Vec2 p = point_at(arc, k / (comparisons / 4.0));
+      for (int k = 1; k <= kComparisons / 4; ++k) {
+        const Vec2 p = point_at(arc, k / (kComparisons / 4.0));
         if (nearest(alone, p).distance > allowed) return false;
       }
     }
@@ -114,13 +114,13 @@ struct BiarcChain {
     return arcs;
   }
 
-  void add(const Curve2& curve) {
-    if (length(curve) > 0.0) made.push_back(curve);
-  }
-
   /// Longest biarcs first to last. The next step starts from the last one's length; five halvings
   /// place its end within a thirtieth.
-  void follow(const Part& whole) {
+  std::vector<Curve2> along(const Part& whole) const {
+    std::vector<Curve2> made;
+    const auto add = [&made](const Curve2& curve) {
+      if (length(curve) > 0.0) made.push_back(curve);
+    };
     double x = whole.from;
     double step = whole.to - whole.from;
     while (x < whole.to) {
@@ -132,9 +132,10 @@ struct BiarcChain {
       } else {
         add(Segment{point(x), point(reached)});
       }
-      step = std::max(reached - x, 4.0 * epsilon * whole.to);
+      step = std::max(reached - x, 4.0 * kEpsilon * whole.to);
       x = reached;
     }
+    return made;
   }
 
   std::pair<double, std::optional<std::array<Curve2, 2>>> longest(double x, double step,
@@ -152,7 +153,7 @@ struct BiarcChain {
       } else {
         bad = next;
         step *= 0.5;
-        // Shorter than the tolerance, or than parameters can tell: a chord will do.
+        // Shorter than the tolerance, or than parameters can resolve: a chord will do.
         if (!best && (short_part(x, next) || x + step <= x)) return {next, std::nullopt};
       }
       if (best && !std::isinf(bad)) ++refinements;
@@ -162,7 +163,7 @@ struct BiarcChain {
 
   bool short_part(double from, double to) const {
     const double size = length(cut({from, to}));
-    return size <= tolerance || size <= 64.0 * epsilon * largest(point(from));
+    return size <= tolerance || size <= 64.0 * kEpsilon * largest(point(from));
   }
 };
 
@@ -173,7 +174,7 @@ std::vector<std::size_t> corners(const CubicSpline& spline) {
   std::vector<std::size_t> found{0};
   for (std::size_t i = 1; i < n; ++i) {
     const double x = static_cast<double>(i);
-    if (std::abs(turn(chain.tangent(x, -1.0), chain.tangent(x, 1.0))) > corner) found.push_back(i);
+    if (std::abs(turn(chain.tangent(x, -1.0), chain.tangent(x, 1.0))) > kCorner) found.push_back(i);
   }
   found.push_back(n);
   return found;
@@ -196,9 +197,9 @@ std::vector<Curve2> to_arcs(const Curve2& curve, double tolerance) {
       if (length(simple) > 0.0) made.push_back(simple);
       continue;
     }
-    BiarcChain chain{smooth, tolerance};
-    chain.follow({0.0, static_cast<double>(piece_count(smooth))});
-    made.insert(made.end(), chain.made.begin(), chain.made.end());
+    const BiarcChain chain{smooth, tolerance};
+    const std::vector<Curve2> arcs = chain.along({0.0, static_cast<double>(piece_count(smooth))});
+    made.insert(made.end(), arcs.begin(), arcs.end());
   }
   if (made.empty()) made.push_back(Segment{start_of(curve), end_of(curve)});
   return made;

@@ -5,8 +5,8 @@
 namespace planish {
 namespace {
 
-using namespace planar;
-constexpr double pi = std::numbers::pi;
+using namespace geometry_detail;
+using std::numbers::pi;
 
 Vec2 arc_point(const Arc& arc, double angle) {
   return arc.center + arc.radius * direction_of(angle);
@@ -46,7 +46,7 @@ std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
 
 /// Heights of a, b above the line are zero to rounding: the noise of coordinates this large.
 double height_noise(const Vec2& a, const Vec2& b, const Vec2& origin) {
-  return 4.0 * epsilon * (largest(a) + largest(b) + largest(origin));
+  return 4.0 * kEpsilon * (largest(a) + largest(b) + largest(origin));
 }
 
 std::vector<double> arc_crossings(const Arc& arc, const Vec2& origin, const Vec2& normal) {
@@ -56,7 +56,7 @@ std::vector<double> arc_crossings(const Arc& arc, const Vec2& origin, const Vec2
   const double half = std::acos(std::clamp(-height / arc.radius, -1.0, 1.0));
   const double size = std::abs(arc.sweep);
   // An end that lies on the line is found from either side of it.
-  const double noise = 8.0 * epsilon * (pi + std::abs(arc.start) + size);
+  const double noise = 8.0 * kEpsilon * (pi + std::abs(arc.start) + size);
   std::vector<double> found;
   for (const double angle : {middle - half, middle + half}) {
     double delta = std::remainder((angle - arc.start) * (arc.sweep < 0.0 ? -1.0 : 1.0), 2.0 * pi);
@@ -98,7 +98,7 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
   const auto snapped = [n](double t) {
     const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(n);
     const double whole = std::round(x);
-    return std::abs(x - whole) <= 4.0 * epsilon * static_cast<double>(n) ? whole : x;
+    return std::abs(x - whole) <= 4.0 * kEpsilon * static_cast<double>(n) ? whole : x;
   };
   const double from = snapped(t0);
   const double to = snapped(t1);

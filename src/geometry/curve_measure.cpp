@@ -5,28 +5,28 @@
 namespace planish {
 namespace {
 
-using namespace planar;
-constexpr double pi = std::numbers::pi;
+using namespace geometry_detail;
+using std::numbers::pi;
 
-constexpr std::size_t gauss_points = 16;
+constexpr std::size_t kGaussPoints = 16;
 
 struct GaussRule {
-  std::array<double, gauss_points> node{};  // on [0, 1]
-  std::array<double, gauss_points> weight{};
+  std::array<double, kGaussPoints> node{};  // on [0, 1]
+  std::array<double, kGaussPoints> weight{};
 };
 
 /// Gauss–Legendre rule: nodes are roots of the Legendre polynomial, found by Newton.
 const GaussRule& gauss_rule() {
   static const GaussRule rule = [] {
     GaussRule r;
-    const double n = static_cast<double>(gauss_points);
-    for (std::size_t i = 0; i < gauss_points; ++i) {
+    const double n = static_cast<double>(kGaussPoints);
+    for (std::size_t i = 0; i < kGaussPoints; ++i) {
       double x = std::cos(pi * (static_cast<double>(i) + 0.75) / (n + 0.5));
       double slope = 0.0;
       for (int step = 0; step < 10; ++step) {
         double before = 1.0;
         double value = x;
-        for (std::size_t k = 2; k <= gauss_points; ++k) {
+        for (std::size_t k = 2; k <= kGaussPoints; ++k) {
           const double d = static_cast<double>(k);
           before = std::exchange(value, ((2.0 * d - 1.0) * x * value - (d - 1.0) * before) / d);
         }
@@ -43,7 +43,7 @@ const GaussRule& gauss_rule() {
 
 double gauss_length(const Bezier& b, double t0, double t1) {
   double sum = 0.0;
-  for (std::size_t i = 0; i < gauss_points; ++i) {
+  for (std::size_t i = 0; i < kGaussPoints; ++i) {
     const double t = t0 + (t1 - t0) * gauss_rule().node[i];
     sum += gauss_rule().weight[i] * bezier_derivative(b, t).norm();
   }
@@ -64,7 +64,7 @@ double adaptive_length(const Bezier& b, double t0, double t1, double whole, doub
 
 double piece_length(const Bezier& b) {
   const double polygon = (b[1] - b[0]).norm() + (b[2] - b[1]).norm() + (b[3] - b[2]).norm();
-  const double allowed = 32.0 * epsilon * polygon;
+  const double allowed = 32.0 * kEpsilon * polygon;
   return adaptive_length(b, 0.0, 1.0, gauss_length(b, 0.0, 1.0), allowed, 30);
 }
 
@@ -158,7 +158,7 @@ struct NearestOnPiece {
       (g < 0.0 ? a : b) = x;
       double next = slope > 0.0 ? x - g / slope : a;
       if (!(next > a && next < b)) next = 0.5 * (a + b);
-      if (std::abs(next - x) <= epsilon) break;
+      if (std::abs(next - x) <= kEpsilon) break;
       x = next;
     }
     offer(x);
@@ -166,8 +166,8 @@ struct NearestOnPiece {
 
   void search(const std::array<double, 7>& c, double lo, double hi) {
     const auto [least, most] = std::minmax_element(c.begin(), c.end());
-    // |B|² lies above its least coefficient; what is within rounding of the best is no gain.
-    if (*least >= best - 8.0 * epsilon * *most) return;
+    // |B|² lies above its least coefficient; what is within rounding of the best gains nothing.
+    if (*least >= best - 8.0 * kEpsilon * *most) return;
     std::array<double, 6> rise{};
     for (std::size_t i = 0; i < 6; ++i)
       rise[i] = c[i + 1] - c[i];
@@ -180,7 +180,7 @@ struct NearestOnPiece {
       if (*first < 0.0) polish(lo, hi);
       return;
     }
-    if (hi - lo <= 2.0 * epsilon) return;
+    if (hi - lo <= 2.0 * kEpsilon) return;
     const auto [left, right] = split(c, 0.5);
     search(left, lo, 0.5 * (lo + hi));
     search(right, 0.5 * (lo + hi), hi);

@@ -1,6 +1,8 @@
+#include "planar.hpp"
 #include "ruled.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/developable.hpp>
 #include <planish/geometry/fit.hpp>
 
@@ -11,12 +13,7 @@
 namespace planish {
 namespace {
 
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
+using namespace geometry_detail;
 
 /// Away from the z axis at azimuth u.
 Vec3 radial(const Frame& frame, double u) { return std::cos(u) * frame.x + std::sin(u) * frame.y; }
@@ -34,8 +31,7 @@ double azimuth(double x, double y, double u_near) {
 
 /// Whether a coordinate that runs from a to b is constant but for rounding.
 bool constant(double a, double b) {
-  constexpr double rounding = 1e-12;
-  return std::abs(b - a) <= rounding * std::max({1.0, std::abs(a), std::abs(b)});
+  return std::abs(b - a) <= tolerance::kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
 std::vector<Curve2> pieces_of(const Curve2& curve) {

@@ -7,14 +7,14 @@
 namespace planish {
 namespace {
 
-using namespace planar;
+using namespace geometry_detail;
 
-constexpr std::size_t most_pieces = 4096;
+constexpr std::size_t kMostPieces = 4096;
 /// Halvings of one place, beyond which parameters of doubles stop being told apart.
-constexpr int most_halvings = 40;
+constexpr int kMostHalvings = 40;
 /// Where a Hermite piece is compared with the function. Its error behaves as t²(1−t)²(a + bt): the
 /// middle is the largest for b = 0 and 0.5 ± √5/10 for a = −b/2; the outer two see what is steeper.
-constexpr std::array<double, 5> checks{0.112, 0.276, 0.5, 0.724, 0.888};
+constexpr std::array<double, 5> kChecks{0.112, 0.276, 0.5, 0.724, 0.888};
 
 struct Knot {
   double t = 0.0;
@@ -32,7 +32,7 @@ struct Piece {
 /// A derivative that moves the point less than this share of the size of the piece tells no
 /// direction: half the digits, as for a difference quotient.
 bool tells_direction(const Vec2& derivative, double step, double size) {
-  return (derivative * step).norm() > std::sqrt(epsilon) * size;
+  return (derivative * step).norm() > std::sqrt(kEpsilon) * size;
 }
 
 struct Fitter {
@@ -49,20 +49,20 @@ struct Fitter {
     }
     // The curve stops here: its direction is where it goes next.
     const Vec2 chord = other.sample.point - at.sample.point;
-    const double nearby = std::cbrt(epsilon);
+    const double nearby = std::cbrt(kEpsilon);
     Vec2 ahead = f(at.t + nearby * step).point - at.sample.point;
-    if (ahead.norm() <= 64.0 * epsilon * (size + largest(at.sample.point))) ahead = chord;
+    if (ahead.norm() <= 64.0 * kEpsilon * (size + largest(at.sample.point))) ahead = chord;
     if (ahead.isZero(0.0)) return at.sample.point;
     return at.sample.point + ahead.normalized() * chord.norm() / 3.0;
   }
 
   Piece piece_between(const Knot& from, const Knot& to, int halvings) const {
-    std::array<Vec2, checks.size()> wanted;
+    std::array<Vec2, kChecks.size()> wanted;
     Box2 box;
     box.add(from.sample.point);
     box.add(to.sample.point);
-    for (std::size_t i = 0; i < checks.size(); ++i) {
-      wanted[i] = f(from.t + checks[i] * (to.t - from.t)).point;
+    for (std::size_t i = 0; i < kChecks.size(); ++i) {
+      wanted[i] = f(from.t + kChecks[i] * (to.t - from.t)).point;
       box.add(wanted[i]);
     }
     const double size = largest(box.size());
@@ -78,10 +78,10 @@ struct Fitter {
     // The distance at equal parameters bounds the distance between the curves from above; the true
     // one is looked for only where the bound is not enough, and not beyond the first that is not
     // either.
-    std::array<double, checks.size()> apart;
-    for (std::size_t i = 0; i < checks.size(); ++i)
-      apart[i] = (bezier_point(made.poles, checks[i]) - wanted[i]).norm();
-    for (std::size_t i = 0; orderly && i < checks.size(); ++i) {
+    std::array<double, kChecks.size()> apart;
+    for (std::size_t i = 0; i < kChecks.size(); ++i)
+      apart[i] = (bezier_point(made.poles, kChecks[i]) - wanted[i]).norm();
+    for (std::size_t i = 0; orderly && i < kChecks.size(); ++i) {
       if (apart[i] <= tolerance) continue;
       const double nearer = nearest(alone, wanted[i]).distance;
       if (nearer > tolerance) break;
@@ -109,13 +109,13 @@ FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolera
   const Fitter fitter{f, tolerance};
   std::vector<Piece> pieces{fitter.piece_between(fitter.knot(t0), fitter.knot(t1), 0)};
   const auto wants_halving = [tolerance](const Piece& p) {
-    return p.deviation > tolerance && p.halvings < most_halvings;
+    return p.deviation > tolerance && p.halvings < kMostHalvings;
   };
   // Level by level, so that the limit of pieces is shared by the whole curve.
-  while (std::any_of(pieces.begin(), pieces.end(), wants_halving) && pieces.size() < most_pieces) {
+  while (std::any_of(pieces.begin(), pieces.end(), wants_halving) && pieces.size() < kMostPieces) {
     std::vector<Piece> finer;
     finer.reserve(2 * pieces.size());
-    std::size_t room = most_pieces - pieces.size();
+    std::size_t room = kMostPieces - pieces.size();
     for (const Piece& p : pieces) {
       if (!wants_halving(p) || room == 0) {
         finer.push_back(p);

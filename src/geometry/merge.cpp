@@ -1,6 +1,7 @@
 #include "planar.hpp"
 #include "recognition.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
 
 #include <numbers>
@@ -9,12 +10,12 @@
 namespace planish {
 namespace {
 
-using namespace planar;
-constexpr double pi = std::numbers::pi;
+using namespace geometry_detail;
+using std::numbers::pi;
 
 /// Grouping and absorbing are repeated while they find something; a loop of ordinary parts needs
 /// two rounds.
-constexpr int most_rounds = 8;
+constexpr int kMostRounds = 8;
 
 struct Item {
   Curve2 curve;
@@ -66,7 +67,7 @@ std::optional<Curve2> joined(const Items& items, std::size_t from, std::size_t t
   }
   const std::optional<Arc> arc = arc_through(path);
   const bool same_sense = arc && kind_of(*arc) == kind;
-  if (!same_sense || !follows(path, *arc, between_stations * allowance.circle)) return std::nullopt;
+  if (!same_sense || !follows(path, *arc, kBetweenStations * allowance.circle)) return std::nullopt;
   return *arc;
 }
 
@@ -83,14 +84,14 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   if (!circle || kind_of(*circle) != kind) return std::nullopt;
   // Pieces of one circle keep its centre and radius to the bit.
   const Arc& model = std::get<Arc>(items.front().curve);
-  const double noise = same_point * size_of(path);
+  const double noise = kSamePoint * size_of(path);
   const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
     const Arc& arc = std::get<Arc>(item.curve);
     return largest(arc.center - model.center) <= noise &&
            std::abs(arc.radius - model.radius) <= noise;
   });
   if (same) circle = Arc{model.center, model.radius, model.start, circle->sweep};
-  if (!follows(path, *circle, between_stations * tolerance)) return std::nullopt;
+  if (!follows(path, *circle, kBetweenStations * tolerance)) return std::nullopt;
   return circle;
 }
 
@@ -113,7 +114,7 @@ std::pair<std::size_t, Curve2> longest_group(const Items& items, std::size_t fro
   return {good, std::move(curve)};
 }
 
-/// Whether nothing is left that could enclose an area.
+/// Whether what is left cannot enclose an area.
 bool vanishes(const Items& items) {
   return items.size() < 2 || (items.size() == 2 && kind_of(items[0].curve) == Kind::segment &&
                               kind_of(items[1].curve) == Kind::segment);
@@ -159,7 +160,7 @@ Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
                         [&](const Arc& arc) -> Curve2 {
                           const Vec2 middle = point_at(arc, 0.5);
                           const double sweep = 2.0 * turn(middle - a, b - middle);
-                          if (std::abs(sweep) <= same_point) return Segment{a, b};
+                          if (std::abs(sweep) <= tolerance::kRounding) return Segment{a, b};
                           return arc_between(a, b, sweep);
                         },
                         [&](const CubicSpline& s) -> Curve2 {
@@ -175,7 +176,7 @@ Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
                     curve);
 }
 
-/// Where two curves shall meet when what lay between the end p of the one and the start q of the
+/// Where two curves are to meet once what lay between the end p of the one and the start q of the
 /// other is gone. Arcs stay as they are if they can: moving an end moves all of an arc.
 Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) {
   const Vec2 p = end_of(before);
@@ -197,24 +198,24 @@ Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) 
   return near ? corner : middle;
 }
 
-/// Curves shorter than the tolerance go. Several in a row become segments as long as the tolerance
-/// until less than that is left, so that a chain of short curves is thinned and not lost.
-std::optional<Items> absorbed(const Items& items, double tolerance) {
-  const std::size_t n = items.size();
-  std::vector<char> is_short(n);
-  for (std::size_t i = 0; i < n; ++i)
-    is_short[i] = length(items[i].curve) < tolerance;
-  const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
-  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return std::nullopt;
-  const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap round
-
+/// What is left when short curves go, and after which of it there is a gap.
+struct Thinned {
   Items kept;
   std::vector<char> gap_after;
+};
+
+/// Several short curves in a row become segments as long as the tolerance until less than that is
+/// left, so that a chain of short curves is thinned and not lost.
+Thinned thinned(const Items& items, const std::vector<char>& is_short, double tolerance) {
+  const std::size_t n = items.size();
+  const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
+  const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap round
+  Thinned result;
   for (std::size_t k = 0; k < n;) {
     const std::size_t i = (offset + k) % n;
     if (!is_short[i]) {
-      kept.push_back(items[i]);
-      gap_after.push_back(0);
+      result.kept.push_back(items[i]);
+      result.gap_after.push_back(0);
       ++k;
       continue;
     }
@@ -225,20 +226,19 @@ std::optional<Items> absorbed(const Items& items, double tolerance) {
       ++k;
     }
     if ((reached - anchor).norm() >= tolerance) {
-      kept.push_back({Segment{anchor, reached}, items[i].first});
-      gap_after.push_back(0);
-    } else if (!kept.empty()) {
-      gap_after.back() = 1;
+      result.kept.push_back({Segment{anchor, reached}, items[i].first});
+      result.gap_after.push_back(0);
+    } else if (!result.kept.empty()) {
+      result.gap_after.back() = 1;
     }
   }
+  return result;
+}
 
+/// The curves beside gaps, led on to where they meet.
+Items closed_up(Thinned thinned, double tolerance) {
+  auto& [kept, gap_after] = thinned;
   const std::size_t m = kept.size();
-  if (m == 1 && is_arc(kept[0].curve) && std::abs(std::get<Arc>(kept[0].curve).sweep) > pi) {
-    Arc& arc = std::get<Arc>(kept[0].curve);
-    arc.sweep = std::copysign(2.0 * pi, arc.sweep);
-    return kept;
-  }
-  if (vanishes(kept)) return std::nullopt;  // a sliver shall not vanish
   std::vector<Vec2> starts(m);
   for (std::size_t i = 0; i < m; ++i) {
     const std::size_t next = (i + 1) % m;
@@ -251,7 +251,26 @@ std::optional<Items> absorbed(const Items& items, double tolerance) {
     const Vec2 end = gap_after[i] ? starts[(i + 1) % m] : end_of(kept[i].curve);
     kept[i].curve = with_ends(kept[i].curve, starts[i], end);
   }
-  return kept;
+  return std::move(kept);
+}
+
+/// Without curves shorter than the tolerance; empty when there are none, or when a sliver would
+/// vanish.
+std::optional<Items> absorbed(const Items& items, double tolerance) {
+  std::vector<char> is_short(items.size());
+  for (std::size_t i = 0; i < items.size(); ++i)
+    is_short[i] = length(items[i].curve) < tolerance;
+  if (std::find(is_short.begin(), is_short.end(), 1) == is_short.end()) return std::nullopt;
+  Thinned left = thinned(items, is_short, tolerance);
+  if (left.kept.size() == 1 && is_arc(left.kept[0].curve)) {
+    Arc& arc = std::get<Arc>(left.kept[0].curve);
+    if (std::abs(arc.sweep) > pi) {
+      arc.sweep = std::copysign(2.0 * pi, arc.sweep);
+      return left.kept;
+    }
+  }
+  if (vanishes(left.kept)) return std::nullopt;
+  return closed_up(std::move(left), tolerance);
 }
 
 /// Joints made one point: arcs say where, segments and splines follow to the bit; of two arcs that
@@ -291,13 +310,13 @@ MergedLoop merged(const Loop& loop, double tolerance) {
   std::vector<Station> joints;
   for (const Item& item : items)
     joints.push_back({start_of(item.curve)});
-  const double noise = joints.empty() ? 0.0 : same_point * size_of(joints);
+  const double noise = joints.empty() ? 0.0 : kSamePoint * size_of(joints);
   // Rounding alone must not keep a curve of no length, or two halves of a line, apart.
   tolerance = std::max(tolerance, noise);
   // Pieces of one line or circle first, lest short ones be lost; but a short edge that is merely
   // within the tolerance of its neighbour's line is better absorbed, which keeps both directions.
   items = grouped(items, {noise, tolerance});
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < kMostRounds; ++round) {
     auto fewer = absorbed(items, tolerance);
     if (fewer) items = std::move(*fewer);
     items = grouped(items, {tolerance, tolerance});

@@ -11,13 +11,13 @@
 namespace planish {
 namespace {
 
-using namespace planar;
+using namespace geometry_detail;
 
-/// Quarter turns of the arcs that shrinking rounds notches with.
-constexpr int quadrant_segments = 8;
+/// Pieces of a quarter turn of the arcs with which shrinking rounds notches.
+constexpr int kQuadrantSegments = 8;
 /// Grid, as a share of the extent, on which an overlay that fails in doubles is repeated; GEOS
 /// never fails on a grid.
-constexpr double rescue_grid = 1e-11;
+constexpr double kRescueGrid = 1e-11;
 
 void ignore_notice(const char*, ...) {}
 
@@ -57,7 +57,7 @@ class Geos {
 
   Geometry shrunk(Geometry g, double by) const {
     if (by <= 0.0) return g;
-    Geometry smaller = own(GEOSBuffer_r(handle_, g.get(), -by, quadrant_segments));
+    Geometry smaller = own(GEOSBuffer_r(handle_, g.get(), -by, kQuadrantSegments));
     PLANISH_ASSERT(smaller);
     return smaller;
   }
@@ -69,7 +69,7 @@ class Geos {
   Geometry intersection(const Geometry& a, const Geometry& b, double extent) const {
     Geometry common = own(GEOSIntersection_r(handle_, a.get(), b.get()));
     if (!common)
-      common = own(GEOSIntersectionPrec_r(handle_, a.get(), b.get(), rescue_grid * extent));
+      common = own(GEOSIntersectionPrec_r(handle_, a.get(), b.get(), kRescueGrid * extent));
     PLANISH_ASSERT(common);
     return common;
   }
@@ -99,7 +99,7 @@ class Geos {
  private:
   Geometry own(GEOSGeometry* g) const { return Geometry(g, Release{handle_}); }
 
-  /// Closed ring; none for fewer than three corners.
+  /// Closed ring; null for fewer than three corners.
   Geometry ring(const std::vector<Vec2>& points) const {
     if (points.size() < 3) return own(nullptr);
     const auto n = static_cast<unsigned>(points.size());

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
-namespace planish::planar {
+namespace planish::geometry_detail {
 
-inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 /// v turned by +90°.
@@ -118,7 +118,7 @@ double single_root(const std::array<double, M>& c) {
     ((value > 0.0) == (left > 0.0) ? a : b) = t;
     double next = t - value / slope;
     if (!(next > a && next < b)) next = 0.5 * (a + b);
-    if (std::abs(next - t) <= epsilon * t) return next;
+    if (std::abs(next - t) <= kEpsilon * t) return next;
     t = next;
   }
   return t;
@@ -134,7 +134,7 @@ void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
     return;
   }
   const double mid = 0.5 * (lo + hi);
-  if (hi - lo <= 2.0 * epsilon) {  // a multiple root, or two that doubles cannot tell apart
+  if (hi - lo <= 2.0 * kEpsilon) {  // a multiple root, or two that doubles cannot tell apart
     out.push_back(mid);
     return;
   }
@@ -159,12 +159,12 @@ std::vector<double> roots(const std::array<double, M>& c) {
 
 /// |B|² in Bernstein form, of degree six. Its coefficients enclose its values.
 inline std::array<double, 7> square(const Bezier& b) {
-  constexpr std::array<double, 4> cubic{1.0, 3.0, 3.0, 1.0};
-  constexpr std::array<double, 7> sextic{1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0};
+  constexpr std::array<double, 4> kCubic{1.0, 3.0, 3.0, 1.0};
+  constexpr std::array<double, 7> kSextic{1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0};
   std::array<double, 7> c{};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 4; ++j) {
-      c[i + j] += cubic[i] * cubic[j] / sextic[i + j] * b[i].dot(b[j]);
+      c[i + j] += kCubic[i] * kCubic[j] / kSextic[i + j] * b[i].dot(b[j]);
     }
   }
   return c;
@@ -184,4 +184,4 @@ inline Arc arc_between(const Vec2& a, const Vec2& b, double sweep) {
   return {a + to_center, to_center.norm(), angle_of(-to_center), sweep};
 }
 
-}  // namespace planish::planar
+}  // namespace planish::geometry_detail

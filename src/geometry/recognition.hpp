@@ -5,10 +5,12 @@
 
 #include "planar.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <optional>
 #include <vector>
 
-namespace planish::planar {
+namespace planish::geometry_detail {
 
 /// A point of a path with the length of path it stands for.
 struct Station {
@@ -16,13 +18,13 @@ struct Station {
   double weight = 1.0;
 };
 
-/// Where the extremes between stations are not solved for, the stations lie so dense that the
-/// deviation between them exceeds that at them by less than this share makes up for.
-inline constexpr double between_stations = 0.98;
+/// Share of a tolerance that stations may use where the extremes between them are not solved for:
+/// they lie so dense that the rest covers what is missed.
+inline constexpr double kBetweenStations = 0.98;
 
 /// Points nearer than this share of a path's size are one point: what rounding leaves of a path
 /// of some hundred operations.
-inline constexpr double same_point = 1e-12;
+inline constexpr double kSamePoint = tolerance::kRounding;
 
 /// Largest coordinate difference within the stations and the size of their coordinates.
 double size_of(const std::vector<Station>& path);
@@ -32,12 +34,12 @@ double size_of(const std::vector<Station>& path);
 std::optional<Segment> line_along(const std::vector<Station>& path, double tolerance);
 
 /// The circle through the first and the last station that fits the others best (least squares),
-/// turning as the path does; a full circle through the first when the two are one point. Says
-/// nothing about how well it fits; none when the stations do not determine it.
+/// turning as the path does; a full circle through the first when the two are one point. How well
+/// it fits is not checked. Empty when the stations do not determine a circle.
 std::optional<Arc> arc_through(const std::vector<Station>& path);
 
 /// Whether the path keeps within `tolerance` of the arc from end to end and never runs back by
 /// more.
 bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance);
 
-}  // namespace planish::planar
+}  // namespace planish::geometry_detail

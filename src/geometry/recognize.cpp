@@ -5,10 +5,10 @@
 #include <numbers>
 
 namespace planish {
-namespace planar {
+namespace geometry_detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Circle through the first station and, by least squares, the others: |d|² = 2 v·d for d from
 /// the first station and v from there to the centre.
@@ -22,7 +22,7 @@ std::optional<Vec2> center_through_one(const std::vector<Station>& path) {
     r += 2.0 * s.weight * d.squaredNorm() * d;
   }
   // Points of one line determine no circle.
-  if (m.determinant() <= same_point * m.trace() * m.trace()) return std::nullopt;
+  if (m.determinant() <= kSamePoint * m.trace() * m.trace()) return std::nullopt;
   return Vec2(a + m.inverse() * r);
 }
 
@@ -63,7 +63,7 @@ double size_of(const std::vector<Station>& path) {
     coordinates = std::max(coordinates, largest(s.point));
   }
   // Coordinates far from the origin carry rounding of their own.
-  return std::max(largest(box.size()), epsilon / same_point * coordinates);
+  return std::max(largest(box.size()), kEpsilon / kSamePoint * coordinates);
 }
 
 std::optional<Segment> line_along(const std::vector<Station>& path, double tolerance) {
@@ -89,7 +89,7 @@ std::optional<Segment> line_along(const std::vector<Station>& path, double toler
 std::optional<Arc> arc_through(const std::vector<Station>& path) {
   const Vec2 a = path.front().point;
   const Vec2 chord = path.back().point - a;
-  const bool closed = largest(chord) <= same_point * size_of(path);
+  const bool closed = largest(chord) <= kSamePoint * size_of(path);
   const std::optional<Vec2> center = closed ? center_through_one(path) : center_through_two(path);
   if (!center || !center->allFinite()) return std::nullopt;
   const double turned = total_turn(path, *center);
@@ -133,14 +133,14 @@ bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance)
          });
 }
 
-}  // namespace planar
+}  // namespace geometry_detail
 
 namespace {
 
-using namespace planar;
+using namespace geometry_detail;
 
 /// Evenly spaced stations of a piece, to fit a circle to and to follow its turning.
-constexpr int stations_per_piece = 24;
+constexpr int kStationsPerPiece = 24;
 
 /// Stations at every end, and wherever a piece turns back or is farthest out seen along `chord`:
 /// on them alone the test for a line is exact.
@@ -166,13 +166,14 @@ std::vector<Station> extreme_stations(const CubicSpline& spline) {
 
 /// Where the direction from `center` stops turning: (B − c) × B' = 0, of degree five.
 std::vector<double> angular_extrema(const Bezier& b, const Vec2& center) {
-  constexpr std::array<double, 4> cubic{1.0, 3.0, 3.0, 1.0};
-  constexpr std::array<double, 3> quadratic{1.0, 2.0, 1.0};
-  constexpr std::array<double, 6> quintic{1.0, 5.0, 10.0, 10.0, 5.0, 1.0};
+  constexpr std::array<double, 4> kCubic{1.0, 3.0, 3.0, 1.0};
+  constexpr std::array<double, 3> kQuadratic{1.0, 2.0, 1.0};
+  constexpr std::array<double, 6> kQuintic{1.0, 5.0, 10.0, 10.0, 5.0, 1.0};
   std::array<double, 6> c{};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      c[i + j] += cubic[i] * quadratic[j] / quintic[i + j] * cross(b[i] - center, b[j + 1] - b[j]);
+      c[i + j] += kCubic[i] * kQuadratic[j] / kQuintic[i + j] *
+                  cross(b[i] - center, b[j + 1] - b[j]);
     }
   }
   return roots(c);
@@ -184,8 +185,8 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
   for (std::size_t i = 0; i < piece_count(spline); ++i) {
     const Bezier b = piece(spline, i);
     std::vector<double> at;
-    for (int k = 1; k < stations_per_piece; ++k)
-      at.push_back(k / double{stations_per_piece});
+    for (int k = 1; k < kStationsPerPiece; ++k)
+      at.push_back(k / double{kStationsPerPiece});
     if (center) {
       for (const double t : angular_extrema(b, *center))
         at.push_back(t);

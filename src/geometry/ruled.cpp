@@ -1,6 +1,9 @@
 #include "ruled.hpp"
 
+#include "planar.hpp"
+
 #include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 
 #include <Eigen/Geometry>
 
@@ -10,14 +13,12 @@
 #include <numbers>
 #include <numeric>
 
-namespace planish {
+namespace planish::geometry_detail {
 namespace {
 
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
 /// How far past its first and last ruling the surface is searched, in lengths of the end intervals:
-/// points of a border must be found though rounding puts them outside.
-constexpr double margin = 0.1;
+/// points of a border must be found even where rounding puts them outside.
+constexpr double kMargin = 0.1;
 
 struct HermiteValue {
   Vec3 value, first, second;
@@ -43,12 +44,12 @@ Vec3 derivative_of_unit(const Vec3& x, const Vec3& x_prime) {
 
 double first_u(const Ruled& ruled) {
   const auto& k = ruled.knots;
-  return k[0].u - margin * (k[1].u - k[0].u);
+  return k[0].u - kMargin * (k[1].u - k[0].u);
 }
 
 double last_u(const Ruled& ruled) {
   const auto& k = ruled.knots;
-  return k.back().u + margin * (k.back().u - k[k.size() - 2].u);
+  return k.back().u + kMargin * (k.back().u - k[k.size() - 2].u);
 }
 
 /// A function of u that is zero where the ruling through u passes a given point, negative where the
@@ -62,7 +63,7 @@ struct Passing {
 /// leave it or is not shorter than half the step before.
 template <class Function>
 double root_between(const Function& passing, Passing a, Passing b) {
-  const double finest = 4.0 * epsilon * std::max({std::abs(a.u), std::abs(b.u), b.u - a.u});
+  const double finest = 4.0 * kEpsilon * std::max({std::abs(a.u), std::abs(b.u), b.u - a.u});
   Passing x = std::abs(a.value) < std::abs(b.value) ? a : b;
   double step = b.u - a.u;
   while (x.value != 0.0 && std::abs(step) > finest) {
@@ -80,7 +81,7 @@ double root_between(const Function& passing, Passing a, Passing b) {
 template <class Function>
 Passing turning_point(const Function& passing, Passing a, Passing b) {
   const bool rises_first = a.slope > 0.0;
-  const double finest = std::sqrt(epsilon) * (b.u - a.u);
+  const double finest = std::sqrt(kEpsilon) * (b.u - a.u);
   while (b.u - a.u > finest) {
     const Passing middle = passing(std::midpoint(a.u, b.u));
     ((middle.slope > 0.0) == rises_first ? a : b) = middle;
@@ -111,9 +112,9 @@ std::vector<double> rising_roots(const Function& passing, const std::vector<Pass
 /// Knots, and points between where knots are few, from slightly before the first to slightly past
 /// the last.
 std::vector<double> scan_positions(const Ruled& ruled) {
-  constexpr std::size_t enough = 64;
+  constexpr std::size_t kEnough = 64;
   const auto& k = ruled.knots;
-  const std::size_t parts = 1 + enough / k.size();
+  const std::size_t parts = 1 + kEnough / k.size();
   std::vector<double> us{first_u(ruled)};
   for (std::size_t i = 0; i + 1 < k.size(); ++i)
     for (std::size_t j = 0; j < parts; ++j)
@@ -130,16 +131,16 @@ double distance_to_ruling(const Ruled& ruled, const Vec3& p, double u) {
   return (p - f.b).cross(f.g).norm();
 }
 
-/// The ruling in `us` nearest to p; of those equally near, the one nearest to u_near.
+/// The ruling in `us` nearest to p; of those equally near (for the distance of p to the directrix),
+/// the one nearest to u_near.
 double nearest_ruling(const Ruled& ruled, const Vec3& p, double u_near,
                       const std::vector<double>& us) {
-  constexpr double equally_near = 1e-9;  // of the distance to the directrix
   const double scale = (p - frame_at(ruled, us.front()).b).norm();
   double best = us.front();
   double best_distance = std::numeric_limits<double>::infinity();
   for (const double u : us) {
     const double distance = distance_to_ruling(ruled, p, u);
-    const bool equal = std::abs(distance - best_distance) <= equally_near * scale;
+    const bool equal = std::abs(distance - best_distance) <= tolerance::kComputed * scale;
     if (equal ? std::abs(u - u_near) < std::abs(best - u_near) : distance < best_distance) {
       best = u;
       best_distance = distance;
@@ -203,8 +204,6 @@ std::array<Vec3, n + 1> antiderivative(const std::array<Vec3, n>& series, double
   return result;
 }
 
-Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
 /// Perpendicular to the ruling at that angle, towards growing u.
 Vec2 across(double angle) { return {std::sin(angle), -std::cos(angle)}; }
 
@@ -264,10 +263,10 @@ RuledImage::RuledImage(const Ruled& ruled, double offset) {
     PLANISH_ASSERT(k[i].u < k[i + 1].u);
     extent += (k[i + 1].b - k[i].b).norm();
   }
-  constexpr int halvings = 12;
+  constexpr int kHalvings = 12;
   for (std::size_t i = 0; i + 1 < k.size(); ++i)
     append(ruled, offset, i == 0 ? first_u(ruled) : k[i].u,
-           i + 2 == k.size() ? last_u(ruled) : k[i + 1].u, extent, halvings);
+           i + 2 == k.size() ? last_u(ruled) : k[i + 1].u, extent, kHalvings);
   move_start_to_origin(k.front().u);
 
   lines_.reserve(pieces_.size() + 1);
@@ -279,36 +278,36 @@ RuledImage::RuledImage(const Ruled& ruled, double offset) {
 RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, double begin,
                                          double end, const Vec3& state_at_begin) {
   const double half = 0.5 * (end - begin);
-  const std::array<double, terms>& nodes = chebyshev_cosines<terms>()[1];
-  std::array<RulingFrame, terms> frames;
-  std::array<Vec3, terms> rates;
-  for (std::size_t i = 0; i < terms; ++i) {
+  const std::array<double, kTerms>& nodes = chebyshev_cosines<kTerms>()[1];
+  std::array<RulingFrame, kTerms> frames;
+  std::array<Vec3, kTerms> rates;
+  for (std::size_t i = 0; i < kTerms; ++i) {
     frames[i] = frame_at(ruled, std::midpoint(begin, end) + half * nodes[i]);
     rates[i] = {0.0, 0.0, -frames[i].g_prime.dot(frames[i].across)};
   }
   // The angle first: the directrix needs it.
   const auto angle = antiderivative(series_through(rates), half, state_at_begin);
-  for (std::size_t i = 0; i < terms; ++i) {
+  for (std::size_t i = 0; i < kTerms; ++i) {
     const double psi = series_at(angle, nodes[i]).z();
     const Vec3 velocity = frames[i].b_prime + offset * frames[i].n_prime;
-    rates[i].head<2>() = velocity.dot(frames[i].g) * direction(psi) +
+    rates[i].head<2>() = velocity.dot(frames[i].g) * direction_of(psi) +
                          velocity.dot(frames[i].across) * across(psi);
   }
-  const std::array<Vec3, terms> rate = series_through(rates);
+  const std::array<Vec3, kTerms> rate = series_through(rates);
   return {begin, end, rate, antiderivative(rate, half, state_at_begin)};
 }
 
 void RuledImage::append(const Ruled& ruled, double offset, double begin, double end, double extent,
                         int halvings) {
-  constexpr double accuracy = 1e-13;     // of the extent, and radians
-  constexpr double largest_turn = 0.25;  // radians; `fold` looks for rulings at the ends of pieces
+  constexpr double kTail = 1e-13;        // of the extent, and radians
+  constexpr double kLargestTurn = 0.25;  // radians; `fold` looks for rulings at the ends of pieces
   const Vec3 start = pieces_.empty() ? Vec3(0.0, 0.0, 0.5 * std::numbers::pi)
                                      : series_at(pieces_.back().state, 1.0);
   const Piece piece = integrated(ruled, offset, begin, end, start);
   // Two terms, because every other one of an even or odd function is zero.
-  const Vec3 tail = piece.state[terms].cwiseAbs().cwiseMax(piece.state[terms - 1].cwiseAbs());
-  const bool fine = tail.head<2>().maxCoeff() <= accuracy * extent && tail.z() <= accuracy &&
-                    std::abs(series_at(piece.state, 1.0).z() - start.z()) <= largest_turn;
+  const Vec3 tail = piece.state[kTerms].cwiseAbs().cwiseMax(piece.state[kTerms - 1].cwiseAbs());
+  const bool fine = tail.head<2>().maxCoeff() <= kTail * extent && tail.z() <= kTail &&
+                    std::abs(series_at(piece.state, 1.0).z() - start.z()) <= kLargestTurn;
   if (fine || halvings == 0) {
     pieces_.push_back(piece);
     return;
@@ -342,7 +341,7 @@ RuledImage::Line RuledImage::line_at(double u) const {
 
 Vec2 RuledImage::develop(const Vec2& uv) const {
   const Line line = line_at(uv.x());
-  return line.state.head<2>() + uv.y() * direction(line.state.z());
+  return line.state.head<2>() + uv.y() * direction_of(line.state.z());
 }
 
 Eigen::Matrix2d RuledImage::jacobian(const Vec2& uv) const {
@@ -350,7 +349,7 @@ Eigen::Matrix2d RuledImage::jacobian(const Vec2& uv) const {
   const double psi = line.state.z();
   Eigen::Matrix2d result;
   result.col(0) = line.rate.head<2>() - uv.y() * line.rate.z() * across(psi);
-  result.col(1) = direction(psi);
+  result.col(1) = direction_of(psi);
   return result;
 }
 
@@ -359,12 +358,12 @@ Vec2 RuledImage::fold(const Vec2& p) const {
     const double psi = line.state.z();
     const Vec2 w = p - line.state.head<2>();
     const double speed = line.rate.head<2>().dot(across(psi)) -
-                         w.dot(direction(psi)) * line.rate.z();
+                         w.dot(direction_of(psi)) * line.rate.z();
     return {line.u, -w.dot(across(psi)), speed};
   };
   const auto v_at = [&](double u) {
     const Line line = line_at(u);
-    return (p - line.state.head<2>()).dot(direction(line.state.z()));
+    return (p - line.state.head<2>()).dot(direction_of(line.state.z()));
   };
   std::vector<Passing> nodes;
   nodes.reserve(lines_.size());
@@ -384,4 +383,4 @@ Vec2 RuledImage::fold(const Vec2& p) const {
   return {u, v_at(u)};
 }
 
-}  // namespace planish
+}  // namespace planish::geometry_detail

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace planish {
+namespace planish::geometry_detail {
 
 /// What a ruled surface is at u: directrix b, ruling g, normal n, and across = g × n, the direction
 /// in the tangent plane perpendicular to the ruling towards growing u. Primes are d/du.
@@ -35,12 +35,12 @@ class RuledImage {
   Eigen::Matrix2d jacobian(const Vec2& uv) const;
 
  private:
-  static constexpr std::size_t terms = 10;
+  static constexpr std::size_t kTerms = 10;
   /// Chebyshev series of (B_x, B_y, ψ) and its rate over [begin, end].
   struct Piece {
     double begin, end;
-    std::array<Vec3, terms> rate;
-    std::array<Vec3, terms + 1> state;
+    std::array<Vec3, kTerms> rate;
+    std::array<Vec3, kTerms + 1> state;
   };
   /// The image of one ruling.
   struct Line {
@@ -59,4 +59,4 @@ class RuledImage {
   std::vector<Line> lines_;  // at the ends of the pieces
 };
 
-}  // namespace planish
+}  // namespace planish::geometry_detail

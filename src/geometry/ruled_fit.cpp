@@ -12,21 +12,23 @@
 namespace planish {
 namespace {
 
+using namespace geometry_detail;
+
 class KnotPlacer {
  public:
   KnotPlacer(const std::function<Ruling(double)>& ruling, double u0, double u1, double tolerance)
       : ruling_(ruling), tolerance_(tolerance) {
-    constexpr int samples = 16;
+    constexpr int kSamples = 16;
     double size = 0.0;
-    for (int i = 0; i <= samples; ++i)
-      size = std::max(size, std::abs(ruling(std::lerp(u0, u1, i / double(samples))).reach));
+    for (int i = 0; i <= kSamples; ++i)
+      size = std::max(size, std::abs(ruling(std::lerp(u0, u1, i / double(kSamples))).reach));
     largest_tilt_ = std::pow(tolerance / size, 0.75);
   }
 
   Ruled::Knot knot(double u) const {
     const Ruled::Knot k = ruling_(u).knot;
-    constexpr double along = 64 * std::numeric_limits<double>::epsilon();
-    PLANISH_ASSERT(k.b_prime.cross(k.g).norm() > along * k.b_prime.norm());
+    constexpr double kAlong = 64 * std::numeric_limits<double>::epsilon();
+    PLANISH_ASSERT(k.b_prime.cross(k.g).norm() > kAlong * k.b_prime.norm());
     return k;
   }
 
@@ -44,11 +46,11 @@ class KnotPlacer {
 
  private:
   /// Where the error of a Hermite piece and that of its slope are largest, and a place between.
-  static constexpr std::array<double, 5> checked{0.5, 0.35, 0.65, 0.2, 0.8};
+  static constexpr std::array<double, 5> kChecked{0.5, 0.35, 0.65, 0.2, 0.8};
 
   bool near_enough(const Ruled::Knot& k0, const Ruled::Knot& k1) const {
     const Ruled piece{{k0, k1}};
-    return std::ranges::all_of(checked, [&](double share) {
+    return std::ranges::all_of(kChecked, [&](double share) {
       const auto [meant, reach] = ruling_(std::lerp(k0.u, k1.u, share));
       const RulingFrame found = frame_at(piece, meant.u);
       const Vec3 normal = meant.b_prime.cross(meant.g).normalized();
@@ -69,12 +71,12 @@ Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vect
                     double tolerance) {
   PLANISH_ASSERT(breaks.size() >= 2 && tolerance > 0.0);
   const KnotPlacer placer(ruling, breaks.front(), breaks.back(), tolerance);
-  constexpr int halvings = 12;
+  constexpr int kHalvings = 12;
   Ruled ruled{{placer.knot(breaks.front())}};
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     PLANISH_ASSERT(breaks[i] < breaks[i + 1]);
     const Ruled::Knot start = ruled.knots.back();
-    placer.append(ruled.knots, start, placer.knot(breaks[i + 1]), halvings);
+    placer.append(ruled.knots, start, placer.knot(breaks[i + 1]), kHalvings);
   }
   return ruled;
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 /// How far beside the corner of a bend zone is looked for material: ten times what a drawing may
@@ -72,7 +72,7 @@ bool flange_goes_on(const Workpiece& piece, const ZoneCorner& corner, double bes
 
 /// The relief between a corner and the sheet beside it; as wide and deep as can be where the
 /// flange does not go on beside the bend, not even round a relief: at free ends, and at the side
-/// of a tab, where the slit beside it is no relief.
+/// of a tab, where the slit beside it is not a relief.
 Relief relief_at(const Workpiece& piece, const ZoneCorner& corner, const Limits& limits,
                  double reach) {
   Relief relief{corner.at};
@@ -115,15 +115,15 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
         bend.id, point_text(relief.at), width, depth);
   }
   if (relief.width < limits.width - kDrawn) {
-    return fmt::format("the relief of bend {} at {} is {} wide, at least {} is needed", bend.id,
+    return fmt::format("the relief of bend {} at {} is {} wide; at least {} is needed", bend.id,
                        point_text(relief.at), mm_text(relief.width), width);
   }
   return fmt::format(
-      "the relief of bend {} at {} is {} deep from the outside of the bend, at least {} is needed",
+      "the relief of bend {} at {} is {} deep from the outside of the bend; at least {} is needed",
       bend.id, point_text(relief.at), mm_text(relief.depth + setback), depth);
 }
 
-bool told(const std::vector<Observation>& observations, const Vec2& p, double near) {
+bool reported(const std::vector<Observation>& observations, const Vec2& p, double near) {
   return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
     return (o.finding.at.front() - p).norm() <= near;
   });
@@ -150,7 +150,7 @@ std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& ru
         if (excess(relief, limits) < excess(worst, limits)) worst = relief;
       }
       // Bends that meet in a corner lack one relief between them.
-      if (excess(worst, limits) >= -kDrawn || told(result, worst.at, piece.thickness)) continue;
+      if (excess(worst, limits) >= -kDrawn || reported(result, worst.at, piece.thickness)) continue;
       result.push_back(
           {{"bend_relief",
             Severity::warning,
@@ -164,4 +164,4 @@ std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& ru
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 std::vector<Vec2> middle_of(const Workpiece& piece, size_t bend) {
@@ -26,7 +26,7 @@ void observe_radius(const Workpiece& piece, size_t b, const Rules& rules,
   const std::string radius = mm_text(bend.inside_radius);
   result.push_back(bend_observation(
       piece, b, "inside_radius",
-      fmt::format("the inside radius of bend {} is {}, at least {} ({}) is needed", bend.id, radius,
+      fmt::format("the inside radius of bend {} is {}; at least {} ({}) is needed", bend.id, radius,
                   mm_text(limit), factors_text(rules.inside_radius_t)),
       fmt::format("bends have an inside radius of {}, which is too small", radius),
       bend.inside_radius - limit));
@@ -40,7 +40,7 @@ void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
   if (diameter < least_diameter - kDrawn) {
     result.push_back(bend_observation(
         piece, b, "hem",
-        fmt::format("the hem at bend {} is {} wide inside, at least {} ({}) is needed", bend.id,
+        fmt::format("the hem at bend {} is {} wide inside; at least {} ({}) is needed", bend.id,
                     mm_text(diameter), mm_text(least_diameter), factors_text(rules.hem_diameter_t)),
         "hems are too narrow inside", diameter - least_diameter));
   }
@@ -58,7 +58,7 @@ void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
   Observation one = bend_observation(
       piece, b, "hem",
       fmt::format("the return of the hem at bend {} is {} long from the outside "
-                  "of the bend, at least {} ({}) is needed",
+                  "of the bend; at least {} ({}) is needed",
                   bend.id, mm_text(measured), mm_text(least_return),
                   factors_text(rules.hem_return_t)),
       "hems have too short a return", measured - least_return);
@@ -66,18 +66,18 @@ void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
   result.push_back(std::move(one));
 }
 
-/// K is a property of material and tool, so all bends that have the same wrong one are one finding.
+/// K is a property of material and tool, so all bends with the same wrong one make one finding.
 void observe_k_factors(const Workpiece& piece, const Rules& rules,
                        std::vector<Observation>& result) {
-  constexpr double kRounding = 1e-6;
+  constexpr double kSame = 1e-6;           // K-factors this near are one
   std::vector<std::vector<size_t>> alike;  // bends by K, in the order of their first
   const auto& bends = piece.pattern.bends;
   for (size_t b = 0; b < bends.size(); ++b) {
     const double k = bends[b].allowance.k_factor;
-    if (k >= rules.k_low - kRounding && k <= rules.k_high + kRounding) continue;
+    if (k >= rules.k_low - kSame && k <= rules.k_high + kSame) continue;
     const auto same = std::find_if(
         alike.begin(), alike.end(), [&](const std::vector<size_t>& group) {
-          return std::abs(bends[group.front()].allowance.k_factor - k) <= kRounding;
+          return std::abs(bends[group.front()].allowance.k_factor - k) <= kSame;
         });
     if (same == alike.end()) {
       alike.push_back({b});
@@ -87,16 +87,16 @@ void observe_k_factors(const Workpiece& piece, const Rules& rules,
   }
   for (const std::vector<size_t>& group : alike) {
     const FlatBend& first = bends[group.front()];
-    const std::string who = group.size() == 1 ? "bend " + first.id
-                                              : fmt::format("{} bends, {} the first of them,",
-                                                            group.size(), first.id);
+    const std::string who = group.size() == 1
+                                ? "bend " + first.id
+                                : fmt::format("{} bends ({} is the first)", group.size(), first.id);
     const std::string source = first.allowance.source.empty()
                                    ? ""
                                    : fmt::format(" ({})", first.allowance.source);
     Finding finding{
         "k_factor",
         Severity::warning,
-        fmt::format("{} {} the K-factor {}{}, outside [{}, {}] where measured ones lie", who,
+        fmt::format("{} {} the K-factor {}{}, outside [{}, {}], the range of measured ones", who,
                     group.size() == 1 ? "has" : "have", number_text(first.allowance.k_factor),
                     source, number_text(rules.k_low), number_text(rules.k_high)),
         {}};
@@ -122,4 +122,4 @@ std::vector<Observation> observe_bend_shapes(const Workpiece& piece, const Rules
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace planish {
+namespace planish::inspect_detail {
 
 BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
   for (size_t i = 0; i < boxes_.size(); ++i)
@@ -31,4 +31,4 @@ void BoxTree::build(size_t node, size_t from, size_t to) {
   build(2 * node + 2, middle, to);
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

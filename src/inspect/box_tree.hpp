@@ -5,15 +5,15 @@
 #include <cstddef>
 #include <vector>
 
-namespace planish {
+namespace planish::inspect_detail {
 
-/// Boxes in a tree of boxes around neighbours, so that those near a place are found without looking
-/// at the rest. Ids are positions in the list given; empty boxes are never found.
+/// A tree of boxes, by which those near a place are found without looking at the rest. Ids are
+/// positions in the list given; empty boxes are never found.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box2> boxes);
 
-  /// Calls `found(id)` for every box that meets or touches `query`, in no certain order.
+  /// Calls `found(id)` for every box that meets or touches `query`, in no particular order.
   template <typename Found>
   void visit(const Box2& query, Found&& found) const {
     if (!nodes_.empty() && !query.empty()) visit_node(0, 0, ids_.size(), query, found);
@@ -59,4 +59,4 @@ inline double box_distance(const Box2& a, const Box2& b) {
   return apart.norm();
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

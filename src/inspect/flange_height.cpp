@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 constexpr int kStations = 9;
@@ -18,7 +18,7 @@ std::pair<double, size_t> first_other_bend(const Workpiece& piece, size_t bend, 
   box.add(origin);
   box.add(Vec2(origin + reach * direction));
   piece.tangent_index.visit(box, [&](size_t i) {
-    const TangentLine& other = piece.tangent_lines[i];
+    const TangentPiece& other = piece.tangent_lines[i];
     if (other.bend == bend) return;
     for (const double t : crossings(other.line, origin, direction)) {
       const double s = (point_at(other.line, t) - origin).dot(direction);
@@ -68,7 +68,7 @@ FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double re
 
 std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules) {
   std::vector<Observation> result;
-  std::set<std::pair<size_t, size_t>> webs;  // between two bends: told once
+  std::set<std::pair<size_t, size_t>> webs;  // between two bends: reported once
   for (const BendSide& side : piece.sides) {
     const FlatBend& bend = piece.pattern.bends[side.bend];
     if (is_hem(bend)) continue;
@@ -81,7 +81,7 @@ std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Ru
     const FlatLength flat = shortest_flat(piece, side, wanted, limit);
     if (flat.length >= wanted - kDrawn) continue;
     const bool nothing_flat = flat.length <= kDrawn;
-    // A bend going on in the next one, or a rolled one that ends at the edge, has no flange there.
+    // A bend that runs into the next, or a rolled one that ends at the edge, has no flange there.
     if (nothing_flat && (flat.other_bend || is_rolled(bend, piece.thickness))) continue;
     if (flat.other_bend && !webs.insert(std::minmax(side.bend, *flat.other_bend)).second) continue;
     const double setback = measured_setback(bend, piece.thickness);
@@ -94,7 +94,7 @@ std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Ru
         {{"flange_height",
           Severity::warning,
           fmt::format(
-              "the flange {} is {} high from the outside of the bend, at least {} ({}) is needed",
+              "the flange {} is {} high from the outside of the bend; at least {} ({}) is needed",
               where, mm_text(flat.length + setback), mm_text(wanted + setback), rule),
           {flat.at}},
          "",
@@ -104,4 +104,4 @@ std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Ru
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

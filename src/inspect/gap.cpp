@@ -2,10 +2,12 @@
 
 #include "box_tree.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <cmath>
 #include <numbers>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 Gap swapped(const Gap& gap) { return {gap.distance, gap.b, gap.a}; }
@@ -46,7 +48,7 @@ Gap gap_of_segments(const Segment& a, const Segment& b) {
 
 const Arc* full_circle(const Curve2& curve) {
   const Arc* arc = std::get_if<Arc>(&curve);
-  constexpr double kFull = 2.0 * std::numbers::pi * (1.0 - 1e-12);
+  constexpr double kFull = 2.0 * std::numbers::pi * (1.0 - tolerance::kRounding);
   return arc && std::abs(arc->sweep) >= kFull ? arc : nullptr;
 }
 
@@ -160,4 +162,4 @@ Gap gap_between(const BoxedLoop& a, const BoxedLoop& b, double reach) {
   return best;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

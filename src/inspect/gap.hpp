@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-namespace planish {
+namespace planish::inspect_detail {
 
 /// The nearest points of two shapes.
 struct Gap {
@@ -24,8 +24,8 @@ struct BoxedLoop {
 };
 
 /// Nearest points of two curves, a on the first. Exact where one is a full circle outside the
-/// other curve or both are segments; else sampled and refined to rounding, which can only miss a
-/// second, equally near place. Curves that cross have distance 0 when both are segments, and a
+/// other curve or both are segments; else sampled and refined to rounding, which can miss
+/// only a second place as near. Curves that cross have distance 0 when both are segments, and a
 /// small one otherwise.
 Gap gap_between(const Curve2& a, const Curve2& b);
 
@@ -33,4 +33,4 @@ Gap gap_between(const Curve2& a, const Curve2& b);
 Gap gap_between(const BoxedLoop& a, const BoxedLoop& b, double reach);
 Gap gap_between(const BoxedLoop& a, const Curve2& b, double reach);
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

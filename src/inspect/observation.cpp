@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 constexpr size_t kMany = 10;
@@ -47,7 +47,8 @@ std::vector<Finding> grouped(std::vector<Observation> observations) {
 }
 
 std::string number_text(double value) {
-  std::string text = fmt::format("{:.3f}", std::abs(value) < 0.0005 ? 0.0 : value);
+  constexpr double kHalfDigit = 0.0005;
+  std::string text = fmt::format("{:.3f}", std::abs(value) < kHalfDigit ? 0.0 : value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text;
@@ -65,4 +66,4 @@ std::string factors_text(double t_factor, double r_factor) {
   return term_text(t_factor, "T") + " + " + term_text(r_factor, "R");
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

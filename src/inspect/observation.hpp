@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
-namespace planish {
+namespace planish::inspect_detail {
 
 /// How far a dimension may miss a limit and still satisfy it: ten times the tolerance to which
-/// curves are flattened, so that what is drawn at the limit passes.
+/// curves are flattened, so that what was drawn at the limit passes.
 constexpr double kDrawn = 10.0 * 1e-4;  // mm
 
-/// One violation, before many of a kind are told in one sentence.
+/// One violation, before many of a kind become one finding.
 struct Observation {
   Finding finding;
   std::string kind;   ///< those of one code and kind differ by their place only
-  std::string many;   ///< said after the count: "openings Ø 3 mm are …"
+  std::string many;   ///< follows the count: "openings Ø 3 mm are …"
   double excess = 0;  ///< measured less wanted, mm: the smallest is the worst
 };
 
@@ -28,7 +28,7 @@ std::string number_text(double value);
 std::string mm_text(double value);
 /// "(12.5, 40)".
 std::string point_text(const Vec2& p);
-/// What a limit is made of, "1.5 T + R"; a factor of 0 leaves its term out.
+/// What a limit is made of, "1.5 T + R"; a factor of 0 omits its term.
 std::string factors_text(double t_factor, double r_factor = 0.0);
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

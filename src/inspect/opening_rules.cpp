@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 std::string opening_text(const Opening& opening) {
   return fmt::format("the opening {} at {}", opening.size_text, point_text(opening.center));
 }
 
-/// "…, at least 4 mm (2 T) is needed".
+/// "…; at least 4 mm (2 T) is needed".
 std::string wanted_text(double limit, double factor) {
-  return fmt::format(", at least {} ({}) is needed", mm_text(limit), factors_text(factor));
+  return fmt::format("; at least {} ({}) is needed", mm_text(limit), factors_text(factor));
 }
 
 Observation in_bend(const Workpiece& piece, const Opening& opening, size_t b) {
@@ -25,29 +25,29 @@ Observation in_bend(const Workpiece& piece, const Opening& opening, size_t b) {
     };
     if (std::any_of(side.pieces.begin(), side.pieces.end(), ends_at_opening)) ++limits_cut;
   }
-  // Cut through from flange to flange is done on purpose; an edge within the zone is torn open.
+  // A cut from flange to flange is made on purpose; an edge within the zone is torn open.
   const bool through = limits_cut == 2;
   const std::string what = opening_text(opening);
   if (through) {
     return {{"opening_in_bend",
              Severity::info,
-             fmt::format("{} is cut through bend {}; its edges in the bend will not stay in shape",
-                         what, bend.id),
+             fmt::format("{} is cut through bend {}; its edges in the bend will be distorted", what,
+                         bend.id),
              {opening.center}},
             "through " + opening.size_text,
             fmt::format("openings {} are cut through bends", opening.size_text),
             0.0};
   }
-  return {{"opening_in_bend",
-           Severity::warning,
-           fmt::format("{} reaches into bend {}, where it is pulled out of shape; move it away or "
-                       "cut it through the "
-                       "whole bend",
-                       what, bend.id),
-           {opening.center}},
-          opening.size_text,
-          fmt::format("openings {} reach into bends", opening.size_text),
-          0.0};
+  return {
+      {"opening_in_bend",
+       Severity::warning,
+       fmt::format("{} reaches into bend {}, where it will be distorted; move it away or extend "
+                   "it through the whole bend",
+                   what, bend.id),
+       {opening.center}},
+      opening.size_text,
+      fmt::format("openings {} reach into bends", opening.size_text),
+      0.0};
 }
 
 /// An opening too near to a tangent line.
@@ -127,18 +127,21 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& piece, const
   return result;
 }
 
-std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules) {
-  const double limit = rules.opening_to_opening_t * piece.thickness;
+namespace {
+
+/// Each opening with its nearest neighbour: of a perforation, not every pair within reach.
+struct Neighbour {
+  Gap gap;
+  size_t other = 0;
+};
+
+/// The neighbour of each opening that is nearer than `limit` through material.
+std::vector<Neighbour> nearest_neighbours(const Workpiece& piece, double limit) {
   const auto& openings = piece.openings;
   std::vector<Box2> boxes;
   for (const Opening& opening : openings)
     boxes.push_back(opening.boxed.box);
   const BoxTree index(std::move(boxes));
-  // Each opening with its nearest neighbour: of a perforation, not every pair within reach.
-  struct Neighbour {
-    Gap gap;
-    size_t other = 0;
-  };
   std::vector<Neighbour> nearest(openings.size());
   for (size_t i = 0; i < openings.size(); ++i) {
     index.visit(widened(openings[i].boxed.box, limit), [&](size_t k) {
@@ -151,24 +154,32 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, co
       if (gap.distance < nearest[k].gap.distance) nearest[k] = {{gap.distance, gap.b, gap.a}, i};
     });
   }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules) {
+  const double limit = rules.opening_to_opening_t * piece.thickness;
+  const auto& openings = piece.openings;
+  const std::vector<Neighbour> nearest = nearest_neighbours(piece, limit);
   std::vector<Observation> result;
   for (size_t i = 0; i < openings.size(); ++i) {
     const Neighbour& n = nearest[i];
     if (!(n.gap.distance < limit)) continue;
-    if (n.other < i && nearest[n.other].other == i) continue;  // told with the other one
+    if (n.other < i && nearest[n.other].other == i) continue;  // reported with the other one
     const auto& [first, second] = std::minmax(openings[i].size_text, openings[n.other].size_text);
-    result.push_back(
-        {{"opening_to_opening",
-          Severity::warning,
-          fmt::format("{} is {} from {}{}", opening_text(openings[i]), mm_text(n.gap.distance),
-                      opening_text(openings[n.other]),
-                      wanted_text(limit, rules.opening_to_opening_t)),
-          {n.gap.a, n.gap.b}},
-         first + " " + second,
-         fmt::format("places between openings {} and {} are too narrow", first, second),
-         n.gap.distance - limit});
+    result.push_back({{"opening_to_opening",
+                       Severity::warning,
+                       fmt::format("{} is {} from {}{}", opening_text(openings[i]),
+                                   mm_text(n.gap.distance), opening_text(openings[n.other]),
+                                   wanted_text(limit, rules.opening_to_opening_t)),
+                       {n.gap.a, n.gap.b}},
+                      first + " " + second,
+                      fmt::format("gaps between openings {} and {} are too narrow", first, second),
+                      n.gap.distance - limit});
   }
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

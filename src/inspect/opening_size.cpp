@@ -1,8 +1,10 @@
 #include "rule_checks.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 struct NearestPoint {
@@ -28,10 +30,9 @@ NearestPoint nearest_point(const Opening& opening, const Vec2& p) {
 double touching_radius(const Opening& opening, const Vec2& p, const Vec2& in) {
   double radius = opening.boxed.box.size().norm();
   constexpr int kMostSteps = 60;
-  constexpr double kRounding = 1e-9;
   for (int step = 0; step < kMostSteps; ++step) {
     const NearestPoint touched = nearest_point(opening, p + radius * in);
-    if (touched.distance >= radius * (1.0 - kRounding)) break;
+    if (touched.distance >= radius * (1.0 - tolerance::kComputed)) break;
     const double ahead = (touched.point - p).dot(in);
     if (ahead <= 0.0) return 0.0;
     radius = std::min(radius, (touched.point - p).squaredNorm() / (2.0 * ahead));
@@ -70,7 +71,8 @@ double inscribed_radius(const Opening& opening, double enough) {
       best_t = t;
     }
   }
-  for (double step = 1.0 / 16.0; step > 1e-6 && best < enough && best_curve; step *= 0.5) {
+  constexpr double kFinest = 1e-6;  // of a curve
+  for (double step = 1.0 / 16.0; step > kFinest && best < enough && best_curve; step *= 0.5) {
     for (const double t : {best_t - step, best_t + step}) {
       if (t <= 0.0 || t >= 1.0) continue;
       const double radius = radius_at(*best_curve, t);
@@ -93,7 +95,7 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rul
     if (width >= limit - kDrawn) continue;
     result.push_back({{"smallest_opening",
                        Severity::warning,
-                       fmt::format("the opening {} at {} is {} wide, at least {} ({}) is needed",
+                       fmt::format("the opening {} at {} is {} wide; at least {} ({}) is needed",
                                    opening.size_text, point_text(opening.center), mm_text(width),
                                    mm_text(limit), factors_text(rules.smallest_opening_t)),
                        {opening.center}},
@@ -104,4 +106,4 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rul
   return result;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

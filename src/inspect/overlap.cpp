@@ -11,19 +11,21 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 
 namespace planish {
+
+using namespace inspect_detail;
+
 namespace {
 
-using Part = PartId;
-
-/// Share of the thickness by which pieces may cover each other and still only touch. The kerf of a
-/// laser is a hundred times as wide.
+/// Share of the thickness by which pieces may cover each other and still only touch. A laser's kerf
+/// is a hundred times as wide.
 constexpr double kContactShare = 1e-3;
 
 /// By how much pieces are shrunk before their overlap is measured. Overlaps less deep than twice
-/// this go unnoticed: they are not told from the errors of flattened curves, or of a closed ring of
-/// joints, half of which each side gets.
+/// this cannot be told from the errors of flattened curves, or of a closed ring of joints, of which
+/// each side gets half.
 double contact_clearance(const FlatPattern& pattern) {
   const double curves = 2.0 * FlattenOptions{}.curve_tolerance;
   return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
@@ -32,43 +34,41 @@ double contact_clearance(const FlatPattern& pattern) {
 /// Everything that takes area in the pattern, and what part of the sheet it is.
 struct Pieces {
   std::vector<Polygon> polygons;
-  std::vector<Part> parts;
-  std::vector<int> faces;  // −1: the strip of a sharp bend
-  /// Area that two faces share by right: seen from its outside, a sharp bend takes less than the
-  /// faces give, so that they reach over each other.
-  std::map<std::pair<int, int>, double> shared;
+  std::vector<PartId> parts;
+  std::vector<std::optional<FaceId>> faces;  ///< empty for the strip of a sharp bend
+  /// Area that two faces may share: seen from its outside, a sharp bend takes less than the faces
+  /// give, so that they reach over each other.
+  std::map<std::pair<std::optional<FaceId>, std::optional<FaceId>>, double> shared;
 };
 
 void add_faces(const Sheet& sheet, const Layout& layout, double chord, Pieces& pieces) {
   for (const FaceId id : sheet.faces.ids()) {
     pieces.polygons.push_back(polygon_of(layout.region(id), chord));
     pieces.parts.push_back(sheet[id].part_of);
-    pieces.faces.push_back(index_of(id));
+    pieces.faces.emplace_back(id);
   }
 }
 
-/// A sharp bend has no face; its strip lies between the borders it joins.
+/// A sharp bend has no face; its strip lies between the borders that it joins.
 void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
     const Curve2& a = layout.image(joint.a);
     const Curve2& b = layout.image(joint.b);
     const std::vector<Vec2> strip{start_of(a), end_of(a), start_of(b), end_of(b)};
-    const int face_a = index_of(joint.a.face);
-    const int face_b = index_of(joint.b.face);
     // A face lies left of its borders, or right of them where the pattern shows the other side.
     const double turn = signed_area(layout.outline(joint.a.face));
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
-      pieces.shared[std::minmax(face_a, face_b)] += std::abs(ring_area(strip));
+      pieces.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
     } else {
       pieces.polygons.push_back({strip, {}});
       pieces.parts.push_back(*joint.sharp);
-      pieces.faces.push_back(-1);
+      pieces.faces.emplace_back(std::nullopt);
     }
   }
 }
 
-std::string part_text(const FlatPattern& pattern, const Part& part) {
+std::string part_text(const FlatPattern& pattern, const PartId& part) {
   if (const auto* flange = std::get_if<FlangeId>(&part))
     return fmt::format("flange {}", index_of(*flange) + 1);
   const BendId id = std::get<BendId>(part);
@@ -90,20 +90,19 @@ struct SharedArea {
   int places = 0;
   std::vector<Vec2> outline;
 };
-using SharedByParts = std::map<std::pair<Part, Part>, SharedArea>;
+using SharedByParts = std::map<std::pair<PartId, PartId>, SharedArea>;
 
 SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
   SharedByParts result;
   for (const Overlap& overlap : overlaps(pieces.polygons, clearance, clearance * clearance)) {
-    const size_t first = static_cast<size_t>(overlap.first);
-    const size_t second = static_cast<size_t>(overlap.second);
+    const int first = overlap.first, second = overlap.second;
     // Shrinking both pieces took a rim as wide as the clearance off what they share.
     double area = overlap.area;
     for (const auto& ring : overlap.outline)
       area += clearance * ring_length(ring);
     const auto allowed = pieces.shared.find(std::minmax(pieces.faces[first], pieces.faces[second]));
-    constexpr double kRounding = 1e-6;
-    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kRounding)) continue;
+    constexpr double kSameArea = 1e-6;  // what shrinking and rounding leave
+    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
     SharedArea& shared = result[std::minmax(pieces.parts[first], pieces.parts[second])];
     shared.area += area;
     shared.places += static_cast<int>(overlap.outline.size());
@@ -113,7 +112,7 @@ SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
   return result;
 }
 
-Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>& parts,
+Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,
                         const SharedArea& shared) {
   const std::string first = part_text(pattern, parts.first);
   const std::string who = parts.first == parts.second
@@ -129,9 +128,9 @@ Finding overlap_finding(const FlatPattern& pattern, const std::pair<Part, Part>&
 
 // ---- contours that cross themselves
 
-/// Whether the ring really runs over itself near p, and does not only touch itself: then some
-/// place between the edges that cross there is enclosed twice, or from the wrong side, and lies
-/// deeper than the clearance. Where the edges cross at a small angle it is narrow and farther away.
+/// Whether the ring runs over itself near p rather than merely touching itself: then some place
+/// between the edges that cross there is enclosed twice, or from the wrong side, and lies deeper
+/// than the clearance. Where the edges cross at a small angle it is narrow and farther away.
 bool runs_over_itself(const RingIndex& ring, double orientation, const Vec2& p, double clearance,
                       double extent) {
   constexpr int kDirections = 96;
@@ -161,7 +160,7 @@ std::vector<Vec2> true_crossings(const Loop& loop, double clearance, double chor
   return found;
 }
 
-/// A crossing that an overlap of parts already tells about is left out.
+/// Crossings within an overlap that has been found already are left out.
 void add_crossing(const Loop& loop, const std::string& name, double clearance, double chord,
                   std::vector<Finding>& findings) {
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);

@@ -1,6 +1,6 @@
 #include "ring_index.hpp"
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -74,4 +74,4 @@ std::optional<double> RingIndex::hit(const Edge& edge, const Vec2& origin, const
   return s;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

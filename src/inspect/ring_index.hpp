@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-namespace planish {
+namespace planish::inspect_detail {
 
-/// Closed polygons, made quick to ask about places and rays. Ring i is the i-th given.
+/// Closed polygons, indexed for questions about points and rays. Ring i is the i-th given.
 class RingIndex {
  public:
   explicit RingIndex(const std::vector<std::vector<Vec2>>& rings);
@@ -19,8 +19,8 @@ class RingIndex {
   int winding(const Vec2& p) const;
   /// Whether p is at least `distance` from every edge.
   bool clear(const Vec2& p, double distance) const;
-  /// Distance from `origin` along the unit vector `direction` to the first edge of a ring that
-  /// `counts`, infinite if there is none within `reach`.
+  /// Distance from `origin` along the unit vector `direction` to the first edge within `reach` of a
+  /// ring that `counts`; infinite without one.
   template <typename Counts>
   double first_hit(const Vec2& origin, const Vec2& direction, double reach, Counts&& counts) const {
     double nearest = std::numeric_limits<double>::infinity();
@@ -46,4 +46,4 @@ class RingIndex {
   BoxTree index_;
 };
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

@@ -3,7 +3,7 @@
 #include "observation.hpp"
 #include "workpiece.hpp"
 
-namespace planish {
+namespace planish::inspect_detail {
 
 /// Violations of one or a few rules each, in the order of bends and openings.
 std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules);
@@ -22,12 +22,12 @@ double measured_setback(const FlatBend& bend, double thickness);
 
 /// Flat length beside a bend.
 struct FlatLength {
-  double length = 0.0;     ///< from the tangent line, mm; infinite when longer than looked for
-  Vec2 at = Vec2::Zero();  ///< on the tangent line
+  double length = 0.0;               ///< from the tangent line, mm; infinite beyond the reach
+  Vec2 at = Vec2::Zero();            ///< on the tangent line
   std::optional<size_t> other_bend;  ///< the flange ends at that bend's tangent line
 };
-/// The shortest flat length at a side of a bend, up to `reach`, seen at stations along it. Near the
-/// ends of the bend, within `margin` of them, chamfers and rounded corners are let pass.
+/// The shortest flat length at a side of a bend, up to `reach`, measured at stations along it.
+/// Within `margin` of the ends of the bend, chamfers and rounded corners are accepted.
 FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double reach, double margin);
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

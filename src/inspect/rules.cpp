@@ -6,6 +6,8 @@
 
 namespace planish {
 
+using namespace inspect_detail;
+
 std::span<const RuleField> rule_fields() {
   static constexpr std::array kFields{
       RuleField{
@@ -27,10 +29,11 @@ std::span<const RuleField> rule_fields() {
       RuleField{"inside_radius_t", &Rules::inside_radius_t,
                 "smallest inside radius of a bend, in T",
                 "shops: 1; low-carbon steel 0.5, and not below 0.8 mm"},
-      RuleField{
-          "relief_width_t", &Rules::relief_width_t,
-          "smallest width of the relief where a bend ends inside an edge, in T; 0 asks for none",
-          "shops: 1"},
+      RuleField{"relief_width_t", &Rules::relief_width_t,
+                "smallest width of the relief where a bend ends inside an edge, in T; 0 switches "
+                "the rule "
+                "off",
+                "shops: 1"},
       RuleField{"relief_depth_r", &Rules::relief_depth_r,
                 "share of the inside radius R in the smallest relief depth", "shops: 1"},
       RuleField{"relief_depth_t", &Rules::relief_depth_t,
@@ -40,8 +43,8 @@ std::span<const RuleField> rule_fields() {
                 "smallest inside diameter of a hem (170° and more), in T", "shops: 1"},
       RuleField{"hem_return_t", &Rules::hem_return_t,
                 "shortest return of a hem from the outside of the bend, in T", "shops: 6"},
-      RuleField{"k_low", &Rules::k_low, "K-factors below this are doubted", "0.2"},
-      RuleField{"k_high", &Rules::k_high, "K-factors above this are doubted", "0.5"},
+      RuleField{"k_low", &Rules::k_low, "smallest plausible K-factor", "0.2"},
+      RuleField{"k_high", &Rules::k_high, "largest plausible K-factor", "0.5"},
   };
   return kFields;
 }

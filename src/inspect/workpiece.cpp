@@ -11,11 +11,11 @@
 #include <numbers>
 #include <tuple>
 
-namespace planish {
+namespace planish::inspect_detail {
 namespace {
 
-/// Chord errors of the polygons that rays are cast at, as shares of the thickness. What ends a
-/// flange or a bend is measured at them; other openings only stand in the way.
+/// Chord errors of the polygons that rays are cast at, as shares of the thickness. A flange or
+/// a bend is measured to the fine ones; other openings only stand in the way.
 constexpr double kMeasuredShare = 1e-3;
 constexpr double kCoarseShare = 2e-2;
 
@@ -58,7 +58,7 @@ Vec2 offset_from_line(const FlatBend& bend, const Vec2& p) {
   return best.b - best.a;
 }
 
-/// Tangent lines of a pattern that has none: half the allowance to either side.
+/// Tangent lines of a pattern without them: half the allowance to either side.
 std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
   std::vector<Segment> lines;
   for (const double side : {-0.5, 0.5}) {
@@ -81,7 +81,7 @@ std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
   std::vector<Segment> left, right;
   for (const Segment& line : lines) {
     const double offset = offset_from_line(bend, 0.5 * (line.a + line.b)).dot(across);
-    // A bend of no allowance has both limits in one line.
+    // Both limits of a bend without allowance are one line.
     if (offset > -kDrawn) left.push_back(line);
     if (offset < kDrawn) right.push_back(line);
   }
@@ -98,7 +98,8 @@ std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
   return sides;
 }
 
-/// Tells sizes, once for all openings of one shape: equal in number of curves, length and area.
+/// Texts of sizes, computed once for all openings of one shape (equal in number of curves, length
+/// and area).
 class SizeTeller {
  public:
   std::string operator()(const Loop& loop) {
@@ -148,8 +149,8 @@ Opening opening_of(const Contour& contour, SizeTeller& size_text) {
   return opening;
 }
 
-/// Which bends end at an opening, and into which it reaches. A bend's outermost ends tell a relief
-/// or a window from an opening in the bend's course.
+/// Which bends end at an opening, and into which it reaches. At a relief or a window a bend has an
+/// outermost end; an opening elsewhere lies in its course.
 void relate(Opening& opening, const Sheet& sheet, const Contour& contour, const Workpiece& piece) {
   const std::set<BendId> cut = bends_cut(sheet, contour);
   for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
@@ -216,8 +217,8 @@ bool is_rolled(const FlatBend& bend, double thickness) {
 }
 
 bool is_hem(const FlatBend& bend) {
-  constexpr double kHem = 170.0;  // degrees, less the noise of a drawing
-  return bend.angle.degrees() >= kHem - 1e-6;
+  constexpr double kHem = 170.0, kNoise = 1e-6;  // degrees; what a drawing is off by
+  return bend.angle.degrees() >= kHem - kNoise;
 }
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

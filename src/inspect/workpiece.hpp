@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace planish {
+namespace planish::inspect_detail {
 
 /// One limit of a bend zone: where a flange begins.
 struct BendSide {
@@ -23,7 +23,7 @@ struct BendSide {
 };
 
 /// A piece of a tangent line and its bend.
-struct TangentLine {
+struct TangentPiece {
   Segment line;
   size_t bend = 0;
 };
@@ -40,12 +40,13 @@ struct Opening {
   BoxedLoop boxed;
   Vec2 center = Vec2::Zero();
   std::string size_text;        ///< "Ø 6 mm", "12 × 4 mm"
-  bool is_cut = false;          ///< a slit without area: no opening to punch
+  bool is_cut = false;          ///< a slit without area, which is not punched
   std::set<size_t> bounds;      ///< bends that end at it: it is a relief, or the window of a tab
   std::set<size_t> reaches_in;  ///< bends whose zone it takes material from
 };
 
-/// A flat pattern prepared for looking at places in it. Holds references: the pattern must stay.
+/// A flat pattern prepared for questions about places in it. Holds references: the pattern must
+/// outlive it.
 struct Workpiece {
   Workpiece(const Sheet& sheet, const FlatPattern& pattern);
 
@@ -53,21 +54,21 @@ struct Workpiece {
   double thickness;
   RingIndex contours;  ///< ring 0 is the outer contour, ring i + 1 opening i
   std::vector<BendSide> sides;
-  std::vector<std::optional<BendSpan>> spans;  ///< by bend; none without bend line
+  std::vector<std::optional<BendSpan>> spans;  ///< by bend; empty without bend lines
   std::vector<Box2> zones;                     ///< by bend: box of its lines
-  std::vector<TangentLine> tangent_lines;      ///< the pieces of all sides
+  std::vector<TangentPiece> tangent_lines;     ///< the pieces of all sides
   BoxTree tangent_index;                       ///< of their boxes
   std::vector<Opening> openings;
 
   bool material(const Vec2& p) const { return contours.odd(p); }
-  /// Whether the straight way from a to b, both on contours or tangent lines, is all material.
+  /// Whether the straight line from a to b, both on contours or tangent lines, is all material.
   bool joined_by_material(const Vec2& a, const Vec2& b) const;
 };
 
-/// A bend of so large a radius is rolled, not pressed: there is no die that a flange must bridge,
-/// and openings in it keep their shape.
+/// A bend of so large a radius is rolled, not pressed: its flanges need not bridge a die, and
+/// openings in it keep their shape.
 bool is_rolled(const FlatBend& bend, double thickness);
 /// A bend turned back on itself, by at least 170°.
 bool is_hem(const FlatBend& bend);
 
-}  // namespace planish
+}  // namespace planish::inspect_detail

@@ -9,7 +9,13 @@
 #include <memory>
 
 namespace planish {
+
+using namespace io_detail;
+
 namespace {
+
+/// No tool marks a shorter line.
+constexpr double kShortestMark = 1e-6;  // mm
 
 struct Styles {
   EntityStyle outer, openings, bend_up, bend_down, bend_zone, features;
@@ -21,7 +27,7 @@ Styles styles_of(LayerProfile profile) {
                 .openings = {names.openings, 4},
                 .bend_up = {names.bend_up, 5, true},
                 .bend_down = {names.bend_down, 1, true},
-                // Not dashed: there are shops that bend along whatever is.
+                // Not dashed: some shops bend along whatever is.
                 .bend_zone = {names.bend_zone, 8},
                 .features = {names.features, 3}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
@@ -57,7 +63,7 @@ class Drawing {
 
   const std::vector<Entity>& entities() const { return entities_; }
   const Box2& extents() const { return extents_; }
-  /// A contour that cannot be cut: the pattern is not one.
+  /// Whether a contour cannot be cut, so that the pattern is unsound.
   bool has_empty_outline() const { return has_empty_outline_; }
 
   /// The layers in use, once each.
@@ -72,7 +78,7 @@ class Drawing {
 
  private:
   void add_line(const EntityStyle& style, const Vec2& a, const Vec2& b) {
-    if ((b - a).norm() < 1e-6) return;  // mm; no tool marks a line that short
+    if ((b - a).norm() < kShortestMark) return;
     const Segment line{a * scale_, b * scale_};
     extents_.add(bounds(Curve2(line)));
     entities_.push_back({style, line});
@@ -83,7 +89,7 @@ class Drawing {
     for (const Segment& line : bend.lines) {
       const Vec2 whole = line.b - line.a;
       const double tick = std::min(options_.tick_length, whole.norm() / 3.0);
-      if (options_.bend_marks == BendMarks::lines || tick < 1e-6) {
+      if (options_.bend_marks == BendMarks::lines || tick < kShortestMark) {
         add_line(style, line.a, line.b);
       } else {
         add_line(style, line.a, line.a + tick * whole.normalized());

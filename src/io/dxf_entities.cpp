@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 constexpr int kPlanarSpline = 8;
@@ -98,9 +98,12 @@ BSpline b_spline(const CubicSpline& chain) {
     const Vec2 before = p[joint] - p[joint - 1];
     const Vec2 after = p[joint + 1] - p[joint];
     const double speed = after.norm() / before.norm();
-    // Widths that run away are a sign of handles without length; then start afresh.
-    const bool sane = speed > 1e-3 && speed < 1e3 && width * speed < 1e6 && width * speed > 1e-6;
-    const bool smooth = sane && (after - speed * before).norm() < 1e-10;
+    // Speeds and widths that run away are a sign of handles without length; then start afresh.
+    constexpr double kSlowest = 1e-3, kFastest = 1e3, kNarrowest = 1e-6, kWidest = 1e6;
+    constexpr double kStraight = 1e-10;  // units of the file
+    const bool sane = speed > kSlowest && speed < kFastest && width * speed < kWidest &&
+                      width * speed > kNarrowest;
+    const bool smooth = sane && (after - speed * before).norm() < kStraight;
     result.poles.push_back(p[joint - 1]);
     if (!smooth) result.poles.push_back(p[joint]);
     result.poles.push_back(p[joint + 1]);
@@ -147,4 +150,4 @@ void write_outline(DxfWriter& w, const EntityStyle& style, const Outline& outlin
   std::visit([&](const auto& o) { write(w, style, o); }, outline);
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 // The handles that dxflib's own OBJECTS section and symbol tables refer to.
@@ -148,4 +148,4 @@ void write_epilog(DL_Dxf& dxf, DxfWriter& w) {
   w.dxfEOF();
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

@@ -6,11 +6,12 @@
 #include <charconv>
 #include <cmath>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 std::string decimal(double value) {
-  if (std::abs(value) < 1e-15) return "0.0";
+  constexpr double kZero = 1e-15;
+  if (std::abs(value) < kZero) return "0.0";
   std::array<char, 400> buffer{};  // the largest double has 309 digits
   const auto end = std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed).ptr;
   std::string text(buffer.begin(), end);
@@ -44,4 +45,4 @@ void DxfWriter::dxfString(int code, const std::string& value) const {
   dxfString(code, value.c_str());
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

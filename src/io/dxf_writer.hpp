@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace planish {
+namespace planish::io_detail {
 
 /// dxflib's writer with a string in place of the file. Reals come out as the shortest decimal that
 /// reads back as the same double, without exponent; what is below 1e-15 is 0.
@@ -55,4 +55,4 @@ void write_line(DxfWriter& writer, const EntityStyle& style, const Segment& line
                 double dash_scale);
 void write_outline(DxfWriter& writer, const EntityStyle& style, const Outline& outline);
 
-}  // namespace planish
+}  // namespace planish::io_detail

@@ -1,19 +1,20 @@
 #include "outline.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 using std::numbers::pi;
 
 // In units of the file, whatever the unit: vertices nearer than this are one vertex.
 constexpr double kSamePoint = 1e-9;
-constexpr double kStraightBulge = 1e-12;
+constexpr double kStraightBulge = tolerance::kRounding;
 // Beyond this radius the angles of an ARC, as doubles in degrees, no longer place its ends to 1e-9.
 constexpr double kLargestArcRadius = 1e5;
 
@@ -37,7 +38,7 @@ Loop with_short_arcs(const Loop& loop) {
   for (const Curve2& curve : loop) {
     const Arc* arc = std::get_if<Arc>(&curve);
     // Half turns come with rounding; they stay one piece.
-    if (arc && std::abs(arc->sweep) > pi * (1.0 + 1e-9)) {
+    if (arc && std::abs(arc->sweep) > pi * (1.0 + tolerance::kComputed)) {
       Arc half = *arc;
       half.sweep *= 0.5;
       result.emplace_back(half);
@@ -177,4 +178,4 @@ Box2 bounds(const Outline& outline) {
   return box;
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace planish {
+namespace planish::io_detail {
 
 /// Corner of a closed polyline; `bulge` = tan(sweep / 4) of the piece that starts here, 0:
 /// straight.
@@ -24,8 +24,8 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// A contour as DXF can hold it. A `Loop` is there only for a contour with splines: its curves have
-/// common ends, and its arcs turn by half a turn at most.
+/// A contour as DXF can hold it. A contour with splines is a `Loop` whose curves have common ends
+/// and whose arcs turn by half a turn at most.
 using Outline = std::variant<Circle, Polyline, Loop>;
 
 struct OutlineOptions {
@@ -42,4 +42,4 @@ Curve2 bulge_curve(const Vec2& a, const Vec2& b, double bulge);
 
 Box2 bounds(const Outline& outline);
 
-}  // namespace planish
+}  // namespace planish::io_detail

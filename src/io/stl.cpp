@@ -8,7 +8,7 @@
 namespace planish {
 namespace {
 
-constexpr std::size_t header_size = 80;
+constexpr std::size_t kHeaderSize = 80;
 
 /// The lowest byte first, whatever the machine does.
 template <typename Unsigned>
@@ -24,7 +24,7 @@ void append(std::string& out, const Eigen::Vector3f& v) {
 
 std::string header(const std::string& name) {
   std::string text = "STL " + name;
-  text.resize(header_size, ' ');
+  text.resize(kHeaderSize, ' ');
   return text;
 }
 
@@ -39,7 +39,7 @@ std::string stl_binary(const Mesh& mesh, const std::string& name) {
   };
   for (const auto& [i, j, k] : mesh.triangles) {
     const Eigen::Vector3f a = corner(i), b = corner(j), c = corner(k);
-    // In doubles, because the square of a small side is no float.
+    // In doubles: the square of a small side underflows a float.
     const Vec3 normal = (b - a).cast<double>().cross((c - a).cast<double>());
     if (!(normal.norm() > 0.0)) continue;
     append(facets, Eigen::Vector3f(normal.normalized().cast<float>()));

@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace planish {
+
+using namespace io_detail;
+
 namespace {
 
 constexpr const char* kUpColor = "#1d5fc4";
@@ -227,7 +230,7 @@ std::string labels(const std::vector<BendLabel>& bends, const std::vector<Placed
   return text + "</g>\n";
 }
 
-/// An item of the legend: a sample line (length 0: none) and a text behind it.
+/// An item of the legend: a sample line (unless its length is 0) and a text behind it.
 struct Note {
   std::string text;
   double sample = 0.0;

@@ -1,5 +1,6 @@
 #include "svg_labels.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 #include <numbers>
 #include <ranges>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 using std::numbers::pi;
@@ -65,9 +66,10 @@ double cost(const PlacedLabel& label, const std::vector<PlacedLabel>& placed,
 double reading_angle(const Segment& line) {
   const Vec2 d = line.b - line.a;
   double angle = std::atan2(d.y(), d.x());
-  // A hair of slack, so that upright lines drawn either way are labelled the same.
-  if (angle > pi / 2 + 1e-6) angle -= pi;
-  if (angle <= -pi / 2 + 1e-6) angle += pi;
+  // Upright lines drawn either way are labelled the same, in spite of rounding.
+  constexpr double kUpright = 0.5 * pi + tolerance::kAside;
+  if (angle > kUpright) angle -= pi;
+  if (angle <= kUpright - pi) angle += pi;
   return angle;
 }
 
@@ -114,7 +116,8 @@ std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
   for (int i = 0; i < kDirections; ++i) {
     const double turn = 2.0 * pi * i / kDirections;
     const Vec2 direction(std::cos(turn), std::sin(turn));
-    const double reach = half.cwiseQuotient(direction.cwiseAbs().cwiseMax(1e-9)).minCoeff();
+    const double reach = half.cwiseQuotient(direction.cwiseAbs().cwiseMax(tolerance::kComputed))
+                             .minCoeff();
     places.push_back({request.text, request.at + (reach + 0.3 * font) * direction, 0.0, font, {}});
   }
   return places;
@@ -214,4 +217,4 @@ std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& req
   return best;
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

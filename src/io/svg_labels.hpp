@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace planish {
+namespace planish::io_detail {
 
 /// A text that belongs to a line.
 struct LabelRequest {
   std::string text;
   Segment line;
-  double clearance = 0.0;  ///< what to keep free on both sides of the line, when that is not much
+  double clearance = 0.0;  ///< to keep free on both sides of the line, if that is not much
 };
 
 /// A text that names a point.
@@ -37,9 +37,9 @@ double text_width(const std::string& text, double font);
 /// The four corners of a label's box.
 std::vector<Vec2> corners(const PlacedLabel& label);
 
-/// Places each text along its line, beside it where the line is too short, in the order given;
-/// chosen among some places is the one that meets the fewest labels already `there` or placed, and
-/// obstacles. Obstacles may contain the lines themselves.
+/// Places each text along its line, or beside a line too short for it, in the order given. Of some
+/// places the one is chosen that meets the fewest labels (those already `there` and those placed)
+/// and obstacles. Obstacles may contain the lines themselves.
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
                                       const std::vector<Segment>& obstacles, double font,
                                       const std::vector<PlacedLabel>& there = {});
@@ -51,4 +51,4 @@ std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& req
                                             const std::vector<std::vector<Vec2>>& rings,
                                             const std::vector<Segment>& obstacles, double font);
 
-}  // namespace planish
+}  // namespace planish::io_detail

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-namespace planish {
+namespace planish::io_detail {
 namespace {
 
 using std::numbers::pi;
@@ -21,7 +21,8 @@ std::string arc_to(const Arc& arc, const Vec2& end) {
 std::string path_piece(const Segment& segment) { return "L" + svg_point(segment.b); }
 
 std::string path_piece(const Arc& arc) {
-  // A circle's ends coincide, and those of nearly a circle may after rounding: then SVG draws none.
+  // SVG draws nothing where the ends coincide, as a circle's do and those of nearly a circle may
+  // after rounding.
   if (std::abs(arc.sweep) < 1.8 * pi) return arc_to(arc, end_of(arc));
   Arc half = arc;
   half.sweep *= 0.5;
@@ -130,8 +131,8 @@ std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend) {
   for (const Limit& l : left) {
     for (const Limit& r : right) {
       if (!overlap(l, r)) continue;
-      // Two that have only each other bound one strip, whose ends may be slanted; where one side
-      // is cut more often than the other, only what lies opposite belongs together.
+      // Two lines that have only each other bound one strip, whose ends may be slanted; where one
+      // side is cut more often than the other, only what lies opposite belongs together.
       const auto meets = [](const Limit& one) {
         return [&one](const Limit& other) { return overlap(one, other); };
       };
@@ -143,4 +144,4 @@ std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend) {
   return zones;
 }
 
-}  // namespace planish
+}  // namespace planish::io_detail

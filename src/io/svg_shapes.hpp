@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-namespace planish {
+namespace planish::io_detail {
 
 /// At most `decimals` digits behind the point, without trailing zeros or a negative zero.
 std::string svg_number(double value, int decimals = 5);
 
-/// Text between tags or in an attribute; control characters, which XML 1.0 has no way to hold, go.
+/// Text between tags or in an attribute, without control characters, which XML 1.0 cannot hold.
 std::string xml_escaped(std::string_view text);
 
 /// "x y" with y turned to point down.
@@ -25,4 +25,4 @@ std::string svg_path(const Loop& loop);
 /// sides, corner by corner. May cover openings; clip with the contours.
 std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend);
 
-}  // namespace planish
+}  // namespace planish::io_detail

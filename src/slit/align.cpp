@@ -13,6 +13,9 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr std::size_t kMostUsed = 4000;  // points of a strip
+constexpr int kRounds = 200;
+constexpr double kStill = 1e-8;  // a step that moves less, of the size of the scans, is the last
+constexpr double kAlong = 0.01;  // weight of distances along the strip
 
 /// Points of a strip's surface, close together, and the normal of the quad that each lies on.
 class Surface {
@@ -60,50 +63,66 @@ struct Step {
   }
 };
 
+/// The middle of all points, and how far they reach from it.
+struct Extent {
+  Vec3 middle = Vec3::Zero();
+  double size = 0.0;
+};
+Extent extent_of(const std::vector<ScannedStrip>& scans) {
+  Extent extent;
+  std::size_t count = 0;
+  for (const ScannedStrip& scan : scans) {
+    for (const Vec3& p : scan.points)
+      extent.middle += p;
+    count += scan.points.size();
+  }
+  extent.middle /= static_cast<double>(count);
+  for (const ScannedStrip& scan : scans)
+    for (const Vec3& p : scan.points)
+      extent.size = std::max(extent.size, (p - extent.middle).norm());
+  if (extent.size == 0.0) extent.size = 1.0;
+  return extent;
+}
+
+/// The step that brings the points, moved so far, nearest to their feet.
+Step step_from(const Eigen::Isometry3d& motion, const std::vector<ScannedStrip>& scans,
+               const std::vector<Surface>& surfaces, const Extent& extent) {
+  Step step;
+  const Vec3 centre = motion * extent.middle;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    const auto& points = scans[i].points;
+    const std::size_t stride = (points.size() + kMostUsed - 1) / kMostUsed;
+    for (std::size_t k = 0; k < points.size(); k += stride) {
+      const Vec3 p = motion * points[k];
+      const auto [foot, normal] = surfaces[i].nearest(p);
+      const Vec3 arm = (p - centre) / extent.size;
+      step.add(arm, normal, normal.dot(foot - p), 1.0);
+      for (int axis = 0; axis < 3; ++axis)
+        step.add(arm, Vec3::Unit(axis), (foot - p)[axis], kAlong);
+    }
+  }
+  return step;
+}
+
 }  // namespace
 
 Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans) {
   std::vector<Surface> surfaces;
-  Vec3 pivot = Vec3::Zero();
-  std::size_t count = 0;
-  for (const ScannedStrip& scan : scans) {
-    surfaces.emplace_back(scan.strip);
-    for (const Vec3& p : scan.points)
-      pivot += p;
-    count += scan.points.size();
-  }
-  pivot /= static_cast<double>(count);
-  double size = 0.0;
   for (const ScannedStrip& scan : scans)
-    for (const Vec3& p : scan.points)
-      size = std::max(size, (p - pivot).norm());
-  if (size == 0.0) size = 1.0;
+    surfaces.emplace_back(scan.strip);
+  const Extent extent = extent_of(scans);
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  constexpr int kRounds = 200;
-  constexpr double kStill = 1e-8, kAlong = 0.01;
   for (int round = 0; round < kRounds; ++round) {
-    Step step;
-    const Vec3 centre = motion * pivot;
-    for (std::size_t i = 0; i < scans.size(); ++i) {
-      const auto& points = scans[i].points;
-      const std::size_t stride = (points.size() + kMostUsed - 1) / kMostUsed;
-      for (std::size_t k = 0; k < points.size(); k += stride) {
-        const Vec3 p = motion * points[k];
-        const auto [foot, normal] = surfaces[i].nearest(p);
-        const Vec3 arm = (p - centre) / size;
-        step.add(arm, normal, normal.dot(foot - p), 1.0);
-        for (int axis = 0; axis < 3; ++axis)
-          step.add(arm, Vec3::Unit(axis), (foot - p)[axis], kAlong);
-      }
-    }
+    const Vec3 centre = motion * extent.middle;
+    const Step step = step_from(motion, scans, surfaces, extent);
     const Eigen::Matrix<double, 6, 1> by = step.square.ldlt().solve(step.right);
     if (!by.allFinite()) break;
-    const Vec3 turn = by.head<3>() / size;
+    const Vec3 turn = by.head<3>() / extent.size;
     const double angle = turn.norm();
     const Eigen::AngleAxisd rotation(angle, angle > 0.0 ? Vec3(turn / angle) : Vec3(Vec3::UnitX()));
     motion = Eigen::Translation3d(centre + by.tail<3>()) * rotation *
              Eigen::Translation3d(-centre) * motion;
-    if (by.cwiseAbs().maxCoeff() <= kStill * size) break;
+    if (by.cwiseAbs().maxCoeff() <= kStill * extent.size) break;
   }
   return motion;
 }

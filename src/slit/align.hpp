@@ -15,8 +15,8 @@ struct ScannedStrip {
 };
 
 /// The rigid motion that brings all points nearest to their strips (ICP): distances across the
-/// strips count in full, those along them little, so that points slide to their place. Of each
-/// strip some 4000 points are used.
+/// strips count in full, those along them little, so that points slide into place. Some 4000 points
+/// of each strip are used.
 Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans);
 
 }  // namespace planish::slit_detail

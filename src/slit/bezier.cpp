@@ -88,10 +88,12 @@ double length(const BezierCurve& curve) {
   for (std::size_t i = 0; i + 1 < curve.poles.size(); ++i)
     polygon += (curve.poles[i + 1] - curve.poles[i]).norm();
   constexpr int kPieces = 4, kDepth = 24;
+  constexpr double kAllowed = 1e-13;  // of the control polygon, in each piece
   double sum = 0.0;
   for (int i = 0; i < kPieces; ++i) {
     const double from = static_cast<double>(i) / kPieces, to = static_cast<double>(i + 1) / kPieces;
-    sum += adaptive_length(curve, from, to, gauss_length(curve, from, to), 1e-13 * polygon, kDepth);
+    sum += adaptive_length(curve, from, to, gauss_length(curve, from, to), kAllowed * polygon,
+                           kDepth);
   }
   return sum;
 }

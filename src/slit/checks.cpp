@@ -2,6 +2,8 @@
 
 #include "panel.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ namespace {
 constexpr int kFewestRidges = 3, kMostRidges = 1000, kMostStrips = 10000;
 constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
 constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
-constexpr double kHeaviest = 1e4;  // of weights: what weighs more leaves nothing of the rest
+constexpr double kHeaviest = 1e4;  // of weights: a heavier one would drown the others
 
 tl::unexpected<Error> invalid(std::string message, std::string where) {
   return fail(ErrorCode::invalid_input, std::move(message), std::move(where));
@@ -30,7 +32,7 @@ Result<void> check_length(double value, const char* what, std::string where) {
 
 Result<void> check_from_zero(double value, double most, const char* what, std::string where) {
   if (value >= 0.0 && value <= most) return {};
-  return invalid(fmt::format("{} is {}; it must be from 0 to {:g}", what, value, most),
+  return invalid(fmt::format("{} is {}; it must be between 0 and {:g}", what, value, most),
                  std::move(where));
 }
 
@@ -39,8 +41,9 @@ bool in_range(const auto& p) { return p.allFinite() && p.cwiseAbs().maxCoeff() <
 
 Result<void> check_place(const auto& p, const char* what, std::string where) {
   if (in_range(p)) return {};
-  return invalid(fmt::format("a coordinate of {} is beyond {:g} mm, or no number", what, kLargest),
-                 std::move(where));
+  return invalid(
+      fmt::format("a coordinate of {} is not a number, or beyond {:g} mm", what, kLargest),
+      std::move(where));
 }
 
 Result<void> check_strip(const SlitSheet& sheet, int index) {
@@ -52,15 +55,14 @@ Result<void> check_strip(const SlitSheet& sheet, int index) {
       !sound)
     return sound;
   if (sheet.symmetric && strip.end)
-    return invalid(
-        "strips of a symmetric sheet end at its symmetry plane; leave out where they end",
-        where + "/end");
+    return invalid("strips of a symmetric sheet end at its symmetry plane; leave out their ends",
+                   where + "/end");
   const double end = sheet.end_of(index);
-  if (auto sound = check_length(end, "where a strip ends", where + "/end"); !sound) return sound;
+  if (auto sound = check_length(end, "the end of a strip", where + "/end"); !sound) return sound;
   for (const auto& [start, key] :
        {std::pair{strip.left_start, "/left_start"}, std::pair{strip.right_start, "/right_start"}}) {
     if (!start) continue;
-    if (auto sound = check_length(*start, "where a slit begins", where + key); !sound) return sound;
+    if (auto sound = check_length(*start, "the start of a slit", where + key); !sound) return sound;
   }
   for (const double start : sheet.start_of(index))
     if (!(start < end))
@@ -75,8 +77,8 @@ Result<void> check_curve(const BezierCurve& curve, const char* what, const std::
     return invalid(fmt::format("{} has {} poles; it needs at least 2", what, curve.poles.size()),
                    where);
   if (curve.poles.size() > kMostPoles)
-    return invalid(fmt::format("{} has {} poles; {} are the most: describe it by fewer", what,
-                               curve.poles.size(), kMostPoles),
+    return invalid(fmt::format("{} has {} poles; at most {} are allowed", what, curve.poles.size(),
+                               kMostPoles),
                    where);
   for (std::size_t i = 0; i < curve.poles.size(); ++i)
     if (auto sound = check_place(curve.poles[i], fmt::format("a pole of {}", what).c_str(),
@@ -95,7 +97,7 @@ Result<void> check_radius(const SlitDesign& design) {
   return fail(ErrorCode::radius_too_small,
               fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, "
                           "{:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
-                          "{:.4g} mm at its middle",
+                          "{:.4g} mm at its mid-surface",
                           tightest.radius, at.x(), at.y(), design.sheet.thickness,
                           design.sheet.min_radius()),
               "/leg_curve");
@@ -141,8 +143,8 @@ Result<void> check_seat_curve(const SlitDesign& design) {
   if (!design.seat_curve) return {};
   if (!design.sheet.symmetric)
     return invalid(
-        "a seat curve lies in the symmetry plane, and the sheet is not symmetric: leave it out and "
-        "place the ends of the strips (\"ends\")",
+        "a seat curve lies in the symmetry plane, but the sheet is not symmetric; leave it out and "
+        "place the ends of the strips",
         "/seat_curve");
   if (auto sound = check_curve(*design.seat_curve, "the seat curve", "/seat_curve"); !sound)
     return sound;
@@ -152,7 +154,7 @@ Result<void> check_seat_curve(const SlitDesign& design) {
   if (const double long_is = length(*design.seat_curve); long_is < (1.0 - kLegTolerance) * width)
     return fail(ErrorCode::curve_too_short,
                 fmt::format("the seat curve is {:.6g} mm long; the ends of the strips are {:.6g} "
-                            "mm wide together and would cover each other",
+                            "mm wide together and would overlap",
                             long_is, width),
                 "/seat_curve");
   return {};
@@ -176,12 +178,11 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
   const double available = wish.ridge == 0 ? 0.0 : design.sheet.end_of(wish.strip) - start;
   const double needed = (wish.at - from).norm() +
                         (design.sheet.symmetric && wish.ridge > 0 ? std::abs(wish.at.x()) : 0.0);
-  constexpr double kExactly = 1e-9;
-  if (needed <= available + kExactly * design.sheet.reach()) return {};
+  if (needed <= available + tolerance::kComputed * design.sheet.reach()) return {};
   return fail(ErrorCode::out_of_reach,
               fmt::format("the anchor at ({:.4g}, {:.4g}, {:.4g}) mm is {:.4g} mm out of reach: "
-                          "the way there from the panel{} is {:.4g} mm, strip {} has "
-                          "{:.4g} mm",
+                          "the way there from the panel{} is {:.4g} mm, but strip {} is only "
+                          "{:.4g} mm long",
                           wish.at.x(), wish.at.y(), wish.at.z(), needed - available,
                           design.sheet.symmetric ? " and on to the symmetry plane" : "", needed,
                           wish.strip, available),
@@ -203,12 +204,12 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
     if (direction && !(direction->allFinite() && direction->norm() > 0.0))
       return invalid("a direction is zero or not finite", where + key);
   if (end.direction && end.across) {
-    constexpr double kPerpendicular = 1e-6;
+    constexpr double kPerpendicular = 1e-6;  // cosine, of directions written with six digits
     const double cosine = end.direction->normalized().dot(end.across->normalized());
     if (std::abs(cosine) > kPerpendicular)
       return invalid(
-          fmt::format("the end's direction and its ridge are {:.4g}° apart; the last ridge is at "
-                      "right angles to the strip",
+          fmt::format("the end's direction and its last ridge are {:.4g}° apart; they must be at "
+                      "right angles",
                       Angle::radians(std::acos(std::clamp(cosine, -1.0, 1.0))).degrees()),
           where + "/across");
   }
@@ -223,9 +224,32 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
   if (needed <= available) return {};
   return fail(ErrorCode::out_of_reach,
               fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the "
-                          "panel's edge, the strip is {:.4g} mm long",
+                          "panel's edge, but the strip is only {:.4g} mm long",
                           strip, needed - available, needed, available),
               where + "/position");
+}
+
+/// One scan of a design.
+Result<void> check_scan(const SlitDesign& design, int index) {
+  const auto& [strip, points] = design.scans[index];
+  const std::string where = fmt::format("/scan/{}", index);
+  if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
+  if (points.size() > kMostPoints)
+    return fail(ErrorCode::scan_too_large,
+                fmt::format("the scan of strip {} has {} points; thin it out to at most {}", strip,
+                            points.size(), kMostPoints),
+                where + "/points");
+  if (points.empty())
+    return fail(ErrorCode::empty_scan, fmt::format("the scan of strip {} has no points", strip),
+                where + "/points");
+  const auto bad = std::find_if(points.begin(), points.end(),
+                                [](const Vec3& p) { return !in_range(p); });
+  if (bad != points.end())
+    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate that is not a "
+                               "number, or beyond {:g} mm",
+                               bad - points.begin() + 1, strip, kLargest),
+                   where + "/points");
+  return {};
 }
 
 }  // namespace
@@ -253,7 +277,7 @@ Result<void> check_sheet(const SlitDesign& design) {
   for (int i = 0; i < count; ++i)
     if (auto sound = check_strip(sheet, i); !sound) return sound;
   if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
-    return invalid(fmt::format("{} ridges a strip; {} to {} are possible", design.ridges,
+    return invalid(fmt::format("each strip has {} ridges; it must have {} to {}", design.ridges,
                                kFewestRidges, kMostRidges),
                    "/ridges");
   return {};
@@ -267,25 +291,6 @@ Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
   if (!panel || !design.sheet.symmetric) return panel;
   if (auto sound = check_side_of_plane(*panel); !sound) return tl::unexpected(sound.error());
   return panel;
-}
-
-Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points,
-                        int index) {
-  const std::string where = fmt::format("/scan/{}", index);
-  if (auto sound = check_strip_number(design, strip, where + "/strip"); !sound) return sound;
-  if (points.size() > kMostPoints)
-    return fail(ErrorCode::scan_too_large,
-                fmt::format("the scan of strip {} has {} points; thin it out to {} at most", strip,
-                            points.size(), kMostPoints),
-                where + "/points");
-  const auto bad = std::find_if(points.begin(), points.end(),
-                                [](const Vec3& p) { return !in_range(p); });
-  if (bad != points.end())
-    return invalid(fmt::format("point {} of the scan of strip {} has a coordinate beyond {:g} mm, "
-                               "or that is no number",
-                               bad - points.begin() + 1, strip, kLargest),
-                   where + "/points");
-  return {};
 }
 
 Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel) {
@@ -302,12 +307,7 @@ Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design)
   std::vector<std::vector<Vec3>> points(design.sheet.strips.size());
   for (int i = 0; i < static_cast<int>(design.scans.size()); ++i) {
     const SlitScan& scan = design.scans[i];
-    if (auto sound = check_scan(design, scan.strip, scan.points, i); !sound)
-      return tl::unexpected(sound.error());
-    if (scan.points.empty())
-      return fail(ErrorCode::empty_scan,
-                  fmt::format("the scan of strip {} has no points", scan.strip),
-                  fmt::format("/scan/{}/points", i));
+    if (auto sound = check_scan(design, i); !sound) return tl::unexpected(sound.error());
     auto& all = points[scan.strip];
     all.insert(all.end(), scan.points.begin(), scan.points.end());
   }

@@ -8,15 +8,12 @@
 
 namespace planish::slit_detail {
 
-/// What a slit file can have wrong; `where` of errors is the JSON pointer there.
+/// The sheet and the number of ridges. `where` of all errors here is the JSON pointer of the cause.
 Result<void> check_sheet(const SlitDesign& design);
 /// The panel over the leg curve, if one can stand there: finite, on one side of the symmetry plane,
 /// nowhere tighter than the material allows, as long as the sheet is wide.
 Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design);
-/// Points of one scan; `index` is its place in the file.
-Result<void> check_scan(const SlitDesign& design, int strip, const std::vector<Vec3>& points,
-                        int index);
-/// All of a design but its sheet, its leg curve, whose panel is given, and its scans.
+/// All of a design except its sheet, its leg curve (whose panel is given) and its scans.
 Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel);
 
 /// Checked scans, those of a strip together.

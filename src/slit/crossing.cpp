@@ -1,5 +1,7 @@
 #include "crossing.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,7 +77,7 @@ Vec3 nearest_on(const Vec3& a, const Vec3& b, const Vec3& p) {
 }  // namespace
 
 bool cross(const FoldedStrip& a, const FoldedStrip& b) {
-  const double margin = 1e-9 * (extent_of(a) + extent_of(b));
+  const double margin = tolerance::kComputed * (extent_of(a) + extent_of(b));
   const std::vector<Quad> first = quads_of(a), second = quads_of(b);
   for (const Quad& p : first)
     for (const Quad& q : second)

@@ -6,8 +6,8 @@
 
 namespace planish::slit_detail {
 
-/// Whether an edge of one strip goes through a quad of the other; touching is none. O(quads²), less
-/// where boxes are apart.
+/// Whether an edge of one strip goes through a quad of the other; touching does not count.
+/// O(quads²), less where boxes are apart.
 bool cross(const FoldedStrip& a, const FoldedStrip& b);
 
 /// Planes that keep a strip on its side of a neighbour that stands: through the point of the

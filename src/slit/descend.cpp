@@ -57,14 +57,17 @@ class StopWhenAsked final : public ceres::IterationCallback {
   const std::function<bool()>& stop_;
 };
 
+// Gains end the descent; these only stop it where a gain can no longer be seen.
+constexpr double kLeastGradient = 1e-12, kLeastStep = 1e-10;
+
 ceres::Solver::Options solver_options(const DescentOptions& options,
                                       ceres::IterationCallback* callback) {
   ceres::Solver::Options result;
   result.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   result.max_num_iterations = options.max_iterations;
   result.function_tolerance = options.function_tolerance;
-  result.gradient_tolerance = 1e-12;
-  result.parameter_tolerance = 1e-10;
+  result.gradient_tolerance = kLeastGradient;
+  result.parameter_tolerance = kLeastStep;
   result.max_num_consecutive_invalid_steps = 30;
   result.logging_type = ceres::SILENT;
   result.callbacks.push_back(callback);

@@ -8,8 +8,8 @@ namespace planish::slit_detail {
 
 struct DescentOptions {
   int max_iterations = 200;
-  double function_tolerance = 1e-7;
-  std::function<bool()> stop = {};  ///< polled after every iteration
+  double function_tolerance = 1e-7;  ///< gain of an iteration, as a share, at which it is done
+  std::function<bool()> stop = {};   ///< asked after every iteration
 };
 
 /// The best shape so far.
@@ -21,7 +21,7 @@ struct Descent {
 };
 
 /// Lowers the objective from a shape that meets the end conditions, among shapes that meet them:
-/// Levenberg– Marquardt steps (Ceres) on the manifold of those shapes.
+/// Levenberg–Marquardt steps (Ceres) on the manifold of those shapes.
 Descent descend(const StripProblem& problem, const StripParameters& from,
                 const DescentOptions& options);
 

@@ -123,9 +123,10 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   constexpr double kMissed = 100.0;
   // Curls whose angles grow evenly are smooth too; of equals the one that bends least is meant.
   constexpr double kBending = 0.01;
+  constexpr double kLeastWeight = 1e-6;  // so that it decides where smoothness weighs nothing
   for (const double fold : folds)
     unsmooth += kBending * fold * fold;
-  double cost = std::max(problem.weights.smooth, 1e-6) * unsmooth;
+  double cost = std::max(problem.weights.smooth, kLeastWeight) * unsmooth;
   if (wanted.away) cost += kMissed * (away - *wanted.away) * (away - *wanted.away);
   if (wanted.along)
     cost += kMissed * wanted.along_weight * (along - *wanted.along) * (along - *wanted.along);

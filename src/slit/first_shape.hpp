@@ -7,8 +7,8 @@
 namespace planish::slit_detail {
 
 /// Shapes to start from, the best first, the flat one last: bent in one plane, perpendicular to the
-/// panel's facet, so that they run about as far as they must and end as they must. Of a family of
-/// such curves those of least objective are taken (smoothness, the end's place, the seat curve).
+/// panel's facet, so that they reach about as far as they must and end as they must. Of a family of
+/// such curves those of least objective (smoothness, the end's place, the seat curve) are taken.
 /// Ridges are equally spaced and perpendicular to the sides.
 std::vector<StripParameters> first_shapes(const StripProblem& problem);
 

@@ -37,13 +37,13 @@ WholeStrip image_of(const WholeStrip& strip) {
   return image;
 }
 
-/// Both halves as one, where they meet.
+/// Both halves, as one strip where they meet.
 std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitSheet& folded,
                                      double sign) {
   const WholeStrip half = whole_strip(strip, sign);
   if (!folded.symmetric) return {half};
   WholeStrip image = image_of(half);
-  constexpr double kMeets = 1e-6;  // of the length
+  constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end does
   const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(),
                               (half.ridges.back()[1] - image.ridges.front()[1]).norm());
   if (gap > kMeets * folded.reach) return {half, image};
@@ -95,12 +95,12 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
   if (!options.inset) setting.most_share = kNarrowest;
   if (!(setting.inset >= 0.0) || !std::isfinite(setting.inset))
     return fail(ErrorCode::bad_option,
-                fmt::format("the mould's inset is {} mm; it must be 0 or above", setting.inset),
+                fmt::format("the mould's inset is {} mm; it must be at least 0", setting.inset),
                 "/mould/inset");
   if (!(options.base > 0.0) || !std::isfinite(options.base))
     return fail(
         ErrorCode::bad_option,
-        fmt::format("the mould's base lies {} mm below its lowest point; it must be above 0",
+        fmt::format("the mould's base is {} mm below its lowest point; it must be more than 0",
                     options.base),
         "/mould/base");
   const double draft = options.draft.radians();
@@ -147,7 +147,7 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
     const auto far = working_ridge(strip, first, last, at, setting, number);
     if (!far) return tl::unexpected(far.error());
     if (at > first) {
-      const auto& from = strip.ridges[static_cast<std::size_t>(at) - 1];
+      const auto& from = strip.ridges[at - 1];
       const auto& to = strip.ridges[at];
       for (std::size_t side = 0; side < 2; ++side)
         if (!(((*far)[side] - near[side]).dot(to[side] - from[side]) > 0.0))
@@ -173,8 +173,7 @@ Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, con
       continue;
     }
     int last = quad;
-    while (last + 1 < count &&
-           leans_up(strip.towards_mould[static_cast<std::size_t>(last) + 1], setting))
+    while (last + 1 < count && leans_up(strip.towards_mould[last + 1], setting))
       ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
     if (!rib) return tl::unexpected(rib.error());
@@ -263,9 +262,10 @@ Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& settin
     }
   }
   if (mould.ribs.empty())
-    return fail(ErrorCode::unsupported_shape,
-                "nothing of the strips leans towards the direction in which the sheet is lifted "
-                "off; choose another direction or the other side");
+    return fail(
+        ErrorCode::unsupported_shape,
+        "no part of the strips faces the direction in which the sheet is lifted off; choose "
+        "another direction or the other side");
   mould.base = base_frame(mould.ribs, setting.up, base);
   for (MouldRib& rib : mould.ribs) {
     rib.footprint = footprint_of(rib, mould.base);
@@ -291,8 +291,8 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
   return directions;
 }
 
-/// What is tried until the ribs stand apart: what is given is kept; ribs down to half the strips'
-/// width come before a leaning mould, that before ribs of a quarter.
+/// What is tried until the ribs stand apart; what is given is kept. Ribs down to half their strips'
+/// width come before a leaning mould, and that before ribs of a quarter.
 std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
                            const MouldOptions& options) {
   const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up}

@@ -1,5 +1,6 @@
 #include "mould_clear.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -14,6 +15,8 @@
 namespace planish::slit_detail {
 namespace {
 
+constexpr double kTouching = tolerance::kComputed;  // of the smallest area
+
 /// Upright walls do not meet where the footprints are apart.
 Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   std::vector<Polygon> footprints;
@@ -21,20 +24,18 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   for (const MouldRib& rib : ribs) {
     if (!self_crossings(rib.footprint).empty())
       return fail(ErrorCode::unsupported_shape,
-                  fmt::format("strip {} lies above itself, so its rib would stand in itself; "
+                  fmt::format("strip {} overhangs itself, so its rib would pass through itself; "
                               "choose another direction for the mould",
                               rib.strip),
                   fmt::format("strip {}", rib.strip));
     footprints.push_back({rib.footprint, {}});
     smallest = std::min(smallest, ring_area(rib.footprint));
   }
-  constexpr double kTouching = 1e-9;  // of the smallest footprint
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
     const int first = ribs[overlap.first].strip, second = ribs[overlap.second].strip;
     return fail(ErrorCode::unsupported_shape,
-                fmt::format("the mould's ribs under strips {} and {} would stand in one another on "
-                            "{:.4g} mm²; choose a larger inset, another direction or "
-                            "the other side",
+                fmt::format("the mould's ribs under strips {} and {} would overlap by {:.4g} mm²; "
+                            "choose a larger inset, another direction or the other side",
                             first, second, overlap.area),
                 fmt::format("strip {}", first));
   }
@@ -91,10 +92,9 @@ class View {
     }
   }
 
-  /// A rib may stand below the sheet, also below what it does not carry; one that comes up through
-  /// it may not.
+  /// A rib may stand below the sheet, even below what it does not carry, but must not come up
+  /// through it.
   Result<void> check_clear() const {
-    constexpr double kTouching = 1e-9;  // of the smallest piece
     for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
       const Seen *rib = &pieces_[overlap.first], *strip = &pieces_[overlap.second];
       if (strip->layer == Layer::rib) std::swap(rib, strip);
@@ -105,7 +105,7 @@ class View {
           if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
             return fail(
                 ErrorCode::unsupported_shape,
-                fmt::format("the mould's rib under strip {} would stand in {}; choose a larger "
+                fmt::format("the mould's rib under strip {} would pass through {}; choose a larger "
                             "inset, another direction or the other side",
                             rib->strip,
                             rib->strip == strip->strip ? "another part of that strip"
@@ -116,8 +116,8 @@ class View {
   }
 
  private:
-  /// The quad that a facet carries, and those carried beside it, are mitred to it. One beside it
-  /// that is left bare begins at its ridge, and may lead back below it.
+  /// The quad that a facet carries and the carried ones beside it are mitred to it. A bare one
+  /// beside it begins at its ridge, and may lead back below it.
   bool matters(const Seen& rib, const Seen& strip) const {
     if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1)
       return strip.layer == Layer::skin;

@@ -18,8 +18,8 @@ struct WholeStrip {
 /// From a ridge to where the facets beside it meet, half the thickness from both quads.
 inline Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
 
-/// Ribs stand apart from each other, and may stand below the sheet, also below what they do not
-/// carry; one that comes up through it may not. `strips`: by strip, whole or both halves; `offset`:
+/// Whether ribs stand apart from each other and none comes up through the sheet; they may stand
+/// below it, even below what they do not carry. `strips`: by strip, whole or both halves; `offset`:
 /// half the thickness. Error: `unsupported_shape`.
 Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
                          double offset);

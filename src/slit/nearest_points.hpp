@@ -26,7 +26,7 @@ class NearestPoints {
   std::unique_ptr<const Tree> tree_;
 };
 
-/// Points measured on a strip, as the surface that they lie on; at least one.
+/// Points measured on a strip (at least one), as the surface on which they lie.
 class ScannedSurface {
  public:
   explicit ScannedSurface(std::vector<Vec3> points);
@@ -34,8 +34,8 @@ class ScannedSurface {
   ScannedSurface(const ScannedSurface&) = delete;
   ScannedSurface& operator=(const ScannedSurface&) = delete;
 
-  /// The nearest point of the surface that was scanned: of a disc through the points about p, twice
-  /// as large as they spread, in the plane that fits them best; of traced edges, of a line. So a
+  /// The nearest point of the surface that was scanned: on a disc through the points about p, twice
+  /// as large as they spread, in the plane that fits them best; for traced edges, on a line. So a
   /// point slides along the surface, and noise and the spacing of points are evened out. With its
   /// derivative with respect to p, the disc held fixed.
   struct Foot {
@@ -48,7 +48,7 @@ class ScannedSurface {
  private:
   struct Tree;
   std::vector<Vec3> points_;
-  std::unique_ptr<const Tree> tree_;  ///< over some of them
+  std::unique_ptr<const Tree> tree_;  ///< of some of them
 };
 
 }  // namespace planish::slit_detail

@@ -21,7 +21,7 @@ class ChordWalk {
   const Vec2& at() const { return at_; }
   double t() const { return t_; }
 
-  /// The first point of the rest of the curve at this distance; none where the curve ends before.
+  /// The first point of the rest of the curve at this distance; empty where the curve ends before.
   std::optional<Vec2> step(double chord) {
     for (int i = static_cast<int>(std::floor(t_ * samples_)) + 1; i <= samples_; ++i) {
       const double t = static_cast<double>(i) / samples_;
@@ -141,33 +141,3 @@ Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCur
 }
 
 }  // namespace planish::slit_detail
-
-namespace planish {
-
-BezierCurve fitted_leg_curve(const BezierCurve& curve, const SlitSheet& sheet) {
-  using namespace slit_detail;
-  std::vector<double> chords;
-  for (const PanelFacet& facet : flat_facets(sheet))
-    chords.push_back(width_of(facet));
-  const double longest = length(curve) / sheet.width();
-  if (!(longest > 0.0) || !std::isfinite(longest)) return curve;
-  // The curve stays and the chords are scaled: those that its end comes in the midst of are too
-  // long.
-  const auto fit = [&](double scale) {
-    ChordWalk walk(curve);
-    return std::all_of(chords.begin(), chords.end(),
-                       [&](double chord) { return walk.step(scale * chord).has_value(); });
-  };
-  double fitting = 0.0, too_long = longest * (1.0 + 1e-12);
-  constexpr int kBisections = 100;
-  for (int i = 0; i < kBisections; ++i) {
-    const double middle = 0.5 * (fitting + too_long);
-    (fit(middle) ? fitting : too_long) = middle;
-  }
-  BezierCurve fitted = curve;
-  for (Vec2& pole : fitted.poles)
-    pole = curve.poles.front() + (pole - curve.poles.front()) / fitting;
-  return fitted;
-}
-
-}  // namespace planish

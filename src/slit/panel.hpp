@@ -11,9 +11,9 @@ namespace planish::slit_detail {
 /// it.
 constexpr double kLegTolerance = 0.02;
 
-/// The panel over the leg curve: plane facets, their widths stepped along the curve as chords, so
-/// that the panel is a polygon of exactly the sheet's width and every strip begins on a straight
-/// edge of its own width. Errors: `curve_too_short`, `curve_too_long`.
+/// The panel over the leg curve: plane facets whose widths are stepped along the curve as chords,
+/// so that the panel is exactly as wide as the sheet and every strip begins on a straight edge of
+/// its own width. Errors: `curve_too_short`, `curve_too_long`.
 Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCurve& leg_curve);
 
 }  // namespace planish::slit_detail

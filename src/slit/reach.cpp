@@ -10,6 +10,8 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kReadinessOfAbscissae = 0.05;
+/// What the steps aim at, so that the conditions are met beyond doubt.
+constexpr double kAimedAt = 1e-2 * kEndsMet;
 
 double largest(const Eigen::VectorXd& v) { return v.size() ? v.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -27,7 +29,8 @@ Eigen::VectorXd least_step(const StripProblem& problem, const StripFold& fold,
 double allowed_share(const StripBase& base, const StripParameters& p, const Eigen::VectorXd& step,
                      double largest_turn, double spacing_kept) {
   double share = std::min(
-      1.0, largest_turn / std::max(1e-300, step.head(base.quads).cwiseAbs().maxCoeff()));
+      1.0,
+      largest_turn / std::max(tolerance::kTiniest, step.head(base.quads).cwiseAbs().maxCoeff()));
   const StripParameters after = p + step;
   for (int quad = 0; quad < base.quads; ++quad)
     for (int side = 0; side < 2; ++side) {
@@ -45,10 +48,10 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
   Reach reach{from, 0.0, 0};
   StripFold fold = folded(problem.base, reach.p);
   Eigen::VectorXd violation = end_violation(problem, fold);
-  double damping = 1e-6;
+  constexpr double kFirstDamping = 1e-6, kLeastDamping = 1e-9;
+  double damping = kFirstDamping;
   constexpr double kGivenUp = 1e8, kLargestTurn = 0.25, kSpacingKept = 0.5;
-  for (; reach.iterations < max_iterations && largest(violation) > 1e-2 * kEndsMet &&
-         damping < kGivenUp;
+  for (; reach.iterations < max_iterations && largest(violation) > kAimedAt && damping < kGivenUp;
        ++reach.iterations) {
     const Eigen::VectorXd step = least_step(problem, fold, violation, damping);
     const StripParameters next = reach.p + allowed_share(problem.base, reach.p, step, kLargestTurn,
@@ -63,7 +66,7 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
       damping *= 0.1;
     } else {
       if (largest(violation) <= kEndsMet) break;
-      damping = std::max(10.0 * damping, 1e-9);
+      damping = std::max(10.0 * damping, kLeastDamping);
     }
   }
   reach.violation = largest(violation);
@@ -87,6 +90,7 @@ EndChart::EndChart(const StripProblem& problem, const StripParameters& at)
 
 std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const {
   constexpr int kIterations = 15;
+  constexpr double kDiverging = 1e-3;
   const int eliminated = conditions();
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(qr_.rows());
   turned.tail(xi.size()) = xi;
@@ -98,8 +102,8 @@ std::optional<StripParameters> EndChart::shape(const Eigen::Ref<const Eigen::Vec
     const StripFold fold = folded(problem_.base, p);
     const Eigen::VectorXd violation = end_violation(problem_, fold);
     const double missed = largest(violation);
-    if (missed <= 1e-2 * kEndsMet || (missed <= kEndsMet && missed >= 0.25 * before)) return p;
-    if (missed > before && missed > 1e-3) return std::nullopt;
+    if (missed <= kAimedAt || (missed <= kEndsMet && missed >= 0.25 * before)) return p;
+    if (missed > before && missed > kDiverging) return std::nullopt;
     before = missed;
     RowMatrix conditions = end_derivative(problem_, fold);
     conditions.applyOnTheRight(qr_.householderQ());

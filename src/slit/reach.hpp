@@ -2,6 +2,8 @@
 
 #include "strip_problem.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <Eigen/QR>
 
 #include <optional>
@@ -10,7 +12,7 @@ namespace planish::slit_detail {
 
 /// End conditions count as met when none is missed by more (of the strip's length, or of a unit
 /// vector).
-constexpr double kEndsMet = 1e-12;
+constexpr double kEndsMet = tolerance::kRounding;
 
 /// A shape that meets the end conditions, or comes as near as was found.
 struct Reach {
@@ -33,8 +35,8 @@ class EndChart {
   EndChart(const StripProblem& problem, const StripParameters& at);
   int dimensions() const { return static_cast<int>(qr_.rows()) - conditions(); }
 
-  /// The shape with these coordinates; none where the conditions cannot be met there, or it is no
-  /// shape.
+  /// The shape with these coordinates; empty where the conditions cannot be met there, or ridges
+  /// cross.
   std::optional<StripParameters> shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const;
 
   /// Derivatives with respect to the parameters at a shape become those with respect to ξ: J_ξ −

@@ -1,20 +1,86 @@
+#include "align.hpp"
 #include "checks.hpp"
-#include "session_content.hpp"
+#include "snapshot.hpp"
 #include "strip_work.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/slit/session.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <iterator>
+#include <memory>
 #include <utility>
+#include <vector>
 
 namespace planish {
 
 using namespace slit_detail;
+
+struct SlitSession::Content {
+  Snapshot now;
+};
+
 namespace {
+
 using Clock = std::chrono::steady_clock;
+
+void take_scan(Snapshot& next, int strip, std::vector<Vec3> points) {
+  Slot slot = next.slot(strip);
+  slot.scan = scan_of(std::move(points));
+  slot.state.status = StripStatus::open;
+  next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
+
+/// Anchors of a design with fewer ridges, where halvings of its quads lead to as many.
+void number_as_subdivided(SlitDesign& design, int ridges) {
+  if (design.ridges < 1) return;
+  for (int finer = design.ridges; finer <= ridges; finer *= 2) {
+    if (finer != ridges) continue;
+    for (SlitAnchor& anchor : design.anchors)
+      anchor.ridge *= ridges / design.ridges;
+    design.ridges = ridges;
+    return;
+  }
+}
+
+/// What the strips' anchors are, those of one strip in their order.
+bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
+  const auto of_strip = [&](const SlitDesign& design) {
+    std::vector<SlitAnchor> anchors;
+    std::copy_if(design.anchors.begin(), design.anchors.end(), std::back_inserter(anchors),
+                 [&](const SlitAnchor& anchor) { return anchor.strip == strip; });
+    return anchors;
+  };
+  return of_strip(a) == of_strip(b);
+}
+
+/// A snapshot with another design of the same sheet; the strips that it touches are open.
+Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
+  Snapshot next = now;
+  design.ends.resize(design.sheet.strips.size());
+  bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle;
+  if (design.leg_curve != now.design->leg_curve) {
+    auto panel = checked_panel(design);
+    if (!panel) return tl::unexpected(panel.error());
+    next.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
+    all = true;
+  }
+  if (auto sound = check_all(design, *next.panel); !sound) return tl::unexpected(sound.error());
+  if (design.seat_curve != now.design->seat_curve) {
+    take_seat_curve(next, design);
+    all = true;
+  }
+  for (int strip = 0; strip < next.count(); ++strip) {
+    const bool end_moved = design.ends[strip] != now.design->ends[strip];
+    if (all || end_moved || !same_anchors(design, *now.design, strip)) reopen(next, strip);
+  }
+  next.design = std::make_shared<const SlitDesign>(std::move(design));
+  return next;
+}
+
+}  // namespace
 
 SlitSession::SlitSession(std::unique_ptr<Content> content) : content_(std::move(content)) {}
 SlitSession::SlitSession(SlitSession&&) noexcept = default;
@@ -40,26 +106,61 @@ Result<SlitSession> SlitSession::start(SlitDesign design) {
   return SlitSession(std::move(content));
 }
 
-bool SlitSession::can_undo() const { return !content_->before.empty(); }
-bool SlitSession::can_redo() const { return !content_->after.empty(); }
-
-void SlitSession::undo() {
-  if (!can_undo()) return;
-  content_->after.push_back(std::move(content_->now));
-  content_->now = std::move(content_->before.back());
-  content_->before.pop_back();
+Result<void> SlitSession::set_design(SlitDesign design) {
+  const Snapshot& now = content_->now;
+  number_as_subdivided(design, now.design->ridges);
+  if (design.sheet != now.design->sheet || design.ridges != now.design->ridges) {
+    auto begun = start(std::move(design));
+    if (!begun) return tl::unexpected(begun.error());
+    content_->now = std::move(begun->content_->now);
+    return {};
+  }
+  const auto scans = points_by_strip(design);
+  if (!scans) return tl::unexpected(scans.error());
+  design.scans.clear();
+  auto next = with_design(now, std::move(design));
+  if (!next) return tl::unexpected(next.error());
+  for (int strip = 0; strip < now.count(); ++strip)
+    if (const auto& points = (*scans)[strip]; points != scan(strip))
+      take_scan(*next, strip, points);
+  content_->now = std::move(*next);
+  return {};
 }
 
-void SlitSession::redo() {
-  if (!can_redo()) return;
-  content_->before.push_back(std::move(content_->now));
-  content_->now = std::move(content_->after.back());
-  content_->after.pop_back();
+Result<Eigen::Isometry3d> SlitSession::align_scans() {
+  Snapshot next = content_->now;
+  std::vector<ScannedStrip> scans;
+  for (int strip = 0; strip < next.count(); ++strip)
+    if (const auto& scan = next.slot(strip).scan)
+      scans.push_back({scan->points(), folded_of(next, strip)});
+  if (scans.empty()) return fail(ErrorCode::empty_scan, "there is no scan to align", "/scan");
+  const Eigen::Isometry3d motion = aligning_motion(scans);
+  for (int strip = 0; strip < next.count(); ++strip) {
+    if (!next.slot(strip).scan) continue;
+    std::vector<Vec3> moved = next.slot(strip).scan->points();
+    for (Vec3& p : moved)
+      p = motion * p;
+    take_scan(next, strip, std::move(moved));
+  }
+  content_->now = std::move(next);
+  return motion;
 }
 
-void SlitSession::forget_edits() {
-  content_->before.clear();
-  content_->after.clear();
+void SlitSession::subdivide() {
+  Snapshot next = content_->now;
+  for (int strip = 0; strip < next.count(); ++strip) {
+    Slot slot = next.slot(strip);
+    if (slot.p.size()) slot.p = subdivided(base_of(content_->now, strip), slot.p);
+    slot.inequalities.clear();
+    slot.state.status = StripStatus::open;
+    next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
+  }
+  SlitDesign design = *next.design;
+  design.ridges *= 2;
+  for (SlitAnchor& anchor : design.anchors)
+    anchor.ridge *= 2;
+  next.design = std::make_shared<const SlitDesign>(std::move(design));
+  content_->now = std::move(next);
 }
 
 Result<SlitSolveReport> SlitSession::solve(const SlitSolveOptions& options,

@@ -36,7 +36,7 @@ double SlitSheet::end_of(int strip) const {
 }
 
 std::vector<SlitStrip> equal_strips(int count, double width) {
-  std::vector<SlitStrip> strips(static_cast<std::size_t>(std::max(0, count)));
+  std::vector<SlitStrip> strips(std::max(0, count));
   for (SlitStrip& strip : strips)
     strip.width = width;
   return strips;

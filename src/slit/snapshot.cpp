@@ -101,8 +101,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
       problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
   if (design.sheet.symmetric && now.seat) {
     problem.seat = now.seat;
-    problem.seat_places = {(*now.seat_places)[2 * static_cast<std::size_t>(strip)],
-                           (*now.seat_places)[2 * static_cast<std::size_t>(strip) + 1]};
+    problem.seat_places = {(*now.seat_places)[2 * strip], (*now.seat_places)[2 * strip + 1]};
   }
   problem.scan = now.slot(strip).scan;
   problem.min_radius = design.sheet.min_radius();
@@ -119,11 +118,6 @@ void reopen(Snapshot& now, int strip) {
   Slot slot = now.slot(strip);
   slot.state.status = StripStatus::open;
   now.slots[strip] = std::make_shared<const Slot>(std::move(slot));
-}
-
-void reopen_all(Snapshot& now) {
-  for (int strip = 0; strip < now.count(); ++strip)
-    reopen(now, strip);
 }
 
 StripParameters subdivided(const StripBase& base, const StripParameters& p) {

@@ -10,7 +10,7 @@
 
 namespace planish::slit_detail {
 
-/// A strip between two edits. Never changed once it is in a snapshot.
+/// How a strip stands. Never changed once it is in a snapshot.
 struct Slot {
   StripParameters p;  ///< empty until it is solved for the first time
   std::vector<Inequality> inequalities;
@@ -19,7 +19,7 @@ struct Slot {
   Eigen::AlignedBox3d box;  ///< of the folded strip
 };
 
-/// Everything that undo brings back. Copies share what is large.
+/// How a session stands. Copies share what is large.
 struct Snapshot {
   std::shared_ptr<const SlitDesign> design;
   std::shared_ptr<const std::vector<PanelFacet>> panel;
@@ -47,14 +47,13 @@ StripProblem problem_of(const Snapshot& now, int strip);
 /// A strip as it is; flat until it is solved for the first time.
 FoldedStrip folded_of(const Snapshot& now, int strip);
 
-/// Marks strips as not solved since.
+/// Marks a strip as not solved since.
 void reopen(Snapshot& now, int strip);
-void reopen_all(Snapshot& now);
 
 /// A strip with every quad divided in its middle by a ridge that does not fold (MATH 6.4).
 StripParameters subdivided(const StripBase& base, const StripParameters& p);
 
-/// Nothing for no points.
+/// Null where there are no points.
 std::shared_ptr<const ScannedSurface> scan_of(std::vector<Vec3> points);
 
 }  // namespace planish::slit_detail

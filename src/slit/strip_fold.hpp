@@ -9,7 +9,7 @@
 
 namespace planish::slit_detail {
 
-/// What folding leaves alone: where the strip lies in the flat sheet and where it begins in space.
+/// What folding does not change: where the strip lies in the flat sheet and begins in space.
 struct StripBase {
   Frame facet;                  ///< of the panel, flat coordinates to space
   std::array<double, 2> sides;  ///< across, of left and right
@@ -31,7 +31,7 @@ inline int abscissa_index(int quads, int ridge, int side) { return quads + 2 * (
 /// Flat abscissa of a ridge's end, mm.
 double abscissa(const StripBase& base, const StripParameters& p, int ridge, int side);
 
-/// Equally spaced ridges that do not fold.
+/// Equally spaced ridges, not folded.
 StripParameters flat_parameters(const StripBase& base);
 
 /// Velocity of everything beyond a ridge when one parameter grows: x ↦ axis × (x − pole).
@@ -48,7 +48,7 @@ struct StripFold {
   std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
   std::vector<double> ridge_length;       ///< of ridges 0 … quads−1
-  const Frame& quad(int i) const { return frames[static_cast<std::size_t>(i) + 1]; }
+  const Frame& quad(int i) const { return frames[i + 1]; }
   const Vec3& end(int side, int ridge) const { return ends[side][ridge]; }
 };
 StripFold folded(const StripBase& base, const StripParameters& p);

@@ -33,6 +33,9 @@ struct RadiusLimit {
   int side = 0;
   int quad = 0;  ///< ridge − 1 or ridge
 };
+/// Inequalities hold when none is broken by more (in strip lengths or mean spacings).
+constexpr double kHolds = 1e-7;
+
 struct Inequality {
   std::variant<HalfSpace, RadiusLimit> what;
   double multiplier = 0.0;

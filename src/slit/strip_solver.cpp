@@ -13,15 +13,13 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kHolds = 1e-7;        // of an inequality
 constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then counts as much as its
                                        // smoothness
 constexpr double kPenaltyGrowth = 4.0;
 constexpr int kRounds = 10, kStepsOfRound = 20;
 constexpr double kMargin = 2e-4;  // radii are led to so much more than they need, and then have it
 constexpr double kWorth = 20.0;   // times the objective that keeping an inequality may cost
-constexpr double kRoughly = 1e-3,
-                 kFine = 1e-6;  // gains of an iteration at which a start, a round are left
+constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains at which a start and a round are left
 
 bool same_place(const RadiusLimit& a, const RadiusLimit& b) {
   return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad;
@@ -32,14 +30,13 @@ bool same_place(const HalfSpace& a, const HalfSpace& b) {
 
 /// Adds what is not yet in the list; planes that moved take over their multiplier.
 template <typename Limit>
-bool add(std::vector<Inequality>& list, const Limit& limit) {
+void add(std::vector<Inequality>& list, const Limit& limit) {
   for (Inequality& known : list)
     if (auto* other = std::get_if<Limit>(&known.what); other && same_place(*other, limit)) {
       *other = limit;
-      return false;
+      return;
     }
   list.push_back({limit, 0.0});
-  return true;
 }
 
 /// Whether every other ridge is one that dividing the quads has put in, without a fold.
@@ -53,8 +50,8 @@ bool just_divided(const StripBase& base, const StripParameters& p) {
   return any;
 }
 
-/// New ridges take a quarter of each neighbour's fold: nearly the same shape, and smooth where it
-/// was.
+/// New ridges take a quarter of each neighbour's fold: the shape stays nearly the same, and smooth
+/// where it was.
 StripParameters shared_out(const StripBase& base, const StripParameters& p) {
   StripParameters shared = p;
   shared[0] = 0.75 * p[0];
@@ -75,225 +72,256 @@ StripParameters smoothed(const StripBase& base, const StripParameters& p) {
   return even;
 }
 
-class Solver {
- public:
-  Solver(StripProblem problem, const DescentOptions& options, const PlanesBroken& planes_broken)
-      : problem_(std::move(problem)),
-        options_(options),
-        planes_broken_(planes_broken),
-        least_radius_(problem_.min_radius) {
-    problem_.penalty = kFirstPenalty;
-    problem_.min_radius *= 1.0 + kMargin;
-  }
+/// What one strip is solved by.
+struct Task {
+  const DescentOptions& options;
+  const PlanesBroken& planes_broken;
+  double least_radius = 0.0;  ///< without the margin
 
-  StripSolution run(const StripParameters& from) {
-    if (!reach_from_before(from)) begin();
-    if (solution_.reached) {
-      descend_once();
-      hold_inequalities();
-    }
-    solution_.inequalities = std::move(problem_.inequalities);
-    return std::move(solution_);
-  }
-
- private:
-  bool reach_from_before(const StripParameters& from) {
-    if (from.size() != problem_.parameters()) return false;
-    return (just_divided(problem_.base, from) && reach_divided(shared_out(problem_.base, from))) ||
-           reach_from(from);
-  }
-
-  /// Of the divided shape, evened out more and more, what is nearest to a minimum: of fine strips
-  /// the least unevenness weighs more than all else, and getting rid of it step by step would
-  /// crease them.
-  bool reach_divided(StripParameters from) {
-    std::optional<StripSolution> best;
-    constexpr int kPasses = 6;
-    for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem_.base, from)) {
-      violation_ = std::numeric_limits<double>::infinity();
-      if (!reach_from(from)) continue;
-      solution_.objective = objective();
-      if (!best || solution_.objective < best->objective) best = solution_;
-    }
-    if (best) solution_ = *best;
-    return best.has_value();
-  }
-
-  bool reach_from(const StripParameters& from) {
-    if (!is_shape(problem_.base, from)) return false;
-    const Reach reach = meet_ends(problem_, from);
-    solution_.iterations += reach.iterations;
-    if (reach.violation < violation_) {
-      solution_.p = reach.p;
-      violation_ = reach.violation;
-      solution_.reached = reach.met();
-    }
-    return reach.met();
-  }
-
-  void begin() {
-    for (const StripParameters& shape : first_shapes(problem_))
-      if (reach_from(shape)) return descend_softly();
-  }
-
-  bool stopped() const { return options_.stop && options_.stop(); }
-
-  /// From a first shape, straight to the places wanted, leads into folds that no later step undoes;
-  /// so they first draw weakly, and need not be reached well.
-  void descend_softly() {
-    constexpr int kSteps = 12;
-    const SlitWeights given = problem_.weights;
-    for (const double softness : {0.001, 0.1}) {
-      problem_.weights.anchors = softness * given.anchors;
-      problem_.weights.seat = softness * given.seat;
-      problem_.weights.spread = softness * given.spread;
-      problem_.weights.scan = softness * given.scan;
-      descend_by(kSteps, kRoughly);
-    }
-    problem_.weights = given;
-  }
-
-  void descend_once() { descend_by(options_.max_iterations, options_.function_tolerance); }
-
-  void descend_by(int iterations, double tolerance) {
-    DescentOptions rest = options_;
-    rest.max_iterations = std::min(options_.max_iterations - descended_, iterations);
-    if (rest.max_iterations <= 0) {
-      solution_.converged = false;
-      return;
-    }
-    rest.function_tolerance = tolerance;
-    const Descent descent = descend(problem_, solution_.p, rest);
-    solution_.p = descent.p;
-    solution_.objective = descent.objective;
-    solution_.converged = descent.converged && !stopped();
-    descended_ += descent.iterations;
-    solution_.iterations += descent.iterations;
-  }
-
-  std::vector<HalfSpace> planes_now_broken() const {
-    return planes_broken_ ? planes_broken_(folded_strip(problem_.base, solution_.p))
-                          : std::vector<HalfSpace>{};
-  }
-
-  /// Without what inequalities add to it.
-  double objective() const {
-    StripProblem plain = problem_;
-    plain.inequalities.clear();
-    Eigen::VectorXd residuals(plain.residuals());
-    return evaluate(plain, solution_.p, residuals, nullptr)
-               ? 0.5 * residuals.squaredNorm()
-               : std::numeric_limits<double>::infinity();
-  }
-  double radius() const { return tightest_fold(problem_.base, solution_.p).radius; }
-  bool is_too_tight() const { return least_radius_ > 0.0 && radius() < least_radius_; }
-
-  /// Takes in what the shape breaks.
-  bool take_in(const std::vector<HalfSpace>& planes) {
-    for (const HalfSpace& plane : planes)
-      add(problem_.inequalities, plane);
-    const bool tight = is_too_tight();
-    if (tight)
-      for (const RadiusLimit& limit :
-           radius_limits(problem_.base, solution_.p, problem_.min_radius))
-        add(problem_.inequalities, limit);
-    return tight || !planes.empty();
-  }
-
-  /// First the radii alone. A way out of a neighbour that creases the strip is none: then it is
-  /// left as it was.
-  void hold_inequalities() {
-    hold_radii();
-    if (!solution_.converged || planes_now_broken().empty()) return;
-    const StripSolution before = solution_;
-    const double most = kWorth * objective();
-    const std::vector<Inequality> needed = problem_.inequalities;
-    const bool was_too_tight = is_too_tight();
-    hold(Planes::kept);
-    const bool creased = (is_too_tight() && !was_too_tight) || objective() > most;
-    if (!stopped() && (creased || !planes_now_broken().empty())) take_back(before, needed);
-    settle();
-  }
-
-  /// Where no shape was found that keeps the radii, the one that is bent least tightly at no great
-  /// cost stands.
-  void hold_radii() {
-    const std::vector<Inequality> none_needed = problem_.inequalities;
-    StripSolution widest = solution_;
-    double widest_radius = radius();
-    const double most = kWorth * objective();
-    hold(Planes::left_out, [&] {
-      if (radius() <= widest_radius || objective() > most) return;
-      widest = solution_;
-      widest_radius = radius();
-    });
-    if (!stopped() && is_too_tight()) take_back(widest, none_needed);
-  }
-
-  void take_back(const StripSolution& before, const std::vector<Inequality>& inequalities) {
-    solution_.p = before.p;
-    solution_.objective = before.objective;
-    problem_.inequalities = inequalities;
-  }
-
-  /// Rounds end before they converge, on purpose; what counts is that there was time for all of
-  /// them.
-  void settle() { solution_.converged = !stopped() && descended_ < options_.max_iterations; }
-
-  enum class Planes { left_out, kept };
-  void hold(
-      Planes which, const std::function<void()>& after_round = [] {}) {
-    problem_.penalty = kFirstPenalty;
-    for (int round = 0;
-         round < kRounds && solution_.converged && descended_ < options_.max_iterations; ++round) {
-      const bool any = take_in(which == Planes::kept ? planes_now_broken()
-                                                     : std::vector<HalfSpace>{});
-      if (problem_.inequalities.empty()) return;
-      const Eigen::VectorXd values = inequality_values(problem_, solution_.p);
-      if (!any && radius_values_hold(values)) return;
-      if (round > 0) {
-        problem_.penalty *= kPenaltyGrowth;
-        update_multipliers(values);
-      }
-      descend_by(kStepsOfRound, std::max(options_.function_tolerance, kFine));
-      settle();
-      after_round();
-    }
-  }
-
-  bool radius_values_hold(const Eigen::VectorXd& values) const {
-    for (std::size_t i = 0; i < problem_.inequalities.size(); ++i)
-      if (std::holds_alternative<RadiusLimit>(problem_.inequalities[i].what) &&
-          values[static_cast<Eigen::Index>(i)] > kHolds)
-        return false;
-    return true;
-  }
-
-  /// Planes are only there to lead the strip out of what it runs through: a penalty does, and a
-  /// multiplier would throw it into another shape.
-  void update_multipliers(const Eigen::VectorXd& values) {
-    for (std::size_t i = 0; i < problem_.inequalities.size(); ++i) {
-      Inequality& inequality = problem_.inequalities[i];
-      if (std::holds_alternative<RadiusLimit>(inequality.what))
-        inequality.multiplier = std::max(
-            0.0, inequality.multiplier + problem_.penalty * values[static_cast<Eigen::Index>(i)]);
-    }
-  }
-
-  StripProblem problem_;
-  const DescentOptions& options_;
-  const PlanesBroken& planes_broken_;
-  double least_radius_;
-  StripSolution solution_;
-  int descended_ = 0;
-  double violation_ = std::numeric_limits<double>::infinity();
+  bool stopped() const { return options.stop && options.stop(); }
 };
+
+/// Without what inequalities add to it.
+double objective(const StripProblem& problem, const StripParameters& p) {
+  StripProblem plain = problem;
+  plain.inequalities.clear();
+  Eigen::VectorXd residuals(plain.residuals());
+  return evaluate(plain, p, residuals, nullptr) ? 0.5 * residuals.squaredNorm()
+                                                : std::numeric_limits<double>::infinity();
+}
+
+/// The shape that comes nearest to the end conditions, and by how much it misses them.
+struct Found {
+  StripSolution solution;
+  double violation = std::numeric_limits<double>::infinity();
+  bool met() const { return violation <= kEndsMet; }
+};
+
+/// What meeting the end conditions from a shape leads to, where that is nearer than `best`.
+Found met_from(const StripProblem& problem, const StripParameters& from, Found best) {
+  if (!is_shape(problem.base, from)) return best;
+  const Reach reach = meet_ends(problem, from);
+  best.solution.iterations += reach.iterations;
+  if (reach.violation < best.violation) {
+    best.solution.p = reach.p;
+    best.solution.reached = reach.met();
+    best.violation = reach.violation;
+  }
+  return best;
+}
+
+/// The divided shape is evened out more and more, and the one of least objective taken: in fine
+/// strips the least unevenness outweighs all else, and removing it step by step would crease them.
+Found met_from_divided(const StripProblem& problem, StripParameters from) {
+  Found last;
+  std::optional<Found> best;
+  constexpr int kPasses = 6;
+  for (int pass = 0; pass < kPasses; ++pass, from = smoothed(problem.base, from)) {
+    last.violation = std::numeric_limits<double>::infinity();
+    last = met_from(problem, from, std::move(last));
+    if (!last.met()) continue;
+    last.solution.objective = objective(problem, last.solution.p);
+    if (!best || last.solution.objective < best->solution.objective) best = last;
+  }
+  return best ? *best : last;
+}
+
+Found met_from_before(const StripProblem& problem, const StripParameters& from) {
+  if (from.size() != problem.parameters()) return {};
+  Found found;
+  if (just_divided(problem.base, from))
+    found = met_from_divided(problem, shared_out(problem.base, from));
+  return found.met() ? found : met_from(problem, from, std::move(found));
+}
+
+/// A strip on its way down.
+struct Course {
+  StripProblem problem;
+  StripSolution solution;
+  int descended = 0;  ///< iterations
+
+  double objective() const { return slit_detail::objective(problem, solution.p); }
+  double radius() const { return tightest_fold(problem.base, solution.p).radius; }
+};
+
+Course descended(const Task& task, Course course, int iterations, double tolerance) {
+  DescentOptions rest = task.options;
+  rest.max_iterations = std::min(task.options.max_iterations - course.descended, iterations);
+  if (rest.max_iterations <= 0) {
+    course.solution.converged = false;
+    return course;
+  }
+  rest.function_tolerance = tolerance;
+  const Descent descent = descend(course.problem, course.solution.p, rest);
+  course.solution.p = descent.p;
+  course.solution.objective = descent.objective;
+  course.solution.converged = descent.converged && !task.stopped();
+  course.descended += descent.iterations;
+  course.solution.iterations += descent.iterations;
+  return course;
+}
+
+/// Going straight from a first shape to the places wanted leads into folds that no later step
+/// undoes; so the places first draw weakly, and need not be reached well.
+Course softly_descended(const Task& task, Course course) {
+  constexpr int kSteps = 12;
+  const SlitWeights given = course.problem.weights;
+  for (const double softness : {0.001, 0.1}) {
+    course.problem.weights.anchors = softness * given.anchors;
+    course.problem.weights.seat = softness * given.seat;
+    course.problem.weights.spread = softness * given.spread;
+    course.problem.weights.scan = softness * given.scan;
+    course = descended(task, std::move(course), kSteps, kRoughly);
+  }
+  course.problem.weights = given;
+  return course;
+}
+
+/// From the shape that the strip has, or from the first of the first shapes that leads to its end.
+Course begun(const Task& task, StripProblem problem, const StripParameters& from) {
+  Found found = met_from_before(problem, from);
+  if (found.met()) return {std::move(problem), std::move(found.solution)};
+  for (const StripParameters& shape : first_shapes(problem)) {
+    found = met_from(problem, shape, std::move(found));
+    if (found.met()) return softly_descended(task, {std::move(problem), std::move(found.solution)});
+  }
+  return {std::move(problem), std::move(found.solution)};
+}
+
+std::vector<HalfSpace> planes_now_broken(const Task& task, const Course& course) {
+  return task.planes_broken
+             ? task.planes_broken(folded_strip(course.problem.base, course.solution.p))
+             : std::vector<HalfSpace>{};
+}
+
+bool is_too_tight(const Task& task, const Course& course) {
+  return task.least_radius > 0.0 && course.radius() < task.least_radius;
+}
+
+/// The inequalities, with these planes and the radii that the shape breaks.
+std::vector<Inequality> with_broken(const Task& task, const Course& course,
+                                    const std::vector<HalfSpace>& planes) {
+  std::vector<Inequality> inequalities = course.problem.inequalities;
+  for (const HalfSpace& plane : planes)
+    add(inequalities, plane);
+  if (is_too_tight(task, course))
+    for (const RadiusLimit& limit :
+         radius_limits(course.problem.base, course.solution.p, course.problem.min_radius))
+      add(inequalities, limit);
+  return inequalities;
+}
+
+bool radii_hold(const std::vector<Inequality>& inequalities, const Eigen::VectorXd& values) {
+  for (std::size_t i = 0; i < inequalities.size(); ++i)
+    if (std::holds_alternative<RadiusLimit>(inequalities[i].what) &&
+        values[static_cast<Eigen::Index>(i)] > kHolds)
+      return false;
+  return true;
+}
+
+/// Planes are only there to lead the strip out of what it runs through: a penalty does, and a
+/// multiplier would throw it into another shape.
+std::vector<Inequality> with_new_multipliers(std::vector<Inequality> inequalities,
+                                             const Eigen::VectorXd& values, double penalty) {
+  for (std::size_t i = 0; i < inequalities.size(); ++i)
+    if (Inequality& one = inequalities[i]; std::holds_alternative<RadiusLimit>(one.what))
+      one.multiplier = std::max(0.0,
+                                one.multiplier + penalty * values[static_cast<Eigen::Index>(i)]);
+  return inequalities;
+}
+
+/// Rounds are meant to end before they converge; what counts is that there was time for all.
+bool had_time(const Task& task, const Course& course) {
+  return !task.stopped() && course.descended < task.options.max_iterations;
+}
+
+enum class Planes { left_out, kept };
+
+/// Rounds of the augmented Lagrangian until the inequalities hold.
+Course held(
+    const Task& task, Course course, Planes which,
+    const std::function<void(const Course&)>& after_round = [](const Course&) {}) {
+  course.problem.penalty = kFirstPenalty;
+  for (int round = 0; round < kRounds && course.solution.converged &&
+                      course.descended < task.options.max_iterations;
+       ++round) {
+    const std::vector<HalfSpace> planes = which == Planes::kept ? planes_now_broken(task, course)
+                                                                : std::vector<HalfSpace>{};
+    auto& inequalities = course.problem.inequalities;
+    inequalities = with_broken(task, course, planes);
+    if (inequalities.empty()) return course;
+    const Eigen::VectorXd values = inequality_values(course.problem, course.solution.p);
+    const bool unbroken = planes.empty() && !is_too_tight(task, course);
+    if (unbroken && radii_hold(inequalities, values)) return course;
+    if (round > 0) {
+      course.problem.penalty *= kPenaltyGrowth;
+      inequalities = with_new_multipliers(std::move(inequalities), values, course.problem.penalty);
+    }
+    course = descended(task, std::move(course), kStepsOfRound,
+                       std::max(task.options.function_tolerance, kFine));
+    course.solution.converged = had_time(task, course);
+    after_round(course);
+  }
+  return course;
+}
+
+/// The course with a shape and inequalities that it had before.
+Course taken_back(Course course, const StripSolution& before,
+                  const std::vector<Inequality>& inequalities) {
+  course.solution.p = before.p;
+  course.solution.objective = before.objective;
+  course.problem.inequalities = inequalities;
+  return course;
+}
+
+/// Where no shape was found that keeps the radii, the one bent least tightly at moderate cost
+/// stands.
+Course radii_held(const Task& task, Course course) {
+  const std::vector<Inequality> before = course.problem.inequalities;
+  const double most = kWorth * course.objective();
+  StripSolution widest = course.solution;
+  double widest_radius = course.radius();
+  course = held(task, std::move(course), Planes::left_out, [&](const Course& now) {
+    if (now.radius() <= widest_radius || now.objective() > most) return;
+    widest = now.solution;
+    widest_radius = now.radius();
+  });
+  if (!task.stopped() && is_too_tight(task, course))
+    return taken_back(std::move(course), widest, before);
+  return course;
+}
+
+/// First the radii alone. A strip that would be creased to get clear of its neighbour is left as it
+/// was.
+Course all_held(const Task& task, Course course) {
+  course = radii_held(task, std::move(course));
+  if (!course.solution.converged || planes_now_broken(task, course).empty()) return course;
+  const StripSolution before = course.solution;
+  const std::vector<Inequality> needed = course.problem.inequalities;
+  const double most = kWorth * course.objective();
+  const bool was_too_tight = is_too_tight(task, course);
+  course = held(task, std::move(course), Planes::kept);
+  const bool creased = (is_too_tight(task, course) && !was_too_tight) || course.objective() > most;
+  if (!task.stopped() && (creased || !planes_now_broken(task, course).empty()))
+    course = taken_back(std::move(course), before, needed);
+  course.solution.converged = had_time(task, course);
+  return course;
+}
 
 }  // namespace
 
 StripSolution solve_strip(StripProblem problem, const StripParameters& from,
                           const DescentOptions& options, const PlanesBroken& planes_broken) {
-  return Solver(std::move(problem), options, planes_broken).run(from);
+  const Task task{options, planes_broken, problem.min_radius};
+  problem.penalty = kFirstPenalty;
+  problem.min_radius *= 1.0 + kMargin;
+  Course course = begun(task, std::move(problem), from);
+  if (course.solution.reached) {
+    course = descended(task, std::move(course), options.max_iterations, options.function_tolerance);
+    course = all_held(task, std::move(course));
+  }
+  course.solution.inequalities = std::move(course.problem.inequalities);
+  return std::move(course.solution);
 }
 
 }  // namespace planish::slit_detail

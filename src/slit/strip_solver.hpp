@@ -7,7 +7,7 @@
 
 namespace planish::slit_detail {
 
-/// Planes that a shape breaks and must not; none where it breaks none.
+/// The planes that a shape breaks; empty where it breaks none.
 using PlanesBroken = std::function<std::vector<HalfSpace>(const FoldedStrip&)>;
 
 /// A strip solved, or as far as it came.
@@ -23,7 +23,7 @@ struct StripSolution {
 /// Meets the end conditions from the shape the strip has, from a first shape where it has none
 /// (empty) or where that one leads nowhere, and descends. Inequalities come in where the minimum
 /// breaks them: planes as a growing penalty until the strip is clear of what it ran through, radii
-/// as an augmented Lagrangian until they hold to 1e-7 of a spacing; its multipliers are kept from
+/// as an augmented Lagrangian until they hold (`kHolds`); its multipliers are kept from
 /// one call to the next in `problem.inequalities`. What is still broken after 10 rounds stays so; a
 /// strip that would be creased to get clear is left as it was.
 StripSolution solve_strip(StripProblem problem, const StripParameters& from,

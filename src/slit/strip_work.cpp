@@ -11,6 +11,10 @@
 namespace planish::slit_detail {
 namespace {
 
+/// A limit missed by more (of the radius, of the strip's length) is reported: ten times what the
+/// solver leaves.
+constexpr double kReported = 10.0 * kHolds;
+
 /// Ends that point the wrong way meet their condition as well as those that point the right way.
 bool ends_backwards(const StripEnd& end, const FoldedStrip& strip) {
   const Frame& last = strip.quads.back();
@@ -43,11 +47,10 @@ StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
   const Tightest tightest = tightest_fold(problem.base, solution.p);
   state.min_radius = tightest.radius;
   state.tightest_ridge = tightest.ridge;
-  constexpr double kRounding = 1e-6;
-  state.too_tight = tightest.radius < problem.min_radius * (1.0 - kRounding);
+  state.too_tight = tightest.radius < problem.min_radius * (1.0 - kReported);
   if (now.design->sheet.symmetric)
     state.crosses_plane = depth_behind_mirror(shape, half_sign(now)) >
-                          kRounding * problem.base.unit();
+                          kReported * problem.base.unit();
   state.objective = solution.objective;
   if (problem.seat)
     for (const Vec3& end : shape.ridges.back().folded)
@@ -82,10 +85,8 @@ PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
   const double sign = half_sign(now);
   return [neighbours = std::move(neighbours), symmetric, sign](const FoldedStrip& shape) {
     std::vector<HalfSpace> planes;
-    constexpr double kThrough = 1e-7;
-    if (symmetric &&
-        depth_behind_mirror(shape, sign) >
-            kThrough * (shape.ridges.back().flat[0].x() - shape.ridges.front().flat[0].x()))
+    if (symmetric && depth_behind_mirror(shape, sign) > kHolds * (shape.ridges.back().flat[0].x() -
+                                                                  shape.ridges.front().flat[0].x()))
       planes = planes_before_mirror(static_cast<int>(shape.quads.size()), sign);
     for (const auto& [side, neighbour] : neighbours)
       if (cross(shape, neighbour)) {
@@ -115,7 +116,7 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
 }
 
 void note_crossings(Snapshot& now, const std::vector<int>& moved) {
-  std::vector<bool> has_moved(static_cast<std::size_t>(now.count()));
+  std::vector<bool> has_moved(now.count());
   for (const int strip : moved)
     has_moved[strip] = true;
   std::vector<std::vector<int>> crosses;

@@ -7,7 +7,8 @@
 
 namespace planish::slit_detail {
 
-/// What a strip is kept clear of: its mirror image, and with `neighbours` the strips beside it too.
+/// What a strip is kept clear of: its mirror image, and with `of_neighbours` also the strips beside
+/// it.
 enum class Clear { of_mirror, of_neighbours };
 
 /// Solves one strip of a snapshot and measures it.
@@ -16,9 +17,9 @@ StripSolution work_on(Snapshot& now, int strip, Clear clear, const DescentOption
 /// Notes which strips those that moved run through.
 void note_crossings(Snapshot& now, const std::vector<int>& moved);
 
-/// Neighbours that run through each other, one of them at least moved: one gives way, whichever
-/// lets both together be nearer to what is wanted. Best effort: a strip that would be creased for
-/// it stays. Returns the iterations taken.
+/// Parts neighbours that run through each other, at least one of which has moved: that one gives
+/// way with which both together come nearer to what is wanted. Best effort: a strip that would be
+/// creased stays. Returns the iterations taken.
 int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentOptions& options);
 
 }  // namespace planish::slit_detail

@@ -306,7 +306,7 @@ TEST(Dxf, ClosesAContourOfTwoPieces) {
   EXPECT_THAT(read.polylines[0].vertices, SizeIs(2));
 }
 
-TEST(Dxf, LeavesOutVerticesThatCoincideAndBulgesThatAreNone) {
+TEST(Dxf, LeavesOutCoincidentVerticesAndBulgesOfZero) {
   Loop loop = rectangle({0, 0}, {10, 10});
   loop.insert(loop.begin() + 1, Segment{{10, 0}, {10, 1e-12}});
   // A millimetre of a circle of 10^13 mm.
@@ -351,7 +351,7 @@ TEST(Dxf, RefusesOptionsOutOfRange) {
   }
 }
 
-TEST(Dxf, RefusesAPatternThatIsNone) {
+TEST(Dxf, RefusesAnUnsoundPattern) {
   FlatPattern no_outer = bracket();
   no_outer.outer.loop.clear();
   FlatPattern not_finite = bracket();

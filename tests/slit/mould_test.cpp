@@ -205,7 +205,7 @@ TEST(Mould, NarrowsItsRibsUntilTheyStandApart) {
   EXPECT_NEAR(narrow.volume, 200 * 25 * (20 + 60.0), 1e-6);
 }
 
-TEST(Mould, RefusesOptionsThatAreNone) {
+TEST(Mould, RefusesOptionsOutOfRange) {
   for (const MouldOptions& options :
        {MouldOptions{.up = Vec3(0, 0, 0)}, MouldOptions{.base = 0.0},
         MouldOptions{.base = std::nan("")}, MouldOptions{.inset = -1.0},

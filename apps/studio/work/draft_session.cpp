@@ -42,7 +42,6 @@ Result<void> DraftSession::take(const job::SlitFile& file, const Progress& progr
 
 Result<void> DraftSession::follow(const job::SlitFile& file, const Progress& progress) {
   if (auto taken = take(file, progress); !taken) return taken;
-  session_->forget_edits();
   return solve(progress);
 }
 

@@ -90,7 +90,7 @@ struct Nearest {
 Nearest nearest(const Curve2& curve, const Vec2& p);
 
 /// Parameters in [0, 1], ascending, where the curve meets the infinite line through `origin` with
-/// direction `direction`; a curve lying on the line yields none. Touching points may be missing
+/// direction `direction`; empty for a curve that lies on the line. Touching points may be missing
 /// or doubled.
 std::vector<double> crossings(const Curve2& curve, const Vec2& origin, const Vec2& direction);
 

@@ -57,7 +57,9 @@ Vec3 ruling_on(const Developable& surface, double u);
 /// Cost: constant for cylinder and cone, linear in the knots of a ruled surface.
 Vec2 parameters_of(const Developable& surface, const Vec3& p, double u_near);
 
+namespace geometry_detail {
 class RuledImage;
+}
 
 /// The isometry between one offset of a developable surface and the plane, in both directions
 /// (MATH 2.2–2.6). Orientation: seen from the tip of the normal, the image is not mirrored.
@@ -96,7 +98,7 @@ class Development {
     double shift;  // added to v: the offset cone's apex lies that much further back
     double u_near;
   };
-  using Unrolled = std::shared_ptr<const RuledImage>;
+  using Unrolled = std::shared_ptr<const geometry_detail::RuledImage>;
   using Image = std::variant<Rolled, Sector, Unrolled>;
 
   static Image image_of(const Cylinder& cylinder, double offset, double u_near);

@@ -10,10 +10,6 @@ struct Region {
   std::vector<Loop> openings;
 };
 
-double area(const Region& region);
-/// Exact for arcs and splines too; a point on a boundary (to rounding) may count either way.
-bool contains(const Region& region, const Vec2& p);
-
 /// A polygon with holes, for overlay; rings closed implicitly.
 struct Polygon {
   std::vector<Vec2> outer;
@@ -39,9 +35,8 @@ struct Overlap {
 std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clearance,
                               double smallest_area);
 
-/// Pairs of non-adjacent places where a closed ring crosses itself (proper crossings only:
-/// touching, and crossing exactly at a corner, is none). Near-linear for outlines of ordinary
-/// parts.
+/// Places where a closed ring crosses itself. Only proper crossings count: touching, and crossing
+/// exactly at a corner, do not. Near-linear for outlines of ordinary parts.
 std::vector<Vec2> self_crossings(const std::vector<Vec2>& ring);
 
 /// Smallest enclosing rectangle: sizes (longer first), and the angle of its long side to the x

@@ -14,8 +14,8 @@ struct Ruling {
   double reach = 0.0;
 };
 
-/// The developable through given rulings, from the first to the last of `breaks` (growing; knots
-/// are placed at each of them, so name those where the rulings are less smooth). Accuracy: points
+/// The developable through given rulings, from the first to the last of `breaks` (growing; a
+/// knot is placed at each, so name the places where the rulings are less smooth). Accuracy: points
 /// at v = 0 and at the reach are within `tolerance` (mm) of where the meant surface has those of
 /// the same (u, v); normals are within (tolerance / s)^¾ radians, s the largest reach. Knots are
 /// placed by halving, 4096 intervals at most between two breaks; below some 1e-13 s the tolerance

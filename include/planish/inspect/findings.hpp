@@ -18,13 +18,13 @@ enum class Severity { info, warning, error };
 struct Finding {
   std::string code;
   Severity severity = Severity::warning;
-  std::string message;   ///< one sentence without the full stop, numbers with units
-  std::vector<Vec2> at;  ///< its place, or places, in the pattern
+  std::string message;   ///< one sentence without its full stop, numbers with units
+  std::vector<Vec2> at;  ///< where in the pattern; may be several places
 };
 
 /// Thresholds of SHOPFLOOR "Rules of manufacture". Lengths as factors of thickness T and inside
-/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0 asks
-/// for nothing.
+/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0
+/// switches its rule off.
 struct Rules {
   double flange_height_t = 1.5;  ///< smallest flange height = this·T + flange_height_r·R
   double flange_height_r = 1.0;
@@ -38,7 +38,7 @@ struct Rules {
   double relief_depth_t = 1.0;
   double hem_diameter_t = 1.0;  ///< inside diameter of an open hem (angle ≥ 170°)
   double hem_return_t = 6.0;
-  double k_low = 0.2;  ///< warn when a bend's K lies outside [k_low, k_high]
+  double k_low = 0.2;  ///< a bend's K outside [k_low, k_high] is reported
   double k_high = 0.5;
   bool enabled = true;
 };
@@ -56,33 +56,30 @@ std::span<const RuleField> rule_fields();
 
 /// Where the pattern covers itself: findings with code "overlap", severity error, largest first,
 /// one for each pair of flanges or bends, with their area in the message and the outlines of what
-/// they share as place; then contours that cross themselves where no pair tells so already.
+/// they share as place; then contours that cross themselves, unless a pair has already told so.
 /// Flanges are counted from 1. Pieces may touch: overlaps less deep than 0.002 of the thickness (or
-/// than curve tolerance and `closure`, if larger) are not seen, and slits of no width are none.
-/// Cost: near-linear in the number of faces when little overlaps.
-/// `layout` and `pattern` are of one `FlatSheet` of the sheet.
+/// than curve tolerance and `closure`, if larger) are not seen, and slits without width do not
+/// count. `layout` and `pattern` are those of one `FlatSheet`. Cost: near-linear in the number of
+/// faces when little overlaps.
 std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
                                    const FlatPattern& pattern);
 
 /// Manufacturability warnings by the rules. What misses a limit by less than 0.001 mm satisfies it.
-/// - flange_height: the least flat length beside a bend, to the edge or the next bend, told as
-/// height
-///   from the outside of the bend. 1.5 T + R leaves 0.5 T flat at 90°, and as much at any angle.
-///   Chamfered ends, hems, bends that go on in one another and rolled ones (R > 10 T) that end at
-///   the edge are let pass.
+/// - flange_height: the shortest flat length beside a bend, to the edge or the next bend, given as
+///   the height from the outside of the bend. 1.5 T + R leaves 0.5 T flat at 90°, and as much at
+///   any angle. Chamfered ends, hems, bends that run into one another and rolled ones (R > 10 T)
+///   that end at the edge are accepted.
 /// - bend_relief: at ends of bends with sheet beside them; depth from the outside of the bend,
-/// where
-///   R + T is the tangent line.
-/// - hem: bends of 170° and more; the return from the outside of the bend. Other bends have their
-///   inside_radius checked.
-/// - opening_to_bend, opening_to_edge, opening_to_opening: nearest points, through material only;
-///   between openings each with its nearest neighbour.
-/// - opening_in_bend: once for an opening that takes material from a bend zone; info, when it is
-///   cut through from flange to flange. Not for rolled bends, nor for windows and reliefs at which
-///   the bend ends.
-/// - smallest_opening: the diameter of the largest circle that fits. Slits of no width are none.
-/// - k_factor: once for every K.
-/// More than ten findings of a rule that differ by their place only become one with all places.
+///   where R + T is the tangent line.
+/// - hem: bends of 170° and more, the return measured from the outside of the bend;
+///   inside_radius: all other bends.
+/// - opening_to_bend, opening_to_edge, opening_to_opening: the distance of nearest points, through
+///   material only; an opening is compared with its nearest neighbour.
+/// - opening_in_bend: an opening takes material from a bend zone; info if it is cut through from
+///   flange to flange. Rolled bends are exempt, and windows and reliefs at which the bend ends.
+/// - smallest_opening: the largest circle that fits; slits without width are exempt.
+/// - k_factor: one finding for each value of K.
+/// More than ten findings of a rule that differ only by their place become one with all places.
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
                                  const Rules& rules);
 

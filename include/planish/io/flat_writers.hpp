@@ -35,9 +35,9 @@ struct DxfOptions {
 /// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a
 /// spline is a chain of LINE, ARC and SPLINE whose ends meet within 1e-9 of the unit; all others,
 /// and all with `arcs`, are closed polylines, whose arcs turn by half a turn at most. Reals are
-/// written so that they read back as the same double; the enclosed area is that of the pattern, but
-/// for splines made arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
-/// bend up 5, bend down 1, bend zone 8, formed features 3.
+/// written so that they read back as the same double; the enclosed area is that of the pattern,
+/// except where splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7,
+/// openings 4, bend up 5, bend down 1, bend zone 8, formed features 3.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length not positive), `internal` (a contour that is
 /// empty, has no extent or is not finite).
@@ -54,8 +54,9 @@ struct SvgOptions {
 /// the size of the part. The page grows beyond pattern and margin where a label needs it.
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {});
 
-/// Writes beside the target and renames, so that no half-written file is ever seen under the name.
-/// Through a symbolic link the file it names is replaced; a device or pipe is written directly.
+/// Writes beside the target and renames, so that a half-written file is never seen under the name.
+/// A symbolic link is followed and the file that it names replaced; a device or pipe is written
+/// directly.
 /// Errors: `cannot_write` with the reason of the system; then the target is as it was.
 Result<void> write_file(const std::filesystem::path& target, const std::string& content);
 

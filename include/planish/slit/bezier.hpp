@@ -26,8 +26,8 @@ BezierPoint bezier_at(const BezierCurve& curve, double t);
 /// Arc length, mm, to 1e-12 of the length of the control polygon where the curve has no cusp.
 double length(const BezierCurve& curve);
 
-/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; beyond its
-/// ends the ends.
+/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; its ends for
+/// lengths beyond them.
 std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths);
 
 /// Smallest radius of curvature between two parameters and where it is. Infinite for straight
@@ -38,8 +38,8 @@ struct TightestBend {
 };
 TightestBend tightest_bend(const BezierCurve& curve, double from = 0.0, double to = 1.0);
 
-/// The nearest point of a curve, found often: samples first, then Newton's method on (p − c)·c′ =
-/// 0.
+/// Finds nearest points of one curve: among samples first, then by Newton's method on
+/// (p − c)·c′ = 0.
 class BezierSearch {
  public:
   explicit BezierSearch(BezierCurve curve);

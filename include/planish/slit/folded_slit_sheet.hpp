@@ -30,7 +30,7 @@ struct FoldedStrip {
 struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
-  int strip = -1;               ///< that begins at its top, −1: none
+  int strip = -1;               ///< that begins at its top; −1 without one
 };
 
 /// The folded sheet, or the modelled half of a symmetric one.
@@ -42,13 +42,13 @@ struct FoldedSlitSheet {
   std::vector<FoldedStrip> strips;
 };
 
-/// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face, ridges
-/// and the edges between the panel's facets are sharp bends, where they fold by more than 1e-9,
+/// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face; ridges
+/// and the edges between the panel's facets are sharp bends where they fold by more than rounding,
 /// else their faces are one flange. The reference surface is the middle one, and hinges take no
 /// allowance at K = ½: flattened with it, the sheet is the one that was cut (its coordinates:
 /// along, across). Borders carry edge numbers and lengths for `certify`, labels the numbers of the
-/// strips. Strips that do not meet the symmetry plane leave a gap there; they are joined all the
-/// same.
+/// strips. Strips that do not reach the symmetry plane leave a gap there, but are joined
+/// nevertheless.
 Sheet sheet_of(const FoldedSlitSheet& folded);
 
 /// Triangles of the mid-surface of the whole sheet, fronts counter-clockwise; corners on one ridge

@@ -17,16 +17,16 @@ enum class MouldSide { ground, back, front };
 struct MouldOptions {
   /// On the ground's side the mould holds the strips while they are pressed down.
   MouldSide side = MouldSide::ground;
-  /// In which the sheet is lifted off, from the base to the sheet. Default: up (y) on the ground's
-  /// side, down on the other; leaned in steps of 5° where ribs of half their strips' width would
-  /// not stand apart: in symmetric sheets in the symmetry plane.
+  /// Direction in which the sheet is lifted off, from the base to the sheet. Default: up (y) on the
+  /// ground's side, down on the other; leaned in steps of 5° (in symmetric sheets within the
+  /// symmetry plane) where ribs of half their strips' width would not stand apart.
   std::optional<Vec3> up = {};
   double base = 20.0;  ///< from the lowest point of the working surfaces down to the base plane, mm
-  /// By which a rib is narrower than its strip, on each side, mm. Default: the thickness; where
-  /// neighbouring ribs would stand in one another or in another strip, an eighth, a quarter or, at
-  /// last, three eighths of the strip's width.
+  /// How much narrower a rib is than its strip, on each side, mm. Default: the thickness; where
+  /// ribs would overlap or pass through a strip, an eighth, a quarter or, at last, three eighths of
+  /// the strip's width.
   std::optional<double> inset = {};
-  Angle draft = Angle::degrees(5);  ///< quads that lean less than this towards `up` are left bare
+  Angle draft = Angle::degrees(5);  ///< quads that face `up` by less than this are left bare
 };
 
 /// Where a strip lies: its quads counted over both halves of symmetric sheets, from one panel to
@@ -48,12 +48,12 @@ struct MouldRib {
   Mesh mesh;                    ///< closed, outside counter-clockwise
 };
 
-/// Ribs on a common base plane. Set them on a board as `footprint` draws them.
+/// Ribs on a common base plane, placed on a board as their footprints show.
 struct Mould {
   Frame base;                        ///< of the base plane, z towards the sheet
   MouldSide side = MouldSide::back;  ///< back or front
   std::vector<MouldRib> ribs;
-  std::vector<StripQuad> bare;  ///< what no rib carries
+  std::vector<StripQuad> bare;  ///< without a rib below
   double volume = 0.0;          ///< mm³
 };
 
@@ -61,17 +61,17 @@ struct Mould {
 /// from it towards the mould's side; neighbouring facets meet in a line below their ridge (a
 /// mitre), so the sheet lies on all of them at once, its mid-surface where it was designed
 /// (MATH 6.5). Where a strip is too steep, or hangs over, it is left bare, and what comes after it
-/// stands on a rib of its own; the panel stands by itself.
+/// stands on a rib of its own; the panel needs no support.
 ///
-/// A mould can be cast, milled or printed without undercut, and the sheet lifted off, so every rib
+/// A mould can be cast, milled or printed without undercut, and the sheet lifted off: every rib
 /// stands upright on its base, which lies flat on the table while the sheet's ground may lean.
 ///
 /// Errors: `bad_option` (options not finite or outside their range, an inset that leaves nothing of
 /// a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too thick
-/// for the fold there), `unsupported_shape` (nothing of the strips leans towards `up`; ribs that
-/// would stand in one another or in other strips: choose another `up`, a larger inset, or the other
-/// side). `where` names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost:
-/// O(quads) for each inset and lean that is tried.
+/// for the fold there), `unsupported_shape` (no part of the strips faces `up`; ribs would overlap
+/// or pass through strips: choose another `up`, a larger inset, or the other side). `where` names
+/// an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads) for each inset
+/// and lean that is tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
 /// All ribs in one mesh, each closed.

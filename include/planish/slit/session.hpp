@@ -5,7 +5,6 @@
 #include <planish/slit/folded_slit_sheet.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
-#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -20,24 +19,23 @@ struct SlitSolveOptions {
   double function_tolerance = 1e-7;
 };
 
-/// How a strip stands. `open`: edited and not solved to the end since. `solved`: the constraints
+/// How a strip stands. `open`: changed, and not solved to the end since. `solved`: the constraints
 /// are met and the objective is at a minimum. `out_of_reach`: no folding was found that meets the
-/// constraints; what is shown comes nearest, `shortfall` says how far it stays away.
+/// constraints; the shape comes nearest, and `shortfall` says how near.
 enum class StripStatus { open, solved, out_of_reach };
 
 struct StripState {
   StripStatus status = StripStatus::open;
   double gap = 0.0;  ///< largest distance of its end from where it must be, mm
-  /// That gap where the strip is out of reach, else 0. Out of reach by 0: its end is there, but
-  /// points backwards.
+  /// The gap of a strip out of reach, else 0. Out of reach by 0: its end is in place, but points
+  /// backwards.
   double shortfall = 0.0;
-  /// Smallest radius of the mid-surface, mm: of arcs that touch neighbouring quads, inside half of
-  /// them. Infinite for a flat strip.
+  /// Smallest radius of the mid-surface, mm: of arcs that touch neighbouring quads, within half of
+  /// each. Infinite for a flat strip.
   double min_radius = 0.0;
   int tightest_ridge = 0;
-  bool too_tight = false;  ///< min_radius is below what the material allows, and could not be kept
-                           ///< above
-  std::vector<int> crosses;    ///< strips of higher numbers that it runs through
+  bool too_tight = false;      ///< min_radius could not be kept above what the material allows
+  std::vector<int> crosses;    ///< strips of higher number that it runs through
   bool crosses_plane = false;  ///< runs through the symmetry plane, and so through its mirror image
   double objective = 0.0;
   double seat_distance = 0.0;  ///< largest distance of the end's corners from the seat curve, mm; 0
@@ -50,72 +48,51 @@ struct StripState {
 
 struct SlitSolveReport {
   bool converged = true;  ///< no strip is left open
-  int strips_solved = 0;  ///< that this call worked on
+  int strips_solved = 0;  ///< on which this call worked
   int iterations = 0;     ///< of all of them
   double seconds = 0.0;
   double gap = 0.0;  ///< largest of all strips, mm
 };
 
-/// A slit sheet being designed. Edits change what is wanted and mark the strips they touch; `solve`
-/// works on these alone, from where they are. End conditions are constraints: every shape between
-/// two iterations meets them to 1e-12 of the strip's length. Each edit is one step of `undo`. Not
-/// thread-safe; different sessions are. `where` of an error is the JSON pointer of its cause in a
-/// slit file (FORMATS, slits).
+/// A slit sheet being designed. A new design marks the strips that it touches; `solve` works on
+/// these alone, from the shape that they have. End conditions are constraints: every shape between
+/// two iterations meets them to 1e-12 of the strip's length. Not thread-safe; different sessions
+/// are. `where` of an error is the JSON pointer of its cause in a slit file (FORMATS, slits).
 class SlitSession {
  public:
   /// Errors (exit status 3): `invalid_input` (numbers not finite or outside their range, weights
   /// negative, curves of less than two poles, a leg curve that meets the symmetry plane),
-  /// `unknown_strip`, `unknown_ridge`, `empty_scan`, `scan_too_large` (over 2 million points a
-  /// strip). Errors (exit status 4): `curve_too_short` and `curve_too_long` (the leg curve by more
-  /// than 2 % of the sheet's width, the chords of the strips stepped along it; within that the
-  /// curve goes on straight, or its rest is left over; a seat curve shorter than the strips are
-  /// wide), `radius_too_small` (the leg curve is tighter than the material allows), `out_of_reach`
-  /// (an anchor or an end farther away than the strip is long).
+  /// `unknown_strip`, `unknown_ridge`, `bad_option` (an end placed in a symmetric sheet),
+  /// `empty_scan`, `scan_too_large` (over 2 million points a strip). Errors (exit status 4):
+  /// `curve_too_short` and `curve_too_long` (the leg curve by more than 2 % of the sheet's width,
+  /// the chords of the strips stepped along it; within that the curve goes on straight, or its rest
+  /// is left over; a seat curve shorter than the strips are wide), `radius_too_small` (the leg
+  /// curve is tighter than the material allows), `out_of_reach` (an anchor or an end farther away
+  /// than the strip is long).
   static Result<SlitSession> start(SlitDesign design);
 
   SlitSession(SlitSession&&) noexcept;
   SlitSession& operator=(SlitSession&&) noexcept;
   ~SlitSession();
 
-  /// Edits. Errors: those of `start`; the session is then as before.
-  /// Everything at once: only what differs is edited, in one step of `undo`. Ridges and anchors may
+  /// Takes a whole design; strips that it does not touch stay as they are. Ridges and anchors may
   /// be numbered as before the subdivisions. Another sheet or number of ridges begins from first
-  /// shapes. The design's scans replace all that is known.
+  /// shapes. The design's scans replace all that is known. Errors: those of `start`; the session is
+  /// then as before.
   Result<void> set_design(SlitDesign design);
-  Result<void> set_leg_curve(BezierCurve curve);
-  Result<void> set_seat_curve(std::optional<BezierCurve> curve);
-  Result<void> set_weights(const SlitWeights& weights);
-  Result<void> set_end_angle(EndAngle angle);
-  /// The free end of a strip. Errors: `bad_option` in symmetric sheets.
-  Result<void> set_end(int strip, const StripEnd& end);
-  Result<void> add_anchor(const SlitAnchor& anchor);
-  /// Anchors are numbered as in `design().anchors`. Error: `bad_option` (no such anchor).
-  Result<void> move_anchor(int anchor, const Vec3& at);
-  Result<void> remove_anchor(int anchor);
-  /// In place of all points known of a strip; none takes them away. Errors: `scan_too_large`,
-  /// `unknown_strip`.
-  Result<void> set_scan(int strip, std::vector<Vec3> points);
   /// Moves all scans by the rigid motion that brings them nearest to the strips as they are (ICP).
-  /// What comes back is that motion. Error: `empty_scan` (there is none).
+  /// What comes back is that motion. Error: `empty_scan` (there are no scans).
   Result<Eigen::Isometry3d> align_scans();
   /// A ridge without fold in the middle of each quad (MATH 6.4): the shape stays. Ridge i of
   /// anchors becomes 2i.
   void subdivide();
 
-  bool can_undo() const;
-  bool can_redo() const;
-  /// Back and forth between edits, with the shapes they had. Nothing where there is none.
-  void undo();
-  void redo();
-  /// No way back from here: frees what `undo` and `redo` keep, which grows with every edit.
-  void forget_edits();
-
-  /// Works on what is open. Errors: `cancelled` (the strips worked on so far keep what they have
-  /// gained).
+  /// Works on the strips that are open. Error: `cancelled` (the strips worked on so far keep what
+  /// they have gained).
   Result<SlitSolveReport> solve(const SlitSolveOptions& options = {},
                                 const Progress& progress = {});
 
-  /// As edited; `ridges` as subdivided, `ends` one a strip, without the scans' points, see `scan`.
+  /// As set; `ridges` as subdivided, `ends` one a strip, without the scans' points, see `scan`.
   const SlitDesign& design() const;
   const std::vector<Vec3>& scan(int strip) const;
   int strip_count() const;
@@ -125,7 +102,6 @@ class SlitSession {
 
  private:
   struct Content;
-  Result<void> edit(const std::function<void(SlitDesign&)>& change);
   explicit SlitSession(std::unique_ptr<Content> content);
   std::unique_ptr<Content> content_;
 };

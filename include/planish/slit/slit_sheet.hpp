@@ -16,8 +16,7 @@ namespace planish {
 /// A strip as it is cut. Left is the side of the smaller across.
 struct SlitStrip {
   double width = 0.0;
-  double gap = 0.0;  ///< from the strip before, or from the sheet's side; the panel is uncut behind
-                     ///< it
+  double gap = 0.0;  ///< to the strip before, or to the sheet's side; the panel goes on behind it
   /// Where the slits on its left and on its right begin, along the sheet; default: the panel's
   /// height. The strip's first ridge joins both.
   std::optional<double> left_start = {}, right_start = {};
@@ -73,8 +72,8 @@ struct StripEnd {
   friend bool operator==(const StripEnd&, const StripEnd&) = default;
 };
 
-/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several of one
-/// strip add up.
+/// Points measured on a strip of a model, in the coordinates of the folded sheet. Several scans of
+/// one strip add up.
 struct SlitScan {
   int strip = 0;
   std::vector<Vec3> points;
@@ -82,13 +81,13 @@ struct SlitScan {
 
 /// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so
 /// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says
-/// the same unless the last ridge is upright, where it says nothing. `free`: the halves may meet in
-/// a fold.
+/// the same, except that it says nothing where the last ridge is upright. `free`: the halves may
+/// meet in a fold.
 enum class EndAngle { right_angle, level, free };
 
-/// What is wanted, weighed (MATH 6.3). Lengths count in thirtieths of the strip's length, angles in
-/// radians, so a form does not depend on the unit or the size; sums over ridges are weighed so that
-/// subdivision keeps them.
+/// The weights of what is wanted (MATH 6.3). Lengths count in thirtieths of the strip's length,
+/// angles in radians, so a form does not depend on the unit or the size; sums over ridges are
+/// weighed so that subdivision keeps them.
 struct SlitWeights {
   double smooth = 0.04;   ///< second differences of the fold angles [3]
   double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
@@ -102,23 +101,17 @@ struct SlitWeights {
   friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
-/// A slit sheet and the form that it is to take: what a file holds (FORMATS, slits).
+/// A slit sheet and the form that it is to take: the content of a file (FORMATS, slits).
 struct SlitDesign {
   SlitSheet sheet;
   BezierCurve leg_curve;  ///< (x, z): what the panel stands over, from the sheet's left side
   std::optional<BezierCurve> seat_curve;  ///< (y, z): section wanted in the symmetry plane
-  int ridges = 10;                        ///< a strip, at the start: as many plane quads
+  int ridges = 10;                        ///< of each strip at the start, and as many plane quads
   EndAngle end_angle = EndAngle::right_angle;
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;
-  std::vector<StripEnd> ends;  ///< by strip; fewer: the others are free. Not in symmetric sheets
+  std::vector<StripEnd> ends;  ///< by strip; those left out are free. Not in symmetric sheets
   std::vector<SlitScan> scans;
 };
-
-/// The leg curve scaled about its first pole so that the chords of the sheet's strips end where it
-/// ends, to 1e-9 of the sheet's width. Given back as it is when it has no length, or the sheet no
-/// width. Requires at least one pole. The curve's shape decides alone: what else
-/// `SlitSession::start` refuses in a leg curve it refuses still.
-BezierCurve fitted_leg_curve(const BezierCurve& curve, const SlitSheet& sheet);
 
 }  // namespace planish

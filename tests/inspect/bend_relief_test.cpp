@@ -1,0 +1,167 @@
+#include "rule_findings.hpp"
+#include "support/sheets.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace planish::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// The same tab without reliefs, the base's edge at the tangent line.
+FlatPattern tab_without_relief() {
+  const double w = test::zone_width();
+  FlatPattern pattern = flat_plate(polygon(
+      {{-30, -40}, {30, -40}, {30, 0}, {10, 0}, {10, w + 20}, {-10, w + 20}, {-10, 0}, {-30, 0}}));
+  test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+  return pattern;
+}
+
+TEST(BendRelief, IsMissedAtBothEndsOfATabOnAnEdge) {
+  const auto found = check(tab_without_relief());
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_THAT(messages(found), ElementsAre("bend B1 ends inside an edge at (-10, 0) without "
+                                           "relief; it needs one 2 mm (T) wide and, from "
+                                           "the outside of the bend, 4 mm (T + R) deep",
+                                           HasSubstr("at (10, 0) without relief")));
+  EXPECT_EQ(found[0].code, "bend_relief");
+  EXPECT_NEAR((found[0].at.at(0) - Vec2(-10, 0)).norm(), 0.0, 1e-9);
+}
+
+TEST(BendRelief, IsMissedInALance) {
+  // Slits of no width, down to the tangent line, the base going on beside the tab.
+  EXPECT_EQ(of_code(check(tab(15.0, 0.0, 0.0)), "bend_relief").size(), 2u);
+}
+
+TEST(BendRelief, HasNoWidthInADeepLance) {
+  const auto found = check(tab(15.0, 0.0, 6.0));
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_THAT(found[0].message, HasSubstr("at (-10, 0) is 0 mm wide"));
+}
+
+TEST(BendRelief, IsMissedWhereBothFlangesGoOn) {
+  // A bend 20 wide between two plates 60 wide: reliefs on one side only, then on both.
+  const double w = test::zone_width();
+  for (const double upper : {0.0, 1.0}) {
+    std::vector<Vec2> points{{0, -40}, {30, -40}, {30, 0},        {12, 0},
+                             {12, -1}, {10, -1},  {10, w + upper}};
+    for (const Vec2& p : {Vec2(12, w + upper), Vec2(12, w), Vec2(30, w), Vec2(30, w + 40)})
+      points.push_back(p);
+    points.erase(points.begin());
+    for (size_t i = points.size(); i-- > 0;)
+      points.emplace_back(-points[i].x(), points[i].y());
+    FlatPattern pattern = flat_plate(polygon(points));
+    test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+    const auto found = check(pattern);
+    if (upper > 0.0) {
+      EXPECT_TRUE(found.empty()) << text_of(found);
+    } else {
+      ASSERT_EQ(found.size(), 2u) << text_of(found);
+      EXPECT_THAT(found[0].message, HasSubstr("without relief"));
+      EXPECT_NEAR(found[0].at.at(0).y(), w, 1e-9);
+    }
+  }
+}
+
+TEST(BendRelief, IsEnoughWhenAsWideAsTheSheetIsThick) {
+  EXPECT_TRUE(check(tab(15.0, 2.0, 1.0)).empty()) << text_of(check(tab(15.0, 2.0, 1.0)));
+  EXPECT_TRUE(check(tab(0.0, 2.0, 1.0)).empty());
+}
+
+TEST(BendRelief, IsTooNarrowBelowTheThickness) {
+  const auto found = check(tab(15.0, 2.0 - kJustShort, 1.0));
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_EQ(found[0].message,
+            "the relief of bend B1 at (-10, 0) is 1.99 mm wide; at least 2 mm (T) is needed");
+  EXPECT_EQ(check(tab(0.0, 2.0 - kJustShort, 1.0)).size(), 2u);
+}
+
+TEST(BendRelief, MustReachTheTangentLine) {
+  // R + T from the outside of the bend is the tangent line.
+  const auto found = check(tab(15.0, 3.0, -0.5));
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_THAT(found[0].message, HasSubstr("without relief"));
+}
+
+TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {
+  Rules rules;
+  rules.relief_depth_t = 1.5;  // 5 mm from the outside: 1 mm beyond the tangent line
+  EXPECT_TRUE(check(tab(15.0, 2.0, 1.0), rules).empty())
+      << text_of(check(tab(15.0, 2.0, 1.0), rules));
+  const auto found = check(tab(15.0, 2.0, 1.0 - kJustShort), rules);
+  ASSERT_EQ(found.size(), 2u) << text_of(found);
+  EXPECT_EQ(found[0].message,
+            "the relief of bend B1 at (-10, 0) is 4.99 mm deep from the outside of the bend, at "
+            "least 5 mm (1.5 T + R) is "
+            "needed");
+}
+
+TEST(BendRelief, IsNotAskedForWhereTheEdgeIsSteppedBack) {
+  EXPECT_TRUE(check(tab(-0.5, 2.0, 0.5)).empty());
+}
+
+TEST(BendRelief, IsNotAskedForAtFreeEnds) {
+  // Edges square to the bend, slanting outwards or inwards by up to 60°.
+  for (const double slope : {0.0, 0.5, -0.5, 1.7, -1.7}) {
+    FlatPattern pattern = flat_plate(
+        polygon({{-20, 0}, {20, 0}, {20, 40 + 20 * slope}, {-20, 40 - 20 * slope}}));
+    const double half = 0.5 * test::zone_width();
+    FlatBend& bend = test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
+    bend.tangent_lines = {{Vec2(-half, 0), Vec2(-half, 40 - half * slope)},
+                          {Vec2(half, 0), Vec2(half, 40 + half * slope)}};
+    EXPECT_TRUE(check(pattern).empty()) << slope << text_of(check(pattern));
+  }
+}
+
+TEST(BendRelief, IsMissedOnceWhereTwoBendsMeetInACorner) {
+  const double w = test::zone_width();
+  // Base 0…40 square, walls at its left and lower side, bends meeting at the origin.
+  FlatPattern pattern = flat_plate(
+      polygon({{0, -w - 20}, {40, -w - 20}, {40, 40}, {-w - 20, 40}, {-w - 20, 0}, {0, 0}}));
+  test::add_bend(pattern, {Vec2(0, -0.5 * w), Vec2(40, -0.5 * w)});
+  test::add_bend(pattern, {Vec2(-0.5 * w, 0), Vec2(-0.5 * w, 40)});
+  const Finding found = only(check(pattern), "bend_relief");
+  EXPECT_NEAR(found.at.at(0).norm(), 0.0, 1e-9);
+}
+
+TEST(BendRelief, IsEnoughInARelievedCorner) {
+  for (const UpSide up : {UpSide::reference, UpSide::other}) {
+    const Sheet sheet = test::box();
+    FlattenOptions options;
+    options.up = up;
+    const auto pattern = flatten(sheet, options);
+    ASSERT_TRUE(pattern.has_value());
+    const auto found = check_rules(sheet, *pattern, {});
+    EXPECT_TRUE(found.empty()) << text_of(found);
+  }
+}
+
+TEST(BendRelief, MayBeAHole) {
+  // A tab with slits of no width that end in holes of 2.4 at the corners of the bend.
+  const double w = test::zone_width();
+  Loop loop = polygon({{-30, -40}, {30, -40}, {30, 15}, {10, 15}, {10, 1.2}});
+  loop.pop_back();
+  loop.push_back(Arc{Vec2(10, 0), 1.2, 0.5 * std::numbers::pi, -1.5 * std::numbers::pi});
+  loop.push_back(Segment{Vec2(8.8, 0), Vec2(8.8, w + 20)});
+  for (const Segment& curve :
+       {Segment{Vec2(8.8, w + 20), Vec2(-10, w + 20)}, Segment{Vec2(-10, w + 20), Vec2(-10, -3)},
+        Segment{Vec2(-10, -3), Vec2(-30, -3)}, Segment{Vec2(-30, -3), Vec2(-30, -40)}})
+    loop.push_back(curve);
+  FlatPattern pattern = flat_plate(loop);
+  test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(8.8, 0.5 * w)});
+  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+}
+
+TEST(BendRelief, CanBeSwitchedOff) {
+  Rules rules;
+  rules.relief_width_t = 0.0;
+  EXPECT_TRUE(check(tab_without_relief(), rules).empty());
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,203 @@
+#include "rule_findings.hpp"
+#include "support/sheets.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+namespace planish::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(OpeningToBend, IsMeasuredFromTheTangentLine) {
+  const double tangent = 0.5 * test::zone_width();
+  FlatPattern pattern = flat_l(50, 40);
+  open(pattern, circular_opening({tangent + 4 + 3, 20}, 3));
+  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  pattern.openings.clear();
+  open(pattern, circular_opening({tangent + 4 + 3 - kJustShort, 20}, 3));
+  const Finding found = only(check(pattern), "opening_to_bend");
+  EXPECT_THAT(
+      found.message,
+      HasSubstr("is 3.99 mm from the tangent line of bend B1; at least 4 mm (2 T) is needed"));
+  EXPECT_THAT(found.message, HasSubstr("the opening Ø 6 mm at ("));
+  EXPECT_NEAR((found.at.at(0) - Vec2(tangent + 3.99, 20)).norm(), 0.0, 1e-6);
+}
+
+TEST(OpeningToBend, HoldsForEveryShape) {
+  const double tangent = 0.5 * test::zone_width();
+  const double s = std::sqrt(0.5);
+  const std::vector<std::pair<Loop, double>> shapes = {
+      {rectangular_opening({0, 0}, 8, 6), 4.0},
+      {reversed(polygon({{-5, 0}, {0, -5}, {5, 0}, {0, 5}})), 5.0},
+      {test::obround_opening({0, 0}, 10, 3, Angle::degrees(45)), 5 * s + 3}};
+  for (const auto& [shape, reach] : shapes) {
+    for (const double distance : {4.0, 3.5}) {
+      FlatPattern pattern = flat_l(50, 50);
+      open(pattern, shifted(shape, Vec2(tangent + distance + reach, 20)));
+      const auto found = check(pattern);
+      if (distance < 4.0) {
+        EXPECT_THAT(only(found, "opening_to_bend").message, HasSubstr("is 3.5 mm from"));
+      } else {
+        EXPECT_TRUE(found.empty()) << text_of(found);
+      }
+    }
+  }
+}
+
+TEST(OpeningToBend, DoesNotCountAcrossASlit) {
+  // The opening is 2 mm from the tangent line, but a slit 0.5 wide runs between them.
+  const double tangent = 0.5 * test::zone_width();
+  const double x = tangent + 0.7;
+  FlatPattern pattern = flat_plate(polygon(
+      {{-50, 0}, {x, 0}, {x, 30}, {x + 0.5, 30}, {x + 0.5, 0}, {60, 0}, {60, 40}, {-50, 40}}));
+  test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
+  open(pattern, rectangular_opening({tangent + 5.5 + 5, 12}, 10, 4));
+  Rules rules;
+  rules.opening_to_bend_t = 3.0;
+  rules.flange_height_t = 0.0;
+  EXPECT_TRUE(of_code(check(pattern, rules), "opening_to_bend").empty())
+      << text_of(check(pattern, rules));
+  pattern.outer = flat_plate(shifted(rectangle(110, 40), Vec2(-50, 0))).outer;
+  EXPECT_EQ(of_code(check(pattern, rules), "opening_to_bend").size(), 1u);
+}
+
+/// A sheet of one bend face, so that openings can say what they were cut from.
+Sheet sheet_with_bend_face() {
+  Sheet sheet;
+  sheet.faces.resize(1);
+  sheet.faces.front().part_of = BendId{0};
+  sheet.bends.resize(1);
+  return sheet;
+}
+
+TEST(OpeningInBend, IsToldOnceForAHoleWithinTheZone) {
+  FlatPattern pattern = flat_l(50, 40, {90, 8.0});
+  open(pattern, circular_opening({0.5, 20}, 3));
+  pattern.openings[0].origins[0] = {Origin{{FaceId{0}, 1, 0}, false, pattern.openings[0].loop[0]}};
+  const double gap = std::sqrt(9 - 0.25);
+  pattern.bends[0].lines = {{Vec2(0, 0), Vec2(0, 20 - gap)}, {Vec2(0, 20 + gap), Vec2(0, 40)}};
+  const auto found = check_rules(sheet_with_bend_face(), pattern, {});
+  EXPECT_EQ(only(found, "opening_in_bend").message,
+            "the opening Ø 6 mm at (0.5, 20) reaches into bend B1, where it is pulled out of "
+            "shape; move it away or cut "
+            "it through the whole bend");
+}
+
+TEST(OpeningInBend, IsToldForAHoleBesideTheBendLine) {
+  // Within the zone, but without touching any line: only its origin tells.
+  FlatPattern pattern = flat_l(50, 40, {90, 12.0});
+  open(pattern, circular_opening({5, 20}, 2));
+  EXPECT_TRUE(of_code(check(pattern), "opening_in_bend").empty());
+  pattern.openings[0].origins[0] = {Origin{{FaceId{0}, 1, 0}, false, pattern.openings[0].loop[0]}};
+  only(check_rules(sheet_with_bend_face(), pattern, {}), "opening_in_bend");
+}
+
+TEST(OpeningInBend, IsToldForAHoleOverOneTangentLine) {
+  const double tangent = 0.5 * test::zone_width();
+  FlatPattern pattern = flat_l(50, 40);
+  open(pattern, rectangular_opening({tangent + 2, 20}, 6, 8));
+  pattern.bends[0].tangent_lines = {{Vec2(-tangent, 0), Vec2(-tangent, 40)},
+                                    {Vec2(tangent, 0), Vec2(tangent, 16)},
+                                    {Vec2(tangent, 24), Vec2(tangent, 40)}};
+  const Finding found = only(check(pattern), "opening_in_bend");
+  EXPECT_THAT(found.message, HasSubstr("the opening 8 × 6 mm at"));
+}
+
+TEST(OpeningInBend, IsAnInformationWhenCutThroughTheWholeBend) {
+  const double tangent = 0.5 * test::zone_width();
+  FlatPattern pattern = flat_l(50, 40);
+  open(pattern, rectangular_opening({0, 20}, 2 * tangent + 6, 8));
+  FlatBend& bend = pattern.bends[0];
+  bend.lines.clear();
+  bend.tangent_lines.clear();
+  for (const auto& [from, to] : {std::pair{0.0, 16.0}, std::pair{24.0, 40.0}}) {
+    bend.lines.push_back({Vec2(0, from), Vec2(0, to)});
+    bend.tangent_lines.push_back({Vec2(-tangent, from), Vec2(-tangent, to)});
+    bend.tangent_lines.push_back({Vec2(tangent, from), Vec2(tangent, to)});
+  }
+  const auto found = check(pattern);
+  ASSERT_EQ(found.size(), 1u) << text_of(found);
+  EXPECT_EQ(found[0].code, "opening_in_bend");
+  EXPECT_EQ(found[0].severity, Severity::info);
+  EXPECT_THAT(found[0].message, HasSubstr("is cut through bend B1"));
+}
+
+TEST(OpeningInBend, DoesNotMatterInRolledSheet) {
+  FlatPattern pattern = flat_l(50, 40, {90, 60.0});
+  open(pattern, circular_opening({0, 20}, 5));
+  pattern.openings[0].origins[0] = {Origin{{FaceId{0}, 1, 0}, false, pattern.openings[0].loop[0]}};
+  EXPECT_TRUE(check_rules(sheet_with_bend_face(), pattern, {}).empty());
+}
+
+TEST(OpeningInBend, AgreesWithFlattenedSheets) {
+  for (const auto& [sheet, severity] : {std::pair{test::hole_in_bend(3.0, 0.44), Severity::warning},
+                                        std::pair{test::slot_across_bend(), Severity::info},
+                                        std::pair{test::slot_into_bend(), Severity::warning}}) {
+    const auto pattern = flatten(sheet);
+    ASSERT_TRUE(pattern.has_value());
+    const auto found = check_rules(sheet, *pattern, {});
+    ASSERT_EQ(found.size(), 1u) << text_of(found);
+    EXPECT_EQ(found[0].code, "opening_in_bend") << found[0].message;
+    EXPECT_EQ(found[0].severity, severity) << found[0].message;
+  }
+}
+
+TEST(OpeningToEdge, IsAtLeastTwiceTheThickness) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, circular_opening({7, 30}, 3));
+  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  pattern.openings.clear();
+  open(pattern, circular_opening({7 - kJustShort, 30}, 3));
+  const Finding found = only(check(pattern), "opening_to_edge");
+  EXPECT_EQ(found.message,
+            "the opening Ø 6 mm at (6.99, 30) is 3.99 mm from the outer edge; at least 4 mm (2 T) "
+            "is needed");
+  EXPECT_NEAR((found.at.at(0) - Vec2(3.99, 30)).norm(), 0.0, 1e-6);
+}
+
+TEST(OpeningToEdge, HoldsTowardsCurvedEdges) {
+  const Loop disc{Arc{Vec2(0, 0), 40, 0, 2 * std::numbers::pi}};
+  const Loop half{Arc{Vec2(0, 0), 40, 0, std::numbers::pi}, Segment{Vec2(-40, 0), Vec2(40, 0)}};
+  for (const Loop& outline : {disc, half}) {
+    FlatPattern pattern = flat_plate(outline);
+    // A corner of the square is nearest to the arc.
+    const double corner = 40 - 3.5;
+    const Vec2 out = Vec2(1, 1).normalized();
+    open(pattern, rectangular_opening(corner * out - Vec2(4, 4), 8, 8));
+    EXPECT_THAT(only(check(pattern), "opening_to_edge").message,
+                HasSubstr("is 3.5 mm from the outer edge"));
+  }
+}
+
+TEST(OpeningToOpening, IsAtLeastFiveTimesTheThickness) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, circular_opening({30, 30}, 5));
+  open(pattern, rectangular_opening({50, 30}, 10, 12));
+  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  pattern.openings.pop_back();
+  open(pattern, rectangular_opening({50 - kJustShort, 30}, 10, 12));
+  const Finding found = only(check(pattern), "opening_to_opening");
+  EXPECT_EQ(found.message,
+            "the opening Ø 10 mm at (30, 30) is 9.99 mm from the opening 12 × 10 mm at (49.99, "
+            "30); at least 10 mm (5 T) "
+            "is needed");
+  ASSERT_EQ(found.at.size(), 2u);
+  EXPECT_NEAR((found.at[0] - Vec2(35, 30)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((found.at[1] - Vec2(44.99, 30)).norm(), 0.0, 1e-6);
+}
+
+TEST(OpeningToOpening, IsToldForEachNearestNeighbourOnce) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  for (const double x : {20.0, 35.0, 48.0, 80.0})
+    open(pattern, circular_opening({x, 30}, 4));
+  // 35–48 are each other's nearest, 20 is nearest to 35, 80 is alone.
+  EXPECT_THAT(messages(check(pattern)), ElementsAre(HasSubstr("is 7 mm"), HasSubstr("is 5 mm")));
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,60 @@
+#include "rule_findings.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish::test {
+namespace {
+
+TEST(SmallestOpening, IsTheDiameterOfACircle) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, circular_opening({30, 30}, 1.0));
+  EXPECT_TRUE(check(pattern).empty());
+  open(pattern, circular_opening({60, 30}, 0.95));
+  EXPECT_EQ(only(check(pattern), "smallest_opening").message,
+            "the opening Ø 1.9 mm at (60, 30) is 1.9 mm wide; at least 2 mm (T) is needed");
+}
+
+/// The width that the rule sees, from its message; 0 when it is satisfied.
+double width_seen(const Loop& opening) {
+  FlatPattern pattern = flat_plate(shifted(rectangle(400, 400), Vec2(-200, -200)));
+  open(pattern, opening);
+  Rules rules;
+  rules.smallest_opening_t = 10.0;
+  const auto found = of_code(check(pattern, rules), "smallest_opening");
+  if (found.empty()) return 0.0;
+  const std::string& message = found[0].message;
+  return std::stod(message.substr(message.find(") is ") + 5));
+}
+
+TEST(SmallestOpening, IsTheLargestCircleThatFits) {
+  const Isometry2 turn(Eigen::Rotation2Dd(0.4));
+  EXPECT_NEAR(width_seen(transformed(rectangular_opening({3, 4}, 60, 7.5), turn)), 7.5, 6e-4);
+  EXPECT_NEAR(width_seen(test::obround_opening({0, 0}, 30, 4, Angle::degrees(20))), 8.0, 6e-4);
+  // A triangle 3-4-5 times 5 has an inscribed radius of 5.
+  EXPECT_NEAR(width_seen(reversed(polygon({{0, 0}, {15, 0}, {0, 20}}))), 10.0, 6e-4);
+  // A keyhole: the disc, not the slot.
+  Loop keyhole{Arc{Vec2(0, 0), 9, 0.2, 2 * std::numbers::pi - 0.4}};
+  const Vec2 upper = 9 * Vec2(std::cos(0.2), std::sin(0.2));
+  const Vec2 lower(upper.x(), -upper.y());
+  keyhole.push_back(Segment{lower, Vec2(40, lower.y())});
+  keyhole.push_back(Segment{Vec2(40, lower.y()), Vec2(40, upper.y())});
+  keyhole.push_back(Segment{Vec2(40, upper.y()), upper});
+  EXPECT_NEAR(width_seen(reversed(keyhole)), 18.0, 6e-4);
+  // An angle with arms 5 wide: the circle in its corner touches the outer sides and the inner
+  // corner.
+  const double corner = 2 * 5 * (2 - std::numbers::sqrt2);
+  EXPECT_NEAR(width_seen(reversed(polygon({{0, 0}, {30, 0}, {30, 5}, {5, 5}, {5, 30}, {0, 30}}))),
+              corner, 6e-4);
+  EXPECT_EQ(width_seen(rectangular_opening({0, 0}, 20.0, 80)), 0.0);
+}
+
+TEST(SmallestOpening, DoesNotMindLinesCut) {
+  FlatPattern pattern = flat_plate(rectangle(100, 60));
+  open(pattern, polygon({{20, 20}, {20, 40}}));
+  open(pattern, polygon({{50, 10}, {50, 30}, {70, 30}, {70, 10}, {70, 30}, {50, 30}}));
+  EXPECT_TRUE(of_code(check(pattern), "smallest_opening").empty()) << text_of(check(pattern));
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "flat_plates.hpp"
+
+#include <planish/inspect/findings.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace planish::test {
+
+// Everything here is of 2 mm sheet, so the limits are: flange height 1.5 T + R, opening to bend 4,
+// to edge 4, to opening 10, smallest opening 2, inside radius 2, relief 2 wide.
+inline constexpr double kT = 2.0;
+inline constexpr double kJustShort = 0.01;
+
+inline std::vector<Finding> check(const FlatPattern& pattern, const Rules& rules = {}) {
+  return check_rules({}, pattern, rules);
+}
+
+inline std::vector<std::string> messages(const std::vector<Finding>& findings) {
+  std::vector<std::string> result;
+  for (const Finding& f : findings)
+    result.push_back(f.message);
+  return result;
+}
+
+/// The only finding, which must have this code.
+inline Finding only(const std::vector<Finding>& findings, const std::string& code) {
+  EXPECT_EQ(findings.size(), 1u) << text_of(findings);
+  if (findings.size() != 1) return {};
+  EXPECT_EQ(findings[0].code, code) << findings[0].message;
+  EXPECT_EQ(findings[0].severity, Severity::warning);
+  return findings[0];
+}
+
+/// A tab 20 wide on top of a base 60 wide and 40 high, bend along x. The base's edges beside the
+/// tab are at `shoulder` above the tangent line; reliefs `width` wide reach `depth` below it.
+inline FlatPattern tab(double shoulder, double width, double depth) {
+  const double w = test::zone_width();
+  FlatPattern pattern = flat_plate(polygon({{-30, -40},
+                                            {30, -40},
+                                            {30, shoulder},
+                                            {10 + width, shoulder},
+                                            {10 + width, -depth},
+                                            {10, -depth},
+                                            {10, w + 20},
+                                            {-10, w + 20},
+                                            {-10, -depth},
+                                            {-10 - width, -depth},
+                                            {-10 - width, shoulder},
+                                            {-30, shoulder}}));
+  test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
+  return pattern;
+}
+
+}  // namespace planish::test

@@ -1,0 +1,80 @@
+#include "mould_clear.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace planish::test {
+namespace {
+
+using namespace slit_detail;
+
+/// A level rib on a base at z = 0: a rectangle in x and y, its facet at a height.
+MouldRib block(int strip, const Vec2& low, const Vec2& high, double height) {
+  MouldRib rib;
+  rib.strip = strip;
+  const auto at = [&](double x, double y) { return Vec3(x, y, height); };
+  rib.facets = {
+      {at(low.x(), low.y()), at(high.x(), low.y()), at(high.x(), high.y()), at(low.x(), high.y())}};
+  rib.footprint = {low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  return rib;
+}
+
+/// A level strip of one quad above it, normals down towards the mould.
+std::vector<WholeStrip> level_strip(const Vec2& low, const Vec2& high, double height) {
+  WholeStrip strip;
+  strip.ridges = {{Vec3(low.x(), low.y(), height), Vec3(low.x(), high.y(), height)},
+                  {Vec3(high.x(), low.y(), height), Vec3(high.x(), high.y(), height)}};
+  strip.towards_mould = {-Vec3::UnitZ()};
+  return {strip};
+}
+
+ErrorCode code_of(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips) {
+  const auto clear = check_clear(mould, strips, 1.0);
+  return clear ? ErrorCode::internal : clear.error().code;
+}
+
+TEST(Mitre, IsOneThicknessAwayFromBothFacets) {
+  for (const double angle : {0.0, 0.5, 1.5, 2.5}) {
+    const Vec3 a = Vec3::UnitZ(), b(std::sin(angle), 0, std::cos(angle));
+    EXPECT_NEAR(mitre(a, b).dot(a), 1.0, 1e-14);
+    EXPECT_NEAR(mitre(a, b).dot(b), 1.0, 1e-14);
+  }
+}
+
+TEST(CheckClear, LetsRibsStandSideBySide) {
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 20}, {100, 40}, 50)};
+  EXPECT_TRUE(check_clear(
+      mould, {level_strip({0, 0}, {100, 20}, 31), level_strip({0, 20}, {100, 40}, 51)}, 1.0));
+}
+
+TEST(CheckClear, RefusesRibsThatOverlapByTheirArea) {
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30), block(1, {0, 15}, {100, 40}, 50)};
+  const auto clear = check_clear(mould, {}, 1.0);
+  ASSERT_FALSE(clear);
+  EXPECT_EQ(clear.error().code, ErrorCode::unsupported_shape);
+  EXPECT_NE(clear.error().message.find("500 mm²"), std::string::npos) << clear.error().message;
+  EXPECT_EQ(clear.error().where, "strip 0");
+}
+
+TEST(CheckClear, RefusesAFootprintThatCrossesItself) {
+  Mould mould;
+  mould.ribs = {block(3, {0, 0}, {100, 20}, 30)};
+  std::swap(mould.ribs[0].footprint[0], mould.ribs[0].footprint[1]);
+  EXPECT_EQ(code_of(mould, {}), ErrorCode::unsupported_shape);
+}
+
+TEST(CheckClear, LetsARibStandBelowAnotherStripButNotThroughIt) {
+  // The lower skin of the other strip, 2 mm thick, is 1 mm below its middle.
+  Mould mould;
+  mould.ribs = {block(0, {0, 0}, {100, 20}, 30)};
+  const auto own = level_strip({0, 0}, {100, 20}, 31);
+  EXPECT_TRUE(check_clear(mould, {own, level_strip({0, 10}, {100, 40}, 31.001)}, 1.0));
+  EXPECT_EQ(code_of(mould, {own, level_strip({0, 10}, {100, 40}, 30.999)}),
+            ErrorCode::unsupported_shape);
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,76 @@
+#pragma once
+
+#include "reach.hpp"
+#include "strip_problem.hpp"
+
+#include <cmath>
+#include <random>
+
+namespace planish::test {
+
+using namespace slit_detail;
+
+inline StripBase some_base(int quads) {
+  StripBase base;
+  base.facet = frame_from_axes({120, -30, 55}, Vec3(0.3, -0.2, 0.9).normalized(), {1, 0.4, 0});
+  base.sides = {35.0, 80.0};
+  base.start = {200.0, 214.0};
+  base.end = 560.0;
+  base.quads = quads;
+  return base;
+}
+
+inline StripParameters random_parameters(const StripBase& base, unsigned seed,
+                                         double largest_fold) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  StripParameters p = flat_parameters(base);
+  for (int ridge = 0; ridge < base.quads; ++ridge)
+    p[ridge] = largest_fold * unit(random);
+  for (int ridge = 1; ridge < base.quads; ++ridge)
+    for (int side = 0; side < 2; ++side)
+      p[abscissa_index(base.quads, ridge, side)] += 0.45 * unit(random) / base.quads;
+  return p;
+}
+
+inline StripProblem problem_with_everything(int quads) {
+  StripProblem problem;
+  problem.base = some_base(quads);
+  problem.mirrored = true;
+  using Of = EndCondition::Of;
+  problem.ends = {{Of::left_end, Vec3(1, 2, -1), 3}, {Of::right_end, Vec3::UnitX(), 0},
+                  {Of::middle, Vec3::UnitY(), 5},    {Of::along, Vec3::UnitY(), 0},
+                  {Of::across, Vec3(1, 1, 0), 0},    {Of::normal, Vec3::UnitX(), 0}};
+  problem.anchors = {{quads / 2, 0, {10, 20, 30}}, {quads, 1, {-40, 10, 0}}};
+  problem.seat = std::make_shared<const BezierSearch>(
+      BezierCurve{{{-600, -600}, {300, -200}, {-100, 500}, {700, 900}}});
+  problem.seat_places = {Vec2(1, 2), Vec2(30, -4)};
+  std::vector<Vec3> points;
+  for (int i = 0; i < 5; ++i)
+    points.emplace_back(300.0 * i, -200.0 * i, 100.0);
+  problem.scan = std::make_shared<const ScannedSurface>(points);
+  problem.min_radius = 150.0;
+  problem.penalty = 10.0;
+  problem.inequalities = {{RadiusLimit{1, 0, 0}, 0.5},
+                          {RadiusLimit{1, 1, 1}, 3.0},
+                          {RadiusLimit{0, 0, 0}, 3.0},
+                          {HalfSpace{2, 1, Vec3(0.6, 0, 0.8), 1e4}, 0.0},
+                          {HalfSpace{2, 0, Vec3::UnitX(), -1e5}, 0.0}};
+  return problem;
+}
+
+/// Central differences with a step at which truncation and rounding are alike.
+template <typename F>
+Eigen::MatrixXd differences(const F& f, const StripParameters& p) {
+  constexpr double kStep = 1e-6;
+  Eigen::MatrixXd jacobian(f(p).size(), p.size());
+  for (Eigen::Index q = 0; q < p.size(); ++q) {
+    StripParameters up = p, down = p;
+    up[q] += kStep;
+    down[q] -= kStep;
+    jacobian.col(q) = (f(up) - f(down)) / (2.0 * kStep);
+  }
+  return jacobian;
+}
+
+}  // namespace planish::test
