@@ -6,6 +6,31 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
+# Most of what a source costs is the reading of headers, so files of a target are compiled several
+# at a time. A file's group depends on its name alone, and groups only ever split as a target grows:
+# a new file joins one group and leaves the others as they are. Within a group, names in anonymous
+# namespaces must differ; a file of SOURCES that is not to be grouped is left out of the call.
+#   planish_group_sources(<target> <source>...)
+function(planish_group_sources target)
+  if(NOT PLANISH_UNITY)
+    return()
+  endif()
+  set(groups 1)
+  list(LENGTH ARGN count)
+  while(count GREATER 8)
+    math(EXPR groups "2 * ${groups}")
+    math(EXPR count "${count} / 2")
+  endwhile()
+  foreach(source IN LISTS ARGN)
+    get_filename_component(name "${source}" NAME_WE)
+    string(SHA1 hash "${name}")
+    string(SUBSTRING "${hash}" 0 4 hash)
+    math(EXPR group "0x${hash} % ${groups}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()

@@ -80,6 +80,7 @@ function(planish_module name)
 
   if(sources)
     add_library(${target} ${sources})
+    planish_group_sources(${target} ${sources})
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
     _planish_hide_libs(${target} ${arg_PRIVATE_LIBS})
@@ -140,6 +141,7 @@ function(_planish_module_tests name)
     return()
   endif()
   add_executable(${name}_tests ${tests})
+  planish_group_sources(${name}_tests ${tests})
   target_link_libraries(${name}_tests
     PRIVATE planish::${name} ${ARGN} GTest::gmock GTest::gtest_main rapidcheck_gtest)
   target_include_directories(${name}_tests

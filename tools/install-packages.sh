@@ -3,7 +3,7 @@
 #
 #   tools/install-packages.sh build        what it takes to build the program
 #   tools/install-packages.sh test         that, and what the tests use
-#   tools/install-packages.sh develop      that, and benchmarks, clang and its tools
+#   tools/install-packages.sh develop      that, and benchmarks, clang and clang-tidy
 #
 # Where nothing is missing it says nothing and needs neither network nor root.
 set -euo pipefail
@@ -18,9 +18,10 @@ build=(
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
-test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf)
+test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
+  clang-format)
 command -v chromium >/dev/null || test+=(chromium)
-develop=(libbenchmark-dev clang clang-format clang-tidy)
+develop=(libbenchmark-dev clang clang-tidy)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
