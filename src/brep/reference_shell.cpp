@@ -19,7 +19,8 @@ namespace planish::brep {
 namespace {
 
 Result<void> check_input(const Sheet& sheet) {
-  if (sheet.faces.empty()) return fail(ErrorCode::invalid_input, "The sheet has no faces.");
+  if (const auto right = check(sheet); !right)
+    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
   for (const FaceId id : sheet.faces.ids())
     if (const double r = smallest_radius(sheet[id], 0.0); r < Precision::Confusion())
       return fail(

@@ -26,10 +26,8 @@ std::string place(const BorderRef& ref) {
 }
 
 Result<void> check_input(const Sheet& sheet) {
-  if (!(sheet.thickness > 0.0))
-    return fail(
-        ErrorCode::invalid_input,
-        fmt::format("The sheet's thickness is {} mm; it must be positive.", sheet.thickness));
+  if (const auto right = check(sheet); !right)
+    return fail(ErrorCode::invalid_input, right.error().message, right.error().where);
   for (const FaceId id : sheet.faces.ids())
     if (const double r = std::min(smallest_radius(sheet[id], Depths(sheet).first),
                                   smallest_radius(sheet[id], Depths(sheet).second));

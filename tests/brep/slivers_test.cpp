@@ -37,7 +37,9 @@ TEST(WithoutSlivers, LetsTheFacesOnBothSidesMeet) {
     if (edge.faces[0] != 0 || edge.faces[1] != 2) continue;
     EXPECT_NE(edge.forward[0], edge.forward[1]) << "both faces keep it on their left";
     for (const CoEdge& use : model.faces[2].loops.front())
-      if (use.edge == e) EXPECT_EQ(use.forward, edge.forward[1]);
+      if (use.edge == e) {
+        EXPECT_EQ(use.forward, edge.forward[1]);
+      }
   }
 }
 

@@ -47,8 +47,9 @@ TEST(ReadSolid, TurnsASolidThatIsInsideOut) {
   const SolidModel model = read(drilled_box().Reversed());
   EXPECT_GT(volume_of(model), 0.0);
   for (const SolidFace& face : model.faces)
-    if (const auto* plane = std::get_if<Frame>(&face.surface))
+    if (const auto* plane = std::get_if<Frame>(&face.surface)) {
       EXPECT_GT(plane->z.dot(plane->origin - model.centre), 0.0) << "planes look outwards";
+    }
 }
 
 TEST(ReadSolid, RunsLoopsFromVertexToVertex) {

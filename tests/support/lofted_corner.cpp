@@ -51,7 +51,7 @@ Bend bend_of(const LoftedCorner& corner, const Developable& cone) {
   return {BendKind::general,
           {},
           Angle::radians(std::acos(cosine)),
-          inside ? smallest : smallest - corner.thickness,
+          inside ? smallest : std::max(0.0, smallest - corner.thickness),
           inside};
 }
 
