@@ -38,16 +38,16 @@ struct Patch {
 
 std::vector<SurfaceSample> samples_of(const Patch& patch) {
   constexpr int kGrid = 7;
-  std::vector<SurfaceSample> samples;
+  std::vector<SurfaceSample> taken;
   for (int i = 0; i < kGrid; ++i)
     for (int j = 0; j < kGrid; ++j) {
       const double u = patch.domain.u0 + (patch.domain.u1 - patch.domain.u0) * i / (kGrid - 1);
       const double v = patch.domain.v0 + (patch.domain.v1 - patch.domain.v0) * j / (kGrid - 1);
       const gp_Vec n = patch.normal(u, v);
       if (n.Magnitude() < gp::Resolution()) continue;  // a pole of the parametrisation
-      samples.push_back({vec(patch.surface.Value(u, v).XYZ()), vec(n.Normalized().XYZ())});
+      taken.push_back({vec(patch.surface.Value(u, v).XYZ()), vec(n.Normalized().XYZ())});
     }
-  return samples;
+  return taken;
 }
 
 /// +1 when the outward normal at a sample is the surface's normal, −1 when it is the opposite.
@@ -202,21 +202,21 @@ std::string kind_name(GeomAbs_SurfaceType type) {
 
 SolidFace fitted_face(const Patch& patch, double tolerance) {
   SolidFace face;
-  const std::vector<SurfaceSample> samples = samples_of(patch);
+  const std::vector<SurfaceSample> taken = samples_of(patch);
   face.surface = DoublyCurved{kind_name(patch.surface.GetType())};
   const GeomAbs_SurfaceType type = patch.surface.GetType();
-  if (samples.empty() || type == GeomAbs_Sphere || type == GeomAbs_Torus) return face;
-  if (auto fit = fit_surface(samples, tolerance)) {
+  if (taken.empty() || type == GeomAbs_Sphere || type == GeomAbs_Torus) return face;
+  if (auto fit = fit_surface(taken, tolerance)) {
     face.fitted = fit->deviation;
     if (const auto* developable = std::get_if<Developable>(&fit->surface)) {
-      face.sense = sense_of(*developable, samples[samples.size() / 2]);
+      face.sense = sense_of(*developable, taken[taken.size() / 2]);
       face.surface = *developable;
     } else {
       face.surface = std::get<Frame>(fit->surface);
     }
   } else if (auto ruled = ruled_of(patch, tolerance)) {
     const Developable developable = std::move(*ruled);
-    face.sense = sense_of(developable, samples[samples.size() / 2]);
+    face.sense = sense_of(developable, taken[taken.size() / 2]);
     face.surface = developable;
   }
   return face;

@@ -21,12 +21,12 @@ constexpr double kAlong = 0.01;  // weight of distances along the strip
 class Surface {
  public:
   explicit Surface(const FoldedStrip& strip) {
-    constexpr int kAlong = 8, kAcross = 16;
+    constexpr int kPlacesAlong = 8, kAcross = 16;
     std::vector<Vec3> points;
     for (std::size_t quad = 0; quad < strip.quads.size(); ++quad)
-      for (int i = 0; i < kAlong; ++i)
+      for (int i = 0; i < kPlacesAlong; ++i)
         for (int j = 0; j <= kAcross; ++j) {
-          const double s = (i + 0.5) / kAlong, r = static_cast<double>(j) / kAcross;
+          const double s = (i + 0.5) / kPlacesAlong, r = static_cast<double>(j) / kAcross;
           const auto on = [&](const SlitRidge& ridge) -> Vec3 {
             return (1.0 - r) * ridge.folded[0] + r * ridge.folded[1];
           };

@@ -9,7 +9,6 @@
 #include <cstddef>
 
 namespace planish::slit_detail {
-namespace {
 
 /// The cloud as nanoflann reads it.
 struct Cloud {
@@ -24,6 +23,16 @@ struct Cloud {
   }
 };
 
+struct Indexed {
+  Cloud cloud;
+  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
+                                      std::size_t>
+      index;
+  explicit Indexed(std::vector<Vec3> points) : cloud{std::move(points)}, index(3, cloud) {}
+};
+
+namespace {
+
 /// At most so many points, evenly taken.
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
   const std::size_t stride = (points.size() + most - 1) / most;
@@ -36,14 +45,6 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
 /// Points that a disc is laid through: a part of the strip that stays as small however many points
 /// there are.
 constexpr std::size_t kMostSurfacePoints = 16000, kPatches = 400, kFewest = 12;
-
-struct Indexed {
-  Cloud cloud;
-  nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3,
-                                      std::size_t>
-      index;
-  explicit Indexed(std::vector<Vec3> points) : cloud{std::move(points)}, index(3, cloud) {}
-};
 
 }  // namespace
 
