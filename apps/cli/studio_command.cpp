@@ -9,7 +9,7 @@
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kStudioExamples = R"(Examples:
   planish studio                         opens a page in the browser: files are dropped there
   planish studio chair.json              the same, with a file open
   planish studio --no-browser --port 8731
@@ -35,7 +35,7 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
       ->check(CLI::Range(1, kDay))
       ->type_name("SECONDS");
   command->add_flag("--no-browser", arguments.no_browser, "print the address, open no browser");
-  command->footer(kExamples);
+  command->footer(kStudioExamples);
   return command;
 }
 

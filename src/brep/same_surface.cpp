@@ -10,13 +10,14 @@ namespace {
 /// How far apart the surfaces of two faces of one surface may be.
 struct Agreement {
   double length = 0.0;  ///< mm
-  double angle = 1e-3;  ///< radians
+  double angle = 0.0;   ///< radians
 };
 
 Agreement agreement_of(const SolidFace& f, const SolidFace& g, double size) {
   constexpr double kDrawn = 1e-4;   // mm: dimensions are rounded
   constexpr double kFitted = 10.0;  // times the deviation of fits, which place an axis less well
-  return {.length = tolerance::kFileDigits * size + kDrawn + kFitted * (f.fitted + g.fitted)};
+  constexpr double kAngle = 1e-3;
+  return {tolerance::kFileDigits * size + kDrawn + kFitted * (f.fitted + g.fitted), kAngle};
 }
 
 bool same(const Cylinder& a, const Cylinder& b, const Agreement& within) {

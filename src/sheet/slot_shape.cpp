@@ -81,20 +81,20 @@ tl::unexpected<Error> no_room(const Slot& slot) {
 }
 
 /// Parts of the line's parameter range 0 … 1 inside a disc and inside the band along the axis.
-using Range = std::pair<double, double>;
+using Stretch = std::pair<double, double>;
 
-std::optional<Range> inside_disc(const Segment& line, const Vec2& center, double radius) {
+std::optional<Stretch> inside_disc(const Segment& line, const Vec2& center, double radius) {
   const Vec2 d = line.b - line.a, from = line.a - center;
   const double a = d.squaredNorm(), half_b = d.dot(from),
                discriminant = half_b * half_b - a * (from.squaredNorm() - radius * radius);
   if (!(discriminant > 0.0)) return std::nullopt;
   const double root = std::sqrt(discriminant);
-  return Range{(-half_b - root) / a, (-half_b + root) / a};
+  return Stretch{(-half_b - root) / a, (-half_b + root) / a};
 }
 
-std::optional<Range> inside_band(const Segment& line, const Slot& slot) {
+std::optional<Stretch> inside_band(const Segment& line, const Slot& slot) {
   const Vec2 axis = slot.axis.b - slot.axis.a, along = axis.normalized(), across = left_of(along);
-  Range range{0.0, 1.0};
+  Stretch range{0.0, 1.0};
   const auto clip = [&](const Vec2& direction, double low, double high) {
     const double at = direction.dot(line.a - slot.axis.a), speed = direction.dot(line.b - line.a);
     if (speed == 0.0) {
@@ -188,8 +188,8 @@ Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double 
 }
 
 std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots) {
-  std::vector<Range> cuts;
-  const auto cut = [&](const std::optional<Range>& range) {
+  std::vector<Stretch> cuts;
+  const auto cut = [&](const std::optional<Stretch>& range) {
     if (range && range->second > 0.0 && range->first < 1.0) cuts.push_back(*range);
   };
   for (const Slot& slot : slots) {

@@ -6,7 +6,7 @@
 namespace planish::transition_detail {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -53,9 +53,9 @@ PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, do
   piece.curve = round ? ellipse(rx + outwards, rx + outwards, centre)
                       : set_off(ellipse(rx, ry, centre), outwards);
   piece.t0 = from;
-  piece.t1 = from + 0.5 * kPi;
+  piece.t1 = from + 0.5 * pi;
   piece.source = source;
-  piece.period = 2.0 * kPi;
+  piece.period = 2.0 * pi;
   if (round) {
     piece.circle_radius = rx + outwards;
     piece.circle_centre = centre;

@@ -14,7 +14,7 @@
 namespace planish::transition_detail {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using Pieces = Result<std::vector<PlanePiece>>;
 
@@ -77,13 +77,13 @@ std::vector<PlanePiece> rounded(double x, double y, double radius, double outwar
   int source = 0;
   for (int i = 0; i < 4; ++i) {
     const Vec2 &last = centres[(i + 3) % 4], &centre = centres[i];
-    const Vec2 outward(std::cos(0.5 * kPi * (i - 1)), std::sin(0.5 * kPi * (i - 1)));
+    const Vec2 outward(std::cos(0.5 * pi * (i - 1)), std::sin(0.5 * pi * (i - 1)));
     const bool side = (centre - last).norm() > kNoCorner * (x + y + radius);
     if (side) {
       pieces.push_back(straight(last + r * outward, centre + r * outward, ++source));
       pieces.back().edges = {{edges[i], 0, 0.0, 1.0}};
     }
-    pieces.push_back(quarter(radius, radius, centre, outwards, 0.5 * kPi * (i - 1), 0));
+    pieces.push_back(quarter(radius, radius, centre, outwards, 0.5 * pi * (i - 1), 0));
     // Half circles of an obround are one curve.
     const bool goes_on = i > 0 && !side;
     pieces.back().source = goes_on ? source : ++source;
@@ -128,7 +128,7 @@ struct Shaper {
       return tl::unexpected(fits.error());
     std::vector<PlanePiece> pieces;
     for (int i = 0; i < 4; ++i)
-      pieces.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * kPi * i, 0));
+      pieces.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * pi * i, 0));
     return pieces;
   }
 

@@ -12,7 +12,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Result<Sheet> sheet_of(SolidModel model, double thickness, int reference) {
   const Recognised seen = recognised(std::move(model), thickness, reference);
@@ -25,7 +25,7 @@ SolidModel angle(double turn, double inside_radius) {
 }
 
 TEST(AssembleSheet, OfABentStripHasItsFlangesAndItsBend) {
-  const auto sheet = sheet_of(angle(kPi / 2, 3), 2, 2);
+  const auto sheet = sheet_of(angle(pi / 2, 3), 2, 2);
   ASSERT_TRUE(sheet) << sheet.error().message;
   EXPECT_EQ(sheet->flanges.size(), 2u);
   ASSERT_EQ(sheet->bends.size(), 1u);
@@ -34,13 +34,13 @@ TEST(AssembleSheet, OfABentStripHasItsFlangesAndItsBend) {
   EXPECT_NEAR(bend.inside_radius, 3.0, 1e-9);
   EXPECT_FALSE(bend.reference_inside);
   EXPECT_EQ(sheet->joints.size(), 2u);
-  EXPECT_NEAR(sheet->volume.value(), 40 * (2 * 80 + kPi / 4 * (25 - 9)), 1e-8);
+  EXPECT_NEAR(sheet->volume.value(), 40 * (2 * 80 + pi / 4 * (25 - 9)), 1e-8);
 }
 
 TEST(AssembleSheet, LiesFlatInItsBendAllowanceFromEitherSkin) {
-  const double flat = 50 + 30 + kPi / 2 * (3 + 0.5 * 2);
+  const double flat = 50 + 30 + pi / 2 * (3 + 0.5 * 2);
   for (const int reference : {2, 6}) {
-    const auto sheet = sheet_of(angle(kPi / 2, 3), 2, reference);
+    const auto sheet = sheet_of(angle(pi / 2, 3), 2, reference);
     ASSERT_TRUE(sheet) << sheet.error().message;
     const auto pattern = flatten(*sheet, {.allowance = ConstantK{0.5, "test"}});
     ASSERT_TRUE(pattern) << pattern.error().message;
@@ -50,11 +50,10 @@ TEST(AssembleSheet, LiesFlatInItsBendAllowanceFromEitherSkin) {
 
 TEST(AssembleSheet, PutsABendInPiecesOnOneTurn) {
   const SolidModel model = prism(
-      {{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -kPi / 2, 1.5},
-        Arc{{50, 5}, 5, 1.5 - kPi / 2, 1.5},
+      {{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -pi / 2, 1.5}, Arc{{50, 5}, 5, 1.5 - pi / 2, 1.5},
         Segment{{50 + 5 * std::sin(3.0), 5 - 5 * std::cos(3.0)},
                 {50 + 3 * std::sin(3.0), 5 - 3 * std::cos(3.0)}},
-        Arc{{50, 5}, 3, 3.0 - kPi / 2, -3.0}, Segment{{50, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
+        Arc{{50, 5}, 3, 3.0 - pi / 2, -3.0}, Segment{{50, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},
       40);
   const auto sheet = sheet_of(model, 2, 2);
   ASSERT_TRUE(sheet) << sheet.error().message;
@@ -76,11 +75,11 @@ TEST(AssembleSheet, CountsWhatAMitredCornerHoldsMore) {
   EXPECT_NEAR(sheet->bends.front().angle.degrees(), 90.0, 1e-9);
   ASSERT_EQ(sheet->joints.size(), 1u);
   EXPECT_EQ(sheet->joints.front().sharp, BendId{0});
-  EXPECT_NEAR(sheet->mitres_volume, 40 * 4 * (1 - kPi / 4), 1e-9);
+  EXPECT_NEAR(sheet->mitres_volume, 40 * 4 * (1 - pi / 4), 1e-9);
 }
 
 TEST(AssembleSheet, CountsNothingMoreInARoundedCorner) {
-  const auto sheet = sheet_of(angle(kPi / 2, 0), 2, 6);
+  const auto sheet = sheet_of(angle(pi / 2, 0), 2, 6);
   ASSERT_TRUE(sheet) << sheet.error().message;
   EXPECT_EQ(sheet->mitres_volume, 0.0);
   EXPECT_EQ(sheet->bends.front().kind, BendKind::sharp);
@@ -107,8 +106,8 @@ TEST(AssembleSheet, RefusesFacesThatMeetSmoothlyAlongACurve) {
     return Vec3(50 + 1000 * std::sin(turn), 1000 - 1000 * std::cos(turn), z);
   };
   maker.curved(Cylinder{axis, 1000}, 1,
-               {{arc(low, 1000, -kPi / 2, -kPi / 2 + turn), line(at(0), at(40)),
-                 arc(high, 1000, -kPi / 2 + turn, -kPi / 2), arc(circle, radius, half, -half)}});
+               {{arc(low, 1000, -pi / 2, -pi / 2 + turn), line(at(0), at(40)),
+                 arc(high, 1000, -pi / 2 + turn, -pi / 2), arc(circle, radius, half, -half)}});
   Recognised seen{std::move(maker).build_open(), {}, {}, {}, {}, Side::first};
   seen.outlines = outlines_of(seen.model);
   seen.skins.thickness = 2;

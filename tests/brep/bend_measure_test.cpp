@@ -10,7 +10,7 @@
 namespace planish::brep {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kThickness = 2.0;
 
 /// The bend of one face, a rectangle in its (u, v), of a sheet 2 mm thick.
@@ -30,9 +30,9 @@ Bend measured(const Developable& surface, int sense, const Vec2& lo, const Vec2&
 }
 
 TEST(MeasuredBend, OfACylinderTakesTheThicknessOffTheOutside) {
-  const Bend bend = measured(Cylinder{Frame{}, 5}, 1, {0.3, 0}, {0.3 + kPi / 2, 40});
+  const Bend bend = measured(Cylinder{Frame{}, 5}, 1, {0.3, 0}, {0.3 + pi / 2, 40});
   EXPECT_EQ(bend.kind, BendKind::cylinder);
-  EXPECT_NEAR(bend.angle.radians(), kPi / 2, 1e-12);
+  EXPECT_NEAR(bend.angle.radians(), pi / 2, 1e-12);
   EXPECT_NEAR(bend.inside_radius, 3.0, 1e-12);
   EXPECT_FALSE(bend.reference_inside);
 }
@@ -60,7 +60,7 @@ TEST(MeasuredBend, OfAConeIsTheAngleBetweenItsEnds) {
 TEST(MeasuredBend, OfAConePastHalfATurnGoesTheLongWay) {
   const Bend bend = measured(Cone{Frame{}, 0.4}, 1, {0, 20}, {5.0, 60});
   const double c = std::cos(0.4), s = std::sin(0.4);
-  EXPECT_NEAR(bend.angle.radians(), 2 * kPi - std::acos(c * c * std::cos(5.0) + s * s), 1e-12);
+  EXPECT_NEAR(bend.angle.radians(), 2 * pi - std::acos(c * c * std::cos(5.0) + s * s), 1e-12);
   EXPECT_NEAR(bend.inside_radius, 40 * std::tan(0.4) - kThickness, 1e-12);
 }
 

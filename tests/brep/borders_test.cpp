@@ -10,11 +10,11 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kTolerance = 1e-6;
 
 /// The bend of 3 mm inside radius of a strip 40 mm wide: face 3 its outside, of radius 5.
-SolidModel bent() { return prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40); }
+SolidModel bent() { return prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40); }
 
 BorderLoop borders_of(const SolidModel& model, int face, int loop, double u_near = 0.0) {
   return read_borders(model, model.faces[face].loops[loop], model.faces[face].surface, u_near,
@@ -36,36 +36,36 @@ TEST(ReadBorders, OfAPlaneAreExactLinesAndArcs) {
   ASSERT_EQ(hole.size(), 1u);
   const Arc& circle = std::get<Arc>(hole.front().curve);
   EXPECT_NEAR(circle.radius, 5.0, 1e-12);
-  EXPECT_NEAR(circle.sweep, -2 * kPi, 1e-12) << "openings run clockwise";
-  EXPECT_NEAR(hole.front().edge_length.value(), 10 * kPi, 1e-9);
+  EXPECT_NEAR(circle.sweep, -2 * pi, 1e-12) << "openings run clockwise";
+  EXPECT_NEAR(hole.front().edge_length.value(), 10 * pi, 1e-9);
 }
 
 TEST(ReadBorders, OfACylinderAreRulingsAndParallels) {
   const SolidModel model = bent();
-  const BorderLoop loop = borders_of(model, 3, 0, -kPi / 4);
+  const BorderLoop loop = borders_of(model, 3, 0, -pi / 4);
   ASSERT_EQ(loop.size(), 4u);
   for (const Border& border : loop) {
     const Segment& line = std::get<Segment>(border.curve);
     EXPECT_TRUE(line.a.x() == line.b.x() || line.a.y() == line.b.y());
   }
-  EXPECT_NEAR(box_of(loop).size().x(), kPi / 2, 1e-12);
+  EXPECT_NEAR(box_of(loop).size().x(), pi / 2, 1e-12);
   EXPECT_NEAR(box_of(loop).size().y(), 40.0, 1e-12);
 }
 
 TEST(ReadBorders, RunOnTheTurnNearTheOneAsked) {
   const SolidModel model = bent();
-  const Box2 here = box_of(borders_of(model, 3, 0, -kPi / 4));
-  const Box2 there = box_of(borders_of(model, 3, 0, -kPi / 4 + 6 * kPi));
-  EXPECT_NEAR(there.lo.x() - here.lo.x(), 6 * kPi, 1e-12);
+  const Box2 here = box_of(borders_of(model, 3, 0, -pi / 4));
+  const Box2 there = box_of(borders_of(model, 3, 0, -pi / 4 + 6 * pi));
+  EXPECT_NEAR(there.lo.x() - here.lo.x(), 6 * pi, 1e-12);
 }
 
 TEST(ReadBorders, RunBackwardsStartOnTheTurnAsked) {
   SolidModel model;
-  model.edges.emplace_back().curve = arc(Frame{}, 5, 0.0, 1.9 * kPi);
+  model.edges.emplace_back().curve = arc(Frame{}, 5, 0.0, 1.9 * pi);
   const Developable cylinder = Cylinder{Frame{}, 5};
   const BorderLoop loop = read_borders(model, {{0, false}}, cylinder, 0.0, kTolerance);
-  EXPECT_NEAR(start_of(loop.front().curve).x(), -0.1 * kPi, 1e-12);
-  EXPECT_NEAR(end_of(loop.front().curve).x(), -2 * kPi, 1e-12);
+  EXPECT_NEAR(start_of(loop.front().curve).x(), -0.1 * pi, 1e-12);
+  EXPECT_NEAR(end_of(loop.front().curve).x(), -2 * pi, 1e-12);
 }
 
 TEST(ReadBorders, OfAnObliqueCutAreWithinTheTolerance) {

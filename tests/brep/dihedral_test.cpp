@@ -9,7 +9,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 int edge_between(const SolidModel& model, int a, int b) {
   for (int e = 0; e < std::ssize(model.edges); ++e) {
@@ -30,14 +30,14 @@ Loop closed(const std::vector<Vec2>& corners) {
 TEST(Dihedral, IsARightAngleAtEveryEdgeOfABox) {
   const SolidModel box = plate(2, {10, 5});
   for (int e = 0; e < std::ssize(box.edges); ++e)
-    EXPECT_NEAR(dihedral(box, e).value(), kPi / 2, 1e-12);
+    EXPECT_NEAR(dihedral(box, e).value(), pi / 2, 1e-12);
 }
 
 TEST(Dihedral, IsNegativeInTheInsideOfAnAngle) {
   const SolidModel angle = prism({closed({{0, 0}, {50, 0}, {50, 30}, {48, 30}, {48, 2}, {0, 2}})},
                                  40);
-  EXPECT_NEAR(dihedral(angle, edge_between(angle, 5, 6)).value(), -kPi / 2, 1e-12);
-  EXPECT_NEAR(dihedral(angle, edge_between(angle, 2, 3)).value(), kPi / 2, 1e-12);
+  EXPECT_NEAR(dihedral(angle, edge_between(angle, 5, 6)).value(), -pi / 2, 1e-12);
+  EXPECT_NEAR(dihedral(angle, edge_between(angle, 2, 3)).value(), pi / 2, 1e-12);
 }
 
 TEST(Dihedral, IsUnknownAtSeamsAndOpenEdges) {
@@ -49,7 +49,7 @@ TEST(Dihedral, IsUnknownAtSeamsAndOpenEdges) {
 }
 
 TEST(SmoothEdge, IsWhereABendLeavesItsFlange) {
-  const SolidModel bent = prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40);
+  const SolidModel bent = prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40);
   EXPECT_TRUE(smooth_edge(bent, edge_between(bent, 2, 3)));
   EXPECT_TRUE(smooth_edge(bent, edge_between(bent, 7, 8)));
   EXPECT_FALSE(smooth_edge(bent, edge_between(bent, 0, 3))) << "a cut edge";
@@ -62,9 +62,9 @@ SolidModel kinked(double angle) {
 }
 
 TEST(SmoothEdge, BetweenPlanesIsParallelToATenthOfADegree) {
-  const SolidModel nearly = kinked(0.05 * kPi / 180);
+  const SolidModel nearly = kinked(0.05 * pi / 180);
   EXPECT_TRUE(smooth_edge(nearly, edge_between(nearly, 4, 5)));
-  const SolidModel bent = kinked(0.3 * kPi / 180);
+  const SolidModel bent = kinked(0.3 * pi / 180);
   EXPECT_FALSE(smooth_edge(bent, edge_between(bent, 4, 5)));
 }
 

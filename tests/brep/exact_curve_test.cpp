@@ -8,7 +8,7 @@
 namespace planish::brep {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 using Kind = SpaceCurve::Kind;
 
 /// A curve of no known kind.
@@ -33,7 +33,7 @@ SpaceCurve circular(double angle, double bump = 0.0) {
       0, 1,
       [=](double t) -> Vec3 {
         const double a = angle * t * t;
-        const double radius = 7 + bump * std::sin(kPi * t);
+        const double radius = 7 + bump * std::sin(pi * t);
         return frame.point(radius * Vec2(std::cos(a), std::sin(a)));
       },
       [=](double) -> Vec3 { return Vec3::Zero(); });
@@ -55,7 +55,7 @@ TEST(ExactCurve, LeavesALineThatTurnsBack) {
   const auto back = other_curve(
       0, 1,
       [](double t) -> Vec3 {
-        return {std::sin(0.75 * kPi * t), 0, 0};
+        return {std::sin(0.75 * pi * t), 0, 0};
       },
       [](double) -> Vec3 { return Vec3::Zero(); });
   EXPECT_EQ(exact_curve(back, 1e-7).kind, Kind::other);
@@ -71,9 +71,9 @@ TEST(ExactCurve, RecognisesAnArc) {
 }
 
 TEST(ExactCurve, RecognisesAFullCircle) {
-  const SpaceCurve curve = exact_curve(circular(2 * kPi), 1e-7);
+  const SpaceCurve curve = exact_curve(circular(2 * pi), 1e-7);
   ASSERT_EQ(curve.kind, Kind::circle);
-  EXPECT_DOUBLE_EQ(curve.t1 - curve.t0, 2 * kPi);
+  EXPECT_DOUBLE_EQ(curve.t1 - curve.t0, 2 * pi);
 }
 
 TEST(ExactCurve, LeavesWhatStraysFromTheCircle) {

@@ -9,7 +9,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ReadFace, TakesTheOuterLoopFirst) {
   Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {5, 0}}}}), 2, 1);
@@ -25,11 +25,11 @@ TEST(ReadFace, TakesTheOuterLoopFirst) {
 }
 
 TEST(ReadFace, OfABendIsItsRectangleInTurnAndHeight) {
-  const Recognised seen = recognised(prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40), 2, 2);
+  const Recognised seen = recognised(prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40), 2, 2);
   const ReadFace read = read_face(seen.view(), 3, 3);
   EXPECT_EQ(read.face.sense, 1);
   const Box2 box = parameter_box(read.face);
-  EXPECT_NEAR(box.size().x(), kPi / 2, 1e-12);
+  EXPECT_NEAR(box.size().x(), pi / 2, 1e-12);
   EXPECT_NEAR(box.size().y(), 40.0, 1e-12);
   EXPECT_FALSE(read.loops.front().widened);
 }
@@ -64,7 +64,7 @@ TEST(TurnedBy, MovesByWholeTurns) {
   Face face;
   face.surface = Developable(Cylinder{Frame{}, 5});
   face.loops.push_back({{.curve = Segment{{0, 0}, {1, 0}}}});
-  EXPECT_NEAR(start_of(turned_by(face, 6.0).loops[0][0].curve).x(), 2 * kPi, 1e-12);
+  EXPECT_NEAR(start_of(turned_by(face, 6.0).loops[0][0].curve).x(), 2 * pi, 1e-12);
   EXPECT_EQ(start_of(turned_by(face, 3.0).loops[0][0].curve).x(), 0.0) << "less than half a turn";
 }
 

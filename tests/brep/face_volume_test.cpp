@@ -25,7 +25,7 @@
 namespace planish::brep {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double by_borders(const TopoDS_Shape& shape) {
   const TopExp_Explorer solids(shape, TopAbs_SOLID);

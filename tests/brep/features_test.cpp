@@ -10,7 +10,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kBottom = 0;
 constexpr int kTop = 1;
 
@@ -40,7 +40,7 @@ TEST(AddFeatures, MarksThePocketOnItsOwnSkin) {
   EXPECT_EQ(sheet.features.front().kind, "pocket");
   EXPECT_EQ(sheet.features.front().source_face, 7);
   EXPECT_EQ(mark_of_opening(sheet), FeatureId{0}) << "drawn, not cut";
-  EXPECT_NEAR(sheet.forms_volume.value(), -kPi * 64 * 0.8, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -pi * 64 * 0.8, 1e-8);
 }
 
 TEST(AddFeatures, DrawsThePocketSeenThroughTheSheet) {
@@ -48,9 +48,9 @@ TEST(AddFeatures, DrawsThePocketSeenThroughTheSheet) {
   ASSERT_EQ(sheet.features.size(), 1u);
   EXPECT_EQ(sheet.features.front().kind, "pocket");
   ASSERT_EQ(sheet.features.front().outlines.size(), 1u);
-  EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), kPi * 64, 1e-8);
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), pi * 64, 1e-8);
   EXPECT_NEAR(sheet.features.front().outlines.front().front().edge_depth, 2.0, 1e-12);
-  EXPECT_NEAR(sheet.forms_volume.value(), -kPi * 64 * 0.8, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), -pi * 64 * 0.8, 1e-8);
 }
 
 SolidModel bossed() { return plate(2, {100, 60}, {{{30, 30}, {{8, 2}, {8, 6}, {0, 6}}}}); }
@@ -61,26 +61,26 @@ TEST(AddFeatures, MarksABossAsFormed) {
   EXPECT_EQ(sheet.features.front().kind, "formed");
   EXPECT_EQ(sheet.features.front().at_rim.code, ErrorCode::not_a_sheet);
   EXPECT_EQ(mark_of_opening(sheet), FeatureId{0});
-  EXPECT_NEAR(sheet.forms_volume.value(), kPi * 64 * 4, 1e-8);
+  EXPECT_NEAR(sheet.forms_volume.value(), pi * 64 * 4, 1e-8);
 }
 
 TEST(AddFeatures, DrawsABossOnTheOtherSkin) {
   const Sheet sheet = sheet_of(bossed(), kBottom);
   ASSERT_EQ(sheet.features.size(), 1u);
   EXPECT_EQ(sheet.features.front().kind, "formed");
-  EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), kPi * 64, 1e-8);
+  EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), pi * 64, 1e-8);
 }
 
 TEST(AddFeatures, CutACountersinkToItsBoreOnBothSkins) {
-  const double ring = kPi / 3 * 1.5 * (16 + 10 + 6.25) - kPi * 6.25 * 1.5;
+  const double ring = pi / 3 * 1.5 * (16 + 10 + 6.25) - pi * 6.25 * 1.5;
   for (const int reference : {kTop, kBottom}) {
     const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}}}),
                                  reference);
-    EXPECT_NEAR(opening_area(sheet), kPi * 6.25, 1e-8);
+    EXPECT_NEAR(opening_area(sheet), pi * 6.25, 1e-8);
     ASSERT_EQ(sheet.features.size(), 1u);
     EXPECT_EQ(sheet.features.front().kind, "countersink");
     ASSERT_EQ(sheet.features.front().outlines.size(), 1u);
-    EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), kPi * 16, 1e-8);
+    EXPECT_NEAR(loop_area(sheet.features.front().outlines.front()), pi * 16, 1e-8);
     EXPECT_NEAR(sheet.forms_volume.value(), -ring, 1e-8);
   }
 }
@@ -89,17 +89,17 @@ TEST(AddFeatures, CutACounterboreToItsBoreOnBothSkins) {
   for (const int reference : {kTop, kBottom}) {
     const Sheet sheet = sheet_of(
         plate(2, {100, 60}, {{{30, 30}, {{4, 2}, {4, 1.2}, {2.5, 1.2}, {2.5, 0}}}}), reference);
-    EXPECT_NEAR(opening_area(sheet), kPi * 6.25, 1e-8);
+    EXPECT_NEAR(opening_area(sheet), pi * 6.25, 1e-8);
     ASSERT_EQ(sheet.features.size(), 1u);
-    EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), kPi * 16, 1e-8);
-    EXPECT_NEAR(sheet.forms_volume.value(), -kPi * (16 - 6.25) * 0.8, 1e-8);
+    EXPECT_NEAR(loop_area(sheet.features.front().outlines.at(0)), pi * 16, 1e-8);
+    EXPECT_NEAR(sheet.forms_volume.value(), -pi * (16 - 6.25) * 0.8, 1e-8);
   }
 }
 
 TEST(AddFeatures, AreNoneOfAStraightHole) {
   const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {5, 0}}}}), kTop);
   EXPECT_TRUE(sheet.features.empty());
-  EXPECT_NEAR(opening_area(sheet), kPi * 25, 1e-8);
+  EXPECT_NEAR(opening_area(sheet), pi * 25, 1e-8);
   EXPECT_FALSE(mark_of_opening(sheet));
 }
 

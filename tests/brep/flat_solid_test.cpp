@@ -11,7 +11,7 @@ namespace planish::test {
 namespace {
 
 using brep::SolidCheck;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FlatPattern pattern(const Loop& outer, const std::vector<Loop>& openings, double thickness) {
   FlatPattern result;

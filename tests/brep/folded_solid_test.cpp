@@ -13,7 +13,7 @@ namespace {
 
 using brep::check_step_solid;
 using brep::SolidCheck;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr auto up = BendDirection::up;
 constexpr auto down = BendDirection::down;
 

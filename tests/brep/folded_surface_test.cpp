@@ -12,7 +12,7 @@ namespace planish::test {
 namespace {
 
 using brep::SolidCheck;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 SolidCheck surface(const Sheet& sheet) {
   const auto text = folded_surface_step(sheet, "surface");

@@ -12,10 +12,10 @@ namespace {
 
 using ::testing::ElementsAre;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(GroupFaces, MakesFlangesAndBends) {
-  const Groups groups = recognised(prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40), 2, 2)
+  const Groups groups = recognised(prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40), 2, 2)
                             .groups;
   ASSERT_EQ(groups.rows.size(), 3u);
   EXPECT_TRUE(groups.rows[0].flange);
@@ -31,7 +31,7 @@ TEST(GroupFaces, MakesFlangesAndBends) {
 }
 
 TEST(GroupFaces, JoinsFlangesAtSharpEdges) {
-  const Groups groups = recognised(prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40), 2, 6)
+  const Groups groups = recognised(prism({strip_profile(2, {{50, pi / 2, 0}, {30}})}, 40), 2, 6)
                             .groups;
   ASSERT_EQ(groups.rows.size(), 2u);
   ASSERT_EQ(groups.joints.size(), 1u);
@@ -46,8 +46,8 @@ SolidModel interrupted_bend(const Cylinder& second) {
     Frame foot, head;
     foot.origin = at(50, 5, low);
     head.origin = at(50, 5, high);
-    return {{arc(foot, 5, -kPi / 2, 0), line(at(55, 5, low), at(55, 5, high)),
-             arc(head, 5, 0, -kPi / 2), line(at(50, 0, high), at(50, 0, low))}};
+    return {{arc(foot, 5, -pi / 2, 0), line(at(55, 5, low), at(55, 5, high)),
+             arc(head, 5, 0, -pi / 2), line(at(50, 0, high), at(50, 0, low))}};
   };
   Frame axis;
   axis.origin = at(50, 5, 0);
@@ -87,9 +87,9 @@ TEST(GroupFaces, KeepsPiecesOfAnotherRadiusApart) {
 TEST(GroupFaces, MakesOneBendOfFacesThatMeetAtASeam) {
   // A quarter bend in two eighths.
   const SolidModel model = prism(
-      {{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -kPi / 2, kPi / 4},
-        Arc{{50, 5}, 5, -kPi / 4, kPi / 4}, Segment{{55, 5}, {55, 35}}, Segment{{55, 35}, {53, 35}},
-        Segment{{53, 35}, {53, 5}}, Arc{{50, 5}, 3, 0, -kPi / 2}, Segment{{50, 2}, {0, 2}},
+      {{Segment{{0, 0}, {50, 0}}, Arc{{50, 5}, 5, -pi / 2, pi / 4},
+        Arc{{50, 5}, 5, -pi / 4, pi / 4}, Segment{{55, 5}, {55, 35}}, Segment{{55, 35}, {53, 35}},
+        Segment{{53, 35}, {53, 5}}, Arc{{50, 5}, 3, 0, -pi / 2}, Segment{{50, 2}, {0, 2}},
         Segment{{0, 2}, {0, 0}}}},
       40);
   const Groups groups = recognised(model, 2, 2).groups;

@@ -9,7 +9,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(RingArea, IsPositiveCounterClockwise) {
   EXPECT_DOUBLE_EQ(ring_area({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), 12.0);
@@ -17,17 +17,17 @@ TEST(RingArea, IsPositiveCounterClockwise) {
 }
 
 TEST(Outlines, OfPlanesAndCylindersHaveTheirAreas) {
-  const SolidModel bent = prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40);
+  const SolidModel bent = prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40);
   const auto outlines = outlines_of(bent);
   EXPECT_NEAR(outlines[2].area, 50 * 40, 1e-9);
-  EXPECT_NEAR(outlines[3].area, 5 * kPi / 2 * 40, 1e-9);
-  EXPECT_NEAR(outlines[7].area, 3 * kPi / 2 * 40, 1e-9);
+  EXPECT_NEAR(outlines[3].area, 5 * pi / 2 * 40, 1e-9);
+  EXPECT_NEAR(outlines[7].area, 3 * pi / 2 * 40, 1e-9);
   EXPECT_NEAR(outlines[3].u_scale, 5.0, 1e-12);
 }
 
 TEST(Outlines, TakeOpeningsOff) {
   const auto outlines = outlines_of(plate(2, {20, 20}, {{{10, 10}, {{3, 2}, {3, 0}}}}));
-  const double polygon = 12 * 9 * std::sin(kPi / 12);  // of 24 sides
+  const double polygon = 12 * 9 * std::sin(pi / 12);  // of 24 sides
   EXPECT_NEAR(outlines[1].area, 400 - polygon, 1e-9);
 }
 
@@ -43,7 +43,7 @@ TEST(Opposite, MeasuresDepthAndSharedArea) {
 
 TEST(Opposite, IsSeenThroughMaterialOnly) {
   // The two legs of a U face each other through air at 20 mm, through both legs at 24 mm.
-  const SolidModel u = prism({strip_profile(2, {{40, kPi / 2, 3}, {14, kPi / 2, 3}, {40}})}, 30);
+  const SolidModel u = prism({strip_profile(2, {{40, pi / 2, 3}, {14, pi / 2, 3}, {40}})}, 30);
   const auto outlines = outlines_of(u);
   const int outer_a = 2, outer_b = 6, inner_b = 8, inner_a = 12;
   ASSERT_TRUE(opposite(u, outlines, outer_a, outer_b));
@@ -53,7 +53,7 @@ TEST(Opposite, IsSeenThroughMaterialOnly) {
 }
 
 TEST(Opposite, OfConcentricCylindersIsTheirDistance) {
-  const SolidModel bent = prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40);
+  const SolidModel bent = prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40);
   const auto outlines = outlines_of(bent);
   const auto seen = opposite(bent, outlines, 3, 7);
   ASSERT_TRUE(seen);

@@ -33,7 +33,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Result<StepFile> as_file(const TopoDS_Shape& shape) {
   auto text = brep::guarded([&] { return brep::step_text(shape, "part"); });

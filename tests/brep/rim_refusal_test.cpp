@@ -10,7 +10,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Error refusal_at(const Recognised& seen, int face) {
   const RimPart& part = seen.rim.parts.at(seen.rim.part_of.at(face));
@@ -28,15 +28,14 @@ SolidModel domed() {
   centre.origin = {50, 30, 2};
   SolidMaker maker;
   maker.plane(-Vec3::UnitZ(), {polygon_path({low[3], low[2], low[1], low[0]})});
-  maker.plane(Vec3::UnitZ(), {polygon_path(high), {arc(centre, 10, 2 * kPi, 0)}});
+  maker.plane(Vec3::UnitZ(), {polygon_path(high), {arc(centre, 10, 2 * pi, 0)}});
   for (int i = 0; i < 4; ++i) {
     const int j = (i + 1) % 4;
     maker.plane((low[j] - low[i]).cross(Vec3::UnitZ()).normalized(),
                 {polygon_path({low[i], low[j], high[j], high[i]})});
   }
   const Vec3 foot(60, 30, 2), pole(50, 30, 8);
-  maker.doubly_curved("sphere",
-                      {{arc(centre, 10, 0, 2 * kPi), line(foot, pole), line(pole, foot)}});
+  maker.doubly_curved("sphere", {{arc(centre, 10, 0, 2 * pi), line(foot, pole), line(pole, foot)}});
   return std::move(maker).build();
 }
 
@@ -49,7 +48,7 @@ TEST(RimRefusal, NamesAFaceThatIsCurvedInTwoDirections) {
 
 TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
   // The top rises by 3° behind 100 mm.
-  const double high = 2 + 40 * std::tan(3 * kPi / 180);
+  const double high = 2 + 40 * std::tan(3 * pi / 180);
   const SolidModel wedge = prism(
       {{Segment{{0, 0}, {140, 0}}, Segment{{140, 0}, {140, high}}, Segment{{140, high}, {100, 2}},
         Segment{{100, 2}, {0, 2}}, Segment{{0, 2}, {0, 0}}}},

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kSize = 100.0;
 
-SolidFace face_on(const Developable& surface, int sense = 1) {
+SolidFace face_with(const Developable& surface, int sense = 1) {
   SolidFace face;
   face.surface = surface;
   face.sense = sense;
@@ -19,40 +19,42 @@ Frame frame_at(const Vec3& origin, const Vec3& z = Vec3::UnitZ()) {
 }
 
 TEST(SameSurface, OfCylindersIsOneAxisAndRadius) {
-  const SolidFace here = face_on(Cylinder{frame_at({0, 0, 0}), 5});
-  EXPECT_TRUE(same_surface(here, face_on(Cylinder{frame_at({0, 0, 30}), 5}), kSize));
-  EXPECT_TRUE(same_surface(here, face_on(Cylinder{frame_at({0, 0, 0}, -Vec3::UnitZ()), 5}), kSize))
+  const SolidFace here = face_with(Cylinder{frame_at({0, 0, 0}), 5});
+  EXPECT_TRUE(same_surface(here, face_with(Cylinder{frame_at({0, 0, 30}), 5}), kSize));
+  EXPECT_TRUE(
+      same_surface(here, face_with(Cylinder{frame_at({0, 0, 0}, -Vec3::UnitZ()), 5}), kSize))
       << "an axis has no sense";
-  EXPECT_FALSE(same_surface(here, face_on(Cylinder{frame_at({0, 0, 0}), 5.001}), kSize));
-  EXPECT_FALSE(same_surface(here, face_on(Cylinder{frame_at({0.001, 0, 0}), 5}), kSize));
-  EXPECT_FALSE(same_surface(here, face_on(Cylinder{frame_at({0, 0, 0}, {0.01, 0, 1}), 5}), kSize));
+  EXPECT_FALSE(same_surface(here, face_with(Cylinder{frame_at({0, 0, 0}), 5.001}), kSize));
+  EXPECT_FALSE(same_surface(here, face_with(Cylinder{frame_at({0.001, 0, 0}), 5}), kSize));
+  EXPECT_FALSE(
+      same_surface(here, face_with(Cylinder{frame_at({0, 0, 0}, {0.01, 0, 1}), 5}), kSize));
 }
 
 TEST(SameSurface, HasTheMaterialOnOneSide) {
   const Cylinder cylinder{frame_at({0, 0, 0}), 5};
-  EXPECT_FALSE(same_surface(face_on(cylinder, 1), face_on(cylinder, -1), kSize));
+  EXPECT_FALSE(same_surface(face_with(cylinder, 1), face_with(cylinder, -1), kSize));
 }
 
 TEST(SameSurface, OfConesIsOneApexAxisAndAngle) {
-  const SolidFace here = face_on(Cone{frame_at({0, 0, 0}), 0.5});
-  EXPECT_TRUE(same_surface(here, face_on(Cone{frame_at({0, 0, 0}), 0.5}), kSize));
-  EXPECT_FALSE(same_surface(here, face_on(Cone{frame_at({0, 0, 0.01}), 0.5}), kSize));
-  EXPECT_FALSE(same_surface(here, face_on(Cone{frame_at({0, 0, 0}), 0.502}), kSize));
-  EXPECT_FALSE(same_surface(here, face_on(Cone{frame_at({0, 0, 0}, -Vec3::UnitZ()), 0.5}), kSize))
+  const SolidFace here = face_with(Cone{frame_at({0, 0, 0}), 0.5});
+  EXPECT_TRUE(same_surface(here, face_with(Cone{frame_at({0, 0, 0}), 0.5}), kSize));
+  EXPECT_FALSE(same_surface(here, face_with(Cone{frame_at({0, 0, 0.01}), 0.5}), kSize));
+  EXPECT_FALSE(same_surface(here, face_with(Cone{frame_at({0, 0, 0}), 0.502}), kSize));
+  EXPECT_FALSE(same_surface(here, face_with(Cone{frame_at({0, 0, 0}, -Vec3::UnitZ()), 0.5}), kSize))
       << "the other nappe";
 }
 
 TEST(SameSurface, AllowsForTheDeviationOfFits) {
-  SolidFace fitted = face_on(Cylinder{frame_at({0, 0, 0}), 5.02});
-  const SolidFace exact = face_on(Cylinder{frame_at({0, 0, 0}), 5});
+  SolidFace fitted = face_with(Cylinder{frame_at({0, 0, 0}), 5.02});
+  const SolidFace exact = face_with(Cylinder{frame_at({0, 0, 0}), 5});
   EXPECT_FALSE(same_surface(exact, fitted, kSize));
   fitted.fitted = 0.005;
   EXPECT_TRUE(same_surface(exact, fitted, kSize));
 }
 
 TEST(SameSurface, IsOfOneKind) {
-  EXPECT_FALSE(same_surface(face_on(Cylinder{frame_at({0, 0, 0}), 5}),
-                            face_on(Cone{frame_at({0, 0, 0}), 0.5}), kSize));
+  EXPECT_FALSE(same_surface(face_with(Cylinder{frame_at({0, 0, 0}), 5}),
+                            face_with(Cone{frame_at({0, 0, 0}), 0.5}), kSize));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::IsEmpty;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Found {
   std::vector<RoundedOutside> rounded;
@@ -49,7 +49,7 @@ TEST(SharpEdges, OfAMitredFoldAreOneOnEachSkin) {
 }
 
 TEST(SharpEdges, OfARoundedFoldAreTheInsideAlone) {
-  const SolidModel model = prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40);
+  const SolidModel model = prism({strip_profile(2, {{50, pi / 2, 0}, {30}})}, 40);
   const Found found = found_in(model, 2, {2, 4, 6, 7});
   ASSERT_EQ(found.rounded.size(), 1u);
   EXPECT_EQ(found.rounded.front().face, 3);
@@ -59,7 +59,7 @@ TEST(SharpEdges, OfARoundedFoldAreTheInsideAlone) {
 }
 
 TEST(RoundedOutsides, HaveTheThicknessAsRadius) {
-  const SolidModel model = prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40);
+  const SolidModel model = prism({strip_profile(2, {{50, pi / 2, 0}, {30}})}, 40);
   const auto outlines = outlines_of(model);
   std::vector<bool> candidates(model.faces.size(), false);
   for (const int f : {2, 4, 6, 7})

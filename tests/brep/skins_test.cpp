@@ -9,7 +9,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Result<Skins> skins_of(const SolidModel& model, double thickness) {
   return find_skins(model, outlines_of(model), thickness, 0.02);
@@ -34,16 +34,16 @@ TEST(FindSkins, OfAPlateAreTopAndBottom) {
 }
 
 TEST(FindSkins, GrowOverTheBendsAndStartWithTheLarger) {
-  const auto skins = skins_of(prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40), 2);
+  const auto skins = skins_of(prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40), 2);
   ASSERT_TRUE(skins) << skins.error().message;
   EXPECT_EQ(faces_on(*skins, Side::first), Faces({2, 3, 4})) << "the outside is larger";
   EXPECT_EQ(faces_on(*skins, Side::second), Faces({6, 7, 8}));
-  EXPECT_NEAR(skins->area_first, 40 * (80 + 5 * kPi / 2), 1e-9);
-  EXPECT_NEAR(skins->area_second, 40 * (80 + 3 * kPi / 2), 1e-9);
+  EXPECT_NEAR(skins->area_first, 40 * (80 + 5 * pi / 2), 1e-9);
+  EXPECT_NEAR(skins->area_second, 40 * (80 + 3 * pi / 2), 1e-9);
 }
 
 TEST(FindSkins, GrowOverSharpFolds) {
-  const auto skins = skins_of(prism({strip_profile(2, {{50, kPi / 2, 0}, {30}})}, 40), 2);
+  const auto skins = skins_of(prism({strip_profile(2, {{50, pi / 2, 0}, {30}})}, 40), 2);
   ASSERT_TRUE(skins) << skins.error().message;
   EXPECT_EQ(faces_on(*skins, Side::first), Faces({2, 3, 4})) << "with the rounded outside";
   EXPECT_EQ(faces_on(*skins, Side::second), Faces({6, 7}));
@@ -96,8 +96,8 @@ TEST(FindSkins, TakeARoundedEndForACutEdge) {
   maker.plane(-Vec3::UnitY(), {strip({0, 0, 0}, {50, 0, 0})});
   maker.plane(Vec3::UnitY(), {strip({50, 2, 0}, {0, 2, 0})});
   maker.curved(Cylinder{axis(0), 1.0}, 1,
-               {{arc(axis(0), 1.0, -kPi / 2, kPi / 2), line({50, 2, 0}, {50, 2, 40}),
-                 arc(axis(40), 1.0, kPi / 2, -kPi / 2), line({50, 0, 40}, {50, 0, 0})}});
+               {{arc(axis(0), 1.0, -pi / 2, pi / 2), line({50, 2, 0}, {50, 2, 40}),
+                 arc(axis(40), 1.0, pi / 2, -pi / 2), line({50, 0, 40}, {50, 0, 0})}});
   const auto skins = skins_of(std::move(maker).build_open(), 2);
   ASSERT_TRUE(skins) << skins.error().message;
   EXPECT_EQ(skins->side[2], Side::none) << "tangent to both skins, and no part of either";

@@ -34,12 +34,12 @@ TEST(WithoutSlivers, LetsTheFacesOnBothSidesMeet) {
   EXPECT_EQ(shared_edges(model, 0, 2), 1);
   for (int e = 0; e < std::ssize(model.edges); ++e) {
     const SolidEdge& edge = model.edges[e];
-    if (edge.faces[0] != 0 || edge.faces[1] != 2) continue;
+    if (edge.uses != 2) continue;
     EXPECT_NE(edge.forward[0], edge.forward[1]) << "both faces keep it on their left";
-    for (const CoEdge& use : model.faces[2].loops.front())
-      if (use.edge == e) {
-        EXPECT_EQ(use.forward, edge.forward[1]);
-      }
+    for (const int side : {0, 1})
+      for (const auto& loop : model.faces[edge.faces[side]].loops)
+        for (const CoEdge& use : loop)
+          EXPECT_TRUE(use.edge != e || use.forward == edge.forward[side]);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kTogether = 1e-9;  // mm
 
 Vec3 middle_of(const SpaceCurve& curve) { return curve.point((curve.t0 + curve.t1) / 2); }
@@ -60,7 +60,7 @@ Frame at(const Vec2& centre, double height) {
 }
 
 SpaceCurve circle_at(const Vec2& centre, const Vec2& point) {
-  return arc(at(centre, point.y()), point.x(), 0.0, 2 * kPi);
+  return arc(at(centre, point.y()), point.x(), 0.0, 2 * pi);
 }
 
 /// The surface between two points of a turned profile.
@@ -247,7 +247,7 @@ Loop strip_profile(double thickness, const std::vector<Leg>& legs) {
   double heading = 0.0;
   const auto direction = [](double angle) { return Vec2(std::cos(angle), std::sin(angle)); };
   for (const Leg& leg : legs) {
-    const Vec2 side = direction(heading + kPi / 2);
+    const Vec2 side = direction(heading + pi / 2);
     const Vec2 next = at + leg.length * direction(heading);
     right.push_back(Segment{at, next});
     left.push_back(Segment{next + thickness * side, at + thickness * side});
@@ -257,13 +257,13 @@ Loop strip_profile(double thickness, const std::vector<Leg>& legs) {
     const double right_radius = leg.inside_radius + (sign > 0 ? thickness : 0.0);
     const double left_radius = leg.inside_radius + (sign > 0 ? 0.0 : thickness);
     const Vec2 centre = at + sign * right_radius * side;
-    const double start = heading - sign * kPi / 2;
+    const double start = heading - sign * pi / 2;
     heading += leg.turn;
     if (right_radius > 0) right.push_back(Arc{centre, right_radius, start, leg.turn});
     if (left_radius > 0) left.push_back(Arc{centre, left_radius, start + leg.turn, -leg.turn});
     at = centre + right_radius * direction(start + leg.turn);
   }
-  const Vec2 side = direction(heading + kPi / 2);
+  const Vec2 side = direction(heading + pi / 2);
   right.push_back(Segment{at, at + thickness * side});
   right.insert(right.end(), left.rbegin(), left.rend());
   right.push_back(Segment{{0.0, thickness}, {0.0, 0.0}});

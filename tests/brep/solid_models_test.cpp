@@ -11,22 +11,22 @@
 namespace planish::brep::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(SolidModels, PlateHasItsVolume) { EXPECT_NEAR(volume_of(plate(2, {100, 60})), 12000.0, 1e-8); }
 
 TEST(SolidModels, PrismOfABentStripHasItsVolume) {
-  const SolidModel model = prism({strip_profile(2, {{50, kPi / 2, 3}, {30}})}, 40);
-  EXPECT_NEAR(volume_of(model), 40 * (2 * 80 + kPi / 4 * (25 - 9)), 1e-8);
+  const SolidModel model = prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40);
+  EXPECT_NEAR(volume_of(model), 40 * (2 * 80 + pi / 4 * (25 - 9)), 1e-8);
 }
 
 TEST(SolidModels, TurnedSurfacesTakeAndGiveTheirVolume) {
   const Turned countersink{{20, 20}, {{4, 2}, {2.5, 0.5}, {2.5, 0}}};
   const Turned boss{{60, 20}, {{8, 2}, {8, 6}, {0, 6}}};
   const Turned pocket_below{{60, 45}, {{0, 0.8}, {5, 0.8}, {5, 0}}};
-  const double cone = kPi / 3 * 1.5 * (16 + 10 + 6.25);
+  const double cone = pi / 3 * 1.5 * (16 + 10 + 6.25);
   EXPECT_NEAR(volume_of(plate(2, {100, 60}, {countersink, boss, pocket_below})),
-              12000 - cone - kPi * 6.25 * 0.5 + kPi * 64 * 4 - kPi * 25 * 0.8, 1e-7);
+              12000 - cone - pi * 6.25 * 0.5 + pi * 64 * 4 - pi * 25 * 0.8, 1e-7);
 }
 
 TEST(SolidModels, LoftedContoursHaveTheirVolume) {

@@ -14,7 +14,7 @@ using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> thicknesses(const SolidModel& model) {
   return likely_thicknesses(model, outlines_of(model), 0.02);
@@ -33,13 +33,13 @@ TEST(LikelyThicknesses, OfAPlateIsItsOwn) {
 }
 
 TEST(LikelyThicknesses, OfABentStripIsThatOfFlangesAndBends) {
-  const SolidModel bent = prism({strip_profile(1.5, {{50, kPi / 2, 3}, {30, -1.0, 2}, {20}})}, 400);
+  const SolidModel bent = prism({strip_profile(1.5, {{50, pi / 2, 3}, {30, -1.0, 2}, {20}})}, 400);
   EXPECT_THAT(thicknesses(bent), ElementsAre(DoubleNear(1.5, 1e-9)));
 }
 
 TEST(LikelyThicknesses, OfAChannelAreMeasuredToTheNearestFace) {
   // Each leg's outside lies 2 mm over its inside and 24 mm over the other leg's outside.
-  const SolidModel channel = prism({strip_profile(2, {{40, kPi / 2, 3}, {14, kPi / 2, 3}, {40}})},
+  const SolidModel channel = prism({strip_profile(2, {{40, pi / 2, 3}, {14, pi / 2, 3}, {40}})},
                                    300);
   EXPECT_THAT(thicknesses(channel), ElementsAre(DoubleNear(2.0, 1e-9)));
 }

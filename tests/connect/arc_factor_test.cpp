@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 BendFrame frame_of(double beta) {
   const Angle angle = Angle::degrees(beta);
@@ -24,9 +24,9 @@ BendFrame frame_of(double beta) {
 TEST(ArcFactor, OfACylinderIsItsArcOverItsTangentLength) {
   // Radius = tan(β / 2) at the height 1; the arc turns by π − β, averted by the rest of the turn.
   for (const double beta : {30.0, 90.0, 140.0}) {
-    const double radius = std::tan(beta * kPi / 360), turn = kPi - beta * kPi / 180;
+    const double radius = std::tan(beta * pi / 360), turn = pi - beta * pi / 180;
     EXPECT_NEAR(arc_factor(Angle::degrees(beta), EdgeKind::facing, 0.0), radius * turn, 1e-12);
-    EXPECT_NEAR(arc_factor(Angle::degrees(beta), EdgeKind::averted, 0.0), radius * (2 * kPi - turn),
+    EXPECT_NEAR(arc_factor(Angle::degrees(beta), EdgeKind::averted, 0.0), radius * (2 * pi - turn),
                 1e-12);
   }
 }

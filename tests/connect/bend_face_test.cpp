@@ -11,7 +11,7 @@ namespace {
 
 using namespace connect_detail;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Loop outer(const Face& face) {
   Loop curves;
@@ -76,7 +76,7 @@ TEST(BendFace, MeasuresItsBordersInSpace) {
     double sum = 0.0;
     for (const Border& border : made.face.loops[0])
       sum += border.edge_length.value();
-    EXPECT_NEAR(sum, 2 * 200.0 + 2 * (kPi / 2) * (14.0 + 2.0 * sense), 1e-8);
+    EXPECT_NEAR(sum, 2 * 200.0 + 2 * (pi / 2) * (14.0 + 2.0 * sense), 1e-8);
   }
 }
 

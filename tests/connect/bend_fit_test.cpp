@@ -10,7 +10,7 @@ namespace {
 
 using namespace connect_detail;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 BendFit fit(const PairTask& pair) {
   auto made = fit_between(pair.task, {});
@@ -87,7 +87,7 @@ TEST(NearnessOf, PlatesIsTheSpanOfTheBestBendAndItsWidth) {
 TEST(NearnessOf, ParallelPlatesCountsTheHalfTurn) {
   const auto near = nearness(PairTask(u_pair(40.0)).task, {});
   ASSERT_TRUE(near);
-  EXPECT_GT(near->span, 0.5 * kPi * 40.0 - 1e-9);
+  EXPECT_GT(near->span, 0.5 * pi * 40.0 - 1e-9);
   PlateStructure coplanar = angle_pair(14.0);
   coplanar.plates[1] = rectangle_plate("B", {0, 120, 0}, {200, 0, 0}, {0, 100, 0});
   EXPECT_FALSE(nearness(PairTask(coplanar).task, {}));

@@ -10,7 +10,7 @@ namespace {
 using Outline = std::vector<Vec2>;
 
 /// Corners 0 … 3 of a rectangle above the axis, counter-clockwise.
-Outline rectangle(double y0 = 10, double y1 = 50) {
+Outline rectangle_at(double y0 = 10, double y1 = 50) {
   return {{0, y0}, {100, y0}, {100, y1}, {0, y1}};
 }
 
@@ -21,7 +21,7 @@ const Chain* of_kind(const std::vector<Chain>& chains, EdgeKind kind) {
 }
 
 TEST(ViableChains, OfARectangleAreItsLowerAndItsUpperEdge) {
-  const auto chains = viable_chains(rectangle());
+  const auto chains = viable_chains(rectangle_at());
   ASSERT_EQ(chains.size(), 2u);
   const Chain *facing = of_kind(chains, EdgeKind::facing),
               *averted = of_kind(chains, EdgeKind::averted);
@@ -53,18 +53,18 @@ TEST(ViableChains, RunOverTheStartOfTheOutline) {
 
 TEST(ViableChains, LeaveOutEdgesBelowAndAcrossTheAxis) {
   // The lower edge lies below the axis, the sides cross it.
-  const auto chains = viable_chains(rectangle(-10, 50));
+  const auto chains = viable_chains(rectangle_at(-10, 50));
   ASSERT_EQ(chains.size(), 1u);
   EXPECT_EQ(chains[0].kind, EdgeKind::averted);
 }
 
 TEST(ViableChains, TakeWhatIsNearlyOnTheAxisAsOnIt) {
   const double extent = std::hypot(100, 50);
-  const auto on = viable_chains(rectangle(-0.5e-9 * extent, 50));
+  const auto on = viable_chains(rectangle_at(-0.5e-9 * extent, 50));
   const Chain* facing = of_kind(on, EdgeKind::facing);
   ASSERT_TRUE(facing);
   EXPECT_EQ(facing->corners[0].y(), 0.0);
-  EXPECT_FALSE(of_kind(viable_chains(rectangle(-2e-9 * extent, 50)), EdgeKind::facing));
+  EXPECT_FALSE(of_kind(viable_chains(rectangle_at(-2e-9 * extent, 50)), EdgeKind::facing));
 }
 
 TEST(ViableChains, AreDividedByEdgesAcrossTheAxis) {

@@ -12,7 +12,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Connection joined(const PlateStructure& structure, const ConnectOptions& options = {}) {
   auto connection = connect(structure, options);
@@ -70,7 +70,7 @@ TEST(Connect, JoinsTwoPlatesAtARightAngleByTheLargestCylinderThatFits) {
   EXPECT_NEAR(bend.extension_area, 0.0, 1e-6);
   expect_tangent(c);
   const FlatPattern pattern = flat(c);
-  const double across = 200.0 + kPi / 2 * (gap - t / 2 + 0.44 * t);
+  const double across = 200.0 + pi / 2 * (gap - t / 2 + 0.44 * t);
   EXPECT_NEAR(blank_size(pattern).x(), across, 1e-9 * across);
   EXPECT_NEAR(pattern.area, 200.0 * across, 1e-9 * pattern.area);
   EXPECT_EQ(pattern.outer.loop.size(), 4u);
@@ -84,7 +84,7 @@ TEST(Connect, ExtendsThePlatesToAGivenRadius) {
   EXPECT_NEAR(c.bends[0].inside_radius, 5.0, 1e-9);
   EXPECT_NEAR(c.bends[0].extension_area, 2 * 200.0 * (14.0 - 7.0), 1e-6);
   const FlatPattern pattern = flat(c);
-  const double across = 200.0 + 14.0 + kPi / 2 * (5.0 + 0.44 * 4.0);
+  const double across = 200.0 + 14.0 + pi / 2 * (5.0 + 0.44 * 4.0);
   EXPECT_NEAR(pattern.area, 200.0 * across, 1e-9 * pattern.area);
 }
 
@@ -107,7 +107,7 @@ TEST(Connect, JoinsATrayToOnePiece) {
     EXPECT_EQ(bend.plates[0], 0) << "every wall hangs on the floor";
   expect_tangent(c);
   const FlatPattern pattern = flat(c);
-  const double allowance = kPi / 2 * (gap - t / 2 + 0.44 * t);
+  const double allowance = pi / 2 * (gap - t / 2 + 0.44 * t);
   EXPECT_NEAR(pattern.area, 300 * 200 + 2 * (300 + 200) * (60 + allowance), 1e-6);
   EXPECT_EQ(pattern.bends.size(), 4u);
 }
@@ -124,7 +124,7 @@ TEST(Connect, JoinsEdgesThatRunApartByAConeWithoutExtension) {
   EXPECT_LT((bend.frame.origin + *bend.apex * bend.frame.d).norm(), 1e-6)
       << "the apex lies where the edges meet";
   // MATH 3.3.
-  const double phi = std::atan(k), omega = std::atan(std::sin(phi) * std::tan(kPi / 4));
+  const double phi = std::atan(k), omega = std::atan(std::sin(phi) * std::tan(pi / 4));
   ASSERT_TRUE(bend.half_angle);
   EXPECT_NEAR(bend.half_angle->radians(), omega, 1e-12);
   EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
@@ -149,7 +149,7 @@ TEST(Connect, JoinsParallelPlatesByAHalfTurn) {
   EXPECT_NEAR(c.bends[0].inside_radius, 18.5, 1e-9);
   expect_tangent(c);
   const FlatPattern pattern = flat(c);
-  EXPECT_NEAR(pattern.area, 200 * (180 + kPi * (18.5 + 0.44 * 3)), 1e-6);
+  EXPECT_NEAR(pattern.area, 200 * (180 + pi * (18.5 + 0.44 * 3)), 1e-6);
 }
 
 TEST(Connect, RollsAPipeOfItsOwn) {
@@ -157,7 +157,7 @@ TEST(Connect, RollsAPipeOfItsOwn) {
   s.thickness = 2.0;
   s.bends = {{.inside_radius = 49.0, .angle = Angle::degrees(360), .length = 300.0}};
   const FlatPattern pattern = flat(joined(s), 0.5);
-  EXPECT_NEAR(pattern.area, 300.0 * 2 * kPi * 50.0, 1e-6);
+  EXPECT_NEAR(pattern.area, 300.0 * 2 * pi * 50.0, 1e-6);
 }
 
 TEST(Connect, RollsATruncatedConeOfItsOwn) {
@@ -182,7 +182,7 @@ TEST(Connect, CurvesOnBehindAnEdge) {
               .angle = Angle::degrees(180)}};
   const Connection c = joined(s);
   expect_tangent(c);
-  EXPECT_NEAR(flat(c, 0.5).area, 200 * (100 + kPi * 31.0), 1e-6);
+  EXPECT_NEAR(flat(c, 0.5).area, 200 * (100 + pi * 31.0), 1e-6);
   s.bends[0].inside_radius.reset();
   s.bends[0].inside_radii = std::array{20.0, 40.0};
   s.bends[0].angle = Angle::degrees(-90);
@@ -193,7 +193,7 @@ TEST(Connect, CurvesOnBehindAnEdge) {
   // The sector between the distances of both ends from the apex.
   const double tangent = 20.0 / 200.0, sine = tangent / std::hypot(1, tangent);
   const double s0 = 21 / tangent, s1 = 41 / tangent;
-  EXPECT_NEAR(flat(cone, 0.5).area, 200 * 100 + 0.5 * (s1 * s1 - s0 * s0) * (kPi / 2) * sine, 1e-6);
+  EXPECT_NEAR(flat(cone, 0.5).area, 200 * 100 + 0.5 * (s1 * s1 - s0 * s0) * (pi / 2) * sine, 1e-6);
 }
 
 /// Two truncated triangles of a square-to-round piece: their edges run to one corner of the square.
@@ -233,9 +233,9 @@ TEST(Connect, LoftsAnObliqueConeToARoundOpening) {
   constexpr int kParts = 20000;
   const Vec3 apex(200, 200, 0);
   for (int i = 0; i < kParts; ++i) {
-    const double a = kPi / 2 * (i + 0.5) / kParts;
+    const double a = pi / 2 * (i + 0.5) / kParts;
     const Vec3 arm = Vec3(120 * std::cos(a), 120 * std::sin(a), 300) - apex;
-    const Vec3 step = kPi / 2 / kParts * Vec3(-120 * std::sin(a), 120 * std::cos(a), 0);
+    const Vec3 step = pi / 2 / kParts * Vec3(-120 * std::sin(a), 120 * std::cos(a), 0);
     area += 0.5 * arm.cross(step).norm() * (1 - 0.12 * 0.12);
   }
   double plates = 0.0;
@@ -341,13 +341,13 @@ TEST(Connect, OpensTheSeamOfAFullTurnForASolid) {
   pipe.thickness = 2.0;
   pipe.bends = {{.inside_radius = 50.0, .angle = Angle::degrees(360), .length = 200.0}};
   const Connection c = joined(pipe);
-  EXPECT_NEAR(flat(c, 0.5).area, 2 * kPi * 51 * 200, 1e-6);
+  EXPECT_NEAR(flat(c, 0.5).area, 2 * pi * 51 * 200, 1e-6);
   const Sheet open = with_open_seam(c.sheet);
   double widest = 0.0;
   for (const Border& border : open.faces.front().loops[0])
     widest = std::max({widest, start_of(border.curve).x(), end_of(border.curve).x()});
-  EXPECT_LT(widest, 2 * kPi - 0.5 * 0.01 / 51);
-  EXPECT_GT(widest, 2 * kPi - 2.0 * 0.01 / 51);
+  EXPECT_LT(widest, 2 * pi - 0.5 * 0.01 / 51);
+  EXPECT_GT(widest, 2 * pi - 2.0 * 0.01 / 51);
   EXPECT_EQ(with_open_seam(open).faces.front().loops[0][0].edge_length,
             open.faces.front().loops[0][0].edge_length);
 }

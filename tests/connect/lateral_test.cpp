@@ -12,7 +12,7 @@ using namespace connect_detail;
 
 using Sections = std::vector<std::pair<double, double>>;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(LegalSections, AreWhereNoMaterialLiesBelowTheRuling) {
   const std::vector<Vec2> tab{{10, -5}, {20, -5}, {20, 5}, {10, 5}};
@@ -58,7 +58,7 @@ TEST(LateralBoundaries, OfEdgesOfOneLengthAreStraightAcross) {
     EXPECT_NEAR(made->low.v[side], 0.0, 1e-10);
     EXPECT_NEAR(made->high.v[side], 100.0, 1e-10);
   }
-  EXPECT_NEAR(end_of(made->low.curve).x(), 0.5 * kPi, 1e-12);
+  EXPECT_NEAR(end_of(made->low.curve).x(), 0.5 * pi, 1e-12);
 }
 
 TEST(LateralBoundaries, AreStraightWhenFlatFromCornerToCorner) {
@@ -66,7 +66,7 @@ TEST(LateralBoundaries, AreStraightWhenFlatFromCornerToCorner) {
   // crossed half of its shift there.
   const BendSurface surface = quarter();
   RunEnds ends = on_rulings({0, 0}, {100, 110});
-  ends.high[0].y() = 7 * kPi;
+  ends.high[0].y() = 7 * pi;
   LateralOptions options = everywhere();
   const auto made = lateral_boundaries(surface, ends, LateralBoundary::straight, options);
   ASSERT_TRUE(made);

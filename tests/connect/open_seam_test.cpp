@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double turn_of(const Sheet& sheet) {
   double turn = 0.0;
@@ -26,7 +26,7 @@ TEST(WithOpenSeam, LeavesAHundredthOfAMillimetreOfAPipe) {
   const auto made = connect(pipe);
   ASSERT_TRUE(made);
   // The reference skin is the outer one, of radius 52.
-  EXPECT_NEAR(turn_of(with_open_seam(made->sheet)), 2 * kPi - 0.01 / 52, 1e-12);
+  EXPECT_NEAR(turn_of(with_open_seam(made->sheet)), 2 * pi - 0.01 / 52, 1e-12);
 }
 
 TEST(WithOpenSeam, LeavesItAtTheNarrowEndOfACone) {
@@ -37,7 +37,7 @@ TEST(WithOpenSeam, LeavesItAtTheNarrowEndOfACone) {
   const auto made = connect(cone);
   ASSERT_TRUE(made);
   const double cosine = 1 / std::hypot(1, 0.3), radius = 30 + 2 * cosine;  // of the outer skin
-  EXPECT_NEAR(turn_of(with_open_seam(made->sheet)), 2 * kPi - 0.01 / radius, 1e-9);
+  EXPECT_NEAR(turn_of(with_open_seam(made->sheet)), 2 * pi - 0.01 / radius, 1e-9);
 }
 
 TEST(WithOpenSeam, LeavesOtherSheetsAsTheyAre) {

@@ -13,40 +13,40 @@ namespace {
 
 using namespace connect_detail;
 
-BendFrame frame_of(double beta) {
+BendFrame bare_frame(double beta) {
   BendFrame frame;
   frame.beta = Angle::degrees(beta);
   return frame;
 }
 
 TEST(TangentDistance, IsThatOfTheCylinderThatTouchesBothPlanes) {
-  EXPECT_NEAR(tangent_distance(frame_of(90), 12.0), 12.0, 1e-12);
-  EXPECT_NEAR(tangent_distance(frame_of(60), 12.0), 12.0 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(tangent_distance(bare_frame(90), 12.0), 12.0, 1e-12);
+  EXPECT_NEAR(tangent_distance(bare_frame(60), 12.0), 12.0 * std::sqrt(3.0), 1e-12);
 }
 
 TEST(LeastHeight, LeavesTheSmallestInsideRadius) {
   const PairTask pair(angle_pair(14.0, 200, 4.0));
-  EXPECT_NEAR(least_height(pair.task, frame_of(90)), 2.0 + kSmallestInsideRadius, 1e-12);
+  EXPECT_NEAR(least_height(pair.task, bare_frame(90)), 2.0 + kSmallestInsideRadius, 1e-12);
 }
 
 TEST(GivenLineOf, ARadiusIsALevelLineAtItsTangentDistance) {
-  const GivenLine line = given_line({.inside_radius = 5.0}, frame_of(90), 4.0);
+  const GivenLine line = given_line({.inside_radius = 5.0}, bare_frame(90), 4.0);
   EXPECT_EQ(line.slope, 0.0);
   EXPECT_NEAR(line.offset.value(), -7.0, 1e-12);
 }
 
 TEST(GivenLineOf, ASlopeWithARadiusLeavesTheOffsetOpen) {
-  const GivenLine line = given_line({.inside_radius = 5.0, .slope = 0.1}, frame_of(90), 4.0);
+  const GivenLine line = given_line({.inside_radius = 5.0, .slope = 0.1}, bare_frame(90), 4.0);
   EXPECT_EQ(line.slope, 0.1);
   EXPECT_FALSE(line.offset);
 }
 
 TEST(GivenLineOf, ASurfaceIsLevelOrOpen) {
-  EXPECT_EQ(given_line({.surface = SurfaceChoice::cylinder}, frame_of(90), 4.0).slope, 0.0);
-  EXPECT_FALSE(given_line({.surface = SurfaceChoice::cone}, frame_of(90), 4.0).slope);
+  EXPECT_EQ(given_line({.surface = SurfaceChoice::cylinder}, bare_frame(90), 4.0).slope, 0.0);
+  EXPECT_FALSE(given_line({.surface = SurfaceChoice::cone}, bare_frame(90), 4.0).slope);
   EXPECT_FALSE(
-      given_line({.surface = SurfaceChoice::general, .apex = 3.0}, frame_of(90), 4.0).apex);
-  EXPECT_EQ(given_line({}, frame_of(0), 4.0).slope, 0.0) << "parallel planes";
+      given_line({.surface = SurfaceChoice::general, .apex = 3.0}, bare_frame(90), 4.0).apex);
+  EXPECT_EQ(given_line({}, bare_frame(0), 4.0).slope, 0.0) << "parallel planes";
 }
 
 TEST(SearchPair, FindsTheEdgesThatFaceEachOther) {

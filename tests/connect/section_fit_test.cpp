@@ -10,7 +10,7 @@ namespace {
 
 using namespace connect_detail;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A section behind edge 2 of a plate of 200 × 100, or of its own.
 struct Section {
@@ -39,7 +39,7 @@ TEST(FitSection, CurvesOnTangentiallyBehindAnEdge) {
     const Section section({.inside_radius = 30.0, .angle = Angle::degrees(degrees)}, true);
     const BendFit made = fit(section);
     EXPECT_NEAR(std::get<Cylinder>(made.surface.mid).radius, 31.0, 1e-12);
-    EXPECT_NEAR(made.surface.sweep, kPi / 2, 1e-12);
+    EXPECT_NEAR(made.surface.sweep, pi / 2, 1e-12);
     const double v = made.boundaries.low.v[0];
     const Vec3 begin = point_on(made.surface.mid, {made.surface.azimuth(0), v});
     EXPECT_NEAR(begin.y(), 100.0, 1e-10);
@@ -72,7 +72,7 @@ TEST(FitSection, RollsAPipeAboutTheOrigin) {
   const Section section({.inside_radius = 49.0, .angle = Angle::degrees(360), .length = 300.0},
                         false);
   const BendFit made = fit(section);
-  EXPECT_DOUBLE_EQ(made.surface.sweep, 2 * kPi);
+  EXPECT_DOUBLE_EQ(made.surface.sweep, 2 * pi);
   for (const double u : {0.0, 1.0, 4.0})
     EXPECT_NEAR(point_on(made.surface.mid, {u, 10.0}).head<2>().norm(), 50.0, 1e-12);
   EXPECT_NEAR(made.boundaries.high.v[0] - made.boundaries.low.v[0], 300.0, 1e-12);

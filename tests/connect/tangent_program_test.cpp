@@ -10,24 +10,24 @@ namespace {
 using namespace connect_detail;
 
 /// Corners of two sides, and the ranges of them all.
-struct Sides {
+struct TwoSides {
   std::array<RunEnvelope, 2> chains;
   std::array<CornerRange, 2> ranges;
-  Sides(std::vector<Vec2> a, std::vector<Vec2> b)
+  TwoSides(std::vector<Vec2> a, std::vector<Vec2> b)
       : chains{RunEnvelope(std::move(a)), RunEnvelope(std::move(b))} {
     for (std::size_t i = 0; i < 2; ++i)
       ranges[i] = {&chains[i], 0, static_cast<int>(chains[i].corners().size()) - 1};
   }
 };
 
-std::optional<TangentOptimum> cheapest(const Sides& sides, const TangentCost& cost,
+std::optional<TangentOptimum> cheapest(const TwoSides& sides, const TangentCost& cost,
                                        EdgeKind kind = EdgeKind::facing,
                                        const GivenLine& given = {}) {
   return cheapest_tangent(sides.ranges, kind, cost, given, size_of(sides.ranges));
 }
 
-const Sides& parallel() {
-  static const Sides sides({{0, 10}, {100, 10}}, {{0, 16}, {100, 16}});
+const TwoSides& parallel() {
+  static const TwoSides sides({{0, 10}, {100, 10}}, {{0, 16}, {100, 16}});
   return sides;
 }
 
@@ -47,7 +47,7 @@ TEST(CheapestTangent, LiesOnTheAxisWhereHeightCosts) {
 }
 
 TEST(CheapestTangent, FollowsEdgesThatRunApart) {
-  const Sides sides({{100, 20}, {300, 60}}, {{100, 20}, {300, 60}});
+  const TwoSides sides({{100, 20}, {300, 60}}, {{100, 20}, {300, 60}});
   const auto best = cheapest(sides, {0.1, 1.0, Vec2::Zero()});
   ASSERT_TRUE(best);
   EXPECT_NEAR(best->line.slope, 0.2, 1e-12);
@@ -85,7 +85,7 @@ TEST(CheapestTangent, IsNotThereWhereAPlateWouldBeCut) {
 }
 
 TEST(CheapestTangent, TakesASideWithoutCorners) {
-  Sides sides({{0, 10}, {100, 20}}, {{0, 1}, {100, 1}});
+  TwoSides sides({{0, 10}, {100, 20}}, {{0, 1}, {100, 1}});
   sides.ranges[1].last = -1;
   const auto best = cheapest(sides, {0.0, 1.0, Vec2::Zero()});
   ASSERT_TRUE(best);
@@ -93,7 +93,7 @@ TEST(CheapestTangent, TakesASideWithoutCorners) {
 }
 
 TEST(SizeOf, IsTheReachOfTheCornersAboutTheirMiddle) {
-  const Sides sides({{100, 20}, {300, 60}}, {{150, 20}, {250, 70}});
+  const TwoSides sides({{100, 20}, {300, 60}}, {{150, 20}, {250, 70}});
   EXPECT_EQ(size_of(sides.ranges), 100.0);
 }
 

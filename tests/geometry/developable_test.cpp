@@ -9,7 +9,7 @@
 namespace planish {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double any(double lo, double hi) {
   constexpr int steps = 1'000'000;

@@ -21,7 +21,7 @@ double worst_gap(const Loop& loop) {
   return worst;
 }
 
-Loop polygon(const std::vector<Vec2>& corners) {
+Loop loop_through(const std::vector<Vec2>& corners) {
   Loop loop;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     loop.push_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
@@ -46,7 +46,7 @@ Loop slot() {
 }
 
 TEST(Merged, JoinsPartsOfALineAndTellsWhereTheyBegan) {
-  const Loop square = cut_up(polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 3);
+  const Loop square = cut_up(loop_through({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 3);
   const MergedLoop found = merged(square, 1e-6);
   ASSERT_EQ(found.loop.size(), 4u);
   EXPECT_EQ(found.first_input, (std::vector<int>{0, 3, 6, 9}));
@@ -55,7 +55,7 @@ TEST(Merged, JoinsPartsOfALineAndTellsWhereTheyBegan) {
 }
 
 TEST(Merged, JoinsAcrossTheStart) {
-  Loop square = cut_up(polygon({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 3);
+  Loop square = cut_up(loop_through({{0, 0}, {10, 0}, {10, 10}, {0, 10}}), 3);
   std::rotate(square.begin(), square.begin() + 1, square.end());  // begins within the first side
   const MergedLoop found = merged(square, 1e-6);
   ASSERT_EQ(found.loop.size(), 4u);
@@ -119,12 +119,12 @@ TEST(Merged, DoesNotJoinArcsThatTurnApart) {
 }
 
 TEST(Merged, KeepsASpike) {
-  const Loop spike = polygon({{0, 0}, {10, 0}, {10, 5}, {10, -3}, {10, 10}, {0, 10}});
+  const Loop spike = loop_through({{0, 0}, {10, 0}, {10, 5}, {10, -3}, {10, 10}, {0, 10}});
   EXPECT_EQ(merged(spike, 1e-3).loop.size(), 6u);
 }
 
 TEST(Merged, AbsorbsAShortChamferInTheCorner) {
-  const Loop chamfered = polygon({{0, 0}, {10 - 2e-4, 0}, {10, 2e-4}, {10, 10}, {0, 10}});
+  const Loop chamfered = loop_through({{0, 0}, {10 - 2e-4, 0}, {10, 2e-4}, {10, 10}, {0, 10}});
   const MergedLoop found = merged(chamfered, 1e-3);
   ASSERT_EQ(found.loop.size(), 4u);
   EXPECT_EQ(worst_gap(found.loop), 0.0);
@@ -133,7 +133,7 @@ TEST(Merged, AbsorbsAShortChamferInTheCorner) {
 }
 
 TEST(Merged, AbsorbsAShortCurveAtTheStartOfTheLoop) {
-  const Loop chamfered = polygon({{0, 2e-4}, {2e-4, 0}, {10, 0}, {10, 10}, {0, 10}});
+  const Loop chamfered = loop_through({{0, 2e-4}, {2e-4, 0}, {10, 0}, {10, 10}, {0, 10}});
   const MergedLoop found = merged(chamfered, 1e-3);
   ASSERT_EQ(found.loop.size(), 4u);
   EXPECT_EQ(found.first_input, (std::vector<int>{1, 2, 3, 4}));
@@ -160,7 +160,7 @@ TEST(Merged, ClosesACircleThatLacksLessThanTheTolerance) {
 }
 
 TEST(Merged, KeepsASliver) {
-  EXPECT_EQ(merged(polygon({{0, 0}, {100, 0}, {100, 5e-4}}), 1e-3).loop.size(), 3u);
+  EXPECT_EQ(merged(loop_through({{0, 0}, {100, 0}, {100, 5e-4}}), 1e-3).loop.size(), 3u);
 }
 
 TEST(Merged, OfNothingIsNothing) { EXPECT_TRUE(merged({}, 1e-3).loop.empty()); }
@@ -183,7 +183,7 @@ TEST(Merged, ThinsAChainOfShortCurvesWithoutLosingIt) {
   for (int i = 0; i < 10000; ++i) {
     corners.emplace_back(std::cos(2 * pi * i / 10000), std::sin(2 * pi * i / 10000));
   }
-  const MergedLoop found = merged(polygon(corners), 1e-3);
+  const MergedLoop found = merged(loop_through(corners), 1e-3);
   EXPECT_GE(found.loop.size(), 30u);
   EXPECT_LE(found.loop.size(), 200u);
   EXPECT_NEAR(signed_area(found.loop), pi, 2 * pi * 1e-3);
@@ -199,7 +199,7 @@ TEST(Merged, TakesTenThousandCurves) {
   for (int i = 0; i < 10000; ++i)
     saw.emplace_back(i, i % 2);
   saw.emplace_back(5000, 20000);
-  EXPECT_EQ(merged(polygon(saw), 1e-3).loop.size(), saw.size());
+  EXPECT_EQ(merged(loop_through(saw), 1e-3).loop.size(), saw.size());
 }
 
 TEST(Merged, SnapsJointsThatMissEachOther) {

@@ -96,7 +96,7 @@ TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {
   const auto found = check(tab(15.0, 2.0, 1.0 - kJustShort), rules);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_EQ(found[0].message,
-            "the relief of bend B1 at (-10, 0) is 4.99 mm deep from the outside of the bend, at "
+            "the relief of bend B1 at (-10, 0) is 4.99 mm deep from the outside of the bend; at "
             "least 5 mm (1.5 T + R) is "
             "needed");
 }

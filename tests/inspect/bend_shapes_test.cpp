@@ -39,7 +39,7 @@ TEST(Hem, NeedsAReturnOfSixTimesTheThickness) {
   EXPECT_TRUE(check(flat_l(50, 9, {180, 1.0})).empty())
       << text_of(check(flat_l(50, 9, {180, 1.0})));
   EXPECT_EQ(only(check(flat_l(50, 9 - kJustShort, {180, 1.0})), "hem").message,
-            "the return of the hem at bend B1 is 11.99 mm long from the outside of the bend, at "
+            "the return of the hem at bend B1 is 11.99 mm long from the outside of the bend; at "
             "least 12 mm (6 T) is "
             "needed");
 }
@@ -55,7 +55,7 @@ TEST(KFactor, IsDoubtedOutsideItsRange) {
   EXPECT_THAT(only(check(flat_l(50, 30, {90, 2, 0.19})), "k_factor").message,
               HasSubstr("K-factor 0.19 (test)"));
   EXPECT_EQ(only(check(flat_l(50, 30, {90, 2, 0.6})), "k_factor").message,
-            "bend B1 has the K-factor 0.6 (test), outside [0.2, 0.5] where measured ones lie");
+            "bend B1 has the K-factor 0.6 (test), outside [0.2, 0.5], the range of measured ones");
 }
 
 TEST(KFactor, IsDoubtedOnceForAllBendsThatHaveIt) {
@@ -64,7 +64,7 @@ TEST(KFactor, IsDoubtedOnceForAllBendsThatHaveIt) {
   test::add_bend(pattern, {Vec2(-40, 0), Vec2(-40, 40)}, {90, 2, 0.7});
   const auto found = check(pattern);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
-  EXPECT_THAT(found[0].message, HasSubstr("2 bends, B1 the first of them, have the K-factor 0.6"));
+  EXPECT_THAT(found[0].message, HasSubstr("2 bends (B1 is the first) have the K-factor 0.6"));
   EXPECT_EQ(found[0].at.size(), 2u);
   EXPECT_THAT(found[1].message, HasSubstr("bend B3 has the K-factor 0.7"));
 }

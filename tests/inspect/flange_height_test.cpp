@@ -68,7 +68,7 @@ TEST(FlangeHeight, IsToldOnceForTheWebBetweenTwoBends) {
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
   test::add_bend(pattern, {Vec2(w + 0.6, 0), Vec2(w + 0.6, 40)});
   EXPECT_EQ(only(check(pattern), "flange_height").message,
-            "the flange between bends B1 and B2 is 4.6 mm high from the outside of the bend, at "
+            "the flange between bends B1 and B2 is 4.6 mm high from the outside of the bend; at "
             "least 5 mm (1.5 T + R) is "
             "needed");
 }

@@ -83,9 +83,8 @@ TEST(OpeningInBend, IsToldOnceForAHoleWithinTheZone) {
   pattern.bends[0].lines = {{Vec2(0, 0), Vec2(0, 20 - gap)}, {Vec2(0, 20 + gap), Vec2(0, 40)}};
   const auto found = check_rules(sheet_with_bend_face(), pattern, {});
   EXPECT_EQ(only(found, "opening_in_bend").message,
-            "the opening Ø 6 mm at (0.5, 20) reaches into bend B1, where it is pulled out of "
-            "shape; move it away or cut "
-            "it through the whole bend");
+            "the opening Ø 6 mm at (0.5, 20) reaches into bend B1, where it will be "
+            "distorted; move it away or extend it through the whole bend");
 }
 
 TEST(OpeningInBend, IsToldForAHoleBesideTheBendLine) {

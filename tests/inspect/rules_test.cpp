@@ -77,7 +77,7 @@ TEST(CheckRules, TellsAPerforationInOneSentence) {
     for (int k = 0; k < 15; ++k)
       open(pattern, circular_opening({10.0 + 10 * i, 10.0 + 10 * k}, 3));
   const Finding found = only(check(pattern), "opening_to_opening");
-  EXPECT_THAT(found.message, HasSubstr("places between openings Ø 6 mm and Ø 6 mm are too narrow"));
+  EXPECT_THAT(found.message, HasSubstr("gaps between openings Ø 6 mm and Ø 6 mm are too narrow"));
 }
 
 /// A part that breaks most rules.

@@ -22,7 +22,7 @@ class DxfByEzdxf : public testing::Test {
   }
 };
 
-std::string dxf(const FlatPattern& pattern, const DxfOptions& options = {}) {
+std::string drawn(const FlatPattern& pattern, const DxfOptions& options = {}) {
   return dxf_text(pattern, options).value();
 }
 
@@ -41,10 +41,10 @@ TEST_F(DxfByEzdxf, IsRightInEveryProfileVersionAndUnit) {
     for (const DxfVersion version : {DxfVersion::r2000, DxfVersion::r12}) {
       for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch, LengthUnit::m}) {
         for (const bool tangents : {false, true}) {
-          checks.push_back({dxf(pattern, {.profile = profile,
-                                          .version = version,
-                                          .units = unit,
-                                          .tangent_lines = tangents}),
+          checks.push_back({drawn(pattern, {.profile = profile,
+                                            .version = version,
+                                            .units = unit,
+                                            .tangent_lines = tangents}),
                             kBracketArea, 1e-13});
         }
       }
@@ -68,10 +68,10 @@ TEST_F(DxfByEzdxf, KeepsTheAreaUnderArcsWithinTheToleranceAndUnderSplinesExactly
   std::vector<Check> checks;
   for (const double tolerance : {0.1, 0.01, 0.001}) {
     checks.push_back(
-        {dxf(pattern, {.arc_tolerance = tolerance}), area, tolerance * perimeter / area});
+        {drawn(pattern, {.arc_tolerance = tolerance}), area, tolerance * perimeter / area});
   }
   for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch, LengthUnit::m}) {
-    checks.push_back({dxf(pattern, {.splines = Splines::keep, .units = unit}), area, 1e-13});
+    checks.push_back({drawn(pattern, {.splines = Splines::keep, .units = unit}), area, 1e-13});
   }
   for (const auto& report : checked(checks))
     EXPECT_TRUE(report["ok"]) << report.dump(1);
@@ -95,9 +95,9 @@ TEST_F(DxfByEzdxf, ChainsSplinesArcsAndLinesWithoutAGap) {
                      CubicSpline{{{50, 0}, {50, 30}, {50, 70}, {50, 100}}},
                      Segment{{50, 100}, {-50, 100}}, Segment{{-50, 100}, {-50, 0}}};
   const double sliver = 1e14 * (half - std::sin(half) * std::cos(half));
-  const auto reports = checked({{dxf(wave, {.splines = Splines::keep}), 50.0 * kPi, 1e-13},
-                                {dxf(turned, {.splines = Splines::keep}), 50.0 * kPi, 1e-12},
-                                {dxf(flat, {.splines = Splines::keep}), 1e4 + sliver, 1e-9}});
+  const auto reports = checked({{drawn(wave, {.splines = Splines::keep}), 50.0 * kPi, 1e-13},
+                                {drawn(turned, {.splines = Splines::keep}), 50.0 * kPi, 1e-12},
+                                {drawn(flat, {.splines = Splines::keep}), 1e4 + sliver, 1e-9}});
   for (const auto& report : reports) {
     EXPECT_TRUE(report["ok"]) << report.dump(1);
     EXPECT_EQ(report["outer"], 1);
@@ -119,7 +119,7 @@ TEST_F(DxfByEzdxf, SeesTheSamePartHoweverItIsMovedTurnedMirroredOrScaled) {
       std::rotate(slot.begin(), slot.begin() + 3, slot.end());
       pattern.outer.loop = mirrored ? reversed(outer) : outer;
       pattern.openings.push_back({mirrored ? reversed(slot) : slot, {}});
-      checks.push_back({dxf(pattern), scale * scale * (20000.0 - 240.0 - 25.0 * kPi), 1e-9});
+      checks.push_back({drawn(pattern), scale * scale * (20000.0 - 240.0 - 25.0 * kPi), 1e-9});
     }
   }
   for (const auto& report : checked(checks))
@@ -128,7 +128,7 @@ TEST_F(DxfByEzdxf, SeesTheSamePartHoweverItIsMovedTurnedMirroredOrScaled) {
 
 // The judge itself: each file breaks one rule, and the report names it.
 TEST_F(DxfByEzdxf, RejectsWhatAShopWouldReject) {
-  const std::string good = dxf(bracket());
+  const std::string good = drawn(bracket());
   const double area = kBracketArea;
   FlatPattern outside = bracket();
   outside.openings.push_back({hole({300, 50}, 5.0), {}});
@@ -136,7 +136,7 @@ TEST_F(DxfByEzdxf, RejectsWhatAShopWouldReject) {
   nested.openings.push_back({hole({20, 50}, 2.0), {}});
   FlatPattern in_the_air = bracket();
   in_the_air.bends.push_back(bend("B3", BendDirection::up, {{15, 50}, {25, 50}}, 1.0));
-  const std::string chain = dxf(
+  const std::string chain = drawn(
       [] {
         FlatPattern wave;
         wave.outer.loop = wavy_half_disc();
@@ -146,7 +146,7 @@ TEST_F(DxfByEzdxf, RejectsWhatAShopWouldReject) {
   const std::string text_entity =
       "  0\nTEXT\n  8\nOUTER_PROFILE\n 10\n0.0\n 20\n0.0\n 40\n2.5\n  1\nBracket\n  0\nENDSEC\n  "
       "0\nEOF\n";
-  const std::string r12 = dxf(bracket(), {.version = DxfVersion::r12});
+  const std::string r12 = drawn(bracket(), {.version = DxfVersion::r12});
 
   const struct {
     std::string text;
@@ -162,9 +162,9 @@ TEST_F(DxfByEzdxf, RejectsWhatAShopWouldReject) {
        area, "not DASHED itself"},
       {replaced(good, " 62\n5\n100\nAcDbLine", "100\nAcDbLine"), area, "without a colour"},
       {replaced(r12, "  0\nENDSEC\n  0\nEOF\n", text_entity), area, "TEXT in a cutting file"},
-      {dxf(outside), area - 25 * kPi, "outside the outer contour"},
-      {dxf(nested), area - 4 * kPi, "inside another"},
-      {dxf(in_the_air), area, "no material"},
+      {drawn(outside), area - 25 * kPi, "outside the outer contour"},
+      {drawn(nested), area - 4 * kPi, "inside another"},
+      {drawn(in_the_air), area, "no material"},
       {replaced(chain, " 10\n-10.0\n 20\n0.0\n 30\n0.0\n 10\n-5.0",
                 " 10\n-10.00000001\n 20\n0.0\n 30\n0.0\n 10\n-5.0"),
        50 * kPi, "an open end"},

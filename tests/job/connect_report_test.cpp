@@ -23,7 +23,7 @@ using ::testing::IsSupersetOf;
 
 constexpr double pi = std::numbers::pi;
 
-std::vector<std::string> keys(const json& object) {
+std::vector<std::string> keys_of(const json& object) {
   std::vector<std::string> names;
   for (const auto& [key, value] : object.items())
     names.push_back(key);
@@ -84,10 +84,10 @@ TEST(ConnectReport, HasTheKeysOfEveryReportAndOfItsBends) {
   EXPECT_EQ(report["command"], "connect");
   EXPECT_EQ(report["format"], "planish/report");
   EXPECT_EQ(report["input"], "shop/plates.json");
-  EXPECT_THAT(keys(report), IsSupersetOf({"version", "units", "status", "reason", "sheet", "flat",
-                                          "verification", "checks", "notes", "files"}));
+  EXPECT_THAT(keys_of(report), IsSupersetOf({"version", "units", "status", "reason", "sheet",
+                                             "flat", "verification", "checks", "notes", "files"}));
   EXPECT_THAT(
-      keys(report["flat"]["bends"][0]),
+      keys_of(report["flat"]["bends"][0]),
       IsSupersetOf({"id",         "kind",           "angle",     "inside_radius", "k_factor",
                     "allowance",  "deduction",      "direction", "length",        "line",
                     "between",    "edges",          "slope",     "apex",          "width",
@@ -109,7 +109,7 @@ TEST(ConnectReport, SaysHowEachBendWasFitted) {
   EXPECT_EQ(bend["inside_radii"], (json{2.54, 5.08}));
   EXPECT_DOUBLE_EQ(bend["frame"]["beta"], 90.0);
   EXPECT_EQ(bend["frame"]["d"], (json{1.0, 0.0, 0.0}));
-  EXPECT_THAT(keys(bend["frame"]), IsSupersetOf({"origin", "d", "e1", "e2", "beta"}));
+  EXPECT_THAT(keys_of(bend["frame"]), IsSupersetOf({"origin", "d", "e1", "e2", "beta"}));
   const json other = bend["alternatives"][0];
   EXPECT_EQ(other["edges"], json::parse(R"({"base": [3], "wall": [2]})"));
   EXPECT_EQ(other["surface"], "cylinder");

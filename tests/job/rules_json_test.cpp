@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Error error_of(const std::string& text) {
+Error refusal_of(const std::string& text) {
   const auto rules = parse_rules(text, "r.json");
   EXPECT_FALSE(rules.has_value()) << text;
   return rules ? Error{} : rules.error();
@@ -47,35 +47,35 @@ TEST(RulesJson, KeepsTheDefaultsOfKeysLeftOut) {
 }
 
 TEST(RulesJson, NamesAnUnknownKeyByItsPointer) {
-  const Error error = error_of(R"({"flange_heigth_t": 2})");
+  const Error error = refusal_of(R"({"flange_heigth_t": 2})");
   EXPECT_EQ(error.code, ErrorCode::invalid_input);
   EXPECT_THAT(error.message, HasSubstr("/flange_heigth_t"));
   EXPECT_THAT(error.message, HasSubstr("flange_height_t"));
   EXPECT_EQ(error.where, "r.json/flange_heigth_t");
-  EXPECT_EQ(error_of(R"({"a/b~c": 2})").where, "r.json/a~1b~0c");
+  EXPECT_EQ(refusal_of(R"({"a/b~c": 2})").where, "r.json/a~1b~0c");
 }
 
 TEST(RulesJson, RefusesValuesThatAreNoThreshold) {
   for (const char* value : {"-1", "\"2\"", "null", "true", "[1]", "{}"}) {
-    const Error error = error_of(std::string("{\"hem_diameter_t\": ") + value + "}");
+    const Error error = refusal_of(std::string("{\"hem_diameter_t\": ") + value + "}");
     EXPECT_EQ(error.code, ErrorCode::invalid_input) << value;
     EXPECT_THAT(error.message, HasSubstr("/hem_diameter_t must be a number")) << value;
   }
-  EXPECT_THAT(error_of(R"({"enabled": 1})").message, HasSubstr("/enabled must be true or false"));
-  EXPECT_THAT(error_of(R"({"k_low": 0.6})").message, HasSubstr("above k_high"));
+  EXPECT_THAT(refusal_of(R"({"enabled": 1})").message, HasSubstr("/enabled must be true or false"));
+  EXPECT_THAT(refusal_of(R"({"k_low": 0.6})").message, HasSubstr("above k_high"));
 }
 
 TEST(RulesJson, RefusesOtherFormatsAndVersions) {
-  EXPECT_THAT(error_of(R"({"format": "planish/plates"})").message, HasSubstr("/format must be"));
-  EXPECT_THAT(error_of(R"({"version": 2})").message, HasSubstr("/version must be 1"));
+  EXPECT_THAT(refusal_of(R"({"format": "planish/plates"})").message, HasSubstr("/format must be"));
+  EXPECT_THAT(refusal_of(R"({"version": 2})").message, HasSubstr("/version must be 1"));
 }
 
 TEST(RulesJson, FindsTheLineAndColumnOfAMistake) {
-  const Error error = error_of("{\n  \"k_low\": 0.1,\n  \"k_high\" 0.6\n}");
+  const Error error = refusal_of("{\n  \"k_low\": 0.1,\n  \"k_high\" 0.6\n}");
   EXPECT_EQ(error.code, ErrorCode::invalid_input);
   EXPECT_THAT(error.where, HasSubstr("r.json:3:"));
   for (const char* text : {"", "[]", "3", "{", "{\"k_low\": 1e999}", "\xff"}) {
-    EXPECT_EQ(error_of(text).code, ErrorCode::invalid_input) << text;
+    EXPECT_EQ(refusal_of(text).code, ErrorCode::invalid_input) << text;
   }
 }
 

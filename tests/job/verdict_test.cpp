@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr double kVolume = 11843.0;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 Certificate perfect() {
   Certificate certificate;
@@ -75,14 +75,14 @@ TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
 TEST(Verdict, AllowsMoreWhereFormsCouldNotBeMeasured) {
   Certificate certificate = perfect();
   certificate.volume_ratio = 1.05;
-  certificate.explained_ratio = kNaN;
+  certificate.explained_ratio = kNotANumber;
   EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
   certificate.explained_ratio = 1.05;
   EXPECT_TRUE(disbelief(certificate, kVolume, {}).has_value());
 }
 
 TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
-  for (const double ratio : {0.84, 1.16, 0.0, kNaN}) {
+  for (const double ratio : {0.84, 1.16, 0.0, kNotANumber}) {
     Certificate certificate = perfect();
     certificate.volume_ratio = certificate.explained_ratio = ratio;
     const auto refusal = disbelief(certificate, kVolume, {});
@@ -100,7 +100,7 @@ TEST(Verdict, RefusesAPatternThatCannotBeTrusted) {
 
 TEST(Verdict, HasNoVolumeToCompareWithWhereThereIsNoSolid) {
   Certificate certificate = perfect();
-  certificate.volume_ratio = certificate.explained_ratio = kNaN;
+  certificate.volume_ratio = certificate.explained_ratio = kNotANumber;
   EXPECT_FALSE(disbelief(certificate, 0.0, {}).has_value());
   EXPECT_TRUE(doubts(certificate, test::sample_pattern(), 0.0, {}).empty());
 }

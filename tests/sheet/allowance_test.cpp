@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 const Angle kRight = Angle::degrees(90);
 
 BendAllowance allowance_of(const AllowanceRule& rule, double thickness, double radius,
@@ -26,8 +26,8 @@ BendAllowance allowance_of(const AllowanceRule& rule, double thickness, double r
 TEST(ConstantAllowance, IsTheArcOfTheNeutralSurface) {
   const BendAllowance bend = allowance_of(ConstantK{0.44, "default"}, 2.0, 2.0, kRight);
   EXPECT_DOUBLE_EQ(bend.k_factor, 0.44);
-  EXPECT_DOUBLE_EQ(bend.allowance, kPi / 2 * 2.88);
-  EXPECT_DOUBLE_EQ(bend.deduction, 2 * 4.0 - kPi / 2 * 2.88);
+  EXPECT_DOUBLE_EQ(bend.allowance, pi / 2 * 2.88);
+  EXPECT_DOUBLE_EQ(bend.deduction, 2 * 4.0 - pi / 2 * 2.88);
   EXPECT_EQ(bend.source, "default");
 }
 
@@ -39,7 +39,7 @@ TEST(ConstantAllowance, GrowsLinearlyWithAngle) {
 }
 
 TEST(ConstantAllowance, OfASharpBendIsThatOfTheNeutralSurfaceAlone) {
-  EXPECT_DOUBLE_EQ(allowance_of(ConstantK{0.5}, 2.0, 0.0, kRight).allowance, kPi / 2);
+  EXPECT_DOUBLE_EQ(allowance_of(ConstantK{0.5}, 2.0, 0.0, kRight).allowance, pi / 2);
 }
 
 TEST(ConstantAllowance, AcceptsTheEndsOfTheRange) {
@@ -79,7 +79,7 @@ TEST(OutsideSetback, ReachesTheOuterMouldLineBelow180) {
 TEST(OutsideSetback, ReachesTheTangentPlaneFrom180On) {
   EXPECT_EQ(outside_setback(3.0, 2.0, Angle::degrees(180)), 5.0);
   EXPECT_EQ(outside_setback(3.0, 2.0, Angle::degrees(270)), 5.0);
-  EXPECT_EQ(outside_setback(3.0, 2.0, Angle::radians(kPi - 1e-9)), 5.0)
+  EXPECT_EQ(outside_setback(3.0, 2.0, Angle::radians(pi - 1e-9)), 5.0)
       << "a hem with the noise of a CAD file";
 }
 
@@ -87,7 +87,7 @@ TEST(BendAllowance, DeductionTakenFromOutsideLegsGivesTheFlatLength) {
   // Two legs of flat length 20 and 30; their outside lengths end at the outer mould line.
   for (const double degrees : {10.0, 45.0, 90.0, 135.0, 170.0}) {
     const BendAllowance bend = allowance_of(ConstantK{0.4}, 2.0, 3.0, Angle::degrees(degrees));
-    const double setback = 5.0 * std::tan(degrees * kPi / 360.0);
+    const double setback = 5.0 * std::tan(degrees * pi / 360.0);
     EXPECT_NEAR((20 + setback) + (30 + setback) - bend.deduction, 50 + bend.allowance, 1e-10)
         << degrees;
   }
@@ -175,7 +175,7 @@ BendTable by_ratio() {
 TEST(RatioTable, IsInterpolatedBetweenRows) {
   const BendAllowance bend = allowance_of(by_ratio(), 2.0, 3.0, kRight);
   EXPECT_NEAR(bend.k_factor, 0.35, 1e-15);
-  EXPECT_NEAR(bend.allowance, kPi / 2 * (3.0 + 0.35 * 2.0), 1e-14);
+  EXPECT_NEAR(bend.allowance, pi / 2 * (3.0 + 0.35 * 2.0), 1e-14);
   EXPECT_EQ(bend.source, "table steel.csv, rows 1 and 2 (R/T 1.5)");
 }
 
@@ -279,9 +279,9 @@ TEST(AllowanceTable, IsLinearInTheRadius) {
 TEST(AllowanceTable, WithoutAnglesIsOf90DegreeBends) {
   const double k = 0.42;
   const BendTable table = by_size(BendTable::Value::allowance, false,
-                                  {{2, 2, 0, kPi / 2 * (2 + k * 2)}});
+                                  {{2, 2, 0, pi / 2 * (2 + k * 2)}});
   EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(30)).k_factor, k, 1e-12);
-  EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(30)).allowance, kPi / 6 * (2 + k * 2),
+  EXPECT_NEAR(allowance_of(table, 2.0, 2.0, Angle::degrees(30)).allowance, pi / 6 * (2 + k * 2),
               1e-12);
 }
 
@@ -328,10 +328,10 @@ TEST(DeductionTable, OfAnImpossibleLengthIsRefusedWithItsRow) {
 
 TEST(AllowanceTable, MayHaveKAtTheSkinDespiteRounding) {
   const BendTable outer = by_size(BendTable::Value::allowance, true,
-                                  {{0.3, 0.7, 33, 33 * kPi / 180 * (0.3 + 0.7)}});
+                                  {{0.3, 0.7, 33, 33 * pi / 180 * (0.3 + 0.7)}});
   EXPECT_NEAR(allowance_of(outer, 0.7, 0.3, Angle::degrees(33)).k_factor, 1.0, 1e-12);
   const BendTable inner = by_size(BendTable::Value::allowance, true,
-                                  {{0.3, 0.7, 33, 33 * kPi / 180 * 0.3}});
+                                  {{0.3, 0.7, 33, 33 * pi / 180 * 0.3}});
   EXPECT_NEAR(allowance_of(inner, 0.7, 0.3, Angle::degrees(33)).k_factor, 0.0, 1e-12);
 }
 

@@ -11,7 +11,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FlatPattern laid(const Sheet& sheet, const FlattenOptions& options = {}) {
   auto pattern = flatten(sheet, options);

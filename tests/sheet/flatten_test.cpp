@@ -12,7 +12,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kK = 0.44;
 
 FlatPattern flat(const Sheet& sheet, double k = kK) {

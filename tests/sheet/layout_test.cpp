@@ -11,22 +11,22 @@
 namespace planish::test {
 namespace {
 
-const std::vector<Sheet>& samples() {
+const std::vector<Sheet>& sample_sheets() {
   static const std::vector<Sheet> sheets{
       l_bracket(), l_bracket_down(),   u_channel(),      hem(), box(), cone_joined(), staircase(6),
       rolled(),    plate_with_holes(), lofted_corner({})};
   return sheets;
 }
 
-FlatSheet laid(const Sheet& sheet, const FlattenOptions& options = {}) {
+FlatSheet flat_of(const Sheet& sheet, const FlattenOptions& options = {}) {
   auto flat = flat_sheet(sheet, options);
   EXPECT_TRUE(flat) << (flat ? "" : flat.error().message);
   return std::move(*flat);
 }
 
 TEST(Layout, HoldsTogetherByASpanningTree) {
-  for (const Sheet& sheet : samples()) {
-    const Layout layout = laid(sheet).layout;
+  for (const Sheet& sheet : sample_sheets()) {
+    const Layout layout = flat_of(sheet).layout;
     const Topology topology(sheet);
     UnionFind nodes(topology.node_count());
     for (const int joint : layout.tree)
@@ -38,9 +38,9 @@ TEST(Layout, HoldsTogetherByASpanningTree) {
 }
 
 TEST(Layout, FoldsBackWhatItDevelops) {
-  for (const Sheet& sheet : samples())
+  for (const Sheet& sheet : sample_sheets())
     for (const UpSide up : {UpSide::reference, UpSide::other}) {
-      const Layout layout = laid(sheet, {.up = up}).layout;
+      const Layout layout = flat_of(sheet, {.up = up}).layout;
       for (const FaceId id : sheet.faces.ids())
         for (const Border& border : sheet[id].loops.front())
           for (const double t : {0.0, 0.4, 0.9}) {
@@ -52,8 +52,8 @@ TEST(Layout, FoldsBackWhatItDevelops) {
 }
 
 TEST(Layout, ImagesOfJoinedBordersAreOne) {
-  for (const Sheet& sheet : samples()) {
-    const Layout layout = laid(sheet).layout;
+  for (const Sheet& sheet : sample_sheets()) {
+    const Layout layout = flat_of(sheet).layout;
     for (const Joint& joint : sheet.joints) {
       EXPECT_LT((start_of(layout.image(joint.a)) - end_of(layout.image(joint.b))).norm(), 1e-6);
       EXPECT_LT((end_of(layout.image(joint.a)) - start_of(layout.image(joint.b))).norm(), 1e-6);
@@ -62,8 +62,8 @@ TEST(Layout, ImagesOfJoinedBordersAreOne) {
 }
 
 TEST(Layout, LiesWhereThePatternSays) {
-  for (const Sheet& sheet : samples()) {
-    const auto [layout, pattern] = laid(sheet);
+  for (const Sheet& sheet : sample_sheets()) {
+    const auto [layout, pattern] = flat_of(sheet);
     EXPECT_EQ(pattern.root, layout.root);
     EXPECT_EQ(pattern.root_placement.matrix(), layout.placement[layout.root].matrix());
     Box2 box;

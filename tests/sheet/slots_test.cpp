@@ -11,10 +11,10 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kPlate = 300.0 * 200.0;
 
-Contour polygon(const std::vector<Vec2>& corners) {
+Contour contour_of(const std::vector<Vec2>& corners) {
   Contour contour;
   for (std::size_t i = 0; i < corners.size(); ++i)
     contour.loop.emplace_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
@@ -25,14 +25,14 @@ Contour polygon(const std::vector<Vec2>& corners) {
 FlatPattern plate(const std::vector<Vec2>& outer = {{0, 0}, {300, 0}, {300, 200}, {0, 200}}) {
   FlatPattern pattern;
   pattern.thickness = 2.0;
-  pattern.outer = polygon(outer);
+  pattern.outer = contour_of(outer);
   return pattern;
 }
 
 /// A slit from (100, 80) to (200, 80), its banks in pieces of their own.
 FlatPattern closed_slit() {
   FlatPattern pattern = plate();
-  pattern.openings.push_back(polygon({{130, 80}, {200, 80}, {170, 80}, {150, 80}, {100, 80}}));
+  pattern.openings.push_back(contour_of({{130, 80}, {200, 80}, {170, 80}, {150, 80}, {100, 80}}));
   return pattern;
 }
 
@@ -148,7 +148,7 @@ TEST(Slots, OpeningsWithAWidthStayAndLoseTheirSlits) {
   FlatPattern pattern = plate();
   // Clockwise: an opening of 20 × 10 with a slit of 30 at its corner.
   pattern.openings.push_back(
-      polygon({{100, 80}, {100, 90}, {120, 90}, {120, 80}, {150, 80}, {120, 80}}));
+      contour_of({{100, 80}, {100, 90}, {120, 90}, {120, 80}, {150, 80}, {120, 80}}));
   const FlatPattern lines = cut(pattern, {});
   ASSERT_EQ(lines.openings.size(), 1u);
   EXPECT_EQ(lines.openings[0].loop.size(), 4u);
@@ -186,7 +186,7 @@ TEST(Slots, BendLinesEndAtTheSlotsSides) {
 
 TEST(Slots, PatternsWithoutSlitsStayAsTheyAre) {
   FlatPattern pattern = plate();
-  pattern.openings.push_back(polygon({{100, 80}, {100, 90}, {120, 90}, {120, 80}}));
+  pattern.openings.push_back(contour_of({{100, 80}, {100, 90}, {120, 90}, {120, 80}}));
   const FlatPattern same = cut(pattern, {.kerf = 2.0});
   EXPECT_EQ(same.openings.size(), 1u);
   EXPECT_EQ(same.outer.loop.size(), 4u);
@@ -205,7 +205,7 @@ TEST(Slots, RefusesOptionsThatAreNone) {
 
 TEST(Slots, RefusesAKerfWiderThanAStrip) {
   FlatPattern pattern = closed_slit();
-  pattern.openings.push_back(polygon({{100, 90}, {200, 90}}));
+  pattern.openings.push_back(contour_of({{100, 90}, {200, 90}}));
   EXPECT_TRUE(cut_slits(pattern, {.kerf = 9.9}));
   for (const SlotOptions& options :
        {SlotOptions{.kerf = 10.0}, SlotOptions{.kerf = 4.0, .stop_hole = 10.0}}) {

@@ -9,7 +9,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const Border& border_of(const Sheet& sheet, const BorderRef& ref) { return sheet[ref]; }
 

@@ -7,7 +7,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FlatPattern flattened(const SlitDesign& design) {
   FlattenOptions options;

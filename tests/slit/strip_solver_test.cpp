@@ -8,7 +8,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// One strip, its panel in the plane x = 100 with its front towards +x; both ends free.
 SlitDesign one_strip(int ridges) {
@@ -27,7 +27,7 @@ TEST(KnownShape, ArcOfAPolygonIsFoundFromItsEnd) {
   // Ten equal folds of 9° on equal spacings: the smoothest curve to its own end, with no cost at
   // all.
   SlitDesign design = one_strip(10);
-  const double fold = kPi / 20;
+  const double fold = pi / 20;
   Vec3 end(100, 50, 15);
   for (int i = 1; i <= 10; ++i)
     end += 20.0 * Vec3(-std::sin(i * fold), std::cos(i * fold), 0);
@@ -111,7 +111,7 @@ TEST(KnownShape, SymmetricArchOfRightLengthIsAQuarterOfAPolygon) {
   // across the plane).
   SlitDesign design = one_strip(10);
   design.sheet.symmetric = true;
-  const double fold = kPi / 20, h = 20.0;
+  const double fold = pi / 20, h = 20.0;
   double away = 0.0;
   for (int i = 1; i <= 10; ++i)
     away += h * std::sin(i * fold);

@@ -8,7 +8,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// First flange of an opened strip: x 0 … first, y 0 … width, the bend at x = first. `notch` are
 /// the curves that replace the bend's side between y0 and y1 (none: the side is whole).

@@ -6,7 +6,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr auto up = BendDirection::up;
 constexpr auto down = BendDirection::down;
 

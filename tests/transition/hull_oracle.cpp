@@ -8,7 +8,7 @@
 namespace planish::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Sampler {
   int fineness;
@@ -17,7 +17,7 @@ struct Sampler {
   /// A quarter of an ellipse without its end.
   void quarter(const Vec2& centre, double rx, double ry, int number) {
     for (int i = 0; i < fineness; ++i) {
-      const double t = 0.5 * kPi * (number + i / double(fineness));
+      const double t = 0.5 * pi * (number + i / double(fineness));
       points.emplace_back(centre + Vec2(rx * std::cos(t), ry * std::sin(t)));
     }
   }
@@ -26,7 +26,7 @@ struct Sampler {
     for (int i = 0; i < 4; ++i) {
       quarter(centres[i], r, r, i);
       const Vec2 end = centres[i] +
-                       r * Vec2(std::cos(0.5 * kPi * (i + 1)), std::sin(0.5 * kPi * (i + 1)));
+                       r * Vec2(std::cos(0.5 * pi * (i + 1)), std::sin(0.5 * pi * (i + 1)));
       const Vec2 next = centres[(i + 1) % 4];
       if ((next - centres[i]).norm() > 0.0) points.push_back(end);
     }

@@ -20,16 +20,16 @@ void expect_refused(const TransitionSpec& spec, ErrorCode code, const std::strin
       << transition.error().message;
 }
 
-TransitionSpec square_to_circle() {
+TransitionSpec square_to_round() {
   return between(rectangle(100, 100), EllipseProfile{30, 30}, {0, 0, 80});
 }
 
 void expect_profile_refused(const Profile& profile, ErrorCode code, const std::string& where,
                             const std::string& in_message = "") {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   spec.from.profile = profile;
   expect_refused(spec, code, "/from/profile" + where, in_message);
-  spec = square_to_circle();
+  spec = square_to_round();
   spec.to.profile = profile;
   expect_refused(spec, code, "/to/profile" + where, in_message);
 }
@@ -64,7 +64,7 @@ TEST(TransitionRefuses, ProfilesThatAreNotConvex) {
 
   SplineProfile spline{regular_polygon(8, 50).corners};
   spline.points[3] *= 0.7;
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   spec.from.profile = spline;
   const auto transition = make_transition(spec);
   ASSERT_FALSE(transition);
@@ -94,7 +94,7 @@ TEST(TransitionRefuses, SizesThatAreNone) {
                            "/rounded_rectangle");
     expect_profile_refused(ObroundProfile{wrong, 20}, ErrorCode::invalid_input, "/obround");
     expect_profile_refused(ObroundProfile{90, wrong}, ErrorCode::invalid_input, "/obround");
-    TransitionSpec spec = square_to_circle();
+    TransitionSpec spec = square_to_round();
     spec.thickness = wrong;
     expect_refused(spec, ErrorCode::invalid_input, "/thickness");
   }
@@ -107,12 +107,12 @@ TEST(TransitionRefuses, SizesThatAreNone) {
 }
 
 TEST(TransitionRefuses, NumbersThatMakeNoSense) {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   for (const double k : {-0.1, 1.1, std::nan("")}) {
     spec.k_factor = k;
     expect_refused(spec, ErrorCode::invalid_input, "/k_factor");
   }
-  spec = square_to_circle();
+  spec = square_to_round();
   spec.pressing = PressCount{0};
   expect_refused(spec, ErrorCode::invalid_input, "/press_lines");
   spec.pressing = PressAngle{Angle()};
@@ -121,16 +121,16 @@ TEST(TransitionRefuses, NumbersThatMakeNoSense) {
     spec.pressing = PressChord{chord};
     expect_refused(spec, ErrorCode::invalid_input, "/press_lines");
   }
-  spec = square_to_circle();
+  spec = square_to_round();
   spec.to.frame.origin.x() = std::nan("");
   expect_refused(spec, ErrorCode::invalid_input, "/to/frame");
-  spec = square_to_circle();
+  spec = square_to_round();
   spec.from.frame.z.setConstant(std::numeric_limits<double>::infinity());
   expect_refused(spec, ErrorCode::invalid_input, "/from/frame");
 }
 
 TEST(TransitionRefuses, ThicknessTooLargeForAProfileOrABend) {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   spec.to.profile = EllipseProfile{3, 3};
   spec.thickness = 10.0;
   spec.k_factor = 0.4;
@@ -154,7 +154,7 @@ TEST(TransitionRefuses, ThicknessTooLargeForAProfileOrABend) {
 }
 
 TEST(TransitionRefuses, ProfilesThatMeet) {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   spec.to.frame = frame_at(Vec3::Zero());
   expect_refused(spec, ErrorCode::profiles_meet, "/to/frame", "one plane");
   spec.to.frame = frame_at({500, 0, 0}, kPi);
@@ -167,13 +167,13 @@ TEST(TransitionRefuses, ProfilesThatMeet) {
 }
 
 TEST(TransitionRefuses, ProfilesOnBothSidesOfTheOthersPlane) {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   spec.to.frame = frame_at({0, 80, 20}, kPi / 2);
   expect_refused(spec, ErrorCode::profile_hidden, "/to/frame", "10 and 50 mm");
   std::swap(spec.from, spec.to);
   expect_refused(spec, ErrorCode::profile_hidden, "/to/frame");
   // Above the square's plane, but its own plane cuts the square.
-  spec = square_to_circle();
+  spec = square_to_round();
   spec.to.frame = frame_at({0, 0, 80}, kPi / 3);
   expect_refused(spec, ErrorCode::profile_hidden, "/to/frame");
 }
@@ -191,7 +191,7 @@ TEST(TransitionRefuses, CurvesThatDipThroughThePlaneBetweenTheirQuarters) {
 }
 
 TEST(TransitionRefuses, SeamsThatDoNotExist) {
-  TransitionSpec spec = square_to_circle();
+  TransitionSpec spec = square_to_round();
   for (const int none : {-1, 4}) {
     spec.seam = SeamEdge{none};
     expect_refused(spec, ErrorCode::unknown_seam, "/seam/edge", "0 to 3");
@@ -217,9 +217,9 @@ TEST(TransitionRefuses, APieceForEachSideOfWhatHasNone) {
 
 TEST(TransitionRefuses, TolerancesThatAreNotPositive) {
   for (const double wrong : {0.0, -1e-9, std::nan("")}) {
-    EXPECT_EQ(make_transition(square_to_circle(), {.tolerance = wrong}).error().code,
+    EXPECT_EQ(make_transition(square_to_round(), {.tolerance = wrong}).error().code,
               ErrorCode::bad_option);
-    EXPECT_EQ(folded_pieces(square_to_circle(), {.tolerance = wrong}).error().code,
+    EXPECT_EQ(folded_pieces(square_to_round(), {.tolerance = wrong}).error().code,
               ErrorCode::bad_option);
   }
 }

@@ -11,18 +11,18 @@
 namespace planish::test {
 namespace {
 
-struct Traits {
+struct TransitionTraits {
   double area = 0.0;
   std::array<double, 2> perimeters{};
   std::vector<double> planes, others;  // areas of patches, ascending
 };
 
-Traits traits_of(const TransitionSpec& spec) {
+TransitionTraits traits_of(const TransitionSpec& spec) {
   const auto transition_made = make_transition(
       spec, {.tolerance = 1e-6});  // measures do not depend on it
   RC_ASSERT(transition_made.has_value());
   const Transition& transition = *transition_made;
-  Traits traits{transition.area, transition.perimeters, {}, {}};
+  TransitionTraits traits{transition.area, transition.perimeters, {}, {}};
   for (const TransitionPatch& patch : transition.patches)
     (patch.kind == PatchKind::plane ? traits.planes : traits.others).push_back(patch.area);
   std::sort(traits.planes.begin(), traits.planes.end());
@@ -30,7 +30,7 @@ Traits traits_of(const TransitionSpec& spec) {
   return traits;
 }
 
-void expect_same(const Traits& a, const Traits& b, double scale = 1.0) {
+void expect_same(const TransitionTraits& a, const TransitionTraits& b, double scale = 1.0) {
   constexpr double kClose = 1e-9;
   const double square = scale * scale;
   RC_ASSERT(std::abs(b.area / (square * a.area) - 1.0) < kClose);
@@ -47,7 +47,7 @@ void expect_same(const Traits& a, const Traits& b, double scale = 1.0) {
 RC_GTEST_PROP(TransitionVariants, MovingChangesNothing, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   const auto motion = random_motion(random);
   spec.from = moved(spec.from, motion);
   spec.to = moved(spec.to, motion);
@@ -57,7 +57,7 @@ RC_GTEST_PROP(TransitionVariants, MovingChangesNothing, ()) {
 RC_GTEST_PROP(TransitionVariants, NormalsOfTheFramesDoNotMatter, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   // All profiles but polygons and splines are their own mirror images.
   for (PlacedProfile* profile : {&spec.from, &spec.to}) {
     profile->frame.y = -profile->frame.y;
@@ -75,7 +75,7 @@ RC_GTEST_PROP(TransitionVariants, NormalsOfTheFramesDoNotMatter, ()) {
 RC_GTEST_PROP(TransitionVariants, MirroringChangesNothing, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   // In the plane x = 0: both axes of a profile are mirrored, its normal is what a right-handed
   // frame makes it.
   for (PlacedProfile* profile : {&spec.from, &spec.to}) {
@@ -90,9 +90,9 @@ RC_GTEST_PROP(TransitionVariants, MirroringChangesNothing, ()) {
 RC_GTEST_PROP(TransitionVariants, SwappingTheProfilesChangesNothing, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   std::swap(spec.from, spec.to);
-  Traits after = traits_of(spec);
+  TransitionTraits after = traits_of(spec);
   std::swap(after.perimeters[0], after.perimeters[1]);
   expect_same(before, after);
 }
@@ -100,7 +100,7 @@ RC_GTEST_PROP(TransitionVariants, SwappingTheProfilesChangesNothing, ()) {
 RC_GTEST_PROP(TransitionVariants, ScalingScales, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   struct Scale {
     void operator()(PolygonProfile& p) const { scale(p.corners); }
     void operator()(SplineProfile& p) const { scale(p.points); }
@@ -124,7 +124,7 @@ RC_GTEST_PROP(TransitionVariants, ScalingScales, ()) {
 RC_GTEST_PROP(TransitionVariants, NumberingOfCornersAndPointsDoesNotMatter, ()) {
   std::mt19937 random(*rc::gen::arbitrary<unsigned>());
   TransitionSpec spec = random_transition(random);
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   const auto renumber = [&](std::vector<Vec2>& points) {
     std::rotate(points.begin(), points.begin() + static_cast<long>(random() % points.size()),
                 points.end());
@@ -145,7 +145,7 @@ RC_GTEST_PROP(TransitionVariants, TurningACircleAboutItsAxisChangesNothing, ()) 
   const auto below = sampled_in_space(spec.from, 50);
   RC_PRE(std::all_of(below.begin(), below.end(),
                      [&](const Vec3& p) { return spec.to.frame.local(p).z() < -1.0; }));
-  const Traits before = traits_of(spec);
+  const TransitionTraits before = traits_of(spec);
   spec.from.frame = frame_at(Vec3::Zero(), 0.0, 0.3 + 0.001 * static_cast<double>(random() % 1000));
   expect_same(before, traits_of(spec));
 }

@@ -15,8 +15,6 @@
 namespace planish::studio {
 namespace {
 
-using Json = nlohmann::json;
-
 ErrorCode code_named(const std::string& name) {
   for (int i = 0; i < static_cast<int>(ErrorCode::internal); ++i)
     if (code_name(static_cast<ErrorCode>(i)) == name) return static_cast<ErrorCode>(i);
@@ -24,7 +22,7 @@ ErrorCode code_named(const std::string& name) {
 }
 
 Error error_of(const Answer& answer) {
-  const Json json = Json::parse(answer.body, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(answer.body, nullptr, false);
   if (!json.is_object()) return {ErrorCode::internal, "the worker gave no answer", {}};
   return {code_named(json.value("code", "")), json.value("message", ""), json.value("where", "")};
 }
@@ -79,7 +77,7 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   if (bytes->size() > kLargestBody) return too_large(file);
   const Answer taken = store.take(shown_name(file), *bytes, Origin::command_line);
   if (taken.status != 200) return tl::unexpected(error_of(taken));
-  const std::string id = Json::parse(taken.body)["id"];
+  const std::string id = nlohmann::json::parse(taken.body)["id"];
   const Answer opened = store.open(id);
   if (opened.status != 200) return tl::unexpected(error_of(opened));
   for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
