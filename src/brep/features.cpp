@@ -121,7 +121,7 @@ void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recogniti
   builder.add_feature(std::move(feature));
 }
 
-Box2 extent(const BorderLoop& borders) {
+Box2 box_of_loop(const BorderLoop& borders) {
   Box2 box;
   for (const Border& border : borders)
     box.add(bounds(border.curve));
@@ -131,8 +131,8 @@ Box2 extent(const BorderLoop& borders) {
 /// Whether two outlines of a cut lie aside of each other, by a slope over the thickness.
 bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
   constexpr double kSlope = 0.05;  // 3°: more than draft and rounding make
-  const Box2 first = extent(a);
-  const Box2 second = extent(b);
+  const Box2 first = box_of_loop(a);
+  const Box2 second = box_of_loop(b);
   return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
          kSlope * thickness;
 }
