@@ -14,12 +14,12 @@ build=(
   libceres-dev libnanoflann-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
-  libcpp-httplib-dev libboost-dev pkg-config
+  libcpp-httplib-dev pkg-config
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
-  clang-format)
+  python3-jsonschema clang-format)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 

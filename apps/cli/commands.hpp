@@ -1,25 +1,18 @@
 #pragma once
 
-#include "make_arguments.hpp"
-#include "unfold_arguments.hpp"
+#include "arguments.hpp"
 
 #include <planish/io/flat_writers.hpp>
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace planish::cli {
 
-/// `planish unfold`; returns the exit status.
-int run_unfold(const UnfoldArguments& arguments);
-/// `planish connect`; returns the exit status.
-int run_connect(const MakeArguments& arguments);
-/// `planish transition`; returns the exit status.
-int run_transition(const MakeArguments& arguments);
-
-/// `planish slit`; returns the exit status.
-int run_slit(const MakeArguments& arguments);
+/// `planish connect` and the like; returns the exit status.
+int run_maker(const job::Catalogue& catalogue, const Arguments& arguments);
 
 struct InfoArguments {
   std::string input, body;
@@ -32,6 +25,14 @@ struct InfoArguments {
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 /// `planish info`; returns the exit status.
 int run_info(const InfoArguments& arguments);
+
+/// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
+CLI::App* add_schema(CLI::App& app, std::string& name);
+/// `planish schema`; returns the exit status.
+int run_schema(const job::Catalogue& catalogue, const std::string& name);
+
+/// What `planish --formats` prints: the tables of makers and artifacts.
+std::string formats_text(const job::Catalogue& catalogue);
 
 struct StudioArguments {
   std::string input;              ///< empty: none

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace planish::cli {
 namespace {
 
@@ -39,10 +41,14 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   add_text(*command, "--body", arguments.body, "N|NAME", "only this body: its number or name");
   command->add_flag("--sheets", arguments.sheets,
                     "look for the sheet in each body: thickness, bends, faces for --root, or why "
-                    "there is none");
+                    "it has none");
   add_text(*command, "--json", arguments.json, "FILE",
            "the same as JSON; - writes it to standard output");
-  add_units(*command, arguments.units, "unit of what is printed; default mm");
+  const std::map<std::string, LengthUnit> units{
+      {"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}};
+  command->add_option("--units", arguments.units, "unit of what is printed; default mm")
+      ->transform(CLI::Transformer(units))
+      ->type_name("mm|inch|m");
   command->footer(kExamples);
   return command;
 }

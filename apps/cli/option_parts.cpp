@@ -1,47 +1,25 @@
 #include "option_parts.hpp"
 
+#include <planish/job/options.hpp>
+
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace planish::cli {
 
-std::optional<double> parse_number(const std::string& text) {
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::string flag_of(std::string_view option) {
+  std::string flag = "--" + std::string(option);
+  std::replace(flag.begin(), flag.end(), '_', '-');
+  return flag;
 }
 
-CLI::Option* add_number(CLI::App& app, const std::string& name, std::optional<double>& target,
-                        bool (*allowed)(double), const std::string& range,
-                        const std::string& description) {
-  const auto set = [&target](const std::string& text) { target = parse_number(text); };
-  const auto check = [allowed, range](const std::string& text) -> std::string {
-    const auto value = parse_number(text);
-    if (value && allowed(*value)) return {};
-    return fmt::format("\"{}\" is no number {}", text, range);
-  };
-  return app.add_option_function<std::string>(name, set, description)
-      ->check(check)
-      ->type_name("NUMBER");
-}
-
-CLI::Option* add_face(CLI::App& app, const std::string& name, std::string& target,
-                      const std::vector<std::string>& words, const std::string& description) {
-  const auto check = [words](const std::string& text) -> std::string {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    int number = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error == std::errc() && stop == end && number >= 1) return {};
-    return fmt::format("\"{}\" is neither a face number (1, 2, …) nor {}", text,
-                       fmt::join(words, ", "));
-  };
-  return app.add_option(name, target, description)
-      ->check(check)
-      ->type_name(alternatives(words) + "|FACE");
+std::string spelled(const std::string& message) {
+  std::string text = message;
+  for (const job::Option& option : job::options()) {
+    const std::string quoted = "`" + std::string(option.name) + "`";
+    for (auto at = text.find(quoted); at != std::string::npos; at = text.find(quoted, at))
+      text.replace(at, quoted.size(), flag_of(option.name));
+  }
+  return text;
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
@@ -55,9 +33,5 @@ CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
 }
 
 std::string not_empty(const std::string& text) { return text.empty() ? "is empty" : ""; }
-
-std::string alternatives(const std::vector<std::string>& words) {
-  return fmt::format("{}", fmt::join(words, "|"));
-}
 
 }  // namespace planish::cli

@@ -12,7 +12,6 @@
 namespace planish::cli {
 
 namespace fs = std::filesystem;
-using job::OutputFormat;
 
 Error bad_option(std::string message) { return {ErrorCode::bad_option, std::move(message), {}}; }
 
@@ -23,12 +22,17 @@ std::string suffix_of(const fs::path& path) {
   return suffix;
 }
 
-std::optional<OutputFormat> format_by_suffix(const fs::path& path) {
-  const std::string suffix = suffix_of(path);
-  if (suffix == ".dxf") return OutputFormat::dxf;
-  if (suffix == ".svg") return OutputFormat::svg;
-  if (suffix == ".step" || suffix == ".stp") return OutputFormat::step;
-  return std::nullopt;
+bool is_folder(const std::string& output) {
+  std::error_code ignored;
+  return (!output.empty() && output.back() == '/') || fs::is_directory(output, ignored);
+}
+
+const job::Artifact* by_suffix(const std::vector<const job::Artifact*>& artifacts,
+                               const fs::path& path) {
+  const std::string suffix = suffix_of(path) == ".stp" ? ".step" : suffix_of(path);
+  for (const job::Artifact* artifact : artifacts)
+    if (artifact->suffix == suffix) return artifact;
+  return nullptr;
 }
 
 std::string stem_of(const fs::path& input) {
@@ -109,14 +113,6 @@ std::optional<Error> write_report(const std::string& json_option, const std::str
   }
   if (auto written = write_file(json_option, text); !written) return written.error();
   return std::nullopt;
-}
-
-bool is_mesh_name(const fs::path& path) {
-  return suffix_of(path) == ".stl" || suffix_of(path) == ".obj";
-}
-
-std::string mesh_text(const Mesh& mesh, const fs::path& path, const std::string& name) {
-  return suffix_of(path) == ".obj" ? obj_text(mesh, name) : stl_binary(mesh, name);
 }
 
 }  // namespace planish::cli

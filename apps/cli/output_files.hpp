@@ -2,7 +2,7 @@
 
 #include <planish/base/result.hpp>
 #include <planish/geometry/mesh.hpp>
-#include <planish/job/outputs.hpp>
+#include <planish/job/artifact.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -22,15 +22,15 @@ Error bad_option(std::string message);
 /// A name's last suffix in small letters, ".dxf"; "" for none.
 std::string suffix_of(const std::filesystem::path& path);
 
-/// What a pattern file of this name holds.
-std::optional<job::OutputFormat> format_by_suffix(const std::filesystem::path& path);
+/// The artifact whose files have a name's suffix (.stp is .step); null where there is none.
+const job::Artifact* by_suffix(const std::vector<const job::Artifact*>& artifacts,
+                               const std::filesystem::path& path);
 
 /// "part" for part.step; what comes from standard input has no name of its own: "stdin".
 std::string stem_of(const std::filesystem::path& input);
 
-/// Whether a name's suffix is that of a mesh (.stl, .obj), and the mesh as that suffix asks for it.
-bool is_mesh_name(const std::filesystem::path& path);
-std::string mesh_text(const Mesh& mesh, const std::filesystem::path& path, const std::string& name);
+/// Whether the value of `-o` means a folder: an existing one, or a name that ends in "/".
+bool is_folder(const std::string& output);
 
 /// The files among the values of options: neither empty nor "-".
 std::vector<std::filesystem::path> files_named(const std::vector<std::string>& values);

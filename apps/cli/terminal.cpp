@@ -1,10 +1,14 @@
 #include "terminal.hpp"
 
+#include "option_parts.hpp"
+
+#include <planish/job/options.hpp>
 #include <planish/job/printable.hpp>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -22,18 +26,25 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void ask_to_stop(int) { stop_asked = true; }
 
+/// A place that is the name of an option is one on the command line.
+std::string spelled_place(const std::string& where) {
+  const auto all = job::options();
+  const bool option = std::any_of(all.begin(), all.end(),
+                                  [&](const job::Option& one) { return one.name == where; });
+  return option ? flag_of(where) : where;
+}
+
 std::string sentence(const Error& error) {
   std::string text = "planish: ";
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == ErrorCode::internal) text += "internal error, please report it: ";
-  text += error.message;
+  text += spelled(error.message);
   if (text.back() == '.') text.pop_back();  // the sentence goes on
   if (error.code == ErrorCode::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
   // Most messages name the place themselves.
-  if (!error.where.empty() && error.message.find(error.where) == std::string::npos) {
-    text += fmt::format(" ({})", error.where);
-  }
+  const std::string where = spelled_place(error.where);
+  if (!where.empty() && text.find(where) == std::string::npos) text += fmt::format(" ({})", where);
   return text;
 }
 

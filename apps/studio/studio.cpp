@@ -2,7 +2,6 @@
 
 #include "server/access.hpp"
 #include "server/browser.hpp"
-#include "server/draft_socket.hpp"
 #include "server/first_document.hpp"
 #include "server/http_server.hpp"
 #include "server/temp_folder.hpp"
@@ -41,13 +40,9 @@ Result<void> run_studio(const StudioOptions& options) {
   HttpServer server;
   const auto port = server.bind(options.port);
   if (!port) return tl::unexpected(port.error());
-  DraftSocket drafts;
-  const auto draft_port = drafts.bind();
-  if (!draft_port) return tl::unexpected(draft_port.error());
   const Access access(*port, *token);
-  Api api(access, store, *draft_port);
+  Api api(access, store);
   server.serve(api);
-  drafts.serve(access, store);
   const std::string address = fmt::format("http://127.0.0.1:{}/#{}", *port, *token);
   fmt::print("{}\n", address);
   std::fflush(stdout);

@@ -1,10 +1,9 @@
 #include "connected.hpp"
 #include "folded.hpp"
+#include "from_file.hpp"
+#include "made_report.hpp"
 
 #include <planish/job/connect.hpp>
-#include <planish/job/text_file.hpp>
-
-#include <chrono>
 
 namespace planish::job {
 namespace {
@@ -26,8 +25,8 @@ Progress first_part(const Progress& whole) {
   return part;
 }
 
-std::optional<Error> fill(ConnectReport& report, const PlatesFile& file,
-                          const ConnectRequest& request, const Progress& progress) {
+std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const Request& request,
+                          const Progress& progress) {
   const AllowanceRule allowance = allowance_of(file, request);
   progress.at("joining the plates", 0.0);
   auto connection = planish::connect(file.structure, options_for(allowance), first_part(progress));
@@ -37,25 +36,18 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file,
 
 }  // namespace
 
-Result<ConnectReport> connect_plates(const PlatesFile& file, const ConnectRequest& request,
+Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                      const Progress& progress) {
-  ConnectReport report = begun(request, file.units);
+  ConnectReport report = begun<ConnectReport>(request, file.units);
   if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) {
     return tl::unexpected(*error);
   }
   return report;
 }
 
-Result<ConnectReport> connect(const ConnectRequest& request, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto text = read_text(request.input, "plates file");
-  if (!text) return tl::unexpected(text.error());
-  const auto file = parse_plates(*text, place_name(request.input.string()));
-  if (!file) return tl::unexpected(file.error());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  auto report = connect_plates(*file, request, progress);
-  if (report) report->read_seconds = taken.count();
-  return report;
+Result<ConnectReport> connect(const Request& request, const Progress& progress) {
+  const auto parse = [](const InputFile& input) { return parse_plates(input.content, input.name); };
+  return from_file(request, "plates file", parse, connect_plates, progress);
 }
 
 }  // namespace planish::job

@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "json_parts.hpp"
+#include "report_schema.hpp"
 #include "report_text.hpp"
 #include "table.hpp"
 #include "units.hpp"
@@ -137,10 +138,34 @@ std::string fit_table(const ConnectReport& report, const Units& units) {
 
 }  // namespace
 
+ReportDetails connect_report_details() {
+  const Schema direction = tuple(3, measured_number(), "a direction [x, y, z]");
+  const Schema frame = object({required("origin", report_space_point()), required("d", direction),
+                               required("e1", direction), required("e2", direction),
+                               required("beta", angle(kAnyNumber).or_null()),
+                               required("rise", report_space_point())});
+  const Schema surface = words({"cylinder", "cone", "general", "sharp"});
+  const Schema facing = words({"facing", "averted"});
+  const Schema alternative = object({required("edges", map(list(whole()).or_null())),
+                                     required("surface", surface), required("facing", facing),
+                                     required("width", measured_length()),
+                                     required("span", measured_length())});
+  return {{},
+          {optional("between", list(text())), optional("edges", map(list(whole()))),
+           optional("surface", surface), optional("facing", facing),
+           optional("slope", measured_number()), optional("offset", measured_length()),
+           optional("apex", measured_length()), optional("half_angle", angle(kAnyNumber).or_null()),
+           optional("inside_radii", list(measured_length())),
+           optional("lateral", words({"auto", "straight", "arc", "corner"})),
+           optional("width", measured_length()), optional("span", measured_length()),
+           optional("extension_area", measured_area()), optional("frame", frame),
+           optional("alternatives", list(alternative))}};
+}
+
 std::string report_json(const ConnectReport& report) {
   const Units units(report.units);
   Json json = begun_report(report, "connect");
-  finish_report(json, report, [&](Json& bend, const FlatBend& flat) {
+  finish_report(json, report, BendList::shown, [&](Json& bend, const FlatBend& flat) {
     if (const FittedBend* fit = fitted(report, flat.bend))
       add_fit(bend, *fit, report.connection.structure, units);
   });

@@ -3,20 +3,6 @@
 #include "folded.hpp"
 
 namespace planish::job {
-ConnectReport begun(const ConnectRequest& request, LengthUnit unit) {
-  ConnectReport report;
-  report.input = request.input.string();
-  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
-  report.units = request.units.value_or(unit);
-  return report;
-}
-
-ConnectReport failed(const ConnectRequest& request, const Error& error) {
-  ConnectReport report = begun(request, LengthUnit::mm);
-  report.refusal = error;
-  return report;
-}
-
 std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const AllowanceRule& allowance, const PatternChecks& checks,
                             const Progress& progress) {
@@ -25,7 +11,7 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   if (checks.effort == Effort::full)
     if (auto stopped = fold(report, sheet, with_open_seam(sheet), report.solid, progress))
       return stopped;
-  report.sheet = summary_of(sheet);
+  report.summary = summary_of(sheet);
   FlattenOptions options;
   options.allowance = allowance;
   if (!report.connection.structure.plates.empty()) options.root = report.connection.root;
@@ -34,7 +20,7 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   return lay_flat(report, {sheet, distance, checks}, options, progress);
 }
 
-AllowanceRule allowance_of(const PlatesFile& file, const ConnectRequest& request) {
+AllowanceRule allowance_of(const PlatesFile& file, const Request& request) {
   if (request.allowance) return *request.allowance;
   if (file.k_factor) return ConstantK{*file.k_factor, "plates file"};
   return ConstantK{};

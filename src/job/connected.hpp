@@ -10,10 +10,6 @@
 
 namespace planish::job {
 
-/// A report that says no more than what was asked; lengths in `unit` where the request leaves it
-/// open.
-ConnectReport begun(const ConnectRequest& request, LengthUnit unit);
-
 /// What `connect_plates` does once the plates are joined: folded solid, flat pattern, certificate
 /// and findings, all entered in the report.
 std::optional<Error> finish(ConnectReport& report, Connection connection,
@@ -21,6 +17,6 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const Progress& progress);
 
 /// The rule for K: of the request, of the file, or the default.
-AllowanceRule allowance_of(const PlatesFile& file, const ConnectRequest& request);
+AllowanceRule allowance_of(const PlatesFile& file, const Request& request);
 
 }  // namespace planish::job

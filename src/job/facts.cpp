@@ -72,7 +72,7 @@ std::optional<Segment> longest_line(const FlatBend& bend) {
   return *longest;
 }
 
-bool sheet_known(const Report& report) { return report.sheet.thickness > 0.0; }
+bool sheet_known(const Report& report) { return report.summary.thickness > 0.0; }
 
 bool flat_known(const Report& report) { return !report.flat.outer.loop.empty(); }
 

@@ -13,7 +13,7 @@
 namespace planish::job {
 namespace {
 
-constexpr int kListedBodies = 12;  // in a message; `planish info` lists all
+constexpr int kListedBodies = 12;  // in a message
 
 std::string body_list(const StepFile& file) {
   std::string text;
@@ -23,8 +23,7 @@ std::string body_list(const StepFile& file) {
     text += fmt::format("{}{} \"{}\"", i ? ", " : "", i + 1, body.name());
     if (body.quantity() > 1) text += fmt::format(" (×{})", body.quantity());
   }
-  if (n > kListedBodies)
-    text += fmt::format(" and {} more (see `planish info`)", n - kListedBodies);
+  if (n > kListedBodies) text += fmt::format(" and {} more", n - kListedBodies);
   return text;
 }
 
@@ -59,9 +58,10 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   if (wanted.empty()) {
     if (n == 1) return 0;
     return fail(ErrorCode::no_such_body,
-                fmt::format("the file holds {} different bodies and none is chosen: take one with "
-                            "--body N or --body NAME, or all with --all -o FOLDER/; there are {}",
-                            n, body_list(file)));
+                fmt::format("the file holds {} different bodies: choose one with `body`, by its "
+                            "number or name; there are {}",
+                            n, body_list(file)),
+                "body");
   }
   // A number first: a body can be called anything, but every body has a number.
   if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {

@@ -28,12 +28,16 @@ Json reason_json(const std::optional<Error>& error);
 /// A whole report as FORMATS has it.
 Json report_value(const UnfoldReport& report);
 
+/// Whether a report lists its bends one by one.
+enum class BendList { shown, left_out };
+
 /// What a command says of a bend beyond what all say.
 using BendDetails = std::function<void(Json& bend, const FlatBend& flat)>;
 /// The keys at the beginning of every report, then those from "units" to the end; between them a
 /// command may put its own.
 Json begun_report(const Report& report, std::string_view command);
-void finish_report(Json& json, const Report& report, const BendDetails& details = {});
+void finish_report(Json& json, const Report& report, BendList bends = BendList::shown,
+                   const BendDetails& details = {});
 /// Text of a document, two spaces deep, ending with a line break. Bytes that are not UTF-8 (names
 /// in files can be anything) become U+FFFD.
 std::string text_of(const Json& document);

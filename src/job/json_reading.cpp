@@ -1,32 +1,16 @@
 #include "json_reading.hpp"
 
+#include <planish/base/assert.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <set>
 
 namespace planish::job {
 namespace {
-
-constexpr std::size_t kShownBytes = 40;  // of a value in a message
-
-// A token of a JSON pointer.
-std::string escaped(const std::string& key) {
-  std::string text;
-  for (const char c : key) {
-    if (c == '~')
-      text += "~0";
-    else if (c == '/')
-      text += "~1";
-    else
-      text += c;
-  }
-  return text;
-}
 
 // Line and column, 1-based, of a byte offset.
 std::string position(const std::string& text, std::size_t byte) {
@@ -55,21 +39,22 @@ class RepeatedKeys {
   std::optional<std::string> first_;
 };
 
-bool holds(const Allowed& allowed, double x) {
-  const bool above = allowed.low_too ? x >= allowed.low : x > allowed.low;
-  const bool below = allowed.high_too ? x <= allowed.high : x < allowed.high;
-  return above && below;
-}
-
-bool contains(const std::vector<std::string>& all, const std::string& one) {
-  return std::find(all.begin(), all.end(), one) != all.end();
-}
-
 }  // namespace
 
-JsonReading::JsonReading(const std::string& text, std::string what, std::string name)
-    : what_(std::move(what)), name_(std::move(name)) {
+JsonReading::JsonReading(const std::string& text, std::string what, std::string name,
+                         const Schema& schema)
+    : what_(std::move(what)), name_(std::move(name)), schema_(schema) {
   parse(text);
+  if (error_) return;
+  read_unit();
+  if (const auto wrong = first_mistake(schema_, document_, millimetres_in(unit_)))
+    mistake(wrong->pointer, wrong->sentence);
+}
+
+void JsonReading::read_unit() {
+  if (!document_.contains("units") || !document_["units"].is_string()) return;
+  for (const auto& [word, unit] : unit_words())
+    if (document_["units"].get_ref<const std::string&>() == word) unit_ = unit;
 }
 
 void JsonReading::parse(const std::string& text) {
@@ -107,166 +92,108 @@ void JsonReading::mistake(const std::string& pointer, const std::string& sentenc
                  name_ + pointer};
 }
 
-JsonPlace JsonPlace::child(const std::string& token, const Json* value) const {
-  return {reading_, value, pointer_ + "/" + escaped(token)};
+JsonPlace JsonPlace::child(const std::string& token, const Schema* schema,
+                           const Json* value) const {
+  return {reading_, schema, value, pointer_ + "/" + escaped_token(token)};
 }
 
-// A value in a message: lists and objects may be of any size and depth.
-std::string JsonPlace::shown() const {
-  if (value_->is_array()) return "a list";
-  if (value_->is_object()) return "an object";
-  std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > kShownBytes) text = text.substr(0, kShownBytes) + "…";
-  return text;
+const Json& JsonPlace::content() const {
+  static const Json nothing;
+  if (reading_->error()) return nothing;
+  return given() ? *value_ : schema_->otherwise;
 }
 
-void JsonPlace::keys(const std::vector<std::string>& required,
-                     const std::vector<std::string>& optional) const {
-  if (!given() || reading_->error()) return;
-  if (!value_->is_object()) return mistake(fmt::format("must be an object, not {}", shown()));
-  for (const auto& [key, value] : value_->items()) {
-    if (contains(required, key) || contains(optional, key)) continue;
-    std::vector<std::string> known = required;
-    known.insert(known.end(), optional.begin(), optional.end());
-    return child(key, &value)
-        .mistake(fmt::format("is no known key; known here are {}", fmt::join(known, ", ")));
-  }
-  for (const std::string& key : required) {
-    if (!value_->contains(key)) return child(key, nullptr).mistake("is missing");
-  }
-}
-
-void JsonPlace::format(const std::string& format, int version) const {
-  const JsonPlace kind = (*this)["format"];
-  if (kind.given() && !kind.is_text(format))
-    kind.mistake(fmt::format("must be \"{}\", not {}", format, kind.shown()));
-  const JsonPlace number = (*this)["version"];
-  if (number.given() && *number.value_ != version)
-    number.mistake(fmt::format("must be {}, not {}", version, number.shown()));
-}
-
-void JsonPlace::read_unit() const {
-  reading_->set_unit((*this)["units"].choice<LengthUnit>(
-      {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}}, LengthUnit::mm));
+const Schema& JsonPlace::branch() const {
+  const Schema* branch = given() ? branch_for(*schema_, *value_) : schema_;
+  return branch ? *branch : *schema_;
 }
 
 JsonPlace JsonPlace::operator[](const std::string& key) const {
-  const bool there = given() && value_->is_object() && value_->contains(key);
-  return child(key, there ? &(*value_)[key] : nullptr);
+  const Schema& own = branch();
+  const Field* field = own.field(key);
+  // Of a place that was left out, or that is wrong, nothing can be asked that the schema forbids.
+  PLANISH_ASSERT(field || !given() || reading_->error());
+  const bool there = field && given() && !reading_->error() && value_->contains(key);
+  return child(key, field ? &field->value : schema_, there ? &(*value_)[key] : nullptr);
 }
 
 std::vector<JsonPlace> JsonPlace::items() const {
   std::vector<JsonPlace> all;
   if (!given() || reading_->error()) return all;
-  if (!value_->is_array()) {
-    mistake(fmt::format("must be a list, not {}", shown()));
-    return all;
-  }
+  const Schema& item = branch().parts.front();
+  all.reserve(value_->size());
   for (std::size_t i = 0; i < value_->size(); ++i)
-    all.push_back(child(std::to_string(i), &(*value_)[i]));
+    all.push_back(child(std::to_string(i), &item, &(*value_)[i]));
   return all;
-}
-
-std::vector<JsonPlace> JsonPlace::items(std::size_t n, std::string_view words) const {
-  if (!given() || reading_->error()) return {};
-  if (!value_->is_array()) {
-    mistake(fmt::format("must be {}, not {}", words, shown()));
-    return {};
-  }
-  if (value_->size() == n) return items();
-  mistake(fmt::format("must be {}, not a list of {}", words, value_->size()));
-  return {};
 }
 
 std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
   std::vector<std::pair<std::string, JsonPlace>> all;
   if (!given() || reading_->error()) return all;
-  if (!value_->is_object()) {
-    mistake(fmt::format("must be an object, not {}", shown()));
-    return all;
+  const Schema& own = branch();
+  for (const auto& [key, value] : value_->items()) {
+    const Field* field = own.field(key);
+    all.emplace_back(key, child(key, field ? &field->value : &own.parts.front(), &value));
   }
-  for (const auto& [key, value] : value_->items())
-    all.emplace_back(key, child(key, &value));
   return all;
 }
 
-double JsonPlace::scaled(const Allowed& allowed, double scale) const {
-  if (!given() || reading_->error()) return 0.0;
-  const double value = value_->is_number() ? value_->get<double>() : std::nan("");
-  if (std::isfinite(value * scale) && holds(allowed, value)) return value * scale;
-  mistake(fmt::format("must be {}, not {}", allowed.words, shown()));
-  return 0.0;
+double JsonPlace::number() const {
+  const Json& value = content();
+  return value.is_number() ? value.get<double>() : 0.0;
 }
 
-double JsonPlace::number(const Allowed& allowed) const { return scaled(allowed, 1.0); }
+double JsonPlace::length() const { return number() * millimetres_in(reading_->unit()); }
 
-double JsonPlace::length(const Allowed& allowed) const {
-  return scaled(allowed, millimetres_in(reading_->unit()));
-}
+Angle JsonPlace::angle() const { return Angle::degrees(number()); }
 
-Angle JsonPlace::angle(const Allowed& allowed) const { return Angle::degrees(number(allowed)); }
-
-int JsonPlace::index() const {
-  if (!given() || reading_->error()) return 0;
-  if (value_->is_number_unsigned() &&
-      value_->get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-    return value_->get<int>();
-  }
-  mistake(fmt::format("must be a whole number of at least 0, not {}", shown()));
-  return 0;
-}
-
-Vec3 JsonPlace::point() const {
-  const auto xyz = items(3, "a point [x, y, z]");
-  if (xyz.empty()) return Vec3::Zero();
-  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
-}
-
-std::optional<Vec3> JsonPlace::direction() const {
-  if (!given()) return std::nullopt;
-  const auto xyz = items(3, "a direction [x, y, z]");
-  if (xyz.empty()) return std::nullopt;
-  const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
-  if (v.norm() > 0.0) return v.normalized();
-  mistake("is [0, 0, 0], which is no direction");
-  return std::nullopt;
-}
+int JsonPlace::whole() const { return static_cast<int>(number()); }
 
 std::string JsonPlace::text() const {
-  if (!given() || reading_->error()) return {};
-  if (value_->is_string() && !value_->get_ref<const std::string&>().empty())
-    return value_->get<std::string>();
-  mistake(fmt::format("must be a text that is not empty, not {}", shown()));
-  return {};
+  const Json& value = content();
+  return value.is_string() ? value.get<std::string>() : std::string();
 }
 
 bool JsonPlace::yes() const {
-  if (!given() || reading_->error()) return false;
-  if (value_->is_boolean()) return value_->get<bool>();
-  mistake(fmt::format("must be true or false, not {}", shown()));
-  return false;
+  const Json& value = content();
+  return value.is_boolean() && value.get<bool>();
 }
 
-std::optional<double> JsonPlace::maybe_number(const Allowed& allowed) const {
-  return given() ? std::optional(number(allowed)) : std::nullopt;
+Vec3 JsonPlace::point() const {
+  const auto xyz = items();
+  if (xyz.size() != 3) return Vec3::Zero();
+  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
 }
 
-std::optional<double> JsonPlace::maybe_length(const Allowed& allowed) const {
-  return given() ? std::optional(length(allowed)) : std::nullopt;
+Vec2 JsonPlace::plane_point() const {
+  const auto xy = items();
+  if (xy.size() != 2) return Vec2::Zero();
+  return {xy[0].length(), xy[1].length()};
 }
 
-std::optional<Angle> JsonPlace::maybe_angle(const Allowed& allowed) const {
-  return given() ? std::optional(angle(allowed)) : std::nullopt;
+std::optional<Vec3> JsonPlace::direction() const {
+  const auto xyz = items();
+  if (xyz.size() != 3) return std::nullopt;
+  const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
+  if (v.norm() > 0.0) return v.normalized();
+  mistake("is [0, 0, 0], which has no direction");
+  return std::nullopt;
 }
 
-bool JsonPlace::is_text(std::string_view text) const {
-  return value_->is_string() && value_->get_ref<const std::string&>() == text;
+bool JsonPlace::is_text() const { return content().is_string(); }
+
+bool JsonPlace::is_list() const { return content().is_array(); }
+
+std::optional<double> JsonPlace::maybe_number() const {
+  return given() ? std::optional(number()) : std::nullopt;
 }
 
-bool JsonPlace::is_list() const { return given() && value_->is_array(); }
+std::optional<double> JsonPlace::maybe_length() const {
+  return given() ? std::optional(length()) : std::nullopt;
+}
 
-void JsonPlace::not_among(const std::vector<std::string_view>& words) const {
-  mistake(fmt::format("must be one of {}, not {}", fmt::join(words, ", "), shown()));
+std::optional<Angle> JsonPlace::maybe_angle() const {
+  return given() ? std::optional(angle()) : std::nullopt;
 }
 
 }  // namespace planish::job

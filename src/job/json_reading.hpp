@@ -1,14 +1,11 @@
 #pragma once
 
-#include "json_parts.hpp"
+#include "schema.hpp"
 
 #include <planish/base/angle.hpp>
-#include <planish/base/result.hpp>
 #include <planish/geometry/frame.hpp>
 #include <planish/io/flat_writers.hpp>
 
-#include <initializer_list>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,123 +14,119 @@
 
 namespace planish::job {
 
-/// Numbers that are allowed, and how a message says so.
-struct Allowed {
-  std::string_view words;  ///< "a number above 0"
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool low_too = true, high_too = true;  ///< the limits themselves
-};
-inline constexpr Allowed kAnyNumber{"a number"};
-inline constexpr Allowed kAtLeastZero{"a number of at least 0", 0.0};
-inline constexpr Allowed kAboveZero{"a number above 0", 0.0,
-                                    std::numeric_limits<double>::infinity(), false};
-inline constexpr Allowed kShare{"a number from 0 to 1", 0.0, 1.0};
+/// Words of a JSON document, each standing for a value: the schema takes them, the reader turns
+/// them into values.
+template <typename T>
+using Words = std::vector<std::pair<std::string_view, T>>;
 
-/// A JSON document while it is read. The first mistake stays, and what is read after it is empty or
-/// zero, so that whoever reads asks for one thing after the other and looks for `error` at the end.
+template <typename T>
+Schema words(const Words<T>& meanings) {
+  std::vector<std::string_view> known;
+  for (const auto& [word, value] : meanings)
+    known.push_back(word);
+  return words(known);
+}
+
+inline const Words<LengthUnit>& unit_words() {
+  static const Words<LengthUnit> words{
+      {"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}};
+  return words;
+}
+
+/// A JSON document that was checked against its schema. What it means beyond that is asked for
+/// place by place; the first mistake stays, and what is read from a wrong document is empty or
+/// zero.
 class JsonReading {
  public:
-  /// `what` names the file's kind in messages ("plates file"), `name` the file itself.
-  JsonReading(const std::string& text, std::string what, std::string name);
+  /// `what` names the file's kind in messages ("plates file"), `name` the file itself. `schema`
+  /// must outlive the reading.
+  JsonReading(const std::string& text, std::string what, std::string name, const Schema& schema);
   JsonReading(const JsonReading&) = delete;
   JsonReading& operator=(const JsonReading&) = delete;
 
-  /// `invalid_input`: `where` is name:line:column for text that is no JSON, else name and JSON
-  /// pointer. None: all was well so far.
+  /// `invalid_input`: `where` is name:line:column for text that is not JSON, else name and JSON
+  /// pointer. Empty while all is well.
   const std::optional<Error>& error() const { return error_; }
 
   const Json& document() const { return document_; }
-  /// What the file's lengths are given in; mm until `read_unit`.
+  const Schema& schema() const { return schema_; }
+  /// What the file's lengths are given in: its "units", mm where it has none.
   LengthUnit unit() const { return unit_; }
-  void set_unit(LengthUnit unit) { unit_ = unit; }
 
   /// Enters a mistake: "<what>: <pointer> <sentence>".
   void mistake(const std::string& pointer, const std::string& sentence);
 
  private:
   void parse(const std::string& text);
+  void read_unit();
 
   std::string what_, name_;
+  const Schema& schema_;
   Json document_;
   LengthUnit unit_ = LengthUnit::mm;
   std::optional<Error> error_;
 };
 
-/// A value in a document and its JSON pointer (RFC 6901); maybe one that is not there. The reading
-/// must outlive it.
+/// A value in a checked document, its schema and its JSON pointer (RFC 6901); perhaps one that was
+/// left out. The reading must outlive it.
 class JsonPlace {
  public:
   /// The whole document.
-  explicit JsonPlace(JsonReading& reading) : reading_(&reading), value_(&reading.document()) {}
+  explicit JsonPlace(JsonReading& reading)
+      : reading_(&reading), schema_(&reading.schema()), value_(&reading.document()) {}
 
   const std::string& pointer() const { return pointer_; }
   bool given() const { return value_ != nullptr; }
   /// Enters a mistake about this place: "/plates/2/id" + " " + sentence.
   void mistake(const std::string& sentence) const { reading_->mistake(pointer_, sentence); }
 
-  /// The value must be an object with all of the required keys and no others but the optional ones.
-  void keys(const std::vector<std::string>& required,
-            const std::vector<std::string>& optional = {}) const;
-  /// Keys "format" and "version", where they are given, must be these.
-  void format(const std::string& format, int version) const;
-  /// Key "units": "mm", "inch" or "m", for all lengths read from then on; mm where it is missing.
-  void read_unit() const;
-
-  /// The value under a key; not given where the key is missing.
+  /// The value under a key that the schema knows.
   JsonPlace operator[](const std::string& key) const;
-  /// The elements of a list; a list is asked for. None of a place that is not given.
+  /// The elements of a list; none where it was left out.
   std::vector<JsonPlace> items() const;
-  /// A list of exactly n elements; empty for any other, which is a mistake. `words` says what the
-  /// list is: "a point [x, y, z]".
-  std::vector<JsonPlace> items(std::size_t n, std::string_view words) const;
   /// Keys and values of an object, in the order of the file.
   std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-  double number(const Allowed& allowed = kAnyNumber) const;
-  /// Millimetres, from the file's unit.
-  double length(const Allowed& allowed = kAnyNumber) const;
-  /// From degrees.
-  Angle angle(const Allowed& allowed = kAnyNumber) const;
-  /// A whole number of at least 0.
-  int index() const;
-  /// [x, y, z] in millimetres; zero for a mistake.
-  Vec3 point() const;
-  /// [x, y, z], made one long; none where the place is not given, or for a mistake.
+  /// The value, or the schema's default where it was left out.
+  double number() const;
+  double length() const;  ///< mm, from the file's unit
+  Angle angle() const;    ///< from degrees
+  int whole() const;
+  std::string text() const;
+  bool yes() const;
+  Vec3 point() const;        ///< [x, y, z] in mm
+  Vec2 plane_point() const;  ///< [x, y] in mm
+  /// [x, y, z], made one long; empty where it was left out. A mistake for [0, 0, 0].
   std::optional<Vec3> direction() const;
-  std::string text() const;  ///< not empty
-  bool yes() const;          ///< true or false
-  /// Whether it is this text, or a list; anything else is no mistake.
-  bool is_text(std::string_view text) const;
+  bool is_text() const;
   bool is_list() const;
+  const Json& json() const { return *value_; }
 
-  /// The same, none where the place is not given.
-  std::optional<double> maybe_number(const Allowed& allowed = kAnyNumber) const;
-  std::optional<double> maybe_length(const Allowed& allowed = kAnyNumber) const;
-  std::optional<Angle> maybe_angle(const Allowed& allowed = kAnyNumber) const;
+  /// The same, empty where it was left out.
+  std::optional<double> maybe_number() const;
+  std::optional<double> maybe_length() const;
+  std::optional<Angle> maybe_angle() const;
 
-  /// One of several words, each standing for a value; `otherwise` where the place is not given.
+  /// What the word stands for.
   template <typename T>
-  T choice(const std::vector<std::pair<std::string_view, T>>& words, T otherwise) const {
-    if (!given()) return otherwise;
-    std::vector<std::string_view> known;
-    for (const auto& [word, value] : words) {
-      if (is_text(word)) return value;
-      known.push_back(word);
-    }
-    not_among(known);
-    return otherwise;
+  T choice(const Words<T>& words) const {
+    const std::string word = text();
+    for (const auto& [known, value] : words)
+      if (known == word) return value;
+    return words.front().second;
   }
 
  private:
-  JsonPlace(JsonReading* reading, const Json* value, std::string pointer)
-      : reading_(reading), value_(value), pointer_(std::move(pointer)) {}
-  JsonPlace child(const std::string& token, const Json* value) const;
-  std::string shown() const;
-  void not_among(const std::vector<std::string_view>& words) const;
-  double scaled(const Allowed& allowed, double scale) const;
+  JsonPlace(JsonReading* reading, const Schema* schema, const Json* value, std::string pointer)
+      : reading_(reading), schema_(schema), value_(value), pointer_(std::move(pointer)) {}
+  JsonPlace child(const std::string& token, const Schema* schema, const Json* value) const;
+  /// The value or the default; null for neither, and in a wrong document.
+  const Json& content() const;
+  /// The schema of what is there, where it leaves a choice.
+  const Schema& branch() const;
 
   JsonReading* reading_;
+  const Schema* schema_;
   const Json* value_;
   std::string pointer_;
 };

@@ -41,8 +41,8 @@ void summarize_k(SheetSummary& summary, const FlatPattern& flat, const Allowance
 
 std::optional<double> mass_of(const Report& report, std::optional<double> density) {
   if (!density) return std::nullopt;
-  const double solid = report.sheet.volume;
-  const double volume = solid > 0.0 ? solid : report.flat.area * report.sheet.thickness;
+  const double solid = report.summary.volume;
+  const double volume = solid > 0.0 ? solid : report.flat.area * report.summary.thickness;
   return *density * volume / kCubicDecimetre;
 }
 
@@ -57,7 +57,7 @@ void take_pattern(Report& report, FlatSheet flat, const SheetToLay& given,
   report.layout = std::move(flat.layout);
   report.size = blank_size(report.flat);
   report.mass = mass_of(report, given.checks.density);
-  summarize_k(report.sheet, report.flat, options.allowance);
+  summarize_k(report.summary, report.flat, options.allowance);
 }
 
 std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOptions options) {
@@ -119,7 +119,7 @@ SheetSummary summary_of(const Sheet& sheet) {
 std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
                               const FlattenOptions& options, const Progress& progress) {
   if (progress.should_stop()) return stopped();
-  report.laid = given.sheet;
+  report.sheet = given.sheet;
   if (given.checks.effort == Effort::draft) return drafted(report, given, options);
   if (auto error = certified(report, given, options, progress)) return error;
   if (progress.should_stop()) return stopped();

@@ -46,32 +46,6 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-std::string file_name(const std::string& stem, OutputFormat format) {
-  switch (format) {
-    case OutputFormat::dxf:
-      return stem + ".dxf";
-    case OutputFormat::svg:
-      return stem + ".svg";
-    case OutputFormat::step:
-      break;
-  }
-  return stem + "_flat.step";
-}
-
-Result<std::string> composed(const Report& report, OutputFormat format, const DxfOptions& dxf,
-                             const SvgOptions& svg) {
-  PLANISH_ASSERT(report.has_pattern());
-  switch (format) {
-    case OutputFormat::dxf:
-      return dxf_text(report.flat, dxf);
-    case OutputFormat::svg:
-      return svg_text(report.flat, svg);
-    case OutputFormat::step:
-      break;
-  }
-  return flat_solid_step(report.flat, report.body);
-}
-
 std::string safe_name(const std::string& name) {
   std::string safe;
   for (const CodePoint& c : code_points(name)) {
@@ -93,7 +67,7 @@ std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
     all.emplace_back();
     if (!report.has_pattern()) continue;
     const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
-                                           trimmed_number(report.sheet.thickness, 3));
+                                           trimmed_number(report.summary.thickness, 3));
     std::string stem = wanted;
     // "a-2" may itself be a body's name, so numbers are tried until the stem is free.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {

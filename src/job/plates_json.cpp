@@ -1,3 +1,4 @@
+#include "input_schemas.hpp"
 #include "json_reading.hpp"
 
 #include <planish/job/plates_json.hpp>
@@ -12,8 +13,61 @@ namespace {
 
 constexpr auto kFormat = "planish/plates";
 constexpr int kVersion = 1;
-constexpr Allowed kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false, false};
-constexpr Allowed kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
+constexpr Range kAperture{"an angle above 0 and below 180 degrees", 0.0, 180.0, false, false};
+constexpr Range kTurn{"an angle from -360 to 360 degrees", -360.0, 360.0};
+
+const Words<SurfaceChoice> kSurfaces{{"auto", SurfaceChoice::automatic},
+                                     {"cylinder", SurfaceChoice::cylinder},
+                                     {"cone", SurfaceChoice::cone},
+                                     {"general", SurfaceChoice::general}};
+const Words<LateralBoundary> kBoundaries{{"auto", LateralBoundary::automatic},
+                                         {"straight", LateralBoundary::straight},
+                                         {"arc", LateralBoundary::arc},
+                                         {"corner", LateralBoundary::corner}};
+
+Schema polygon() { return list(space_point()); }
+
+Schema plate_schema() {
+  return object({required("id", text().said("name of the plate, its own")),
+                 required("outline", polygon().said("corners in space, in one plane")),
+                 optional("holes", list(polygon()).said("corners of each hole"))});
+}
+
+Schema bend_schema() {
+  return object(
+      {required("between", list(text()).said("ids of the plates: two, one (its other end is free) "
+                                             "or none (a section of its own)")),
+       optional("edges", map(list(whole()))
+                             .said("edges of a plate that the bend may take, by the "
+                                   "plate's id; edge i runs from corner i")),
+       optional("surface", words(kSurfaces).defaulting("auto").said("of the bend")),
+       optional("inside_radius", length(kAtLeastZero).said("at the narrow end of a cone")),
+       optional("inside_radii", tuple(2, length(kAtLeastZero), "two radii [left, right]")
+                                    .said("of a cone, at both ends")),
+       optional("aperture", angle(kAperture).said("of a cone")),
+       optional("slope", number().said("of the tangent line, sideways over along")),
+       optional("apex", length().said("of a cone, along the line in which the plates meet")),
+       optional("tangent_point", space_point().said("that the tangent line passes through")),
+       optional("lateral",
+                words(kBoundaries).defaulting("auto").said("the bend's boundary between plates")),
+       optional("trade_off", number(kAtLeastZero)
+                                 .defaulting(BendRequest{}.trade_off)
+                                 .said("weight of a wide bend against short extensions")),
+       optional("angle", angle(kTurn).said("that a section with a free end turns")),
+       optional("length", length(kAboveZero).said("of a section without plates"))});
+}
+
+Schema make_schema() {
+  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  fields.push_back(optional("units", units()));
+  fields.push_back(optional("k_factor", number(kShare).said("of every bend; 0.44 where no rule is "
+                                                            "asked for")));
+  fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
+  fields.push_back(required("plates", list(plate_schema())));
+  fields.push_back(optional("bends", list(bend_schema()).said("all others are found")));
+  fields.push_back(optional("root", text().said("id of the plate that stays where it is")));
+  return object(std::move(fields)).said("Plates in space to be joined by bends");
+}
 
 std::vector<Vec3> polygon_at(const JsonPlace& place) {
   std::vector<Vec3> corners;
@@ -23,7 +77,6 @@ std::vector<Vec3> polygon_at(const JsonPlace& place) {
 }
 
 Plate plate_at(const JsonPlace& place) {
-  place.keys({"id", "outline"}, {"holes"});
   Plate plate{place["id"].text(), polygon_at(place["outline"]), {}};
   for (const JsonPlace& hole : place["holes"].items())
     plate.holes.push_back(polygon_at(hole));
@@ -63,7 +116,7 @@ std::vector<std::string> ids_at(const JsonPlace& place) {
 std::vector<int> edges_at(const JsonPlace& place) {
   std::vector<int> edges;
   for (const JsonPlace& item : place.items()) {
-    const int edge = item.index();
+    const int edge = item.whole();
     if (std::find(edges.begin(), edges.end(), edge) != edges.end())
       item.mistake(fmt::format("is {}, which stands in the list already", edge));
     edges.push_back(edge);
@@ -76,7 +129,7 @@ void read_edges(BendRequest& bend, const JsonPlace& place) {
   for (const auto& [id, list] : place.members()) {
     const auto side = std::find(bend.between.begin(), bend.between.end(), id);
     if (side == bend.between.end()) {
-      list.mistake(fmt::format("is no plate of this bend, which has {}",
+      list.mistake(fmt::format("is not a plate of this bend, which has {}",
                                bend.between.empty()
                                    ? std::string("none")
                                    : fmt::format("{}", fmt::join(bend.between, " and "))));
@@ -87,20 +140,18 @@ void read_edges(BendRequest& bend, const JsonPlace& place) {
 }
 
 void read_sizes(BendRequest& bend, const JsonPlace& place) {
-  bend.inside_radius = place["inside_radius"].maybe_length(kAtLeastZero);
+  bend.inside_radius = place["inside_radius"].maybe_length();
   if (const JsonPlace both = place["inside_radii"]; both.given()) {
-    const auto radii = both.items(2, "two radii [left, right]");
-    if (!radii.empty()) {
-      bend.inside_radii = {radii[0].length(kAtLeastZero), radii[1].length(kAtLeastZero)};
-    }
+    const auto radii = both.items();
+    if (radii.size() == 2) bend.inside_radii = {radii[0].length(), radii[1].length()};
   }
-  bend.aperture = place["aperture"].maybe_angle(kAperture);
+  bend.aperture = place["aperture"].maybe_angle();
   bend.slope = place["slope"].maybe_number();
   bend.apex = place["apex"].maybe_length();
   if (place["tangent_point"].given()) bend.tangent_point = place["tangent_point"].point();
-  bend.trade_off = place["trade_off"].maybe_number(kAtLeastZero).value_or(bend.trade_off);
-  bend.angle = place["angle"].maybe_angle(kTurn);
-  bend.length = place["length"].maybe_length(kAboveZero);
+  bend.trade_off = place["trade_off"].number();
+  bend.angle = place["angle"].maybe_angle();
+  bend.length = place["length"].maybe_length();
 }
 
 // What cannot be meant together, whatever the plates are.
@@ -117,7 +168,7 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
         "from where they lie: leave it out");
   if (bend.between.size() < 2)
     for (const char* key : {"slope", "apex", "aperture", "tangent_point", "lateral"})
-      if (place[key].given() && !place[key].is_text("auto") && !place[key].is_text("arc"))
+      if (place[key].given() && place[key].text() != "auto" && place[key].text() != "arc")
         place[key].mistake(
             "belongs to a bend between two plates; a section has inside_radius or inside_radii, "
             "angle and ends "
@@ -129,21 +180,11 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
 }
 
 BendRequest bend_at(const JsonPlace& place) {
-  place.keys({"between"}, {"edges", "surface", "inside_radius", "inside_radii", "aperture", "slope",
-                           "apex", "tangent_point", "lateral", "trade_off", "angle", "length"});
   BendRequest bend;
   bend.between = ids_at(place["between"]);
   read_edges(bend, place["edges"]);
-  bend.surface = place["surface"].choice<SurfaceChoice>({{"auto", SurfaceChoice::automatic},
-                                                         {"cylinder", SurfaceChoice::cylinder},
-                                                         {"cone", SurfaceChoice::cone},
-                                                         {"general", SurfaceChoice::general}},
-                                                        bend.surface);
-  bend.lateral = place["lateral"].choice<LateralBoundary>({{"auto", LateralBoundary::automatic},
-                                                           {"straight", LateralBoundary::straight},
-                                                           {"arc", LateralBoundary::arc},
-                                                           {"corner", LateralBoundary::corner}},
-                                                          bend.lateral);
+  bend.surface = place["surface"].choice(kSurfaces);
+  bend.lateral = place["lateral"].choice(kBoundaries);
   read_sizes(bend, place);
   check_together(bend, place);
   return bend;
@@ -151,23 +192,25 @@ BendRequest bend_at(const JsonPlace& place) {
 
 }  // namespace
 
+const Schema& plates_schema() {
+  static const Schema schema = make_schema();
+  return schema;
+}
+
 Result<PlatesFile> parse_plates(const std::string& json, const std::string& name) {
-  JsonReading reading(json, "plates file", name);
+  JsonReading reading(json, "plates file", name, plates_schema());
   const JsonPlace file(reading);
-  file.keys({"thickness", "plates"}, {"format", "version", "units", "k_factor", "bends", "root"});
-  file.format(kFormat, kVersion);
-  file.read_unit();
   PlatesFile plates;
   plates.units = reading.unit();
-  plates.k_factor = file["k_factor"].maybe_number(kShare);
+  plates.k_factor = file["k_factor"].maybe_number();
   PlateStructure& structure = plates.structure;
-  structure.thickness = file["thickness"].length(kAboveZero);
+  structure.thickness = file["thickness"].length();
   structure.plates = plates_at(file["plates"]);
   for (const JsonPlace& bend : file["bends"].items())
     structure.bends.push_back(bend_at(bend));
-  if (file["root"].given()) structure.root = file["root"].text();
+  structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
-    file["plates"].mistake("holds no plate, and there is no bend that could do without");
+    file["plates"].mistake("is empty: give plates, or bends between no plates");
   if (reading.error()) return tl::unexpected(*reading.error());
   return plates;
 }

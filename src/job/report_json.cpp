@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "json_parts.hpp"
+#include "report_schema.hpp"
 #include "units.hpp"
 
 #include <planish/job/unfold.hpp>
@@ -13,7 +14,7 @@ Json line_json(const Segment& line, const Units& units) {
 
 Json sheet_json(const Report& report, const Units& units) {
   if (!sheet_known(report)) return nullptr;
-  const SheetSummary& sheet = report.sheet;
+  const SheetSummary& sheet = report.summary;
   Json json;
   json["thickness"] = number_json(units.length(sheet.thickness));
   json["thickness_spread"] = number_json(units.length(sheet.thickness_spread));
@@ -58,7 +59,17 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   return json;
 }
 
-Json flat_json(const Report& report, const Units& units, const BendDetails& details) {
+void add_bends(Json& rows, const FlatPattern& flat, const Units& units,
+               const BendDetails& details) {
+  int order = 0;
+  for (const FlatBend& bend : flat.bends) {
+    rows.push_back(bend_json(bend, ++order, units));
+    if (details) details(rows.back(), bend);
+  }
+}
+
+Json flat_json(const Report& report, const Units& units, BendList bends,
+               const BendDetails& details) {
   if (!flat_known(report)) return nullptr;
   const FlatPattern& flat = report.flat;
   Json json;
@@ -69,11 +80,7 @@ Json flat_json(const Report& report, const Units& units, const BendDetails& deta
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
-  int order = 0;
-  for (const FlatBend& bend : flat.bends) {
-    json["bends"].push_back(bend_json(bend, ++order, units));
-    if (details) details(json["bends"].back(), bend);
-  }
+  if (bends == BendList::shown) add_bends(json["bends"], flat, units, details);
   if (!flat.labels.empty()) json["labels"] = Json::array();
   for (const FlatLabel& label : flat.labels)
     json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});
@@ -121,13 +128,13 @@ Json begun_report(const Report& report, std::string_view command) {
   return json;
 }
 
-void finish_report(Json& json, const Report& report, const BendDetails& details) {
+void finish_report(Json& json, const Report& report, BendList bends, const BendDetails& details) {
   const Units units(report.units);
   json["units"] = units.name();
   json["status"] = status_name(report.status());
   json["reason"] = reason_json(report.refusal);
   json["sheet"] = sheet_json(report, units);
-  json["flat"] = flat_json(report, units, details);
+  json["flat"] = flat_json(report, units, bends, details);
   json["verification"] = verification_json(report, units);
   json["checks"] = Json::array();
   for (const Finding& finding : report.findings)
@@ -143,6 +150,12 @@ Json report_value(const UnfoldReport& report) {
   json["quantity"] = report.quantity;
   finish_report(json, report);
   return json;
+}
+
+ReportDetails unfold_report_details() {
+  return {{optional("body", any_text()), optional("body_number", whole(1)),
+           optional("quantity", whole(1))},
+          {}};
 }
 
 std::string report_json(const UnfoldReport& report) { return text_of(report_value(report)); }

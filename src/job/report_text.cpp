@@ -26,7 +26,7 @@ std::string title(const UnfoldReport& report) {
 }
 
 std::string sheet_line(const Report& report, const Units& units) {
-  const SheetSummary& sheet = report.sheet;
+  const SheetSummary& sheet = report.summary;
   std::string text = fmt::format("sheet {} {} (spread {}), {}, {}",
                                  units.short_text(sheet.thickness), units.symbol(),
                                  units.length_text(sheet.thickness_spread),

@@ -1,14 +1,13 @@
 #pragma once
 
+#include "json_parts.hpp"
+
 #include <planish/base/angle.hpp>
 #include <planish/job/report.hpp>
 
 #include <string>
 
 namespace planish::job {
-
-/// Whether a report lists its bends one by one.
-enum class BendList { shown, left_out };
 
 /// A report as a person reads it, behind `title` and a colon; `tables` follow that of the bends.
 std::string text_of(const Report& report, const std::string& title, const std::string& tables,

@@ -1,3 +1,4 @@
+#include "input_schemas.hpp"
 #include "json_reading.hpp"
 
 #include <planish/job/rules_json.hpp>
@@ -10,11 +11,16 @@ namespace {
 constexpr auto kFormat = "planish/rules";
 constexpr int kVersion = 1;
 
-std::vector<std::string> known_keys() {
-  std::vector<std::string> keys{"format", "version", "enabled"};
+Schema make_schema() {
+  const Rules usual;
+  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  fields.push_back(
+      optional("enabled", flag().defaulting(usual.enabled).said("false turns every rule off")));
   for (const RuleField& field : rule_fields())
-    keys.emplace_back(field.name);
-  return keys;
+    fields.push_back(optional(std::string(field.name), number(kAtLeastZero)
+                                                           .defaulting(usual.*(field.value))
+                                                           .said(std::string(field.description))));
+  return object(std::move(fields)).said("Thresholds of the rules of manufacture");
 }
 
 }  // namespace
@@ -30,17 +36,18 @@ std::string rules_json(const Rules& rules) {
   return text_of(json);
 }
 
+const Schema& rules_schema() {
+  static const Schema schema = make_schema();
+  return schema;
+}
+
 Result<Rules> parse_rules(const std::string& text, const std::string& name) {
-  JsonReading reading(text, "rules file", name);
+  JsonReading reading(text, "rules file", name, rules_schema());
   const JsonPlace file(reading);
-  file.keys({}, known_keys());
-  file.format(kFormat, kVersion);
   Rules rules;
-  if (const JsonPlace enabled = file["enabled"]; enabled.given()) rules.enabled = enabled.yes();
-  for (const RuleField& field : rule_fields()) {
-    double& threshold = rules.*(field.value);
-    threshold = file[std::string(field.name)].maybe_number(kAtLeastZero).value_or(threshold);
-  }
+  rules.enabled = file["enabled"].yes();
+  for (const RuleField& field : rule_fields())
+    rules.*(field.value) = file[std::string(field.name)].number();
   if (rules.k_low > rules.k_high) {
     file["k_low"].mistake(
         fmt::format("is {}, above k_high, which is {}", rules.k_low, rules.k_high));

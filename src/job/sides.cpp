@@ -39,19 +39,21 @@ Result<int> face_number(const std::string& text, const std::string& option,
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error == std::errc() && stop == end) return number;
-  return fail(ErrorCode::bad_option,
-              fmt::format("{} takes {} or a face number, not \"{}\"", option, words, text), option);
+  return fail(
+      ErrorCode::bad_option,
+      fmt::format("`{}` must be {} or the number of a face, not \"{}\"", option, words, text),
+      option);
 }
 
 Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& root) {
   if (root == "largest") return std::optional<FaceId>();
-  const Result<int> number = face_number(root, "--root", "\"largest\"");
+  const Result<int> number = face_number(root, "root", "largest");
   if (!number) return tl::unexpected(number.error());
   const auto found = face_numbered(sheet, *number, is_flange_face);
   if (found) return found;
   return fail(
       ErrorCode::no_such_face,
-      fmt::format("face {} is no flange on the skin that is unfolded; the faces that can be "
+      fmt::format("face {} is not a flange of the skin that is unfolded; the faces that can be "
                   "the root are {}",
                   *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
       fmt::format("face {}", *number));
@@ -61,19 +63,19 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
   if (up == "auto") return UpSide::automatic;
   if (up == "reference") return UpSide::reference;
   if (up == "other") return UpSide::other;
-  const Result<int> number = face_number(up, "--up", "\"auto\", \"reference\", \"other\"");
+  const Result<int> number = face_number(up, "up", "auto, reference, other");
   if (!number) return tl::unexpected(number.error());
   const FaceTest any = [](const Face&) { return true; };
   if (face_numbered(sheet, *number, any)) return UpSide::reference;
   return fail(ErrorCode::no_such_face,
-              fmt::format("face {} is not on the reference skin; that has the faces {}, and "
-                          "\"--up other\" turns the opposite skin up",
+              fmt::format("face {} is not on the reference skin, which has the faces {}; "
+                          "`up` other turns the opposite skin up",
                           *number, fmt::join(numbers(sheet, any), ", ")),
               fmt::format("face {}", *number));
 }
 
 Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
-                                                            const UnfoldRequest& request) {
+                                                            const Request& request) {
   const int count = static_cast<int>(sheet.bends.size());
   std::vector<std::pair<BendId, double>> rows;
   for (const auto& [id, k] : request.bend_k) {
@@ -93,9 +95,9 @@ Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
 
 }  // namespace
 
-Result<FlattenOptions> flatten_options(const Sheet& sheet, const UnfoldRequest& request) {
+Result<FlattenOptions> flatten_options(const Sheet& sheet, const Request& request) {
   FlattenOptions options;
-  options.allowance = request.allowance;
+  options.allowance = request.allowance.value_or(ConstantK{});
   const auto bend_k = single_bends(sheet, request);
   if (!bend_k) return tl::unexpected(bend_k.error());
   options.bend_k = *bend_k;

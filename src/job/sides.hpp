@@ -11,6 +11,6 @@ namespace planish::job {
 
 /// What `flatten` needs to know, from the words and face numbers of a request. Errors:
 /// `no_such_face` (the message lists the valid ones), `bad_option` for a word not understood.
-Result<FlattenOptions> flatten_options(const Sheet& sheet, const UnfoldRequest& request);
+Result<FlattenOptions> flatten_options(const Sheet& sheet, const Request& request);
 
 }  // namespace planish::job

@@ -1,15 +1,15 @@
 #include "folded.hpp"
+#include "from_file.hpp"
 #include "lay_flat.hpp"
+#include "made_report.hpp"
 #include "units.hpp"
 
 #include <planish/job/slit.hpp>
-#include <planish/job/text_file.hpp>
 #include <planish/sheet/slots.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace planish::job {
@@ -17,19 +17,6 @@ namespace {
 
 /// Hinges of plane pieces: their images are exact (mm).
 constexpr double kOutline = 1e-9;
-
-/// Where a file's names of other files are sought.
-std::filesystem::path folder_of(const std::filesystem::path& input) {
-  return input == "-" ? std::filesystem::path() : input.parent_path();
-}
-
-SlitReport begun(const MakeRequest& request, LengthUnit unit) {
-  SlitReport report;
-  report.input = request.input.string();
-  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
-  report.units = request.units.value_or(unit);
-  return report;
-}
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
   const auto done = session.solve({}, progress);
@@ -171,13 +158,13 @@ Error at_kerf(Error error, const SlitFile& file) {
 }
 
 std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
-                                const SlitFile& file, const MakeRequest& request,
+                                const SlitFile& file, const Request& request,
                                 const Progress& progress) {
   const std::string name = place_name(report.input);
   take_result(report, session);
   if (auto missed = out_of_reach(report)) return placed(*missed, name);
   const Sheet sheet = sheet_of(report.folded);
-  report.sheet = summary_of(sheet);
+  report.summary = summary_of(sheet);
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
   options.curve_tolerance = options.merge_tolerance = kOutline;
@@ -197,7 +184,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   return std::nullopt;
 }
 
-std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRequest& request,
+std::optional<Error> fill(SlitReport& report, const SlitFile& file, const Request& request,
                           const Progress& progress) {
   const auto session = solved(file, report, progress);
   if (!session) return placed(session.error(), place_name(report.input));
@@ -207,45 +194,27 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const MakeRe
 }  // namespace
 
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
-                               const MakeRequest& request, const Progress& progress) {
-  SlitReport report = begun(request, file.units);
+                               const Request& request, const Progress& progress) {
+  SlitReport report = begun<SlitReport>(request, file.units);
   if (const auto error = reported(
           report, [&] { return lay_solved(report, session, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
 
-Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request,
+Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
                               const Progress& progress) {
-  SlitReport report = begun(request, file.units);
+  SlitReport report = begun<SlitReport>(request, file.units);
   if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
 
-Result<SlitReport> slit(const MakeRequest& request, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto text = read_text(request.input, "slit file");
-  if (!text) return tl::unexpected(text.error());
-  const auto file = parse_slits(*text, place_name(request.input.string()),
-                                folder_of(request.input));
-  if (!file) return tl::unexpected(file.error());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  auto report = slit_sheet(*file, request, progress);
-  if (report) report->read_seconds = taken.count();
-  return report;
-}
-
-std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input) {
-  if (input == "-") return {};
-  const auto text = read_text(input, "slit file");
-  return text ? point_files_of(*text, folder_of(input)) : std::vector<std::filesystem::path>{};
-}
-
-SlitReport failed_slit(const MakeRequest& request, const Error& error) {
-  SlitReport report = begun(request, LengthUnit::mm);
-  report.refusal = error;
-  return report;
+Result<SlitReport> slit(const Request& request, const Progress& progress) {
+  const auto parse = [](const InputFile& input) {
+    return parse_slits(input.content, input.name, input.folder);
+  };
+  return from_file(request, "slit file", parse, slit_sheet, progress);
 }
 
 }  // namespace planish::job

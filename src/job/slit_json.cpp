@@ -1,3 +1,4 @@
+#include "input_schemas.hpp"
 #include "json_reading.hpp"
 
 #include <planish/job/slit_json.hpp>
@@ -14,87 +15,150 @@ constexpr auto kFormat = "planish/slits";
 constexpr int kVersion = 1;
 constexpr int kMostSubdivisions = 6;
 
+constexpr int kMostStrips = 10000;
+
+const Words<Side> kSides{{"left", Side::left}, {"right", Side::right}};
+const Words<EndAngle> kEndAngles{
+    {"right_angle", EndAngle::right_angle}, {"level", EndAngle::level}, {"free", EndAngle::free}};
+const Words<double SlitWeights::*> kWeights{
+    {"smooth", &SlitWeights::smooth},   {"spacing", &SlitWeights::spacing},
+    {"anchors", &SlitWeights::anchors}, {"seat", &SlitWeights::seat},
+    {"spread", &SlitWeights::spread},   {"scan", &SlitWeights::scan}};
+
+Schema curve_schema(std::string description) {
+  return object({required("bezier", list(tuple(2, length(), "a pole [a, b]")).said("its poles"))})
+      .said(std::move(description));
+}
+
+Schema strip_schema() {
+  return object({required("width", length(kAboveZero)),
+                 optional("gap", length(kAtLeastZero).defaulting(0).said("to the next strip")),
+                 optional("left_start", length().said("where its left slit begins")),
+                 optional("right_start", length().said("where its right slit begins")),
+                 optional("end", length().said("where it ends; half_length where left out"))});
+}
+
+/// A number of strips with one width, or a list of strips.
+Schema sheet_schema() {
+  const auto with = [](std::vector<Field> strips) {
+    strips.push_back(required("panel_height", length(kAboveZero).said("of what is not slit")));
+    strips.push_back(
+        required("half_length", length(kAboveZero)
+                                    .said("of the sheet along the strips; the length of the "
+                                          "strips of sheets that are not symmetric")));
+    strips.push_back(
+        optional("margin", length(kAtLeastZero).defaulting(0).said("beside the outer strips")));
+    return object(std::move(strips));
+  };
+  return by_key("strip_width",
+                with({required("strips", whole(1, kMostStrips).said("how many")),
+                      required("strip_width", length(kAboveZero).said("of each"))}),
+                with({required("strips", list(strip_schema()))}));
+}
+
+Schema anchor_schema() {
+  return object({required("strip", whole()), required("ridge", whole()),
+                 required("at", space_point().said("where the end of the ridge is held")),
+                 optional("side", words(kSides).defaulting("left").said("which end of it"))});
+}
+
+Schema end_schema() {
+  return object({required("strip", whole()), optional("position", space_point()),
+                 optional("direction", space_direction()), optional("across", space_direction())});
+}
+
+Schema scan_schema() {
+  return object({required("strip", whole()),
+                 required("points", any_of({list(space_point()), text()},
+                                           "a list of points [x, y, z] or the name of a file"))});
+}
+
+Schema weights_schema() {
+  std::vector<Field> fields;
+  for (const auto& [name, weight] : kWeights)
+    fields.push_back(optional(std::string(name), number().defaulting(SlitWeights{}.*weight)));
+  return object(std::move(fields)).said("of what strips are drawn towards");
+}
+
+Schema make_schema() {
+  const SlitDesign usual;
+  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  const auto add = [&](Field field) { fields.push_back(std::move(field)); };
+  add(optional("units", units()));
+  add(required("sheet", sheet_schema()));
+  add(required("thickness", length(kAboveZero).said("of the sheet")));
+  add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
+  add(optional("min_inside_radius",
+               length(kAtLeastZero).defaulting(0).said("that the material allows")));
+  add(required("leg_curve", curve_schema("on the ground, that the panel stands on")));
+  add(optional("seat_curve", curve_schema("in the middle plane, that strips are drawn to")));
+  add(optional("ridges", whole().defaulting(usual.ridges).said("of each strip, to begin with")));
+  add(optional(
+      "end_angle",
+      words(kEndAngles).defaulting("right_angle").said("at which strips meet the middle plane")));
+  add(optional("weights", weights_schema()));
+  add(optional("anchors", list(anchor_schema())));
+  add(optional("ends", list(end_schema()).said("of strips of sheets that are not symmetric")));
+  add(optional("scan", list(scan_schema()).said("points that strips are drawn to")));
+  add(optional(
+      "subdivisions",
+      whole(0, kMostSubdivisions).defaulting(0).said("how often each quad is halved in the end")));
+  add(optional("align_scan", flag().defaulting(false).said("move scans to the strips first")));
+  add(optional("kerf", length(kAtLeastZero).defaulting(0).said("width of the slits; 0: lines")));
+  add(optional("stop_hole",
+               length(kAtLeastZero).defaulting(0).said("diameter at the ends of slits; 0: none")));
+  return object(std::move(fields)).said("A sheet with slits whose strips are bent into a form");
+}
+
 BezierCurve curve_at(const JsonPlace& place) {
-  place.keys({"bezier"});
   BezierCurve curve;
-  for (const JsonPlace& pole : place["bezier"].items()) {
-    const auto xy = pole.items(2, "a pole [a, b]");
-    if (!xy.empty()) curve.poles.emplace_back(xy[0].length(), xy[1].length());
-  }
+  for (const JsonPlace& pole : place["bezier"].items())
+    curve.poles.push_back(pole.plane_point());
   return curve;
 }
 
 SlitStrip strip_at(const JsonPlace& place) {
-  place.keys({"width"}, {"gap", "left_start", "right_start", "end"});
   SlitStrip strip;
-  strip.width = place["width"].length(kAboveZero);
-  strip.gap = place["gap"].maybe_length(kAtLeastZero).value_or(0.0);
+  strip.width = place["width"].length();
+  strip.gap = place["gap"].length();
   strip.left_start = place["left_start"].maybe_length();
   strip.right_start = place["right_start"].maybe_length();
   strip.end = place["end"].maybe_length();
   return strip;
 }
 
-/// A number of strips with one width, or a list of strips.
 std::vector<SlitStrip> strips_at(const JsonPlace& sheet) {
+  if (!sheet["strips"].is_list())
+    return equal_strips(sheet["strips"].whole(), sheet["strip_width"].length());
   std::vector<SlitStrip> strips;
-  if (sheet["strip_width"].given()) {
-    const int count = sheet["strips"].index();
-    constexpr int kMost = 10000;
-    if (count < 1 || count > kMost) {
-      sheet["strips"].mistake(fmt::format("is {}; it must be from 1 to {}", count, kMost));
-      return strips;
-    }
-    return equal_strips(count, sheet["strip_width"].length(kAboveZero));
-  }
   for (const JsonPlace& strip : sheet["strips"].items())
     strips.push_back(strip_at(strip));
   return strips;
 }
 
 SlitSheet sheet_at(const JsonPlace& place) {
-  place.keys({"strips", "panel_height", "half_length"}, {"strip_width", "margin"});
   SlitSheet sheet;
   sheet.strips = strips_at(place);
-  sheet.panel_height = place["panel_height"].length(kAboveZero);
-  sheet.half_length = place["half_length"].length(kAboveZero);
-  sheet.margin = place["margin"].maybe_length(kAtLeastZero).value_or(0.0);
+  sheet.panel_height = place["panel_height"].length();
+  sheet.half_length = place["half_length"].length();
+  sheet.margin = place["margin"].length();
   return sheet;
 }
 
 SlitAnchor anchor_at(const JsonPlace& place) {
-  place.keys({"strip", "ridge", "at"}, {"side"});
   SlitAnchor anchor;
-  anchor.strip = place["strip"].index();
-  anchor.ridge = place["ridge"].index();
-  anchor.side = place["side"].choice<Side>({{"left", Side::left}, {"right", Side::right}},
-                                           Side::left);
+  anchor.strip = place["strip"].whole();
+  anchor.ridge = place["ridge"].whole();
+  anchor.side = place["side"].choice(kSides);
   anchor.at = place["at"].point();
   return anchor;
-}
-
-SlitWeights weights_at(const JsonPlace& place) {
-  SlitWeights weights;
-  if (!place.given()) return weights;
-  place.keys({}, {"smooth", "spacing", "anchors", "seat", "spread", "scan"});
-  const auto read = [&](const char* key, double& weight) {
-    weight = place[key].maybe_number().value_or(weight);
-  };
-  read("smooth", weights.smooth);
-  read("spacing", weights.spacing);
-  read("anchors", weights.anchors);
-  read("seat", weights.seat);
-  read("spread", weights.spread);
-  read("scan", weights.scan);
-  return weights;
 }
 
 std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   std::vector<StripEnd> ends;
   std::set<int> given;
   for (const JsonPlace& item : place.items()) {
-    item.keys({"strip"}, {"position", "direction", "across"});
-    const int strip = item["strip"].index();
+    const int strip = item["strip"].whole();
     if (strip >= static_cast<int>(strips)) {
       item["strip"].mistake(
           fmt::format("is {}; the sheet has strips 0 to {}", strip, static_cast<int>(strips) - 1));
@@ -113,7 +177,7 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   return ends;
 }
 
-/// Scans, each with the name of its file, or with its points.
+/// A scan with its points, or with the name of the file that has them.
 struct ScanPlace {
   SlitScan scan;
   std::string file;
@@ -122,40 +186,30 @@ struct ScanPlace {
 std::vector<ScanPlace> scans_at(const JsonPlace& place) {
   std::vector<ScanPlace> scans;
   for (const JsonPlace& item : place.items()) {
-    item.keys({"strip", "points"});
-    ScanPlace scan{{item["strip"].index(), {}}, {}};
-    if (item["points"].is_list())
-      for (const JsonPlace& point : item["points"].items())
-        scan.scan.points.push_back(point.point());
+    const JsonPlace points = item["points"];
+    ScanPlace scan{{item["strip"].whole(), {}}, {}};
+    if (points.is_text())
+      scan.file = points.text();
     else
-      scan.file = item["points"].text();
+      for (const JsonPlace& point : points.items())
+        scan.scan.points.push_back(point.point());
     scans.push_back(std::move(scan));
   }
   return scans;
 }
 
-SlitFile file_at(const JsonPlace& place, std::vector<ScanPlace>& scans) {
-  place.keys({"thickness", "sheet", "leg_curve"},
-             {"format", "version", "units", "symmetric", "ridges", "subdivisions", "seat_curve",
-              "anchors", "scan", "align_scan", "weights", "end_angle", "ends", "min_inside_radius",
-              "kerf", "stop_hole"});
-  place.format(kFormat, kVersion);
-  place.read_unit();
-  SlitFile file;
-  SlitDesign& design = file.design;
+SlitDesign design_at(const JsonPlace& place) {
+  SlitDesign design;
   design.sheet = sheet_at(place["sheet"]);
-  design.sheet.thickness = place["thickness"].length(kAboveZero);
-  design.sheet.symmetric = place["symmetric"].given() ? place["symmetric"].yes() : true;
-  design.sheet
-      .min_inside_radius = place["min_inside_radius"].maybe_length(kAtLeastZero).value_or(0.0);
+  design.sheet.thickness = place["thickness"].length();
+  design.sheet.symmetric = place["symmetric"].yes();
+  design.sheet.min_inside_radius = place["min_inside_radius"].length();
   design.leg_curve = curve_at(place["leg_curve"]);
   if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
-  if (place["ridges"].given()) design.ridges = place["ridges"].index();
-  design.end_angle = place["end_angle"].choice<EndAngle>({{"right_angle", EndAngle::right_angle},
-                                                          {"level", EndAngle::level},
-                                                          {"free", EndAngle::free}},
-                                                         EndAngle::right_angle);
-  design.weights = weights_at(place["weights"]);
+  design.ridges = place["ridges"].whole();
+  design.end_angle = place["end_angle"].choice(kEndAngles);
+  for (const auto& [name, weight] : kWeights)
+    design.weights.*weight = place["weights"][std::string(name)].number();
   for (const JsonPlace& anchor : place["anchors"].items())
     design.anchors.push_back(anchor_at(anchor));
   if (design.sheet.symmetric && place["ends"].given())
@@ -163,15 +217,16 @@ SlitFile file_at(const JsonPlace& place, std::vector<ScanPlace>& scans) {
         "is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set "
         "symmetric to false");
   design.ends = ends_at(place["ends"], design.sheet.strips.size());
-  scans = scans_at(place["scan"]);
-  if (place["subdivisions"].given()) file.subdivisions = place["subdivisions"].index();
-  if (file.subdivisions > kMostSubdivisions)
-    place["subdivisions"].mistake(
-        fmt::format("is {}; {} are the most, which divide each quad in {}", file.subdivisions,
-                    kMostSubdivisions, 1 << kMostSubdivisions));
-  file.align_scans = place["align_scan"].given() && place["align_scan"].yes();
-  file.kerf = place["kerf"].maybe_length(kAtLeastZero).value_or(0.0);
-  file.stop_hole = place["stop_hole"].maybe_length(kAtLeastZero).value_or(0.0);
+  return design;
+}
+
+SlitFile file_at(const JsonPlace& place) {
+  SlitFile file;
+  file.design = design_at(place);
+  file.subdivisions = place["subdivisions"].whole();
+  file.align_scans = place["align_scan"].yes();
+  file.kerf = place["kerf"].length();
+  file.stop_hole = place["stop_hole"].length();
   return file;
 }
 
@@ -186,33 +241,42 @@ Result<SlitScan> read_scan(ScanPlace& place, const std::filesystem::path& path, 
 
 }  // namespace
 
+const Schema& slits_schema() {
+  static const Schema schema = make_schema();
+  return schema;
+}
+
 Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
-                             const std::filesystem::path& folder) {
-  JsonReading reading(json, "slit file", name);
-  std::vector<ScanPlace> scans;
-  SlitFile file = file_at(JsonPlace(reading), scans);
+                             const std::optional<std::filesystem::path>& folder) {
+  JsonReading reading(json, "slit file", name, slits_schema());
+  const JsonPlace place(reading);
+  SlitFile file = file_at(place);
+  std::vector<ScanPlace> scans = scans_at(place["scan"]);
   file.units = reading.unit();
   if (reading.error()) return tl::unexpected(*reading.error());
-  for (ScanPlace& place : scans) {
-    if (place.file.empty()) {
-      file.design.scans.push_back(std::move(place.scan));
+  for (ScanPlace& scan : scans) {
+    if (scan.file.empty() || !folder) {
+      file.design.scans.push_back(std::move(scan.scan));
       continue;
     }
-    auto scan = read_scan(place, folder / place.file, file.units);
-    if (!scan) return tl::unexpected(scan.error());
-    file.design.scans.push_back(std::move(*scan));
+    auto read = read_scan(scan, *folder / scan.file, file.units);
+    if (!read) return tl::unexpected(read.error());
+    file.design.scans.push_back(std::move(*read));
   }
   return file;
 }
 
-std::vector<std::filesystem::path> point_files_of(const std::string& json,
-                                                  const std::filesystem::path& folder) {
-  JsonReading reading(json, "slit file", {});
-  std::vector<ScanPlace> scans;
-  file_at(JsonPlace(reading), scans);
-  std::vector<std::filesystem::path> files;
-  for (const ScanPlace& place : scans)
-    if (!place.file.empty()) files.push_back(folder / place.file);
+// Whoever writes a file must spare these even where the slit file is wrong in other places.
+std::vector<NamedFile> point_files_of(const std::string& json) {
+  std::vector<NamedFile> files;
+  const Json document = Json::parse(json, nullptr, false);
+  if (!document.is_object() || !document.contains("scan")) return files;
+  std::size_t row = 0;
+  for (const Json& scan : document["scan"]) {
+    if (scan.is_object() && scan.contains("points") && scan["points"].is_string())
+      files.push_back({scan["points"].get<std::string>(), fmt::format("/scan/{}/points", row)});
+    ++row;
+  }
   return files;
 }
 

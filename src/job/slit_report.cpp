@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "json_parts.hpp"
+#include "report_schema.hpp"
 #include "report_text.hpp"
 #include "table.hpp"
 #include "units.hpp"
@@ -34,7 +35,8 @@ Json ridge_json(const SlitRidge& ridge, const Units& units) {
   return json;
 }
 
-Json strip_json(const StripState& state, const FoldedStrip& strip, const Units& units) {
+Json strip_json(const StripState& state, const FoldedStrip& strip, Ridges ridges,
+                const Units& units) {
   Json json;
   json["status"] = status_word(state.status);
   json["gap"] = number_json(units.length(state.gap));
@@ -47,12 +49,13 @@ Json strip_json(const StripState& state, const FoldedStrip& strip, const Units& 
   json["crosses"] = state.crosses;
   json["crosses_plane"] = state.crosses_plane;
   json["ridges"] = Json::array();
+  if (ridges == Ridges::left_out) return json;
   for (const SlitRidge& ridge : strip.ridges)
     json["ridges"].push_back(ridge_json(ridge, units));
   return json;
 }
 
-Json slit_json(const SlitReport& report, const Units& units) {
+Json slit_json(const SlitReport& report, Ridges ridges, const Units& units) {
   if (report.strips.empty()) return nullptr;
   Json json;
   json["gap"] = number_json(units.length(report.gap));
@@ -60,7 +63,7 @@ Json slit_json(const SlitReport& report, const Units& units) {
                                                 : Json(nullptr);
   json["strips"] = Json::array();
   for (std::size_t i = 0; i < report.strips.size(); ++i)
-    json["strips"].push_back(strip_json(report.strips[i], report.folded.strips[i], units));
+    json["strips"].push_back(strip_json(report.strips[i], report.folded.strips[i], ridges, units));
   return json;
 }
 
@@ -89,11 +92,28 @@ std::string strip_table(const SlitReport& report, const Units& units) {
 
 }  // namespace
 
-std::string report_json(const SlitReport& report) {
+ReportDetails slit_report_details() {
+  const Schema ridge = object({required("flat", tuple(2, report_point(), "two points")),
+                               required("folded", tuple(2, report_space_point(), "two points")),
+                               required("fold", angle(kAnyNumber).or_null())});
+  const Schema strip = object(
+      {required("status", words({"open", "solved", "out_of_reach"})),
+       required("gap", measured_length()), required("shortfall", measured_length()),
+       required("min_radius", measured_length()), required("iterations", whole()),
+       required("seat_distance", measured_length()), required("anchor_distance", measured_length()),
+       required("scan_distance", measured_length()), required("crosses", list(whole())),
+       required("crosses_plane", flag()), required("ridges", list(ridge))});
+  const Schema slit = object({required("gap", measured_length()),
+                              required("flat_deviation", measured_length()),
+                              required("strips", list(strip))});
+  return {{optional("slit", slit.or_null())}, {}};
+}
+
+std::string report_json(const SlitReport& report, Ridges ridges) {
   const Units units(report.units);
   Json json = begun_report(report, "slit");
-  finish_report(json, report);
-  json["slit"] = slit_json(report, units);
+  finish_report(json, report, ridges == Ridges::told ? BendList::shown : BendList::left_out);
+  json["slit"] = slit_json(report, ridges, units);
   return text_of(json);
 }
 

@@ -76,14 +76,14 @@ Cells fields(const UnfoldReport& report) {
   };
   const bool sheet = sheet_known(report), flat = flat_known(report);
   const bool certified = certificate_known(report);
-  add(sheet, plain(units.length(report.sheet.thickness)));
+  add(sheet, plain(units.length(report.summary.thickness)));
   add(flat, plain(units.length(report.size.x())));
   add(flat, plain(units.length(report.size.y())));
   add(flat, plain(units.area(report.flat.area)));
   add(flat, plain(units.length(outer_cutting_length(report.flat))));
   add(flat, plain(units.length(inner_cutting_length(report.flat))));
   add(flat, fmt::format("{}", report.flat.openings.size()));
-  add(sheet, fmt::format("{}", report.sheet.bends));
+  add(sheet, fmt::format("{}", report.summary.bends));
   add(report.mass.has_value(), plain(report.mass.value_or(0.0)));
   add(certified, plain(or_nan(report.certificate.volume_ratio)));
   add(certified, plain(units.length(report.certificate.length_error)));
@@ -115,8 +115,8 @@ std::string outcome(const UnfoldReport& report) {
 Cells measures(const UnfoldReport& report, const Units& units) {
   Cells cells(6);
   if (sheet_known(report)) {
-    cells[0] = units.short_text(report.sheet.thickness);
-    cells[2] = fmt::format("{}", report.sheet.bends);
+    cells[0] = units.short_text(report.summary.thickness);
+    cells[2] = fmt::format("{}", report.summary.bends);
   }
   if (flat_known(report)) {
     cells[1] = fmt::format("{} × {}", units.length_text(report.size.x()),

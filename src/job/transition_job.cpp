@@ -1,12 +1,11 @@
 #include "folded.hpp"
+#include "from_file.hpp"
 #include "lay_flat.hpp"
+#include "made_report.hpp"
 
-#include <planish/job/text_file.hpp>
 #include <planish/job/transition.hpp>
 
 #include <fmt/format.h>
-
-#include <chrono>
 
 namespace planish::job {
 namespace {
@@ -24,18 +23,9 @@ constexpr double kFolded = 1e-8;
 /// A share of the extent that nobody sees.
 constexpr double kDrawn = 1e-7;
 
-TransitionReport begun(const MakeRequest& request, LengthUnit unit) {
-  TransitionReport report;
-  report.input = request.input.string();
-  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
-  report.units = request.units.value_or(unit);
-  return report;
-}
-
-FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request) {
+FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
   FlattenOptions options;
-  options.allowance = ConstantK{spec.k_factor,
-                                request.allowance ? "command line" : "transition file"};
+  options.allowance = ConstantK{spec.k_factor, request.allowance ? "constant" : "transition file"};
   options.curve_tolerance = kOutline;
   options.merge_tolerance = kMerged;
   return options;
@@ -44,22 +34,22 @@ FlattenOptions options_of(const TransitionSpec& spec, const MakeRequest& request
 /// `folded` is what its solid is made of, or why there is none.
 std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
                                const Result<FoldedPiece>& folded, const TransitionSpec& spec,
-                               const MakeRequest& request, const Progress& progress) {
+                               const Request& request, const Progress& progress) {
   if (folded) {
     if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);
   }
-  piece.sheet = summary_of(sheet);
+  piece.summary = summary_of(sheet);
   return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request),
                   progress);
 }
 
 std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
-                                const TransitionSpec& spec, const MakeRequest& request,
+                                const TransitionSpec& spec, const Request& request,
                                 const Progress& progress) {
-  piece.sheet = summary_of(sheet);
+  piece.summary = summary_of(sheet);
   return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
 }
 
@@ -70,19 +60,25 @@ void gather(TransitionReport& report) {
     return;
   }
   for (const TransitionPiece& piece : report.pieces) {
-    report.sheet.thickness = piece.sheet.thickness;
-    report.sheet.flanges += piece.sheet.flanges;
-    report.sheet.bends += piece.sheet.bends;
+    report.summary.thickness = piece.summary.thickness;
+    report.summary.flanges += piece.summary.flanges;
+    report.summary.bends += piece.summary.bends;
     report.findings.insert(report.findings.end(), piece.findings.begin(), piece.findings.end());
     if (piece.mass) report.mass = report.mass.value_or(0.0) + *piece.mass;
   }
 }
 
 std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
-                          const MakeRequest& request, const Progress& progress) {
+                          const Request& request, const Progress& progress) {
   TransitionSpec& spec = report.spec;
   spec = file.spec;
-  if (request.allowance) spec.k_factor = std::get<ConstantK>(*request.allowance).k;
+  if (request.allowance) {
+    const auto* constant = std::get_if<ConstantK>(&*request.allowance);
+    if (!constant)
+      return Error{ErrorCode::bad_option,
+                   "a transition has no inside radius, so its K is one number: `k`", "k"};
+    spec.k_factor = constant->k;
+  }
   progress.at("finding the surface", 0.0);
   const bool draft = request.effort == Effort::draft;
   auto made = make_transition(spec, {.tolerance = draft ? kDrawn : TransitionOptions{}.tolerance},
@@ -115,30 +111,19 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
 
 }  // namespace
 
-Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request,
+Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                             const Progress& progress) {
-  TransitionReport report = begun(request, file.units);
+  TransitionReport report = begun<TransitionReport>(request, file.units);
   if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
 
-Result<TransitionReport> transition(const MakeRequest& request, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const auto text = read_text(request.input, "transition file");
-  if (!text) return tl::unexpected(text.error());
-  const auto file = parse_transition(*text, place_name(request.input.string()));
-  if (!file) return tl::unexpected(file.error());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  auto report = transition_between(*file, request, progress);
-  if (report) report->read_seconds = taken.count();
-  return report;
-}
-
-TransitionReport failed_transition(const MakeRequest& request, const Error& error) {
-  TransitionReport report = begun(request, LengthUnit::mm);
-  report.refusal = error;
-  return report;
+Result<TransitionReport> transition(const Request& request, const Progress& progress) {
+  const auto parse = [](const InputFile& input) {
+    return parse_transition(input.content, input.name);
+  };
+  return from_file(request, "transition file", parse, transition_between, progress);
 }
 
 }  // namespace planish::job

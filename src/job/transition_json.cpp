@@ -1,3 +1,4 @@
+#include "input_schemas.hpp"
 #include "json_reading.hpp"
 
 #include <planish/job/transition_json.hpp>
@@ -11,25 +12,71 @@ namespace {
 
 constexpr auto kFormat = "planish/transition";
 constexpr int kVersion = 1;
-constexpr Allowed kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
+constexpr Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
 constexpr double kDefaultK = 0.5;
 
-Vec2 plane_point_at(const JsonPlace& place) {
-  const auto xy = place.items(2, "a point [x, y]");
-  if (xy.empty()) return Vec2::Zero();
-  return {xy[0].length(), xy[1].length()};
+const Words<SizesAre> kSizes{
+    {"inside", SizesAre::inside}, {"mid", SizesAre::mid}, {"outside", SizesAre::outside}};
+
+Schema profile_schema() {
+  const Schema size = length(kAboveZero);
+  return one_key(
+      {optional("polygon", list(plane_point()).said("corners, counter-clockwise")),
+       optional("circle", object({required("radius", size)})),
+       optional("ellipse", object({required("rx", size), required("ry", size)})),
+       optional("rounded_rectangle", object({required("width", size), required("height", size),
+                                             required("radius", length(kAtLeastZero))})),
+       optional("obround", object({required("length", size), required("width", size)})),
+       optional("spline", list(plane_point()).said("points of a smooth closed curve"))});
+}
+
+Schema placed_schema() {
+  const Schema frame = object(
+      {optional("origin", space_point().defaulting(Json::array({0, 0, 0}))),
+       optional("x", space_direction().said("direction of the profile's x")),
+       optional("normal", space_direction().defaulting(Json::array({0, 0, 1})))});
+  return object({required("profile", profile_schema()),
+                 optional("frame", frame.said("where the profile's plane lies"))});
+}
+
+Schema seam_schema() {
+  return one_key({optional("edge", whole().said("the middle of this edge of the first profile")),
+                  optional("corner", whole().said("this corner of the first profile")),
+                  optional("parameter", number(kShare).said("share of the first profile"))});
+}
+
+Schema press_lines_schema() {
+  return one_key({optional("count", whole(1).said("lines in each curved patch")),
+                  optional("max_angle", angle(kPressAngle).said("that a line bends at most")),
+                  optional("chord", length(kAboveZero).said("distance of lines at most"))});
+}
+
+Schema make_schema() {
+  std::vector<Field> fields = header_fields(kFormat, kVersion);
+  fields.push_back(optional("units", units()));
+  fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
+  fields.push_back(optional("k_factor", number(kShare).defaulting(kDefaultK)));
+  fields.push_back(required("from", placed_schema().said("the first profile")));
+  fields.push_back(required("to", placed_schema().said("the second profile")));
+  fields.push_back(optional(
+      "sizes_are", words(kSizes).defaulting("mid").said("which skin the profiles' sizes are of")));
+  fields.push_back(optional("seam", seam_schema().said("where it is opened")));
+  fields.push_back(optional(
+      "pieces",
+      values({1, 2, "per_side"}, "1, 2 or \"per_side\"").defaulting(1).said("that it is made of")));
+  fields.push_back(optional("press_lines", press_lines_schema().said("of curved patches")));
+  return object(std::move(fields)).said("Two profiles to be joined by a developable surface");
 }
 
 std::vector<Vec2> plane_points_at(const JsonPlace& place) {
   std::vector<Vec2> points;
   for (const JsonPlace& item : place.items())
-    points.push_back(plane_point_at(item));
+    points.push_back(item.plane_point());
   return points;
 }
 
 Frame frame_at(const JsonPlace& place) {
   if (!place.given()) return {};
-  place.keys({}, {"origin", "x", "normal"});
   const Vec3 origin = place["origin"].given() ? place["origin"].point() : Vec3::Zero();
   const Vec3 z = place["normal"].direction().value_or(Vec3::UnitZ());
   constexpr double kParallel = 1e-6;
@@ -46,87 +93,51 @@ Frame frame_at(const JsonPlace& place) {
 
 Profile profile_at(const JsonPlace& place) {
   const auto members = place.members();
-  place.keys({}, {"polygon", "circle", "ellipse", "rounded_rectangle", "obround", "spline"});
-  if (members.size() != 1) {
-    place.mistake("must be one of polygon, circle, ellipse, rounded_rectangle, obround, spline");
-    return PolygonProfile{};
-  }
+  if (members.size() != 1) return PolygonProfile{};
   const auto& [kind, shape] = members.front();
   if (kind == "polygon") return PolygonProfile{plane_points_at(shape)};
   if (kind == "spline") return SplineProfile{plane_points_at(shape)};
   if (kind == "circle") {
-    shape.keys({"radius"});
-    const double radius = shape["radius"].length(kAboveZero);
+    const double radius = shape["radius"].length();
     return EllipseProfile{radius, radius};
   }
-  if (kind == "ellipse") {
-    shape.keys({"rx", "ry"});
-    return EllipseProfile{shape["rx"].length(kAboveZero), shape["ry"].length(kAboveZero)};
-  }
-  if (kind == "rounded_rectangle") {
-    shape.keys({"width", "height", "radius"});
-    return RoundedRectangleProfile{shape["width"].length(kAboveZero),
-                                   shape["height"].length(kAboveZero),
-                                   shape["radius"].length(kAtLeastZero)};
-  }
-  shape.keys({"length", "width"});
-  return ObroundProfile{shape["length"].length(kAboveZero), shape["width"].length(kAboveZero)};
+  if (kind == "ellipse") return EllipseProfile{shape["rx"].length(), shape["ry"].length()};
+  if (kind == "rounded_rectangle")
+    return RoundedRectangleProfile{shape["width"].length(), shape["height"].length(),
+                                   shape["radius"].length()};
+  return ObroundProfile{shape["length"].length(), shape["width"].length()};
 }
 
 PlacedProfile placed_at(const JsonPlace& place) {
-  place.keys({"profile"}, {"frame"});
   return {profile_at(place["profile"]), frame_at(place["frame"])};
 }
 
 std::optional<Seam> seam_at(const JsonPlace& place) {
   if (!place.given()) return std::nullopt;
-  place.keys({}, {"edge", "corner", "parameter"});
-  if (place.members().size() != 1) {
-    place.mistake("must be one of edge, corner, parameter");
-    return std::nullopt;
-  }
-  if (place["edge"].given()) return SeamEdge{place["edge"].index()};
-  if (place["corner"].given()) return SeamCorner{place["corner"].index()};
-  return SeamParameter{place["parameter"].number(kShare)};
+  if (place["edge"].given()) return SeamEdge{place["edge"].whole()};
+  if (place["corner"].given()) return SeamCorner{place["corner"].whole()};
+  return SeamParameter{place["parameter"].number()};
 }
 
 Pieces pieces_at(const JsonPlace& place) {
-  if (!place.given()) return Pieces::one;
-  if (place.is_text("per_side")) return Pieces::per_side;
-  const double count = place.number();
-  if (count == 1.0) return Pieces::one;
-  if (count == 2.0) return Pieces::two;
-  place.mistake("must be 1, 2 or \"per_side\"");
-  return Pieces::one;
+  if (place.is_text()) return Pieces::per_side;
+  return place.whole() == 2 ? Pieces::two : Pieces::one;
 }
 
 Pressing pressing_at(const JsonPlace& place) {
   if (!place.given()) return {};
-  place.keys({}, {"count", "max_angle", "chord"});
-  if (place.members().size() != 1) {
-    place.mistake("must be one of count, max_angle, chord");
-    return {};
-  }
-  if (place["max_angle"].given()) return PressAngle{place["max_angle"].angle(kPressAngle)};
-  if (place["chord"].given()) return PressChord{place["chord"].length(kAboveZero)};
-  const int count = place["count"].index();
-  if (count < 1) place["count"].mistake("is 0; give at least one line, or leave press_lines out");
-  return PressCount{count};
+  if (place["max_angle"].given()) return PressAngle{place["max_angle"].angle()};
+  if (place["chord"].given()) return PressChord{place["chord"].length()};
+  return PressCount{place["count"].whole()};
 }
 
 TransitionSpec spec_at(const JsonPlace& place) {
-  place.keys({"thickness", "from", "to"}, {"format", "version", "units", "k_factor", "sizes_are",
-                                           "seam", "pieces", "press_lines"});
-  place.format(kFormat, kVersion);
-  place.read_unit();
   TransitionSpec spec;
-  spec.thickness = place["thickness"].length(kAboveZero);
-  spec.k_factor = place["k_factor"].maybe_number(kShare).value_or(kDefaultK);
+  spec.thickness = place["thickness"].length();
+  spec.k_factor = place["k_factor"].number();
   spec.from = placed_at(place["from"]);
   spec.to = placed_at(place["to"]);
-  spec.sizes_are = place["sizes_are"].choice<SizesAre>(
-      {{"inside", SizesAre::inside}, {"mid", SizesAre::mid}, {"outside", SizesAre::outside}},
-      SizesAre::mid);
+  spec.sizes_are = place["sizes_are"].choice(kSizes);
   spec.seam = seam_at(place["seam"]);
   spec.pieces = pieces_at(place["pieces"]);
   spec.pressing = pressing_at(place["press_lines"]);
@@ -135,8 +146,13 @@ TransitionSpec spec_at(const JsonPlace& place) {
 
 }  // namespace
 
+const Schema& transition_schema() {
+  static const Schema schema = make_schema();
+  return schema;
+}
+
 Result<TransitionFile> parse_transition(const std::string& json, const std::string& name) {
-  JsonReading reading(json, "transition file", name);
+  JsonReading reading(json, "transition file", name, transition_schema());
   TransitionFile file;
   file.spec = spec_at(JsonPlace(reading));
   file.units = reading.unit();

@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "json_parts.hpp"
+#include "report_schema.hpp"
 #include "report_text.hpp"
 #include "table.hpp"
 #include "units.hpp"
@@ -92,6 +93,31 @@ std::string patch_table(const TransitionReport& report, const Units& units) {
 }
 
 }  // namespace
+
+ReportDetails transition_report_details() {
+  const Schema patch = object({required("kind", words({"plane", "cone", "general"})),
+                               required("area", measured_area()),
+                               required("borders", tuple(2, measured_length(), "two lengths")),
+                               required("turn", angle(kAnyNumber).or_null())});
+  const Schema press_line = object({required("id", text()), required("piece", text()),
+                                    required("angle", angle(kAnyNumber).or_null()),
+                                    required("direction", words({"up", "down"})),
+                                    required("line", report_line())});
+  const Schema true_length = object(
+      {required("from", text()), required("to", text()), required("length", measured_length()),
+       required("piece", text()), required("press_line", text().or_null()),
+       required("points", tuple(2, report_space_point(), "two points"))});
+  const Schema transition = object(
+      {required("area", measured_area()),
+       required("perimeters", tuple(2, measured_length(), "two lengths")),
+       required("patches", list(patch)), required("press_lines", list(press_line)),
+       required("true_lengths", list(true_length))});
+  std::vector<Field> piece = common_report_fields();
+  piece.insert(piece.begin(), required("body", text()));
+  return {{optional("transition", transition.or_null()),
+           optional("pieces", list(object(std::move(piece))))},
+          {}};
+}
 
 std::string report_json(const TransitionReport& report) {
   const Units units(report.units);

@@ -19,7 +19,7 @@ struct TimedFile {
   double seconds = 0.0;
 };
 
-Result<TimedFile> timed_read(const UnfoldRequest& request, const Progress& progress) {
+Result<TimedFile> timed_read(const Request& request, const Progress& progress) {
   progress.at("reading", 0.0);
   const auto start = std::chrono::steady_clock::now();
   auto file = read_input(request.input, part_of(progress, 0.0, kRead));
@@ -29,7 +29,7 @@ Result<TimedFile> timed_read(const UnfoldRequest& request, const Progress& progr
 }
 
 // The one place where a defect that shows in one body is kept from the others.
-Result<UnfoldReport> unfold_carefully(const Body& body, const UnfoldRequest& request,
+Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
                                       const Progress& progress) {
   try {
     return unfold_body(body, request, progress);
@@ -51,8 +51,8 @@ Progress share_of(const Progress& whole, int index, int count, const std::string
   return part;
 }
 
-UnfoldReport refused(const Body& body, const UnfoldRequest& request, const Error& error) {
-  UnfoldReport report = failed(request, error);
+UnfoldReport refused(const Body& body, const Request& request, const Error& error) {
+  UnfoldReport report = failed_unfold(request, error);
   report.body = body.name();
   report.quantity = body.quantity();
   return report;
@@ -60,16 +60,16 @@ UnfoldReport refused(const Body& body, const UnfoldRequest& request, const Error
 
 }  // namespace
 
-UnfoldReport failed(const UnfoldRequest& request, const Error& error) {
+UnfoldReport failed_unfold(const Request& request, const Error& error) {
   UnfoldReport report;
   report.input = request.input.string();
   report.body = request.body;
-  report.units = request.units;
+  report.units = request.units.value_or(LengthUnit::mm);
   report.refusal = error;
   return report;
 }
 
-Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progress) {
+Result<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   const auto read = timed_read(request, progress);
   if (!read) return tl::unexpected(read.error());
   const auto index = choose_body(read->file, request.body);
@@ -83,8 +83,7 @@ Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progre
   return report;
 }
 
-Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
-                                             const Progress& progress) {
+Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress) {
   const auto read = timed_read(request, progress);
   if (!read) return tl::unexpected(read.error());
   std::vector<UnfoldReport> reports;

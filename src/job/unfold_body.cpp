@@ -7,18 +7,18 @@
 namespace planish::job {
 namespace {
 
-UnfoldReport begun(const Body& body, const UnfoldRequest& request) {
+UnfoldReport begun(const Body& body, const Request& request) {
   UnfoldReport report;
   report.body = body.name();
   report.quantity = body.quantity();
-  report.units = request.units;
+  report.units = request.units.value_or(LengthUnit::mm);
   return report;
 }
 
 std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
-                          const UnfoldRequest& request, const Progress& progress) {
+                          const Request& request, const Progress& progress) {
   if (!found) return found.error();
-  report.sheet = summary_of(found->sheet);
+  report.summary = summary_of(found->sheet);
   report.notes = found->notes;
   const auto options = flatten_options(found->sheet, request);
   if (!options) return options.error();
@@ -28,14 +28,14 @@ std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
 }  // namespace
 
 Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
-                                       const UnfoldRequest& request, const Progress& progress) {
+                                       const Request& request, const Progress& progress) {
   UnfoldReport report = begun(body, request);
   if (const auto error = reported(report, [&] { return fill(report, found, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
 
-Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request,
+Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
                                  const Progress& progress) {
   UnfoldReport report = begun(body, request);
   const auto work = [&] {

@@ -134,7 +134,7 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
     message += fmt::format(", and at {}",
                            counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
-  message += "; --write-overlapping writes the pattern all the same";
+  message += "; with `write_overlapping` the pattern is written all the same";
   return Error{ErrorCode::overlap, std::move(message),
                first.at.empty() ? std::string() : place_text(first.at.front())};
 }

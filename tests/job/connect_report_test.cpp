@@ -1,5 +1,6 @@
 #include "connected.hpp"
 #include "folded.hpp"
+#include "made_report.hpp"
 #include "support/sheets.hpp"
 
 #include <planish/job/connect.hpp>
@@ -162,7 +163,7 @@ TEST(ConnectReport, MatchesBendsByTheirRowAndNotByTheirOrder) {
 TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
   const ConnectReport report = report_of(joined());
   const double area = 40.0 * (50.0 + pi / 2 * (3.0 + 0.5 * 2.0) + 30.0);
-  EXPECT_NEAR(report.sheet.volume, 2.0 * area, 1e-6 * area);
+  EXPECT_NEAR(report.summary.volume, 2.0 * area, 1e-6 * area);
   EXPECT_NEAR(*report.certificate.volume_ratio, 1.0, 1e-6);
   EXPECT_NEAR(*report.certificate.explained_ratio, 1.0, 1e-6);
   EXPECT_LT(report.certificate.length_error, 1e-9);
@@ -171,19 +172,19 @@ TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
   ASSERT_TRUE(report.solid.has_value());
   EXPECT_THAT(*report.solid, HasSubstr("ISO-10303-21"));
   EXPECT_THAT(*report.solid, HasSubstr("'plates'"));
-  EXPECT_TRUE(composed(report, OutputFormat::dxf).has_value());
+  EXPECT_TRUE(dxf_text(report.flat).has_value());
 }
 
 TEST(ConnectReport, LaysFlatByTheRuleAsked) {
   const ConnectReport report = report_of(joined(), ConstantK{0.3, "plates file"});
-  EXPECT_EQ(report.sheet.k_factor, 0.3);
-  EXPECT_EQ(report.sheet.k_source, "plates file");
+  EXPECT_EQ(report.summary.k_factor, 0.3);
+  EXPECT_EQ(report.summary.k_source, "plates file");
   EXPECT_NEAR(report.flat.area, 40.0 * (80.0 + pi / 2 * 3.6), 1e-6);
 }
 
 TEST(ConnectReport, TakesKFromTheCommandThenTheFileThenTheDefault) {
   PlatesFile file;
-  ConnectRequest request;
+  Request request;
   EXPECT_EQ(std::get<ConstantK>(allowance_of(file, request)).k, ConstantK{}.k);
   file.k_factor = 0.3;
   EXPECT_EQ(std::get<ConstantK>(allowance_of(file, request)).k, 0.3);
@@ -213,7 +214,7 @@ TEST(ConnectReport, RefusesAPatternThatCoversItselfUnlessToldNotTo) {
   const auto error = finish(report, connection, ConstantK{}, checks, {});
   ASSERT_TRUE(error.has_value());
   EXPECT_EQ(error->code, ErrorCode::overlap);
-  EXPECT_EQ(report.sheet.flanges, 3);
+  EXPECT_EQ(report.summary.flanges, 3);
   checks.write_overlapping = true;
   EXPECT_FALSE(finish(report, connection, ConstantK{}, checks, {}).has_value());
   EXPECT_TRUE(report.has_warnings());
@@ -238,11 +239,12 @@ TEST(ConnectReport, PutsTheFilesNameBeforeAPointer) {
 }
 
 TEST(ConnectReport, IsTheReasonOfARequestThatFailed) {
-  ConnectRequest request;
+  Request request;
   request.input = "p.json";
   request.units = LengthUnit::inch;
   const json report = json::parse(
-      report_json(failed(request, {ErrorCode::unknown_plate, "no plate C", "p.json/bends/0"})));
+      report_json(failed_report<ConnectReport>(
+          request, {ErrorCode::unknown_plate, "no plate C", "p.json/bends/0"})));
   EXPECT_EQ(report["command"], "connect");
   EXPECT_EQ(report["units"], "inch");
   EXPECT_EQ(report["status"], "refused");

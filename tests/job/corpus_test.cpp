@@ -46,8 +46,8 @@ std::vector<Json> listed_parts() {
 
 fs::path file_of(const Json& row) { return kParts / (row["id"].get<std::string>() + ".step"); }
 
-job::UnfoldRequest request_for(const fs::path& part) {
-  job::UnfoldRequest request;
+job::Request request_for(const fs::path& part) {
+  job::Request request;
   request.input = part;
   request.rules.enabled = false;
   return request;
@@ -82,7 +82,7 @@ class Corpus : public ::testing::Test {
       EXPECT_LE(off, 1e-3) << "volume ratio " << *report.certificate.volume_ratio;
     }
     if (strict && !row["thickness"].is_null()) {
-      EXPECT_NEAR(report.sheet.thickness, row["thickness"].get<double>(),
+      EXPECT_NEAR(report.summary.thickness, row["thickness"].get<double>(),
                   0.02 * row["thickness"].get<double>());
     }
     EXPECT_LE(report.certificate.length_error, 0.01);
@@ -176,8 +176,8 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
       const bool found = std::any_of(
           reports->begin(), reports->end(), [&](const job::UnfoldReport& report) {
             return report.has_pattern() &&
-                   std::abs(report.sheet.volume - known["volume"].get<double>()) <
-                       1e-3 * report.sheet.volume;
+                   std::abs(report.summary.volume - known["volume"].get<double>()) <
+                       1e-3 * report.summary.volume;
           });
       EXPECT_TRUE(found) << "the sheet " << known["id"] << " did not unfold out of the assembly";
     }

@@ -153,7 +153,7 @@ TEST(PlatesJson, KnowsAllSurfacesAndBoundaries) {
 TEST(PlatesJson, NamesEveryUnknownKeyByItsPointer) {
   for (const char* pointer :
        {"/thicknes", "/plates/1/outlin", "/plates/0/hole", "/bends/0/betwen", "/bends/0/radius"}) {
-    expect_mistake(pointer, 3, "is no known key; known here are ");
+    expect_mistake(pointer, 3, "is not a known key; the keys known here are ");
   }
   EXPECT_THAT(error_of(with("/plates/1/outlin", 3)).message, HasSubstr("id, outline, holes"));
 }
@@ -261,7 +261,7 @@ TEST(PlatesJson, RefusesWhatASectionCannotBe) {
 TEST(PlatesJson, RefusesBendsAndEdgesThatCannotBeMeant) {
   expect_mistake("/bends/0/between", {"A", "A"}, "names \"A\" twice");
   expect_mistake("/bends/0/between", {"A", "B", "C"}, "names 3 plates");
-  expect_mistake("/bends/0/edges/C", {1}, "is no plate of this bend, which has A and B");
+  expect_mistake("/bends/0/edges/C", {1}, "is not a plate of this bend, which has A and B");
   expect_mistake("/bends/0/edges/A", json::array(), "is empty");
   expect_mistake("/bends/0/edges/A/1", 2, "is 2, which stands in the list already");
   expect_mistake("/plates/1/id", "A", "is \"A\", as is that of plate 0");

@@ -119,8 +119,8 @@ TEST(ReportJson, SaysNullForWhatCouldNotBeMeasured) {
 
 TEST(ReportJson, HasNoKFactorForTheSheetWhereBendsDiffer) {
   UnfoldReport report = sample_report();
-  report.sheet.k_factor.reset();
-  report.sheet.k_source = "mixed";
+  report.summary.k_factor.reset();
+  report.summary.k_source = "mixed";
   const json sheet = value_of(report)["sheet"];
   EXPECT_TRUE(sheet["k_factor"].is_null());
   EXPECT_EQ(sheet["k_source"], "mixed");

@@ -36,12 +36,12 @@ inline job::UnfoldReport sample_report() {
   job::UnfoldReport report;
   report.input = "parts/bracket.step";
   report.body = "bracket";
-  report.sheet.thickness = 2.0;
-  report.sheet.volume = 11843.0;
-  report.sheet.flanges = 2;
-  report.sheet.bends = 1;
-  report.sheet.k_factor = 0.44;
-  report.sheet.k_source = "default";
+  report.summary.thickness = 2.0;
+  report.summary.volume = 11843.0;
+  report.summary.flanges = 2;
+  report.summary.bends = 1;
+  report.summary.k_factor = 0.44;
+  report.summary.k_source = "default";
   report.flat = sample_pattern();
   report.size = {100.0, 60.0};
   report.certificate.flat_area_half = 5921.5;

@@ -23,8 +23,8 @@ Sheet sheet() {
   return made;
 }
 
-UnfoldRequest request(const std::string& root, const std::string& up) {
-  UnfoldRequest made;
+Request request(const std::string& root, const std::string& up) {
+  Request made;
   made.root = root;
   made.up = up;
   return made;
@@ -48,7 +48,7 @@ TEST(Sides, FindTheFaceThatANumberOfTheSolidNames) {
 TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
   Sheet made = sheet();
   made.bends.resize(12);
-  UnfoldRequest asked = request("largest", "auto");
+  Request asked = request("largest", "auto");
   asked.bend_k = {{"B1", 0.3}, {"B12", 0.5}};
   const auto options = flatten_options(made, asked);
   ASSERT_TRUE(options.has_value());

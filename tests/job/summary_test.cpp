@@ -147,7 +147,7 @@ TEST(SafeName, CutsLongNamesBetweenLetters) {
 UnfoldReport named(const std::string& body, double thickness) {
   UnfoldReport report = sample_report();
   report.body = body;
-  report.sheet.thickness = thickness;
+  report.summary.thickness = thickness;
   return report;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 int main(int, char** argv) {
-  planish::job::UnfoldRequest request;
+  planish::job::Request request;
   request.input = argv[1];
   const auto report = planish::job::unfold(request);
   if (!report) return std::puts(report.error().message.c_str()), 1;

@@ -19,8 +19,8 @@ from planish_studio import CLI, EXAMPLES, Shape, Studio, StudioTest, main, until
 import step_files  # noqa: E402
 
 EXAMPLE = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "transition": "transition/a_square_to_round.json", "slit": "slit/chair.json"}
-FORMATS = {"unfold": ["dxf", "svg", "step", "stl", "json"], "connect": ["dxf", "svg", "step", "stl", "json", "spec"],
-           "transition": ["dxf", "svg", "step", "stl", "json", "spec"], "slit": ["dxf", "svg", "step", "stl", "mould.stl", "json", "spec"]}
+FORMATS = {"unfold": ["dxf", "svg", "step", "stl", "obj", "json"], "connect": ["dxf", "svg", "flat.step", "step", "stl", "obj", "json", "spec"],
+           "transition": ["dxf", "svg", "step", "stl", "json", "spec"], "slit": ["dxf", "svg", "step", "stl", "obj", "mould.stl", "mould.obj", "mould.step", "json", "spec"]}
 
 
 def extent(dxf):
@@ -55,11 +55,13 @@ class Kinds(StudioTest):
             self.assertGreater(flat["area"], 0)
         elif form == "svg":
             self.assertIn(b"<svg", content[:400])
-        elif form == "step":
+        elif form.endswith("step"):
             self.assertTrue(content.startswith(b"ISO-10303-21;"))
         elif form.endswith("stl"):
             self.assertEqual(len(content), 84 + 50 * int.from_bytes(content[80:84], "little"))
             self.assertGreater(len(content), 84 + 50 * 4)
+        elif form.endswith("obj"):
+            self.assertGreater(content.count(b"\nf "), 4)
         elif form == "spec":
             self.assertEqual(json.loads(content), spec)
             self.assertGreater(content.count(b"\n"), 5)
@@ -70,7 +72,7 @@ class Kinds(StudioTest):
         document, _ = self.studio.open_example("bracket.step")
         mm, inch = (extent(self.studio.post(document, "files/dxf", units=units).body) for units in ("mm", "inch"))
         self.assertAlmostEqual(mm[0], 25.4 * inch[0], delta=1e-6)
-        r12 = ezdxf.read(io.StringIO(self.studio.post(document, "files/dxf", version="r12", profile="inventor").body.decode()))
+        r12 = ezdxf.read(io.StringIO(self.studio.post(document, "files/dxf", r12=True, profile="inventor").body.decode()))
         self.assertEqual(r12.dxfversion, "AC1009")
         self.assertIn("IV_OUTER_PROFILE", {layer.dxf.name for layer in r12.layers})
 
@@ -207,7 +209,7 @@ class Rubbish(StudioTest):
                      b'{"spec": ' + b"[" * 50_000 + b"]" * 50_000 + b"}"):
             self.assert_error(self.studio.ask("POST", f"/api/documents/{document}/draft", body), 400, "bad_request")
         self.assert_problem(self.studio.post(document, "draft"), "bad_option")
-        self.assert_problem(self.studio.post(document, "draft", spec, k="din6935"), "bad_option")
+        self.assert_problem(self.studio.post(document, "draft", spec, din6935=True), "bad_option")
         error = self.assert_problem(self.studio.post(document, "draft", dict(spec, thickness=-1)), "invalid_input")
         self.assertEqual(error["where"], "a_square_to_round.json/thickness")
         self.assertTrue(self.studio.post(document, "draft", spec).is_good)
@@ -296,7 +298,7 @@ class CommandLine(StudioTest):
             rubbish = pathlib.Path(folder, "a.step")
             rubbish.write_bytes(b"rubbish")
             self.assertIn("[not_step]", self.run_cli(str(rubbish), status=3))
-        self.assertIn("/dev/zero is a device, no file [cannot_read]", self.run_cli("/dev/zero", status=3))
+        self.assertIn("/dev/zero is a device, not a file [cannot_read]", self.run_cli("/dev/zero", status=3))
         self.assertIn("--port", self.run_cli("--port", "0", status=2))
         self.assertIn("--port", self.run_cli("--port", "70000", status=2))
         for seconds in ("0", "86401", "1.5", "long"):

@@ -18,11 +18,11 @@ WEB = SOURCE / "web"
 SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitSpec"}
 # Every option, with a value that the kind takes.
 OPTIONS = {
-    "unfold": {"body": 1, "root": "largest", "up": "other", "k": "din6935", "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch"},
+    "unfold": {"body": 1, "root": "largest", "up": "other", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch"},
     "transition": {"piece": 0, "k": 0.4},
-    "slit": {"align_scans": False},
-    "connect": {"profile": "onshape", "splines": "keep", "version": "r12"}}
-FORMATS = {"unfold": ["dxf", "svg", "flat.step", "json"], "connect": ["step", "stl", "spec"], "slit": ["mould.stl"]}
+    "slit": {"write_overlapping": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True},
+    "connect": {"profile": "onshape", "splines": "arcs", "r12": True, "no_rules": True,
+                "k_table": {"name": "steel.csv", "content": "r/t, k\n1, 0.4\n"}, "rules": {"content": {"k_low": 0.1}}}}
 
 
 class Types(StudioTest):
@@ -97,15 +97,20 @@ class Types(StudioTest):
                 self.assertTrue(answer.is_good, (kind, key, answer.body[:300]))
         self.assertEqual(self.studio.post(document, "draft", spec, no_such_option=1).status, 400)
 
-    def test_every_format_is_known_to_both(self):
-        self.expect({name: True for names in FORMATS.values() for name in names}, "Record<FileFormat, true>")
+    def test_every_artifact_of_the_description_can_be_had(self):
+        description = self.studio.get("/api/description").json()
+        self.expect(description, "Description")
         self.assertEqual(self.compiled(), "")
-        for kind, formats in FORMATS.items():
-            name = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "slit": "slit/arch.json"}[kind]
-            document, spec = self.studio.open_example(name)
-            for name in formats:
+        names = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "transition": "transition/a_square_to_round.json", "slit": "slit/arch.json"}
+        types = {row["name"]: row["media_type"] for row in description["artifacts"]}
+        self.assertEqual({row["name"] for row in description["makers"]}, set(names))
+        for row in description["makers"]:
+            document, spec = self.studio.open_example(names[row["name"]])
+            for name in row["artifacts"]:
                 answer = self.studio.post(document, f"files/{name}", spec)
-                self.assertTrue(answer.is_good, (kind, name, answer.body[:300]))
+                self.assertTrue(answer.is_good, (row["name"], name, answer.body[:300]))
+                self.assertEqual(answer.headers["content-type"], types[name])
+            self.assertEqual(self.studio.post(document, "files/spec", spec).is_good, row["editable"])
 
     def test_arrays_are_those_that_the_page_knows(self):
         known = subprocess.run(["npx", "tsx", "-e", f"import {{ arrayNames }} from '{WEB}/src/shape.ts'; console.log(arrayNames.join(' '))"],

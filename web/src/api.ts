@@ -1,6 +1,5 @@
-import { DraftSocket } from './draft-socket.ts';
 import { decodeShape } from './shape.ts';
-import type { ApiProblem, Example, FileFormat, OpenDocument, Progress, Request, Shape } from './types.ts';
+import type { ApiProblem, Description, Example, OpenDocument, Progress, Request, Shape } from './types.ts';
 
 /** What went wrong, as the program says it. */
 export class ApiError extends Error {
@@ -17,14 +16,11 @@ type More = Pick<RequestInit, 'keepalive' | 'signal'>;
 
 export class Api {
   private readonly token: string;
-  private readonly drafts = new DraftSocket(
-    async () =>
-      `ws://${location.hostname}:${(await this.json<{ port: number }>('GET', '/api/socket')).port}/${this.token}`,
-  );
   constructor(token: string) {
     this.token = token;
   }
 
+  description = () => this.json<Description>('GET', '/api/description');
   examples = () => this.json<Example[]>('GET', '/api/examples');
   example = async (name: string) =>
     (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
@@ -37,16 +33,10 @@ export class Api {
   attach = (id: string, name: string, bytes: ArrayBuffer | Blob) =>
     this.call('PUT', `/api/documents/${id}/attachments/${encodeURIComponent(name)}`, bytes);
   close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
-  draft = async (id: string, request: Request, signal?: AbortSignal): Promise<Shape> => {
-    const asked = this.drafts.ask(id, JSON.stringify(request)),
-      answer = asked && (await Promise.race([asked, cancelledBy(signal)]));
-    if (!answer) return this.shape(id, 'draft', request, signal);
-    if (answer instanceof ArrayBuffer) return decodeShape(answer);
-    throw new ApiError(answer, answer.status);
-  };
+  draft = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'draft', request, signal);
   result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
-  file = async (id: string, format: FileFormat, request: Request) =>
-    (await this.call('POST', `/api/documents/${id}/files/${format}`, JSON.stringify(request))).blob();
+  file = async (id: string, artifact: string, request: Request) =>
+    (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request))).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
@@ -82,9 +72,6 @@ export class Api {
 }
 
 const cancelled = () => new ApiError({ code: 'cancelled', message: 'cancelled' }, 0);
-
-const cancelledBy = (signal?: AbortSignal) =>
-  new Promise<never>((_, end) => signal?.addEventListener('abort', () => end(cancelled()), { once: true }));
 
 async function problemOf(answer: Response): Promise<ApiProblem> {
   try {

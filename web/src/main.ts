@@ -11,7 +11,7 @@ import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
 import { initialState, Store, type Theme } from './state.ts';
 import './styles.css';
-import type { DxfProfile, FileFormat, Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
+import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
@@ -98,18 +98,18 @@ function draw() {
 const withoutHoles = (o: Options) =>
   Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
 
-async function download(format: FileFormat, profile?: DxfProfile) {
+async function download(artifact: string, suffix: string, profile?: string) {
   const { document: d, input } = store.state;
   if (!d) return;
   try {
-    const blob = await api.file(d.id, format, {
+    const blob = await api.file(d.id, artifact, {
       spec: input.spec ?? undefined,
-      options: { ...input.options, ...(profile && profile !== 'standard' ? { profile } : {}) },
+      options: withoutHoles({ ...input.options, profile }),
     });
     const link = document.createElement('a'),
       url = URL.createObjectURL(blob);
     link.href = url;
-    link.download = fileName(d.name, format, input.options.piece);
+    link.download = fileName(d.name, artifact, suffix, input.options.piece);
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 10_000);
   } catch (error) {
@@ -117,17 +117,12 @@ async function download(format: FileFormat, profile?: DxfProfile) {
   }
 }
 
-function fileName(name: string, format: FileFormat, piece?: number): string {
-  const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : '');
-  return format === 'spec'
-    ? `${stem}.json`
-    : format === 'json'
-      ? `${stem}-report.json`
-      : format === 'mould.stl'
-        ? `${stem}-mould.stl`
-        : format === 'flat.step'
-          ? `${stem}-flat.step`
-          : `${stem}.${format}`;
+/** "part.dxf", "part-flat.step" of the artifact "flat.step", "part-report.json" beside the edited "part.json". */
+function fileName(name: string, artifact: string, suffix: string, piece?: number): string {
+  const stem = name.replace(/\.[^.]*$/, '') + (piece ? `-${piece + 1}` : ''),
+    more =
+      artifact === 'json' ? '-report' : artifact.includes('.') ? `-${artifact.slice(0, artifact.indexOf('.'))}` : '';
+  return stem + more + suffix;
 }
 
 /** Options name a side by the skin that is unfolded; which of the two that is, the shape with this one up shows. */
@@ -235,6 +230,10 @@ store.subscribe((state, before) => {
 });
 
 draw();
+api.description().then(
+  (description) => store.dispatch({ type: 'description', description }),
+  (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
+);
 api.examples().then(
   (examples) => store.dispatch({ type: 'examples', examples }),
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),

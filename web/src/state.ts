@@ -1,6 +1,7 @@
 import type {
   ApiProblem,
   CurveName,
+  Description,
   Example,
   OpenDocument,
   Options,
@@ -62,6 +63,7 @@ export interface State {
   tab: Tab;
   units: DisplayUnit;
   theme: Theme;
+  description: Description; // without rows until the server has said it
   examples: Example[];
   opening: Opening | null;
   problem: ApiProblem | null;
@@ -74,6 +76,7 @@ export interface State {
 }
 
 export type Action =
+  | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null }
@@ -126,6 +129,7 @@ export function initialState(theme: Theme): State {
     tab: 'input',
     units: 'mm',
     theme,
+    description: { makers: [], artifacts: [] },
     examples: [],
     opening: null,
     problem: null,
@@ -142,6 +146,8 @@ const historyLength = 200;
 
 export function reduce(state: State, action: Action): State {
   switch (action.type) {
+    case 'description':
+      return { ...state, description: action.description };
     case 'examples':
       return { ...state, examples: action.examples };
     case 'opening':
@@ -210,6 +216,7 @@ const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status ===
 function opened(state: State, document: OpenDocument, spec: Spec | null): State {
   return {
     ...initialState(state.theme),
+    description: state.description,
     examples: state.examples,
     units: unitsOf(document, spec),
     document,

@@ -1,6 +1,7 @@
 // The types of docs/studio-api.md and of the files and reports of the program.
 
-export type Kind = 'unfold' | 'connect' | 'transition' | 'slit';
+/** The name of a maker: a row of the description. */
+export type Kind = string;
 export type Vec2 = [number, number];
 export type Vec3 = [number, number, number];
 export type LengthUnit = 'mm' | 'inch' | 'm';
@@ -50,22 +51,62 @@ export interface OpenDocument {
   text?: string | null;
 }
 
+/** The content of a file that an option names. */
+export interface OptionFile<Content> {
+  name?: string;
+  content: Content;
+}
 export interface Options {
-  body?: number;
+  body?: number | string;
   root?: 'largest' | number;
   up?: 'auto' | 'reference' | 'other' | number;
-  k?: number | 'din6935';
+  k?: number;
+  k_table?: OptionFile<string>;
+  din6935?: boolean;
   bend_k?: Record<string, number>;
   density?: number;
   piece?: number;
-  align_scans?: boolean;
-  profile?: DxfProfile;
   units?: LengthUnit;
+  profile?: string;
+  r12?: boolean;
   splines?: 'arcs' | 'keep';
-  version?: 'r2000' | 'r12';
+  arc_tolerance?: number;
+  bend_marks?: 'lines' | 'ticks';
+  tick_length?: number;
+  tangent_lines?: boolean;
+  rules?: OptionFile<Record<string, number | boolean | string>>;
+  no_rules?: boolean;
+  write_overlapping?: boolean;
 }
-export type DxfProfile = 'standard' | 'inventor' | 'onshape' | 'solid_edge';
-export type FileFormat = 'dxf' | 'svg' | 'step' | 'flat.step' | 'stl' | 'mould.stl' | 'json' | 'spec';
+
+/** What can be opened, asked and written: the menus are made of it. */
+export interface Description {
+  makers: MakerRow[];
+  artifacts: ArtifactRow[];
+}
+export interface MakerRow {
+  name: Kind;
+  description: string;
+  input: string;
+  editable: boolean;
+  options: OptionRow[];
+  artifacts: string[];
+}
+export interface OptionRow {
+  name: string;
+  kind: string;
+  group: string;
+  description: string;
+  default: string;
+  words: string[];
+}
+export interface ArtifactRow {
+  name: string;
+  role: string;
+  suffix: string;
+  media_type: string;
+  description: string;
+}
 
 export interface Request {
   spec?: Spec;

@@ -1,5 +1,5 @@
 import type { Action, State, Theme } from './state.ts';
-import type { DxfProfile, FileFormat, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
+import type { Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
 import type { StandardView } from './folded-view.ts';
 
 /** What panels may see and do. `edit` with `live` belongs to a drag that `commit` ends. */
@@ -13,7 +13,8 @@ export interface Ui {
   faceUp(upper: boolean): void;
   openFiles(files: FileList | File[]): void;
   openExample(name: string): void;
-  download(format: FileFormat, profile?: DxfProfile): void;
+  /** `artifact`: of the description, or "spec", the edited input. */
+  download(artifact: string, suffix: string, profile?: string): void;
   cancel(): void;
   /** Has the result computed that was given up. */
   finish(): void;

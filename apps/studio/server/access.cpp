@@ -64,9 +64,4 @@ std::optional<std::string> Access::refusal(const Caller& caller) const {
   return why ? why : token_refusal(caller);
 }
 
-std::optional<std::string> Access::socket_refusal(const Caller& caller) const {
-  if (caller.origins.size() != 1 || !is_own_origin(caller.origins.front())) return kOtherPages;
-  return token_refusal(caller);
-}
-
 }  // namespace planish::studio

@@ -28,10 +28,6 @@ class Access {
   /// page itself.
   std::optional<std::string> host_refusal(const Caller& caller) const;
   std::optional<std::string> refusal(const Caller& caller) const;
-  /// Of a WebSocket, which has another port: browsers say truly which page opens it.
-  std::optional<std::string> socket_refusal(const Caller& caller) const;
-
-  const std::string& token() const { return token_; }
 
  private:
   bool is_own_host(const std::string& host) const;

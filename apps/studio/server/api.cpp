@@ -1,5 +1,6 @@
 #include "api.hpp"
 
+#include "description.hpp"
 #include "embedded.hpp"
 
 #include <fmt/format.h>
@@ -101,8 +102,8 @@ Answer Api::answer(const ApiRequest& request, std::string body) {
   auto at = segments(std::string_view(request.path).substr(kApi.size()));
   const std::string first = at.empty() ? "" : at.front();
   if (first == "examples" && request.method == "GET") return examples(request);
-  if (first == "socket" && at.size() == 1 && request.method == "GET")
-    return {200, kJsonType, fmt::format("{{\"port\":{}}}", draft_port_)};
+  if (first == "description" && at.size() == 1 && request.method == "GET")
+    return description(job::built_in());
   if (first != "documents") return nothing_there(request.path);
   at.erase(at.begin());
   return documents(store_, request, at, std::move(body));

@@ -21,18 +21,15 @@ constexpr std::size_t kLargestBody = std::size_t{64} << 20;
 /// Everything that docs/studio-api.md says, and the page itself. Thread-safe.
 class Api {
  public:
-  Api(Access access, DocumentStore& store, int draft_port)
-      : access_(std::move(access)), store_(store), draft_port_(draft_port) {}
+  Api(Access access, DocumentStore& store) : access_(std::move(access)), store_(store) {}
 
   /// 403 for callers who may not ask this, before their body is read; empty for all others.
   std::optional<Answer> turned_away(const ApiRequest& request) const;
   Answer answer(const ApiRequest& request, std::string body);
-  int draft_port() const { return draft_port_; }  ///< of the `DraftSocket`
 
  private:
   Access access_;
   DocumentStore& store_;
-  int draft_port_;
 };
 
 /// `kind` and `title` of every example, by name.

@@ -3,6 +3,7 @@
 #include "../work/attachments.hpp"
 #include "api.hpp"
 
+#include <planish/job/artifact.hpp>
 #include <planish/job/text_file.hpp>
 
 #include <fmt/format.h>
@@ -54,21 +55,17 @@ Result<void> check_size(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto type = std::filesystem::status(file, unknown).type();
   if (type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
-    return fail(ErrorCode::cannot_read, fmt::format("{} is a device, no file", file.string()),
+    return fail(ErrorCode::cannot_read, fmt::format("{} is a device, not a file", file.string()),
                 file.string());
   const bool regular = type == std::filesystem::file_type::regular;
   if (!regular || std::filesystem::file_size(file, unknown) <= kLargestBody) return {};
   return too_large(file);
 }
 
-std::vector<std::string> scans_of(const std::string& text) {
-  std::vector<std::string> names;
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  if (!json.is_object() || !json.contains("scan") || !json["scan"].is_array()) return names;
-  for (const nlohmann::json& scan : json["scan"])
-    if (scan.is_object() && scan.contains("points") && scan["points"].is_string())
-      names.push_back(scan["points"].get<std::string>());
-  return names;
+std::vector<job::NamedFile> files_named_in(const std::string& name, const std::string& content) {
+  const auto maker = job::built_in().maker_for(name, content);
+  if (!maker || !(*maker)->named_files) return {};
+  return (*maker)->named_files(content);
 }
 
 }  // namespace
@@ -83,11 +80,11 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   const std::string id = nlohmann::json::parse(taken.body)["id"];
   const Answer opened = store.open(id);
   if (opened.status != 200) return tl::unexpected(error_of(opened));
-  for (const std::string& name : scans_of(*bytes)) {
+  for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
     // What lies elsewhere is missed when it is asked for.
-    const auto points = is_plain_name(name) ? job::read_text(file.parent_path() / name, "scan")
-                                            : fail(ErrorCode::cannot_read, "");
-    if (points) store.attach(id, name, *points);
+    const auto content = is_plain_name(name) ? job::read_text(file.parent_path() / name, "file")
+                                             : fail(ErrorCode::cannot_read, "");
+    if (content) store.attach(id, name, *content);
   }
   return {};
 }

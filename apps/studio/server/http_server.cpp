@@ -22,12 +22,12 @@ constexpr time_t kIdleSeconds = 5;
 // Styles may be set by scripts on elements; scripts come from this server alone.
 constexpr auto kContentPolicy =
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
-    "blob:; connect-src 'self' ws://127.0.0.1:{0} ws://localhost:{0}; "
+    "blob:; connect-src 'self'; "
     "worker-src 'self' blob:; object-src 'none'; base-uri 'none'; form-action 'none'; "
     "frame-ancestors 'none'";
 
-httplib::Headers security_headers(int draft_port) {
-  return {{"Content-Security-Policy", fmt::format(kContentPolicy, draft_port)},
+httplib::Headers security_headers() {
+  return {{"Content-Security-Policy", kContentPolicy},
           {"X-Content-Type-Options", "nosniff"},
           {"X-Frame-Options", "DENY"},
           {"Referrer-Policy", "no-referrer"},
@@ -177,7 +177,7 @@ Result<int> HttpServer::bind(int port) {
 
 void HttpServer::serve(Api& api) {
   httplib::Server& server = content_->server;
-  server.set_default_headers(security_headers(api.draft_port()));
+  server.set_default_headers(security_headers());
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     answer_uncompressed(request);
     // Before paths are matched, which takes memory by their length.

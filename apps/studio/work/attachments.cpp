@@ -1,45 +1,17 @@
 #include "attachments.hpp"
 
-#include "json_text.hpp"
-
 #include <planish/job/printable.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace planish::studio {
 namespace {
 
-/// A file that the spec names, and where.
-struct Named {
-  std::string file;
-  std::size_t scan;
-  std::string where(const std::string& spec_name) const {
-    return fmt::format("{}/scan/{}/points", spec_name, scan);
-  }
-};
-
-bool names_a_file(const Json& scan) {
-  return scan.is_object() && scan.contains("points") && scan["points"].is_string();
-}
-
-std::vector<Named> named_files(const Json& spec) {
-  std::vector<Named> files;
-  if (!spec.is_object() || !spec.contains("scan") || !spec["scan"].is_array()) return files;
-  const Json& scans = spec["scan"];
-  for (std::size_t i = 0; i < scans.size(); ++i)
-    if (names_a_file(scans[i])) files.push_back({scans[i]["points"].get<std::string>(), i});
-  return files;
-}
-
-Result<void> check_name(const Named& named, const std::string& spec_name) {
-  if (is_plain_name(named.file)) return {};
-  return fail(ErrorCode::invalid_input,
-              fmt::format("slit file: /scan/{}/points must name a file that was added to the "
-                          "document, without folders",
-                          named.scan),
-              named.where(spec_name));
+std::vector<job::NamedFile> named_files(const job::Maker& maker, const std::string& spec) {
+  return maker.named_files ? maker.named_files(spec) : std::vector<job::NamedFile>{};
 }
 
 }  // namespace
@@ -51,29 +23,29 @@ bool is_plain_name(const std::string& name) {
          std::none_of(name.begin(), name.end(), unfit) && job::printable(name) == name;
 }
 
-Result<void> check_attachments(const std::string& spec, const std::string& name,
-                               const std::filesystem::path& attachments) {
-  const auto json = parse_json(spec, "slit file");
-  if (!json) return tl::unexpected(json.error());
-  for (const Named& named : named_files(*json)) {
-    if (auto plain = check_name(named, name); !plain) return plain;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(attachments / named.file, ignored))
-      return fail(ErrorCode::cannot_read,
-                  fmt::format("the scan {} was not added to the document", named.file),
-                  named.where(name));
-  }
+Result<void> check_names(const job::Maker& maker, const std::string& spec,
+                         const std::string& name) {
+  for (const job::NamedFile& named : named_files(maker, spec))
+    if (!is_plain_name(named.file))
+      return fail(ErrorCode::invalid_input,
+                  fmt::format("{}: {} must name a file that was added to the document, without "
+                              "folders",
+                              maker.input_kind(), named.pointer),
+                  name + named.pointer);
   return {};
 }
 
-Result<std::string> without_attachments(const std::string& spec, const std::string& name) {
-  auto json = parse_json(spec, "slit file");
-  if (!json) return tl::unexpected(json.error());
-  for (const Named& named : named_files(*json)) {
-    if (auto plain = check_name(named, name); !plain) return tl::unexpected(plain.error());
-    (*json)["scan"][named.scan]["points"] = Json::array();
+Result<void> check_attachments(const job::Maker& maker, const std::string& spec,
+                               const std::string& name, const std::filesystem::path& attachments) {
+  if (auto plain = check_names(maker, spec, name); !plain) return plain;
+  for (const job::NamedFile& named : named_files(maker, spec)) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(attachments / named.file, ignored))
+      return fail(ErrorCode::cannot_read,
+                  fmt::format("the file {} was not added to the document", named.file),
+                  name + named.pointer);
   }
-  return json_text(*json);
+  return {};
 }
 
 }  // namespace planish::studio

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/job/maker.hpp>
 
 #include <filesystem>
 #include <string>
@@ -11,14 +12,13 @@ namespace planish::studio {
 /// leading dot.
 bool is_plain_name(const std::string& name);
 
-/// Looks at the files that a slit spec names before anything opens one. Errors: `invalid_input` for
-/// a name that is not plain, `cannot_read` for one that is not among the attachments (`where` is
-/// `name` and JSON pointer).
-Result<void> check_attachments(const std::string& spec, const std::string& name,
-                               const std::filesystem::path& attachments);
+/// Looks at the names of files that a spec names. Errors: `invalid_input` for a name that is not
+/// plain (`where` is `name` and JSON pointer).
+Result<void> check_names(const job::Maker& maker, const std::string& spec, const std::string& name);
 
-/// The spec with no points in the place of files that it names. Errors: `invalid_input` for names
-/// that are not plain, and for what is not JSON.
-Result<std::string> without_attachments(const std::string& spec, const std::string& name);
+/// The same before anything opens one of them. Errors: besides, `cannot_read` for one that is not
+/// among the attachments.
+Result<void> check_attachments(const job::Maker& maker, const std::string& spec,
+                               const std::string& name, const std::filesystem::path& attachments);
 
 }  // namespace planish::studio

@@ -1,56 +1,53 @@
 #pragma once
 
-#include "answer.hpp"
-#include "asked.hpp"
-#include "json_text.hpp"
+#include "request.hpp"
 #include "shape.hpp"
 
-#include <planish/base/progress.hpp>
-#include <planish/base/result.hpp>
-#include <planish/job/report.hpp>
+#include <planish/job/artifact.hpp>
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 
 namespace planish::studio {
 
-/// A file that was made, and the type of its content.
-struct MadeFile {
-  std::string type;
-  std::string bytes;
-};
-
-/// One opened file with what is kept between requests. Errors of all: those of the job, and
-/// `bad_option` for options that this kind does not take and formats that it does not have.
+/// One opened file with what is kept between requests: the maker's work, and the last whole result,
+/// because files are mostly asked for after the result of the same request.
 class Document {
  public:
-  Document() = default;
-  Document(const Document&) = delete;
-  Document& operator=(const Document&) = delete;
-  virtual ~Document() = default;
+  /// Opens a file by its content. `attachments` is the folder of the files that it may name, which
+  /// may come later. Errors: those of `Catalogue::maker_for` and of the maker.
+  static Result<Document> open(const job::Catalogue& catalogue, const std::string& name,
+                               const std::string& content, std::filesystem::path attachments,
+                               const Progress& progress);
 
-  virtual std::string_view kind() const = 0;
-  /// What `planish info` says of it; null where it says nothing.
-  virtual Json info(const Progress&) const { return nullptr; }
-  virtual Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress) = 0;
-  virtual Result<MadeFile> file(const Asked& asked, const std::string& format,
-                                const Progress& progress) = 0;
+  const job::Maker& maker() const { return *maker_; }
+  /// What `planish info` says of it, as JSON text; "null" where it says nothing.
+  std::string info(const Progress& progress) const { return work_->info(progress); }
+
+  /// Errors of both: those of the maker; `bad_option` for a request without spec where the maker
+  /// reads one, and for artifacts that the maker does not write.
+  Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress);
+  Result<job::WrittenArtifact> file(const Asked& asked, const std::string& artifact,
+                                    const Progress& progress);
+
+ private:
+  using MadePointer = std::shared_ptr<job::Made>;
+
+  Document(const job::Catalogue& catalogue, const job::Maker& maker, std::string name,
+           std::filesystem::path attachments, std::unique_ptr<job::Work> work);
+  Result<void> take_spec(const Asked& asked);
+  Result<MadePointer> make(const Asked& asked, job::Effort effort, const Progress& progress);
+  job::Request request_of(const Asked& asked, job::Effort effort) const;
+
+  const job::Catalogue* catalogue_;
+  const job::Maker* maker_;
+  std::string name_;
+  std::filesystem::path attachments_;
+  std::unique_ptr<job::Work> work_;
+  std::optional<std::pair<std::string, MadePointer>> last_;
 };
-
-/// Opens a file by its content. A text is that of a spec if it is a JSON object; its "format", or
-/// else its keys, say which. `attachments` is the folder of the files that it may name. Errors:
-/// those of `read_step` and of the parsers.
-Result<std::unique_ptr<Document>> open_document(const std::string& name, const std::string& bytes,
-                                                const std::filesystem::path& attachments,
-                                                const Progress& progress);
-
-Result<std::unique_ptr<Document>> open_unfold(const std::string& name, const std::string& bytes,
-                                              const Progress& progress);
-Result<std::unique_ptr<Document>> open_connect(const std::string& name, const std::string& json);
-Result<std::unique_ptr<Document>> open_transition(const std::string& name, const std::string& json);
-Result<std::unique_ptr<Document>> open_slit(const std::string& name, const std::string& json,
-                                            const std::filesystem::path& attachments);
 
 }  // namespace planish::studio

@@ -47,7 +47,7 @@ std::string header(const Shape& shape, double seconds) {
   add("arrays", arrays_json(shape));
   add("parts", shape.parts);
   add("root", root_json(shape.root));
-  add("handles", shape.handles);
+  text += ",\"handles\": " + shape.handles;
   add("seconds", seconds);
   text += "}";
   text.resize((text.size() + 3) / 4 * 4, ' ');
@@ -93,20 +93,6 @@ std::string encoded(const Shape& shape, double seconds) {
   for (const ShapeArray& array : shape.arrays)
     bytes += array.bytes;
   return bytes;
-}
-
-Json point_json(const Vec3& p) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
-  return Json::array({number(p.x()), number(p.y()), number(p.z())});
-}
-
-Json points_json(const std::vector<Vec3>& points) {
-  Json json = Json::array();
-  for (const Vec3& p : points)
-    json.push_back(point_json(p));
-  return json;
 }
 
 }  // namespace planish::studio

@@ -25,7 +25,7 @@ struct Shape {
   std::string report;  ///< JSON text
   Json parts = Json::array();
   std::optional<Eigen::Isometry3d> root;
-  Json handles = Json::object();
+  std::string handles = "{}";  ///< JSON text
   std::vector<ShapeArray> arrays;
 
   void add(const std::string& name, const std::vector<float>& values);
@@ -43,8 +43,5 @@ void add_space(Shape& shape, const Mesh& mesh);
 
 /// The bytes, with the time that it took to compute them.
 std::string encoded(const Shape& shape, double seconds);
-
-Json point_json(const Vec3& p);
-Json points_json(const std::vector<Vec3>& points);
 
 }  // namespace planish::studio

@@ -144,7 +144,7 @@ class Contours {
 };
 
 void add_contours(Shape& shape, const job::Report& report, double chord) {
-  const auto& [sheet, flat, layout] = std::tie(report.laid, report.flat, report.layout);
+  const auto& [sheet, flat, layout] = std::tie(report.sheet, report.flat, report.layout);
   constexpr std::int32_t kWhole = -1;
   Contours contours(chord);
   contours.add(flat.outer.loop, true, kWhole);
@@ -185,7 +185,7 @@ void add_overlaps(Shape& shape, const job::Report& report) {
 }  // namespace
 
 void add_sheet(Shape& shape, const job::Report& report, job::Effort effort) {
-  const Sheet& sheet = report.laid;
+  const Sheet& sheet = report.sheet;
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
   const FacetOptions options = effort == job::Effort::draft ? kOfDrafts : FacetOptions{};

@@ -1,6 +1,6 @@
 #include "workbench.hpp"
 
-#include "made_files.hpp"
+#include "json_text.hpp"
 
 #include <chrono>
 #include <exception>
@@ -9,25 +9,29 @@
 namespace planish::studio {
 namespace {
 
+/// What is wrong with a request as such; what this kind of document cannot do is a problem.
 Answer bad_request(const Error& error) {
+  if (error.code == ErrorCode::bad_option) return failure(error);
   return failure(400, "bad_request", error.message, error.where);
 }
 
 }  // namespace
 
 Answer Workbench::open(const Task& task, const Progress& progress) {
-  auto document = open_document(task.argument, task.body, attachments_, progress);
+  auto document = Document::open(catalogue_, task.argument, task.body, attachments_, progress);
   if (!document) return failure(document.error());
   document_ = std::move(*document);
-  Json json{
-      {"kind", document_->kind()}, {"name", task.argument}, {"info", document_->info(progress)}};
-  json["text"] = document_->kind() == "unfold" ? Json(nullptr) : Json(task.body);
+  const job::Maker& maker = document_->maker();
+  Json json{{"kind", maker.name},
+            {"name", task.argument},
+            {"info", Json::parse(document_->info(progress))}};
+  json["text"] = maker.format.empty() ? Json(nullptr) : Json(task.body);
   return {200, kJsonType, json_text(json)};
 }
 
 Answer Workbench::shape(const Task& task, job::Effort effort, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const auto asked = parse_asked(task.body);
+  const auto asked = parse_asked(task.body, document_->maker());
   if (!asked) return bad_request(asked.error());
   const auto shape = document_->shape(*asked, effort, progress);
   if (!shape) return failure(shape.error());
@@ -36,15 +40,14 @@ Answer Workbench::shape(const Task& task, job::Effort effort, const Progress& pr
 }
 
 Answer Workbench::file(const Task& task, const Progress& progress) {
-  const auto asked = parse_asked(task.body);
+  const auto asked = parse_asked(task.body, document_->maker());
   if (!asked) return bad_request(asked.error());
-  if (task.argument == "spec") {
-    if (auto given = has_spec(*asked); !given) return failure(given.error());
+  // The input itself, as it was edited.
+  if (task.argument == "spec" && !asked->spec.empty())
     return {200, kJsonType, json_text(*parse_json(asked->spec, "spec"), 2) + "\n"};
-  }
   auto made = document_->file(*asked, task.argument, progress);
   if (!made) return failure(made.error());
-  return {200, std::move(made->type), std::move(made->bytes)};
+  return {200, std::string(made->artifact->media_type), std::move(made->bytes)};
 }
 
 Answer Workbench::dispatch(const Task& task, const Progress& progress) {

@@ -6,7 +6,7 @@
 #include <planish/base/progress.hpp>
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 
 namespace planish::studio {
@@ -16,7 +16,9 @@ namespace planish::studio {
 class Workbench {
  public:
   /// `attachments`: the folder of the files that were added to the document.
-  explicit Workbench(std::filesystem::path attachments) : attachments_(std::move(attachments)) {}
+  explicit Workbench(std::filesystem::path attachments,
+                     const job::Catalogue& catalogue = job::built_in())
+      : catalogue_(catalogue), attachments_(std::move(attachments)) {}
 
   /// Answers as docs/studio-api.md has them; what is opened has no "id" and no "given" yet.
   /// Whatever a task throws becomes an answer: 409 `out_of_memory`, else 500 `internal`.
@@ -28,8 +30,9 @@ class Workbench {
   Answer shape(const Task& task, job::Effort effort, const Progress& progress);
   Answer file(const Task& task, const Progress& progress);
 
+  const job::Catalogue& catalogue_;
   std::filesystem::path attachments_;
-  std::unique_ptr<Document> document_;
+  std::optional<Document> document_;
 };
 
 }  // namespace planish::studio

@@ -11,9 +11,6 @@
 
 namespace planish::job {
 
-/// One request to make a sheet of the plates of a file, as data.
-using ConnectRequest = MakeRequest;
-
 /// What came of it. The connection holds what was known when it was refused.
 struct ConnectReport : Report {
   Connection connection;
@@ -27,14 +24,11 @@ struct ConnectReport : Report {
 /// that the file could not be read or is invalid; plates that cannot be joined give a report with
 /// `refusal`. `where` of both is the file's name, followed by the JSON pointer of the cause.
 /// Errors: `cannot_read`, those of `parse_plates`, those of `planish::connect` with exit status 3.
-Result<ConnectReport> connect(const ConnectRequest& request, const Progress& progress = {});
+Result<ConnectReport> connect(const Request& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).
-Result<ConnectReport> connect_plates(const PlatesFile& file, const ConnectRequest& request,
+Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                      const Progress& progress = {});
-
-/// The report of a request that ended with an error.
-ConnectReport failed(const ConnectRequest& request, const Error& error);
 
 /// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
 std::string report_json(const ConnectReport& report);

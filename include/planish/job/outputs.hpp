@@ -10,17 +10,6 @@
 
 namespace planish::job {
 
-enum class OutputFormat { dxf, svg, step };
-
-/// Name of a file of this format that nobody named: "part.dxf", "part.svg", "part_flat.step" (the
-/// last never is the input itself).
-std::string file_name(const std::string& stem, OutputFormat format);
-
-/// The pattern of a report (`has_pattern()` is required) as the text of a file. Errors: those of
-/// the writers.
-Result<std::string> composed(const Report& report, OutputFormat format, const DxfOptions& dxf = {},
-                             const SvgOptions& svg = {});
-
 /// A body's name as part of a file name: ASCII letters, digits, '-', '_', '.' and letters of other
 /// scripts stay, every run of anything else becomes one '_'; no '.' or '-' in front, no '.' or '_'
 /// at the end; at most 100 bytes; "body" where nothing is left.

@@ -12,6 +12,9 @@
 
 namespace planish::job {
 
+/// Whether a report has a row for every ridge, or none.
+enum class Ridges { told, left_out };
+
 /// What came of a request to bend a slit sheet. Without a pattern there may still be a shape: that
 /// of strips some of which stay out of reach.
 struct SlitReport : Report {
@@ -29,26 +32,19 @@ struct SlitReport : Report {
 /// give a report with `refusal`. `where` of both is the file's name, followed by the JSON pointer
 /// of the cause. Of the request's rules none apply: they are those of press brakes. Errors:
 /// `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
-Result<SlitReport> slit(const MakeRequest& request, const Progress& progress = {});
+Result<SlitReport> slit(const Request& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).
-Result<SlitReport> slit_sheet(const SlitFile& file, const MakeRequest& request,
+Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
                               const Progress& progress = {});
 
 /// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes
 /// and units are read).
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
-                               const MakeRequest& request, const Progress& progress = {});
-
-/// Files of scanned points that a slit file names, as far as it can be read; none of standard input
-/// ("-").
-std::vector<std::filesystem::path> slit_point_files(const std::filesystem::path& input);
-
-/// The report of a request that ended with an error.
-SlitReport failed_slit(const MakeRequest& request, const Error& error);
+                               const Request& request, const Progress& progress = {});
 
 /// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
-std::string report_json(const SlitReport& report);
+std::string report_json(const SlitReport& report, Ridges ridges = Ridges::told);
 std::string report_text(const SlitReport& report);
 
 }  // namespace planish::job

@@ -2,9 +2,11 @@
 
 #include <planish/base/result.hpp>
 #include <planish/io/flat_writers.hpp>
+#include <planish/job/named_file.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,17 +22,16 @@ struct SlitFile {
   LengthUnit units = LengthUnit::mm;  ///< of the file
 };
 
-/// Reads a slit file; files of scanned points are sought in `folder`. Errors: `invalid_input` for
-/// anything that is not JSON (`where` is name:line:column), unknown, repeated and missing keys,
-/// values of another kind or outside their range (`where` is name and JSON pointer), points that
-/// are none (`where` is file:line); `cannot_read` for files of points. What designs must be is left
-/// to `SlitSession`.
+/// Reads a slit file; files of scanned points are sought in `folder`, and left unread without one.
+/// Errors: `invalid_input` for anything that is not JSON (`where` is name:line:column), unknown,
+/// repeated and missing keys, values of another kind or outside their range (`where` is name and
+/// JSON pointer), and points that cannot be read (`where` is file:line); `cannot_read` for files of
+/// points. What designs must be is left to `SlitSession`.
 Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
-                             const std::filesystem::path& folder);
+                             const std::optional<std::filesystem::path>& folder);
 
-/// The files of scanned points that a slit file names, as far as it can be read.
-std::vector<std::filesystem::path> point_files_of(const std::string& json,
-                                                  const std::filesystem::path& folder);
+/// The files of scanned points that a slit file names, valid or not.
+std::vector<NamedFile> point_files_of(const std::string& json);
 
 /// Points as text, "x y z" a line, blanks, tabs, commas or semicolons between; `#` begins a
 /// comment, empty lines are passed over. Where blanks, tabs or semicolons stand between numbers a

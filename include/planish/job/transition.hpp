@@ -28,16 +28,13 @@ struct TransitionReport : Report {
 /// Makes the transition, lays each piece flat and certifies it. An error means that the file could
 /// not be read or is invalid; profiles that have no transition give a report with `refusal`.
 /// `where` of both is the file's name, followed by the JSON pointer of the cause.
-/// `request.allowance` is a constant K or empty. Errors: `cannot_read`, those of
-/// `parse_transition`, those of `make_transition` with exit status 3.
-Result<TransitionReport> transition(const MakeRequest& request, const Progress& progress = {});
+/// Errors: `cannot_read`, those of `parse_transition`, those of `make_transition` with exit status
+/// 3, `bad_option` (`request.allowance` is a rule that needs inside radii).
+Result<TransitionReport> transition(const Request& request, const Progress& progress = {});
 
 /// The part of it that begins with a file already read (`request.input` only names it).
-Result<TransitionReport> transition_between(const TransitionFile& file, const MakeRequest& request,
+Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                             const Progress& progress = {});
-
-/// The report of a request that ended with an error.
-TransitionReport failed_transition(const MakeRequest& request, const Error& error);
 
 /// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
 std::string report_json(const TransitionReport& report);

@@ -5,6 +5,7 @@
 #include <planish/job/report.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,19 +17,6 @@ struct Recognized;
 
 namespace planish::job {
 
-/// One request to unfold one body of a STEP file, as data.
-struct UnfoldRequest : PatternChecks {
-  std::filesystem::path input;  ///< "-" reads standard input
-  std::string body;             ///< number (1-based) or name; empty: the only body
-  AllowanceRule allowance = ConstantK{};
-  std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends, by their ids ("B1"),
-                                                       ///< before `allowance`
-  std::string root = "largest";                        ///< "largest" or a face number
-  std::string up = "auto";  ///< "auto", "reference", "other", or the number of a face that shall
-                            ///< face up
-  LengthUnit units = LengthUnit::mm;  ///< of the report
-};
-
 /// What came of one body.
 struct UnfoldReport : Report {
   int number = 1;          ///< of the body in its file, as `planish info` counts
@@ -39,24 +27,27 @@ struct UnfoldReport : Report {
 /// Unfolds one body. An error means that the input could not be read or the request is wrong; a
 /// body without flat pattern gives a report with `refusal`. Errors beyond those of `read_step`:
 /// `no_such_body` (also for several bodies of which none is chosen), `no_such_face`, `bad_option`.
-Result<UnfoldReport> unfold(const UnfoldRequest& request, const Progress& progress = {});
+Result<UnfoldReport> unfold(const Request& request, const Progress& progress = {});
 
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. Whatever
 /// goes wrong with one body is the refusal in its report; the others go on.
-Result<std::vector<UnfoldReport>> unfold_all(const UnfoldRequest& request,
-                                             const Progress& progress = {});
+Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {});
 
 /// The part of both that begins with a body already read (`request.input` and `request.body` are
 /// not looked at; `input`, `number`, `bodies_in_file` and `read_seconds` of the report not set).
-Result<UnfoldReport> unfold_body(const Body& body, const UnfoldRequest& request,
+Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
                                  const Progress& progress = {});
 
 /// The part of it that begins with what `recognize` found in the body, or why it found no sheet.
 Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
-                                       const UnfoldRequest& request, const Progress& progress = {});
+                                       const Request& request, const Progress& progress = {});
 
 /// The report of a request that ended with an error, so that scripts find its reason in one place.
-UnfoldReport failed(const UnfoldRequest& request, const Error& error);
+UnfoldReport failed_unfold(const Request& request, const Error& error);
+
+class Made;
+/// The report as artifacts are written from it; the mesh of its body is not known.
+std::unique_ptr<Made> made_of(const UnfoldReport& report);
 
 /// Report as JSON text with the keys of FORMATS.
 std::string report_json(const UnfoldReport& report);

@@ -4,8 +4,8 @@ import { chooseFile } from './top-bar.ts';
 
 export function startScreen(ui: Ui) {
   if (ui.state.document) return nothing;
-  const firsts = ['unfold', 'connect', 'transition', 'slit'].flatMap((kind) =>
-    ui.state.examples.filter((e) => e.kind === kind).slice(0, 3),
+  const firsts = ui.state.description.makers.flatMap(({ name }) =>
+    ui.state.examples.filter((e) => e.kind === name).slice(0, 3),
   );
   return html`<div class="start" data-testid="start">
     <h1>Drop a file here</h1>

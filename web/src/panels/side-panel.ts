@@ -3,11 +3,8 @@ import { pieceOf } from '../report.ts';
 import type { Tab } from '../state.ts';
 import { lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
-import { connectPanel } from './connect.ts';
-import { slitPanel } from './slit.ts';
+import { panels } from './kinds.ts';
 import { bendTable, certificate, findingsList, findingsOf } from './tables.ts';
-import { transitionPanel } from './transition.ts';
-import { unfoldPanel } from './unfold.ts';
 
 export function sidePanel(ui: Ui): TemplateResult {
   const { tab, document: d } = ui.state,
@@ -40,10 +37,9 @@ function content(ui: Ui, tab: Tab) {
   if (tab === 'bends') return bendTable(ui);
   if (tab === 'findings') return findingsList(ui);
   if (tab === 'certificate') return certificate(ui);
-  const kind = ui.state.document?.kind;
-  if (kind === 'unfold') return unfoldPanel(ui);
-  if (!ui.state.input.spec) return html`<p class="hint">The file cannot be edited here.</p>`;
-  return kind === 'connect' ? connectPanel(ui) : kind === 'transition' ? transitionPanel(ui) : slitPanel(ui);
+  const panel = panels[ui.state.document?.kind ?? ''];
+  if (!panel || (panel.edits && !ui.state.input.spec)) return html`<p class="hint">The file cannot be edited here.</p>`;
+  return panel.draw(ui);
 }
 
 function summary(ui: Ui) {

@@ -1,8 +1,8 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
-import type { DxfProfile, FileFormat, Kind } from '../types.ts';
+import type { MakerRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
-let profile: DxfProfile = 'standard'; // as last chosen; not part of the document
+let profile: string | undefined; // names of the DXF's layers as last chosen; not part of the document
 
 export function topBar(ui: Ui): TemplateResult {
   const { document: d, past, pending, future, units, theme } = ui.state;
@@ -68,20 +68,14 @@ export function topBar(ui: Ui): TemplateResult {
 export const chooseFile = () => document.getElementById('file-input')?.click();
 
 function examplesMenu(ui: Ui) {
-  const kinds: [Kind, string][] = [
-    ['unfold', 'Unfold'],
-    ['connect', 'Connect'],
-    ['transition', 'Transition'],
-    ['slit', 'Slit'],
-  ];
   return html`<details class="menu">
     <summary class="button" data-testid="examples-menu">Examples ▾</summary>
     <div class="list">
       ${ui.state.examples.length ? nothing : html`<p class="hint">No examples.</p>`}
-      ${kinds.map(([kind, title]) => {
-        const own = ui.state.examples.filter((e) => e.kind === kind);
+      ${ui.state.description.makers.map(({ name }) => {
+        const own = ui.state.examples.filter((e) => e.kind === name);
         return own.length
-          ? html`<h4>${title}</h4>
+          ? html`<h4>${capitalised(name)}</h4>
               ${own.map(
                 (e) =>
                   html`<button
@@ -100,52 +94,48 @@ function examplesMenu(ui: Ui) {
   </details>`;
 }
 
-const kindFormats: [FileFormat, string, Kind[]][] = [
-  ['svg', 'SVG, flat pattern', ['unfold', 'connect', 'transition', 'slit']],
-  ['step', 'STEP, folded', ['connect', 'transition', 'slit']],
-  ['flat.step', 'STEP, flat', ['unfold', 'connect', 'transition', 'slit']],
-  ['stl', 'STL, folded', ['connect', 'transition', 'slit']],
-  ['mould.stl', 'STL, mould', ['slit']],
-  ['json', 'JSON, report', ['unfold', 'connect', 'transition', 'slit']],
-  ['spec', 'JSON, the edited input', ['connect', 'transition', 'slit']],
-];
+const capitalised = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function downloadMenu(ui: Ui) {
-  const kind = ui.state.document?.kind;
-  const save = (format: FileFormat) => (e: Event) => {
+  const { makers, artifacts } = ui.state.description,
+    maker = makers.find((m) => m.name === ui.state.document?.kind);
+  const save = (artifact: string, suffix: string) => (e: Event) => {
     closeMenu(e);
-    ui.download(format, format === 'dxf' ? profile : undefined);
+    ui.download(artifact, suffix, artifact === 'dxf' ? profile : undefined);
   };
+  const button = (name: string, suffix: string, description: string) =>
+    html`<button data-testid="download-${name}" @click=${save(name, suffix)}>${description}</button>`;
+  const rows = artifacts.filter((a) => maker?.artifacts.includes(a.name));
   return html`<details class="menu right">
-    <summary class="button primary" data-testid="download-menu" aria-disabled=${!kind}>Download ▾</summary>
+    <summary class="button primary" data-testid="download-menu" aria-disabled=${!maker}>Download ▾</summary>
     <div class="list">
-      ${!kind
+      ${!maker
         ? html`<p class="hint">Open something first.</p>`
-        : html` <div class="dxf">
-              <button data-testid="download-dxf" @click=${save('dxf')}>DXF, flat pattern</button>
-              <label
-                >layers
-                <select
-                  data-testid="dxf-profile"
-                  @change=${(e: Event) => {
-                    profile = (e.target as HTMLSelectElement).value as DxfProfile;
-                  }}
-                >
-                  <option value="standard">standard</option>
-                  <option value="inventor">Inventor</option>
-                  <option value="onshape">Onshape</option>
-                  <option value="solid_edge">Solid Edge</option>
-                </select></label
-              >
-            </div>
-            ${kindFormats
-              .filter(([, , kinds]) => kinds.includes(kind))
-              .map(
-                ([format, title]) =>
-                  html`<button data-testid="download-${format}" @click=${save(format)}>${title}</button>`,
-              )}`}
+        : html`${rows.map(({ name, suffix, description }) =>
+            name === 'dxf'
+              ? html`<div class="dxf">${button(name, suffix, description)}${layerChoice(maker)}</div>`
+              : button(name, suffix, description),
+          )}
+          ${maker.editable ? button('spec', '.json', 'JSON, the edited input') : nothing}`}
     </div>
   </details>`;
 }
+
+function layerChoice(maker: MakerRow) {
+  const words = maker.options.find((o) => o.name === 'profile')?.words ?? [];
+  return html`<label
+    >layers
+    <select
+      data-testid="dxf-profile"
+      @change=${(e: Event) => {
+        profile = (e.target as HTMLSelectElement).value;
+      }}
+    >
+      ${words.map((word) => html`<option value=${word}>${layerSystems[word] ?? word}</option>`)}
+    </select></label
+  >`;
+}
+
+const layerSystems: Record<string, string> = { inventor: 'Inventor', onshape: 'Onshape', solidedge: 'Solid Edge' };
 
 const closeMenu = (e: Event) => (e.target as HTMLElement).closest('details')?.removeAttribute('open');

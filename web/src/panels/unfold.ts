@@ -37,19 +37,9 @@ export function unfoldPanel(ui: Ui) {
           ['number', 'a number'],
           ['din6935', 'by DIN 6935'],
         ] as const,
-        (v) =>
-          set({
-            k:
-              v === 'default'
-                ? undefined
-                : v === 'din6935'
-                  ? 'din6935'
-                  : typeof options.k === 'number'
-                    ? options.k
-                    : 0.44,
-          }),
+        (v) => set({ k: v === 'number' ? (options.k ?? 0.44) : undefined, din6935: v === 'din6935' || undefined }),
       )}
-      ${typeof options.k === 'number'
+      ${options.k !== undefined
         ? numberField({
             label: 'K of the part',
             testid: 'k-number',
@@ -90,7 +80,7 @@ export function unfoldPanel(ui: Ui) {
   )}`;
 }
 
-const kRule = (o: Options) => (o.k === undefined ? 'default' : o.k === 'din6935' ? 'din6935' : 'number');
+const kRule = (o: Options) => (o.din6935 ? 'din6935' : o.k === undefined ? 'default' : 'number');
 
 function pickRow(ui: Ui, mode: PickMode, label: string, value: string, clear: () => void) {
   const on = ui.state.pick === mode;

@@ -1,0 +1,196 @@
+#include "arguments.hpp"
+
+#include "option_parts.hpp"
+
+#include <planish/job/rules_json.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace planish::cli {
+namespace {
+
+using job::Maker;
+using job::Option;
+using job::OptionKind;
+using job::OptionUse;
+using job::Role;
+
+struct RoleWords {
+  Role role;
+  const char* option;
+  const char* words;
+};
+
+constexpr RoleWords kRoles[] = {{Role::folded, "-o,--output", "folded part"},
+                                {Role::flat, "--flat", "flat pattern"},
+                                {Role::mould, "--mould", "mould that the sheet is laid on"}};
+
+std::string type_name(const Option& option) {
+  switch (option.kind) {
+    case OptionKind::word:
+      return fmt::format("{}", fmt::join(option.words, "|"));
+    case OptionKind::face:
+      return fmt::format("{}|FACE", fmt::join(option.words, "|"));
+    case OptionKind::name:
+      return "N|NAME";
+    case OptionKind::file:
+      return std::string(option.file_type);
+    case OptionKind::by_bend:
+      return "BEND=K";
+    case OptionKind::whole:
+      return "N";
+    default:
+      return "NUMBER";
+  }
+}
+
+std::string description(const Option& option, const OptionUse& use) {
+  const auto otherwise = use.otherwise.empty() ? option.otherwise : use.otherwise;
+  if (otherwise.empty()) return std::string(option.description);
+  return fmt::format("{}; default {}", option.description, otherwise);
+}
+
+void add_option(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
+  const Option& option = job::option(use.name);
+  if (!option.on_command_line) return;
+  const std::string name = flag_of(use.name), said = description(option, use);
+  if (option.kind == OptionKind::flag) {
+    app.add_flag_callback(
+           name, [&] { values.set(option, true); }, said)
+        ->group(std::string(option.group));
+    return;
+  }
+  const auto check = [&option](const std::string& text) -> std::string {
+    const auto fine = job::OptionValues().set_text(option, text);
+    return fine ? std::string() : fine.error().message;
+  };
+  const auto set = [&](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+      (void)values.set_text(option, text);  // each was checked
+  };
+  auto* made = app.add_option_function<std::vector<std::string>>(name, set, said);
+  made->allow_extra_args(false)->check(check)->type_name(type_name(option));
+  if (option.kind != OptionKind::by_bend)
+    made->multi_option_policy(CLI::MultiOptionPolicy::Throw)->expected(1);
+  made->group(std::string(option.group));
+}
+
+void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {
+  for (const OptionUse& use : maker.options)
+    if ((job::option(use.name).group == "Input") == of_input) add_option(app, use, values);
+}
+
+// ".dxf, .svg or .step"
+std::string suffixes(const std::vector<const job::Artifact*>& artifacts) {
+  std::string text;
+  for (std::size_t i = 0; i < artifacts.size(); ++i)
+    text += fmt::format("{}{}",
+                        i == 0                      ? ""
+                        : i + 1 == artifacts.size() ? " or "
+                                                    : ", ",
+                        artifacts[i]->suffix);
+  return text;
+}
+
+// What is written where no output is named.
+std::string default_words(const job::Catalogue& catalogue, const Maker& maker, Role role) {
+  if (role == Role::mould) return {};
+  const bool both = maker.makes(job::Source::folded_solid);
+  const std::string other = !both ? "" : role == Role::flat ? ", without -o" : ", without --flat";
+  return fmt::format("; default{}: <input>{} beside the input", other,
+                     catalogue.written_by(maker, role).front()->file_end);
+}
+
+void add_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
+                 Arguments& to) {
+  for (const RoleWords& role : kRoles) {
+    const auto written = catalogue.written_by(maker, role.role);
+    const bool folded = role.role == Role::folded && !maker.makes(job::Source::folded_solid);
+    if (written.empty() || folded) continue;
+    add_repeatable(app, role.option, to.outputs[role.role],
+                   fmt::format("{}: {} file; may be given several times{}", role.words,
+                               suffixes(written), default_words(catalogue, maker, role.role)))
+        ->type_name("PATH")
+        ->group("Output");
+  }
+}
+
+// Of makers whose inputs may hold several bodies the pattern alone is written, also into folders.
+void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
+                      Arguments& to) {
+  app.add_flag("--all", to.all,
+               "unfold every different body into the folder of -o, with summary.csv and "
+               "summary.json")
+      ->group("Input");
+  const auto written = catalogue.written_by(maker, Role::flat);
+  add_repeatable(app, "-o,--output", to.outputs[Role::flat],
+                 fmt::format("{} file, or a folder; may be given several times; default: "
+                             "<input>.dxf beside the input",
+                             suffixes(written)))
+      ->type_name("PATH")
+      ->group("Output");
+  std::vector<std::string> words;
+  for (const job::Artifact* artifact : written)
+    words.emplace_back(artifact->suffix.substr(1));
+  const auto check = [words](const std::string& text) -> std::string {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
+    return fmt::format("must be one of {}, not \"{}\"", fmt::join(words, ", "), text);
+  };
+  add_repeatable(app, "--format", to.formats,
+                 fmt::format("what to write into a folder or without -o: {}, with commas between; "
+                             "default {}",
+                             fmt::join(words, ", "), words.front()))
+      ->delimiter(',')
+      ->type_name("FORMATS")
+      ->check(check)
+      ->group("Output");
+}
+
+void add_report_options(CLI::App& app, Arguments& to) {
+  add_text(app, "--json", to.json, "FILE", "the report as JSON; - writes it to standard output")
+      ->group("Output");
+  app.add_flag("--check", to.check, "do the work and report, but write no other file")
+      ->group("Output");
+  app.add_flag("-q,--quiet", to.quiet, "no summary on the terminal")->group("Output");
+}
+
+void add_print_rules(CLI::App& app) {
+  const auto print = [] {
+    fmt::print("{}", job::rules_json(Rules{}));
+    throw CLI::Success();
+  };
+  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and end")
+      ->group("Checks");
+}
+
+}  // namespace
+
+std::string_view output_option(const Maker& maker, Role role) {
+  if (maker.takes("body")) return "-o";
+  return role == Role::folded ? "-o" : role == Role::flat ? "--flat" : "--mould";
+}
+
+CLI::App* add_maker(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
+                    Arguments& arguments) {
+  arguments.maker = &maker;
+  CLI::App* command = app.add_subcommand(std::string(maker.name), std::string(maker.description));
+  const std::string kind = maker.format.empty() ? "STEP file (AP203, AP214, AP242)"
+                                                : maker.input_kind() + " (JSON)";
+  add_text(*command, "input", arguments.input, "FILE", kind + ", or - for standard input")
+      ->required();
+  add_options(*command, maker, arguments.options, true);
+  if (maker.takes("body"))
+    add_body_outputs(*command, catalogue, maker, arguments);
+  else
+    add_outputs(*command, catalogue, maker, arguments);
+  add_report_options(*command, arguments);
+  add_options(*command, maker, arguments.options, false);
+  if (maker.takes("rules")) add_print_rules(*command);
+  command->footer(std::string(maker.help));
+  return command;
+}
+
+}  // namespace planish::cli

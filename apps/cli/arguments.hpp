@@ -1,0 +1,37 @@
+#pragma once
+
+#include <planish/job/artifact.hpp>
+#include <planish/job/options.hpp>
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace planish::cli {
+
+/// What stands on the command line of a maker's command, each value checked by itself; what they
+/// mean together is settled in `planned`.
+struct Arguments {
+  const job::Maker* maker = nullptr;
+  std::string input;
+  std::string json;    ///< file, or "-"; empty: none
+  bool check = false;  ///< nothing but the report is written
+  bool quiet = false;
+  bool all = false;                  ///< every body, of makers that take one of several
+  std::vector<std::string> formats;  ///< of what is written into a folder
+  std::map<job::Role, std::vector<std::string>> outputs;
+  job::OptionValues options;
+};
+
+/// The option that asks for files of a role: "-o" for the folded part; of makers that take one of
+/// several bodies, for the flat pattern.
+std::string_view output_option(const job::Maker& maker, job::Role role);
+
+/// Defines the subcommand of a maker; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_maker(CLI::App& app, const job::Catalogue& catalogue, const job::Maker& maker,
+                    Arguments& arguments);
+
+}  // namespace planish::cli

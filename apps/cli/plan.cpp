@@ -1,0 +1,164 @@
+#include "plan.hpp"
+
+#include "contradictions.hpp"
+#include "output_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace planish::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using job::Artifact;
+using job::Role;
+
+constexpr Role kOrder[] = {Role::folded, Role::mould, Role::flat};
+
+/// One command line against a catalogue.
+struct Planning {
+  const job::Catalogue& catalogue;
+  const Arguments& arguments;
+
+  std::vector<const Artifact*> written(Role role) const {
+    return catalogue.written_by(*arguments.maker, role);
+  }
+  bool is_asked(Role role) const {
+    const auto found = arguments.outputs.find(role);
+    return found != arguments.outputs.end() && !found->second.empty();
+  }
+  fs::path beside_input(const Artifact& artifact) const {
+    const fs::path input(arguments.input);
+    return input.parent_path() / (stem_of(input) + std::string(artifact.file_end));
+  }
+};
+
+tl::unexpected<Error> says_nothing(std::string_view option, const std::string& name,
+                                   const std::vector<const Artifact*>& known, const char* more) {
+  std::string suffixes;
+  for (const Artifact* artifact : known)
+    suffixes += fmt::format("{}{}", suffixes.empty() ? "" : ", ", artifact->suffix);
+  return tl::unexpected(bad_option(
+      fmt::format("{} \"{}\" does not say what to write: the name must end in one of {}{}", option,
+                  name, suffixes, more)));
+}
+
+std::vector<const Artifact*> formats_of(const Planning& planning) {
+  const auto written = planning.written(Role::flat);
+  std::vector<const Artifact*> formats;
+  for (const std::string& word : planning.arguments.formats) {
+    const Artifact* artifact = by_suffix(written, "." + word);
+    if (artifact && std::find(formats.begin(), formats.end(), artifact) == formats.end())
+      formats.push_back(artifact);
+  }
+  if (formats.empty()) formats.push_back(written.front());
+  return formats;
+}
+
+Result<std::vector<Target>> default_targets(const Planning& planning) {
+  const job::Maker& maker = *planning.arguments.maker;
+  if (planning.arguments.input == "-")
+    return tl::unexpected(bad_option(fmt::format(
+        "standard input has no name to call the outputs by: say where with {} FILE, or --check "
+        "for no output",
+        output_option(maker, maker.makes(job::Source::folded_solid) ? Role::folded : Role::flat))));
+  std::vector<Target> targets;
+  if (maker.makes(job::Source::folded_solid)) {
+    const Artifact* folded = planning.written(Role::folded).front();
+    targets.push_back({planning.beside_input(*folded), folded});
+  }
+  for (const Artifact* flat : formats_of(planning))
+    targets.push_back({planning.beside_input(*flat), flat});
+  return targets;
+}
+
+/// The files that one value of an output option means; a folder takes those of --format.
+Result<std::vector<Target>> targets_of(const Planning& planning, Role role,
+                                       const std::string& name) {
+  const bool folders = planning.arguments.maker->takes("body");
+  const auto written = planning.written(role);
+  std::vector<Target> targets;
+  if (folders && is_folder(name)) {
+    for (const Artifact* artifact : formats_of(planning))
+      targets.push_back({fs::path(name) / planning.beside_input(*artifact).filename(), artifact});
+  } else if (const Artifact* artifact = by_suffix(written, name)) {
+    targets.push_back({name, artifact});
+  } else {
+    return says_nothing(output_option(*planning.arguments.maker, role), name, written,
+                        folders ? ", or in / for a folder" : "");
+  }
+  return targets;
+}
+
+Result<std::vector<Target>> all_targets(const Planning& planning) {
+  const bool any = std::any_of(std::begin(kOrder), std::end(kOrder),
+                               [&](Role role) { return planning.is_asked(role); });
+  if (!any) return default_targets(planning);
+  std::vector<Target> targets;
+  for (const Role role : kOrder) {
+    if (!planning.is_asked(role)) continue;
+    for (const std::string& name : planning.arguments.outputs.at(role)) {
+      auto some = targets_of(planning, role, name);
+      if (!some) return some;
+      std::move(some->begin(), some->end(), std::back_inserter(targets));
+    }
+  }
+  return targets;
+}
+
+Result<void> check_files(const Arguments& arguments, const Plan& plan) {
+  std::vector<fs::path> files = files_named({arguments.json});
+  for (const fs::path& file : files)
+    if (auto exists = folder_exists(file); !exists) return exists;
+  for (const auto& [role, names] : arguments.outputs)
+    for (const std::string& name : names)
+      // A folder to write into is made when needed.
+      if (!(arguments.maker->takes("body") && is_folder(name)) && !arguments.all)
+        if (auto exists = folder_exists(name); !exists) return exists;
+  for (const Target& target : plan.targets)
+    files.push_back(target.path);
+  for (const fs::path& file : files)
+    if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
+  return all_different(files);
+}
+
+std::vector<fs::path> inputs_of(const Arguments& arguments) {
+  std::vector<std::string> names{arguments.input};
+  for (const job::OptionUse& use : arguments.maker->options)
+    if (job::option(use.name).kind == job::OptionKind::file)
+      names.push_back(arguments.options.text(use.name));
+  std::vector<fs::path> inputs = files_named(names);
+  if (!arguments.maker->named_files || arguments.input == "-") return inputs;
+  // The maker will say what is wrong with a file that cannot be read.
+  if (const auto input = job::read_input_file(arguments.input, arguments.maker->input_kind()))
+    for (const job::NamedFile& named : arguments.maker->named_files(input->content))
+      inputs.push_back(*input->folder / named.file);
+  return inputs;
+}
+
+}  // namespace
+
+Result<Plan> planned(const job::Catalogue& catalogue, const Arguments& arguments) {
+  if (const auto contradiction = contradiction_in(catalogue, arguments))
+    return tl::unexpected(bad_option(*contradiction));
+  if (auto fine = arguments.options.check_together(); !fine) return tl::unexpected(fine.error());
+  const Planning planning{catalogue, arguments};
+  Plan plan;
+  plan.inputs = inputs_of(arguments);
+  plan.formats = formats_of(planning);
+  if (arguments.all && !arguments.check) plan.folder = arguments.outputs.at(Role::flat).front();
+  if (!arguments.all && !arguments.check) {
+    auto targets = all_targets(planning);
+    if (!targets) return tl::unexpected(targets.error());
+    plan.targets = std::move(*targets);
+  }
+  if (auto fine = check_files(arguments, plan); !fine) return tl::unexpected(fine.error());
+  plan.request.input = arguments.input;
+  if (auto entered = arguments.options.enter(plan.request); !entered)
+    return tl::unexpected(entered.error());
+  return plan;
+}
+
+}  // namespace planish::cli

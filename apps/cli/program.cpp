@@ -1,0 +1,109 @@
+#include "program.hpp"
+
+#include "commands.hpp"
+#include "help_format.hpp"
+#include "terminal.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <list>
+
+namespace planish::cli {
+namespace {
+
+constexpr int kWrongUsage = 2;
+
+constexpr auto kExamples = R"(Examples:
+  planish unfold part.step                   part.dxf beside it, a summary here
+  planish unfold cabinet.step --all -o flat/ every body, with summary.csv
+  planish connect plates.json                joins plates by bends, and lays them flat
+  planish transition spec.json               joins two profiles, and lays the net
+  planish slit chair.json                    bends the strips of a slit sheet
+  planish info part.step                     what is in the file
+  planish studio part.step                   all of it in a browser, to see and to change
+
+`planish COMMAND --help` says more, docs/cli.md all.)";
+
+// CLI11's texts may have several lines; one sentence is enough, and where to read on.
+int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
+  std::string text = error.what();
+  text = text.substr(0, text.find('\n'));
+  const auto chosen = app.get_subcommands();
+  fmt::print(stderr, "planish: {} (see `planish {}--help`)\n", text,
+             chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  return kWrongUsage;
+}
+
+// Text that did not reach its reader (a full disk behind `>`) must not end as success.
+int flushed(int status) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
+  const int failed = complain({ErrorCode::cannot_write, "cannot write to standard output", {}});
+  return status == 0 ? failed : status;
+}
+
+/// What the commands that are not makers fill.
+struct OtherArguments {
+  InfoArguments info;
+  std::string schema, studio_server;
+  StudioArguments studio;
+};
+
+void set_up(CLI::App& app, const job::Catalogue& catalogue) {
+  app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version, and end");
+  const auto print_formats = [&catalogue] {
+    fmt::print("{}", formats_text(catalogue));
+    throw CLI::Success();
+  };
+  app.add_flag_callback("--formats", print_formats,
+                        "print what is read and what is written, and end");
+  app.require_subcommand(0, 1);  // what follows a command may be called like another one
+  app.footer(kExamples);
+  app.formatter(help_format());  // before the commands, which inherit it
+}
+
+int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
+  CLI::App app("Planish lays sheet metal flat and shows that the flat shape is right.", "planish");
+  set_up(app, catalogue);
+  std::list<Arguments> makers;
+  std::vector<std::pair<const CLI::App*, const Arguments*>> commands;
+  for (const job::Maker& maker : catalogue.makers) {
+    Arguments& arguments = makers.emplace_back();
+    commands.emplace_back(add_maker(app, catalogue, maker, arguments), &arguments);
+  }
+  OtherArguments others;
+  const CLI::App* info = add_info(app, others.info);
+  const CLI::App* schema = add_schema(app, others.schema);
+  const CLI::App* studio = add_studio(app, others.studio);
+  const CLI::App* studio_worker = add_studio_worker(app, others.studio_server);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // Help, version and the like.
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return wrong_usage(error, app);
+  }
+  for (const auto& [command, arguments] : commands)
+    if (command->parsed()) return run_maker(catalogue, *arguments);
+  if (info->parsed()) return run_info(others.info);
+  if (schema->parsed()) return run_schema(catalogue, others.schema);
+  if (studio->parsed()) return run_studio(others.studio);
+  if (studio_worker->parsed()) return run_studio_worker(others.studio_server);
+  fmt::print("{}", app.help());
+  return 0;
+}
+
+}  // namespace
+
+int run_program(int argc, const char* const* argv, const job::Catalogue& catalogue) {
+  try {
+    return flushed(run(argc, argv, catalogue));
+  } catch (const std::exception& defect) {
+    return complain({ErrorCode::internal, defect.what(), {}});
+  } catch (...) {
+    return complain({ErrorCode::internal, "an exception of unknown type", {}});
+  }
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <planish/job/artifact.hpp>
+
+namespace planish::cli {
+
+/// The program `planish` with the makers and artifacts of a catalogue; returns the exit status.
+/// What is thrown becomes an internal error.
+int run_program(int argc, const char* const* argv, const job::Catalogue& catalogue);
+
+}  // namespace planish::cli

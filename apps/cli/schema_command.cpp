@@ -1,0 +1,66 @@
+#include "commands.hpp"
+#include "option_parts.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/schemas.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace planish::cli {
+namespace {
+
+constexpr auto kExamples = R"(Examples:
+  planish schema            the names of all schemas
+  planish schema plates     what a plates file must hold
+  planish schema report     what --json writes
+
+They are in docs/schema/ too.)";
+
+std::string names_of(const std::vector<const job::Artifact*>& artifacts) {
+  std::vector<std::string_view> names;
+  for (const job::Artifact* artifact : artifacts)
+    names.push_back(artifact->name);
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+}  // namespace
+
+CLI::App* add_schema(CLI::App& app, std::string& name) {
+  CLI::App* command = app.add_subcommand("schema",
+                                         "print the JSON Schema of an input or of a report");
+  add_text(*command, "name", name, "NAME", "which one; without, their names are printed");
+  command->footer(kExamples);
+  return command;
+}
+
+int run_schema(const job::Catalogue& catalogue, const std::string& name) {
+  const auto names = job::schema_names(catalogue);
+  if (name.empty()) {
+    fmt::print("{}\n", fmt::join(names, "\n"));
+    return 0;
+  }
+  const std::string text = job::schema_text(name, catalogue);
+  if (text.empty())
+    return complain(
+        {ErrorCode::bad_option,
+         fmt::format("there is no schema \"{}\"; there are {}", name, fmt::join(names, ", ")),
+         {}});
+  fmt::print("{}", text);
+  return 0;
+}
+
+std::string formats_text(const job::Catalogue& catalogue) {
+  std::string text = "Makers:\n";
+  for (const job::Maker& maker : catalogue.makers)
+    text += fmt::format("  {:<11} {:<16} {}\n  {:<11} {:<16} writes {}\n", maker.name,
+                        maker.input_kind(), maker.description, "", "",
+                        names_of(catalogue.written_by(maker)));
+  text += "\nFiles that are written:\n";
+  for (const job::Artifact& artifact : catalogue.artifacts)
+    text += fmt::format("  {:<11} {:<6} {:<17} {}\n", artifact.name, artifact.suffix,
+                        artifact.media_type, artifact.description);
+  return text;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,111 @@
+#include "document.hpp"
+
+#include "attachments.hpp"
+
+#include <fmt/format.h>
+
+namespace planish::studio {
+namespace {
+
+/// The report of the piece that is looked at; the whole where refusal left none.
+Result<const job::Report*> piece_of(const job::Made& made, int piece) {
+  if (piece < made.pieces()) return &made.piece(piece);
+  if (made.report().refusal) return &made.report();
+  return fail(ErrorCode::bad_option,
+              fmt::format("there is no piece {}; the last is {}", piece, made.pieces() - 1),
+              "/options/piece");
+}
+
+void add_flange_names(Shape& shape, const job::Made& made) {
+  const auto names = made.flange_names();
+  for (std::size_t i = 0; i < names.size() && i < shape.parts.size(); ++i)
+    if (shape.parts[i]["kind"] == "flange") shape.parts[i]["plate"] = names[i];
+}
+
+}  // namespace
+
+Document::Document(const job::Catalogue& catalogue, const job::Maker& maker, std::string name,
+                   std::filesystem::path attachments, std::unique_ptr<job::Work> work)
+    : catalogue_(&catalogue),
+      maker_(&maker),
+      name_(std::move(name)),
+      attachments_(std::move(attachments)),
+      work_(std::move(work)) {}
+
+Result<Document> Document::open(const job::Catalogue& catalogue, const std::string& name,
+                                const std::string& content, std::filesystem::path attachments,
+                                const Progress& progress) {
+  const auto maker = catalogue.maker_for(name, content);
+  if (!maker) return tl::unexpected(maker.error());
+  if (auto plain = check_names(**maker, content, name); !plain)
+    return tl::unexpected(plain.error());
+  auto work = (*maker)->open({name, content, std::nullopt}, progress);
+  if (!work) return tl::unexpected(work.error());
+  return Document(catalogue, **maker, name, std::move(attachments), std::move(*work));
+}
+
+job::Request Document::request_of(const Asked& asked, job::Effort effort) const {
+  job::Request request = asked.request;
+  request.input = name_;
+  request.effort = effort;
+  if (request.body.empty()) request.body = "1";
+  return request;
+}
+
+Result<void> Document::take_spec(const Asked& asked) {
+  if (maker_->format.empty()) return {};
+  if (asked.spec.empty())
+    return fail(ErrorCode::bad_option,
+                "the request holds no spec, which this kind of document needs", "/spec");
+  if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
+    return there;
+  return work_->edit({name_, asked.spec, attachments_});
+}
+
+Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort effort,
+                                             const Progress& progress) {
+  const bool whole = effort == job::Effort::full;
+  if (whole && last_ && last_->first == asked.key) return last_->second;
+  if (auto taken = take_spec(asked); !taken) return tl::unexpected(taken.error());
+  auto made = work_->make(request_of(asked, effort), progress);
+  if (!made) return tl::unexpected(made.error());
+  MadePointer shared(std::move(*made));
+  if (whole) last_ = {asked.key, shared};
+  return shared;
+}
+
+Result<Shape> Document::shape(const Asked& asked, job::Effort effort, const Progress& progress) {
+  const auto made = make(asked, effort, progress);
+  if (!made) return tl::unexpected(made.error());
+  const auto piece = piece_of(**made, asked.request.piece);
+  if (!piece) return tl::unexpected(piece.error());
+  Shape shape;
+  shape.report = (*made)->json();
+  shape.handles = (*made)->handles();
+  add_sheet(shape, **piece, effort);
+  add_flange_names(shape, **made);
+  if ((*made)->report().refusal)
+    if (const auto solid = (*made)->refused_solid()) add_space(shape, *solid);
+  return shape;
+}
+
+Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::string& name,
+                                            const Progress& progress) {
+  const job::Artifact* artifact = catalogue_->artifact(*maker_, name);
+  if (!artifact)
+    return fail(
+        ErrorCode::bad_option,
+        fmt::format("files of the format \"{}\" cannot be made of this kind of document", name),
+        name);
+  const auto made = make(asked, job::Effort::full, progress);
+  if (!made) return tl::unexpected(made.error());
+  if ((*made)->report().refusal && artifact->role != job::Role::report)
+    return tl::unexpected(*(*made)->report().refusal);
+  const auto piece = piece_of(**made, asked.request.piece);
+  if (!piece) return tl::unexpected(piece.error());
+  auto bytes = artifact->write(**made, asked.request.piece, request_of(asked, job::Effort::full));
+  if (!bytes) return tl::unexpected(bytes.error());
+  return job::WrittenArtifact{artifact, name_, std::move(*bytes)};
+}
+
+}  // namespace planish::studio

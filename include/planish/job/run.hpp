@@ -1,0 +1,40 @@
+#pragma once
+
+#include <planish/job/artifact.hpp>
+
+#include <string>
+#include <vector>
+
+namespace planish::job {
+
+struct ArtifactFile {
+  std::string artifact, name, media_type, bytes;
+};
+
+/// What came of a request: its report as JSON text and the artifacts that it asked for; none where
+/// the report has a refusal.
+struct RunResult {
+  Status status = Status::ok;
+  std::string report;
+  std::vector<ArtifactFile> artifacts;
+};
+
+/// Does what a request says (JSON text, "planish/request"; its schema is docs/schema/request.json):
+///
+///   {"maker": "connect", "input": "plates.json", "options": {"k": 0.4}, "artifacts": ["dxf"]}
+///
+/// `input` is the path of a file, or its content: {"name": "plates.json", "content": {...}}, where
+/// `content` is the object itself, or a text of any file. Of a file given so, others that it names
+/// are sought in "folder". Errors: `invalid_input` for a request that breaks its schema (`where` is
+/// the JSON pointer), `bad_option`, those of the maker's input.
+Result<RunResult> run(const std::string& request, const Progress& progress = {},
+                      const Catalogue& catalogue = built_in());
+
+/// Values of options from the text of a JSON object, as the "options" of a request. With
+/// `OptionFiles::content` files are given by content alone: {"name": "steel.csv", "content": ...}.
+/// Errors: `invalid_input` with the JSON pointer behind `pointer`.
+enum class OptionFiles { path_or_content, content };
+Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
+                                  const std::string& pointer);
+
+}  // namespace planish::job

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <planish/job/artifact.hpp>
+
+#include <string>
+#include <vector>
+
+namespace planish::job {
+
+/// Names of all schemas: of the makers' inputs, "rules", "request", and of what is written:
+/// "report", "summary", "info".
+std::vector<std::string> schema_names(const Catalogue& catalogue = built_in());
+
+/// JSON Schema (2020-12) as text; empty for a name that there is not.
+std::string schema_text(const std::string& name, const Catalogue& catalogue = built_in());
+
+}  // namespace planish::job

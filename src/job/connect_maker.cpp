@@ -1,0 +1,94 @@
+#include "input_schemas.hpp"
+#include "made_report.hpp"
+#include "makers.hpp"
+#include "report_schema.hpp"
+
+#include <planish/brep/step.hpp>
+#include <planish/connect/connect.hpp>
+#include <planish/job/connect.hpp>
+#include <planish/job/plates_json.hpp>
+
+namespace planish::job {
+namespace {
+
+constexpr auto kHelp = R"(Examples:
+  planish connect plates.json                  plates.step and plates.dxf beside it
+  planish connect plates.json -o part.step --flat part.dxf --json report.json
+  planish connect plates.json --flat part.svg  the flat pattern only, to look at
+  planish connect plates.json --check          what comes of it, on the terminal
+  cat plates.json | planish connect - -o part.step --din6935
+
+Exit status:
+  0 done (also with warnings)        3 a file cannot be read, is invalid or cannot be written
+  1 internal error, or cancelled     4 refused: understood, but the plates cannot be joined so
+  2 wrong usage
+
+The plates file and all else in docs/connect.md.)";
+
+class MadeConnection : public MadeReport<ConnectReport> {
+ public:
+  using MadeReport::MadeReport;
+  MadeConnection(ConnectReport report, std::vector<Plate> plates)
+      : MadeReport(std::move(report)), plates_(std::move(plates)) {}
+
+  Result<std::string> folded_solid(int) const override { return made_.solid; }
+  Result<Mesh> folded_mesh() const override {
+    return planish::folded_mesh(with_open_seam(made_.connection.sheet));
+  }
+  std::string handles() const override {
+    Json json;
+    json["plates"] = Json::array();
+    for (const Plate& plate : plates_)
+      json["plates"].push_back({{"id", plate.id}, {"corners", page_points(plate.outline)}});
+    return page_text(json);
+  }
+  // Flange i is plate i.
+  std::vector<std::string> flange_names() const override {
+    std::vector<std::string> names;
+    for (const Plate& plate : plates_)
+      names.push_back(plate.id);
+    return names;
+  }
+
+ private:
+  std::vector<Plate> plates_;  // as the input has them, joined or not
+};
+
+Result<PlatesFile> parse(const InputFile& input) { return parse_plates(input.content, input.name); }
+
+Result<std::unique_ptr<Made>> make(const PlatesFile& file, const Request& request,
+                                   const Progress& progress) {
+  auto report = connect_plates(file, request, progress);
+  if (!report) return tl::unexpected(report.error());
+  return std::make_unique<MadeConnection>(std::move(*report), file.structure.plates);
+}
+
+Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
+  return SpecWork<PlatesFile>::open(input, parse, make);
+}
+
+}  // namespace
+
+Maker connect_maker() {
+  return {
+      .name = "connect",
+      .description = "join plates by bends to one sheet",
+      .input = "plates",
+      .format = "planish/plates",
+      .mark = "plates",
+      .help = kHelp,
+      .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
+      .options = with_pattern_options({{"units", "that of the plates file"},
+                                       {"k", "that of the plates file, or 0.44"},
+                                       {"k_table"},
+                                       {"din6935"},
+                                       {"rules"},
+                                       {"no_rules"}}),
+      .schema = plates_schema,
+      .report_details = connect_report_details,
+      .open = open,
+      .failed = failed_as<MadeConnection, ConnectReport>,
+  };
+}
+
+}  // namespace planish::job

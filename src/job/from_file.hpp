@@ -1,0 +1,25 @@
+#pragma once
+
+#include <planish/job/maker.hpp>
+
+#include <chrono>
+
+namespace planish::job {
+
+/// Reads the file of a request, parses it and makes the report, which takes the time of both.
+template <typename Parse, typename Make>
+auto from_file(const Request& request, const std::string& kind, const Parse& parse,
+               const Make& make, const Progress& progress)
+    -> decltype(make(*parse(InputFile()), request, progress)) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto input = read_input_file(request.input, kind);
+  if (!input) return tl::unexpected(input.error());
+  const auto file = parse(*input);
+  if (!file) return tl::unexpected(file.error());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  auto report = make(*file, request, progress);
+  if (report) report->read_seconds = taken.count();
+  return report;
+}
+
+}  // namespace planish::job

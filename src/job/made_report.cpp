@@ -1,0 +1,24 @@
+#include "made_report.hpp"
+
+#include <cmath>
+
+namespace planish::job {
+
+Json page_point(const Vec3& p) {
+  return Json::array({std::isfinite(p.x()) ? Json(p.x()) : Json(nullptr),
+                      std::isfinite(p.y()) ? Json(p.y()) : Json(nullptr),
+                      std::isfinite(p.z()) ? Json(p.z()) : Json(nullptr)});
+}
+
+Json page_points(const std::vector<Vec3>& points) {
+  Json json = Json::array();
+  for (const Vec3& p : points)
+    json.push_back(page_point(p));
+  return json;
+}
+
+std::string page_text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace planish::job

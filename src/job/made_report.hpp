@@ -1,0 +1,90 @@
+#pragma once
+
+#include "json_parts.hpp"
+
+#include <planish/job/maker.hpp>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace planish::job {
+
+/// What a maker made, where its report says all of it: `report_json` and `report_text` are found
+/// for its type.
+template <typename R>
+class MadeReport : public Made {
+ public:
+  explicit MadeReport(R report) : made_(std::move(report)) {}
+  const Report& report() const override { return made_; }
+  Report& report() override { return made_; }
+  std::string json() const override { return report_json(made_); }
+  std::string text() const override { return report_text(made_); }
+
+ protected:
+  R made_;
+};
+
+/// A report that says no more than what was asked; lengths in `unit` where the request leaves it
+/// open.
+template <typename R>
+R begun(const Request& request, LengthUnit unit) {
+  R report;
+  report.input = request.input.string();
+  report.body = request.input == "-" ? "stdin" : request.input.stem().string();
+  report.units = request.units.value_or(unit);
+  return report;
+}
+
+/// The report of a request that ended with an error.
+template <typename R>
+R failed_report(const Request& request, const Error& error) {
+  R report = begun<R>(request, LengthUnit::mm);
+  report.refusal = error;
+  return report;
+}
+
+template <typename M, typename R>
+std::unique_ptr<Made> failed_as(const Request& request, const Error& error) {
+  return std::make_unique<M>(failed_report<R>(request, error));
+}
+
+/// A work on a file of ours, which is read anew at each edit; nothing else is kept.
+template <typename File>
+class SpecWork : public Work {
+ public:
+  using Parse = Result<File> (*)(const InputFile& input);
+  using Make = Result<std::unique_ptr<Made>> (*)(const File& file, const Request& request,
+                                                 const Progress& progress);
+
+  static Result<std::unique_ptr<Work>> open(const InputFile& input, Parse parser, Make function) {
+    auto file = parser(input);
+    if (!file) return tl::unexpected(file.error());
+    return std::make_unique<SpecWork>(std::move(*file), parser, function);
+  }
+  SpecWork(File file, Parse parser, Make function)
+      : file_(std::move(file)), parse_(parser), make_(function) {}
+
+  Result<void> edit(const InputFile& input) override {
+    auto file = parse_(input);
+    if (!file) return tl::unexpected(file.error());
+    file_ = std::move(*file);
+    return {};
+  }
+  Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
+    return make_(file_, request, progress);
+  }
+
+ private:
+  File file_;
+  Parse parse_;
+  Make make_;
+};
+
+/// Points for the page, in mm.
+Json page_point(const Vec3& p);
+Json page_points(const std::vector<Vec3>& points);
+/// On one line; bytes that are not UTF-8 become U+FFFD.
+std::string page_text(const Json& json);
+
+}  // namespace planish::job

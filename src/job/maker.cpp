@@ -1,0 +1,134 @@
+#include "folded.hpp"
+#include "json_parts.hpp"
+
+#include <planish/job/artifact.hpp>
+#include <planish/job/maker.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace planish::job {
+namespace {
+
+tl::unexpected<Error> not_made(const char* what) {
+  return fail(ErrorCode::bad_option, fmt::format("{} cannot be made of this part", what));
+}
+
+bool looks_like_json(const std::string& content) {
+  const std::size_t first = content.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string::npos && (content[first] == '{' || content[first] == '[');
+}
+
+template <typename Text>
+std::string listed(const std::vector<Maker>& makers, const Text& text) {
+  std::string all;
+  for (const Maker& maker : makers) {
+    if (maker.format.empty()) continue;
+    all += (all.empty() ? "" : ", ") + text(maker);
+  }
+  return all;
+}
+
+}  // namespace
+
+Result<std::string> Made::folded_solid(int) const { return not_made("a folded solid"); }
+Result<Mesh> Made::folded_mesh() const { return not_made("a folded mesh"); }
+Result<Mesh> Made::mould_mesh() const { return not_made("a mould"); }
+
+Result<void> Work::edit(const InputFile&) {
+  return fail(ErrorCode::bad_option, "this kind of input cannot be edited", "/spec");
+}
+
+Result<InputFile> read_input_file(const std::filesystem::path& file, const std::string& kind) {
+  auto content = read_text(file, kind);
+  if (!content) return tl::unexpected(content.error());
+  return InputFile{place_name(file.string()), std::move(*content),
+                   file == "-" ? std::filesystem::path() : file.parent_path()};
+}
+
+Result<std::unique_ptr<Work>> open_input(const Maker& maker, const Request& request,
+                                         const Progress& progress) {
+  const auto input = read_input_file(request.input, maker.input_kind());
+  if (!input) return tl::unexpected(input.error());
+  if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+  return maker.open(*input, progress);
+}
+
+bool Maker::makes(Source source) const {
+  return source == Source::report ||
+         std::find(sources.begin(), sources.end(), source) != sources.end();
+}
+
+bool Maker::takes(std::string_view option) const {
+  return std::any_of(options.begin(), options.end(),
+                     [&](const OptionUse& use) { return use.name == option; });
+}
+
+std::string Maker::input_kind() const { return fmt::format("{} file", input); }
+
+std::string Maker::schema_name() const { return std::string(format.substr(format.rfind('/') + 1)); }
+
+const Maker* Catalogue::maker(std::string_view name) const {
+  const auto found = std::find_if(makers.begin(), makers.end(),
+                                  [&](const Maker& maker) { return maker.name == name; });
+  return found == makers.end() ? nullptr : &*found;
+}
+
+Result<const Maker*> Catalogue::maker_for(const std::string& name,
+                                          const std::string& content) const {
+  const bool json = looks_like_json(content);
+  const Json document = json ? Json::parse(content, nullptr, false) : Json();
+  if (document.is_discarded())
+    return fail(ErrorCode::invalid_input, fmt::format("{} is not JSON", name), name);
+  const bool told = document.is_object() && document.contains("format") &&
+                    document["format"].is_string();
+  const std::string format = told ? document["format"].get<std::string>() : "";
+  for (const Maker& maker : makers) {
+    if (maker.format.empty() ? !json
+        : told               ? maker.format == format
+                             : document.is_object() && document.contains(maker.mark))
+      return &maker;
+  }
+  if (told)
+    return fail(ErrorCode::invalid_input,
+                fmt::format("{} has the format \"{}\"; the known formats are {}", name, format,
+                            listed(makers, [](const Maker& m) { return std::string(m.format); })),
+                name + "/format");
+  return fail(ErrorCode::invalid_input,
+              fmt::format("{} is JSON, but not one of these: {}", name,
+                          listed(makers, [](const Maker& m) { return m.input_kind(); })),
+              name);
+}
+
+std::vector<const Artifact*> Catalogue::written_by(const Maker& maker) const {
+  std::vector<const Artifact*> all;
+  for (const Artifact& artifact : artifacts)
+    if (maker.makes(artifact.source)) all.push_back(&artifact);
+  return all;
+}
+
+std::vector<const Artifact*> Catalogue::written_by(const Maker& maker, Role role) const {
+  std::vector<const Artifact*> all = written_by(maker);
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Artifact* artifact) { return artifact->role != role; }),
+            all.end());
+  return all;
+}
+
+const Artifact* Catalogue::artifact(const Maker& maker, std::string_view name) const {
+  const auto all = written_by(maker);
+  for (const Artifact* artifact : all)
+    if (artifact->name == name) return artifact;
+  for (const Artifact* artifact : all)
+    if (artifact->suffix == fmt::format(".{}", name)) return artifact;
+  return nullptr;
+}
+
+const Catalogue& built_in() {
+  static const Catalogue all{makers(), artifacts()};
+  return all;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,18 @@
+#include "makers.hpp"
+
+namespace planish::job {
+
+const std::vector<Maker>& makers() {
+  static const std::vector<Maker> table{unfold_maker(), connect_maker(), transition_maker(),
+                                        slit_maker()};
+  return table;
+}
+
+std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own) {
+  for (const char* name : {"profile", "r12", "splines", "arc_tolerance", "bend_marks",
+                           "tick_length", "tangent_lines", "write_overlapping", "density"})
+    own.push_back({name});
+  return own;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,157 @@
+#include <planish/job/options.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace planish::job {
+namespace {
+
+using ByBend = std::vector<std::pair<std::string, double>>;
+
+tl::unexpected<Error> must_be(const Option& option, const std::string& what,
+                              const std::string& text) {
+  return fail(ErrorCode::bad_option, fmt::format("must be {}, not \"{}\"", what, text),
+              std::string(option.name));
+}
+
+bool is_word_of(const Option& option, const std::string& text) {
+  return std::find(option.words.begin(), option.words.end(), text) != option.words.end();
+}
+
+std::optional<double> number_within(const Option& option, const std::string& text) {
+  const auto value = parse_number(text);
+  const bool whole = option.kind != OptionKind::whole || (value && std::floor(*value) == *value);
+  return value && whole && option.range.holds(*value) ? value : std::nullopt;
+}
+
+bool is_face_number(const std::string& text) {
+  int number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && stop == end && number >= 1;
+}
+
+Result<OptionValue> word_value(const Option& option, const std::string& text) {
+  const auto words = fmt::format("{}", fmt::join(option.words, ", "));
+  const bool face = option.kind == OptionKind::face;
+  if (is_word_of(option, text) || (face && is_face_number(text))) return OptionValue(text);
+  return must_be(option, face ? words + " or the number of a face" : "one of " + words, text);
+}
+
+Result<OptionValue> bend_value(const Option& option, const std::string& text) {
+  const auto equals = text.find('=');
+  const auto k = equals == std::string::npos ? std::nullopt
+                                             : number_within(option, text.substr(equals + 1));
+  if (equals != 0 && k) return OptionValue(ByBend{{text.substr(0, equals), *k}});
+  return must_be(option, fmt::format("a bend, an equals sign and {}", option.range.words), text);
+}
+
+Result<OptionValue> value_of(const Option& option, const std::string& text) {
+  switch (option.kind) {
+    case OptionKind::flag:
+      if (text == "true" || text == "false") return OptionValue(text == "true");
+      return must_be(option, "true or false", text);
+    case OptionKind::number:
+    case OptionKind::whole:
+      if (const auto number = number_within(option, text)) return OptionValue(*number);
+      return must_be(option, std::string(option.range.words), text);
+    case OptionKind::word:
+    case OptionKind::face:
+      return word_value(option, text);
+    case OptionKind::by_bend:
+      return bend_value(option, text);
+    case OptionKind::name:
+    case OptionKind::file:
+      break;
+  }
+  if (text.empty()) return must_be(option, "a text that is not empty", text);
+  return OptionValue(text);
+}
+
+// A condition under which a request makes no sense, and what to say then.
+struct Contradiction {
+  bool holds;
+  const char* sentence;
+};
+
+}  // namespace
+
+Result<void> OptionValues::set_text(const Option& option, const std::string& text) {
+  auto value = value_of(option, text);
+  if (!value) return tl::unexpected(value.error());
+  set(option, std::move(*value));
+  return {};
+}
+
+void OptionValues::set(const Option& option, OptionValue value) {
+  const auto known = std::find_if(values_.begin(), values_.end(),
+                                  [&](const auto& one) { return one.first == &option; });
+  if (known == values_.end()) {
+    values_.emplace_back(&option, std::move(value));
+  } else if (auto* rows = std::get_if<ByBend>(&known->second)) {
+    for (auto& row : std::get<ByBend>(value))
+      rows->push_back(std::move(row));
+  } else {
+    known->second = std::move(value);
+  }
+}
+
+bool OptionValues::given(std::string_view name) const {
+  return std::any_of(values_.begin(), values_.end(), [&](const auto& one) {
+    const bool* flag = std::get_if<bool>(&one.second);
+    return one.first->name == name && (!flag || *flag);
+  });
+}
+
+std::string OptionValues::text(std::string_view name) const {
+  for (const auto& [option, value] : values_)
+    if (option->name == name)
+      if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return {};
+}
+
+Result<void> OptionValues::check_together() const {
+  const int k_rules = given("k") + given("k_table") + given("din6935");
+  for (const Contradiction& one : {
+           Contradiction{k_rules > 1,
+                         "`k`, `k_table` and `din6935` each say where K comes from: "
+                         "give only one of them"},
+           {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other"},
+           {given("r12") && text("splines") == "keep",
+            "`splines` keep cannot go with `r12`, which has no splines"},
+           {given("tick_length") && text("bend_marks") != "ticks",
+            "`tick_length` goes with `bend_marks` ticks"},
+       })
+    if (one.holds) return fail(ErrorCode::bad_option, one.sentence);
+  return {};
+}
+
+Result<void> OptionValues::enter(Request& request) const {
+  if (auto fine = check_together(); !fine) return fine;
+  for (const auto& [option, value] : values_) {
+    OptionValue content = value;
+    const auto* path = std::get_if<std::string>(&value);
+    if (option->kind == OptionKind::file && path) {
+      auto text = read_text(*path, option->name == "k_table" ? "bend table" : "rules file");
+      if (!text) return tl::unexpected(text.error());
+      content = OptionFile{*path, std::move(*text)};
+    }
+    if (auto done = option->set(request, content); !done) return done;
+  }
+  return {};
+}
+
+std::optional<double> parse_number(const std::string& text) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace planish::job

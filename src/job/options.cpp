@@ -1,0 +1,268 @@
+#include <planish/base/assert.hpp>
+#include <planish/job/options.hpp>
+#include <planish/job/rules_json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace planish::job {
+namespace {
+
+using Done = Result<void>;
+
+const OptionFile& file_of(const OptionValue& value) { return std::get<OptionFile>(value); }
+const std::string& text_of(const OptionValue& value) { return std::get<std::string>(value); }
+double number_of(const OptionValue& value) { return std::get<double>(value); }
+bool yes(const OptionValue& value) { return std::get<bool>(value); }
+
+Done set_k_table(Request& to, const OptionValue& value) {
+  const std::string name = std::filesystem::path(file_of(value).name).filename().string();
+  auto table = parse_bend_table(file_of(value).text, name);
+  if (!table) return tl::unexpected(table.error());
+  to.allowance = std::move(*table);
+  return {};
+}
+
+Done set_rules(Request& to, const OptionValue& value) {
+  const auto rules = parse_rules(file_of(value).text, file_of(value).name);
+  if (!rules) return tl::unexpected(rules.error());
+  to.rules = *rules;
+  return {};
+}
+
+Done set_profile(Request& to, const OptionValue& value) {
+  const std::string& word = text_of(value);
+  to.dxf.profile = word == "inventor"    ? LayerProfile::inventor
+                   : word == "onshape"   ? LayerProfile::onshape
+                   : word == "solidedge" ? LayerProfile::solid_edge
+                                         : LayerProfile::standard;
+  return {};
+}
+
+Done set_units(Request& to, const OptionValue& value) {
+  to.units = text_of(value) == "inch" ? LengthUnit::inch
+             : text_of(value) == "m"  ? LengthUnit::m
+                                      : LengthUnit::mm;
+  return {};
+}
+
+const std::vector<Option>& bend_options() {
+  static const std::vector<Option> table{
+      {.name = "k",
+       .kind = OptionKind::number,
+       .group = "Bends",
+       .description = "K-factor of every bend: the neutral line lies at K times the thickness from "
+                      "the inside",
+       .range = kShare,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.allowance = ConstantK{number_of(value), "constant"};
+         return {};
+       }},
+      {.name = "k_table",
+       .kind = OptionKind::file,
+       .group = "Bends",
+       .description = "bend table: columns r/t (or r and t in mm), angle if wanted, and k, ba or "
+                      "bd",
+       .file_type = "FILE.csv",
+       .set = set_k_table},
+      {.name = "din6935",
+       .kind = OptionKind::flag,
+       .group = "Bends",
+       .description = "K by DIN 6935, from the inside radius and the thickness",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         if (yes(value)) to.allowance = Din6935{};
+         return {};
+       }},
+      {.name = "bend_k",
+       .kind = OptionKind::by_bend,
+       .group = "Bends",
+       .description = "K-factor of one bend, as B1=0.4; may be given several times",
+       .range = kShare,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.bend_k = std::get<std::vector<std::pair<std::string, double>>>(value);
+         return {};
+       }},
+      {.name = "root",
+       .kind = OptionKind::face,
+       .group = "Bends",
+       .description = "face that stays where it is; `planish info --sheets` lists the faces",
+       .otherwise = "largest",
+       .words = {"largest"},
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.root = text_of(value);
+         return {};
+       }},
+      {.name = "up",
+       .kind = OptionKind::face,
+       .group = "Bends",
+       .description = "skin that faces up: that of a face, the one that is unfolded (reference) or "
+                      "the other; auto: from which more bends go up",
+       .otherwise = "auto",
+       .words = {"auto", "reference", "other"},
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.up = text_of(value);
+         return {};
+       }},
+  };
+  return table;
+}
+
+const std::vector<Option>& dxf_options() {
+  static const std::vector<Option> table{
+      {.name = "profile",
+       .kind = OptionKind::word,
+       .group = "DXF",
+       .description = "names of the layers",
+       .otherwise = "default",
+       .words = {"default", "inventor", "onshape", "solidedge"},
+       .set = set_profile},
+      {.name = "r12",
+       .kind = OptionKind::flag,
+       .group = "DXF",
+       .description = "release 12 (AC1009) instead of 2000: no LWPOLYLINE, no SPLINE",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.version = yes(value) ? DxfVersion::r12 : DxfVersion::r2000;
+         return {};
+       }},
+      {.name = "splines",
+       .kind = OptionKind::word,
+       .group = "DXF",
+       .description = "curves that are neither lines nor arcs: keep them or make them arcs",
+       .otherwise = "arcs",
+       .words = {"keep", "arcs"},
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.splines = text_of(value) == "keep" ? Splines::keep : Splines::arcs;
+         return {};
+       }},
+      {.name = "arc_tolerance",
+       .kind = OptionKind::number,
+       .group = "DXF",
+       .description = "mm that such arcs may be off",
+       .otherwise = "0.01",
+       .range = kAboveZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.arc_tolerance = number_of(value);
+         return {};
+       }},
+      {.name = "bend_marks",
+       .kind = OptionKind::word,
+       .group = "DXF",
+       .description = "whole bend lines or only their ends",
+       .otherwise = "lines",
+       .words = {"lines", "ticks"},
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.bend_marks = text_of(value) == "ticks" ? BendMarks::ticks : BendMarks::lines;
+         return {};
+       }},
+      {.name = "tick_length",
+       .kind = OptionKind::number,
+       .group = "DXF",
+       .description = "mm of each end with ticks",
+       .otherwise = "5",
+       .range = kAboveZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.tick_length = number_of(value);
+         return {};
+       }},
+      {.name = "tangent_lines",
+       .kind = OptionKind::flag,
+       .group = "DXF",
+       .description = "limits of the bend zones on their own layer",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.tangent_lines = yes(value);
+         return {};
+       }},
+  };
+  return table;
+}
+
+const std::vector<Option>& check_options() {
+  static const std::vector<Option> table{
+      {.name = "rules",
+       .kind = OptionKind::file,
+       .group = "Checks",
+       .description = "thresholds of the rules of manufacture",
+       .file_type = "FILE.json",
+       .set = set_rules},
+      {.name = "no_rules",
+       .kind = OptionKind::flag,
+       .group = "Checks",
+       .description = "leave the rules of manufacture out",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.rules.enabled = !yes(value);
+         return {};
+       }},
+      {.name = "write_overlapping",
+       .kind = OptionKind::flag,
+       .group = "Checks",
+       .description = "write a pattern although it covers itself",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.write_overlapping = yes(value);
+         return {};
+       }},
+      {.name = "density",
+       .kind = OptionKind::number,
+       .group = "Checks",
+       .description = "kg/dm³, for the mass: steel 7.85, aluminium 2.70",
+       .range = kAboveZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.density = number_of(value);
+         return {};
+       }},
+  };
+  return table;
+}
+
+const std::vector<Option>& general_options() {
+  static const std::vector<Option> table{
+      {.name = "body",
+       .kind = OptionKind::name,
+       .group = "Input",
+       .description = "which body of several: its number (see `planish info`) or name",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.body = text_of(value);
+         return {};
+       }},
+      {.name = "units",
+       .kind = OptionKind::word,
+       .group = "Output",
+       .description = "unit of the DXF and of the reports",
+       .words = {"mm", "inch", "m"},
+       .set = set_units},
+      {.name = "piece",
+       .kind = OptionKind::whole,
+       .group = "Output",
+       .description = "of several pieces the one that is shown, from 0",
+       .otherwise = "0",
+       .range = {"a whole number of at least 0", 0.0},
+       .on_command_line = false,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.piece = static_cast<int>(number_of(value));
+         return {};
+       }},
+  };
+  return table;
+}
+
+}  // namespace
+
+std::span<const Option> options() {
+  static const std::vector<Option> all = [] {
+    std::vector<Option> joined;
+    for (const auto* group :
+         {&general_options(), &bend_options(), &dxf_options(), &check_options()})
+      joined.insert(joined.end(), group->begin(), group->end());
+    return joined;
+  }();
+  return all;
+}
+
+const Option& option(std::string_view name) {
+  const auto all = options();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Option& one) { return one.name == name; });
+  PLANISH_ASSERT(found != all.end());
+  return *found;
+}
+
+}  // namespace planish::job

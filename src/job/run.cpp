@@ -1,0 +1,127 @@
+#include "json_reading.hpp"
+#include "request_schema.hpp"
+
+#include <planish/job/run.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace planish::job {
+namespace {
+
+/// A request, read.
+struct Asked {
+  const Maker* maker = nullptr;
+  Request request;
+  std::optional<InputFile> content;  ///< empty: `request.input` names a file
+  std::vector<const Artifact*> artifacts;
+};
+
+Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
+                                     const std::string& pointer) {
+  if (const auto wrong = first_mistake(options_schema(files), options)) {
+    const std::string where = pointer + wrong->pointer;
+    return fail(ErrorCode::invalid_input, fmt::format("request: {} {}", where, wrong->sentence),
+                where);
+  }
+  for (const auto& [name, value] : options.items())
+    if (!maker.takes(name) && !value.is_null())
+      return fail(ErrorCode::bad_option,
+                  fmt::format("`{}` is not an option of {}", name, maker.name),
+                  pointer + "/" + name);
+  return values_of(options);
+}
+
+void read_input(Asked& asked, const Json& input) {
+  if (input.is_string()) {
+    asked.request.input = input.get<std::string>();
+    return;
+  }
+  const Json& content = input["content"];
+  InputFile file;
+  file.name = input.value("name", std::string("input"));
+  file.content = content.is_string() ? content.get<std::string>() : content.dump();
+  file.folder = input.value("folder", std::string());
+  asked.request.input = file.name;
+  asked.content = std::move(file);
+}
+
+Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& catalogue) {
+  for (const Json& name : names) {
+    const Artifact* artifact = catalogue.artifact(*asked.maker, name.get<std::string>());
+    if (!artifact) {
+      std::vector<std::string_view> known;
+      for (const Artifact* one : catalogue.written_by(*asked.maker))
+        known.push_back(one->name);
+      return fail(ErrorCode::bad_option,
+                  fmt::format("{} cannot write \"{}\"; it writes {}", asked.maker->name,
+                              name.get<std::string>(), fmt::join(known, ", ")),
+                  "/artifacts");
+    }
+    asked.artifacts.push_back(artifact);
+  }
+  return {};
+}
+
+Result<Asked> read_request(const std::string& text, const Catalogue& catalogue) {
+  const Schema schema = request_schema(catalogue);
+  JsonReading reading(text, "request", {}, schema);
+  if (reading.error()) return tl::unexpected(*reading.error());
+  const Json& json = reading.document();
+  Asked asked;
+  asked.maker = catalogue.maker(json["maker"].get<std::string>());
+  read_input(asked, json["input"]);
+  if (json.contains("options")) {
+    const auto values = checked_options(json["options"], *asked.maker, OptionFiles::path_or_content,
+                                        "/options");
+    if (!values) return tl::unexpected(values.error());
+    if (auto entered = values->enter(asked.request); !entered)
+      return tl::unexpected(entered.error());
+  }
+  if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
+  if (json.contains("artifacts"))
+    if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
+      return tl::unexpected(known.error());
+  return asked;
+}
+
+Result<std::unique_ptr<Made>> make(const Asked& asked, const Progress& progress) {
+  const auto work = asked.content ? asked.maker->open(*asked.content, progress)
+                                  : open_input(*asked.maker, asked.request, progress);
+  if (!work) return tl::unexpected(work.error());
+  return (*work)->make(asked.request, progress);
+}
+
+}  // namespace
+
+Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
+                                  const std::string& pointer) {
+  const Json options = Json::parse(json, nullptr, false);
+  if (options.is_discarded())
+    return fail(ErrorCode::invalid_input, "the options are not JSON", pointer);
+  return checked_options(options, maker, files, pointer);
+}
+
+Result<RunResult> run(const std::string& request, const Progress& progress,
+                      const Catalogue& catalogue) {
+  const auto asked = read_request(request, catalogue);
+  if (!asked) return tl::unexpected(asked.error());
+  const auto made = make(*asked, progress);
+  if (!made) return tl::unexpected(made.error());
+  RunResult result;
+  Report& report = (*made)->report();
+  const std::string stem = report.body;
+  for (const Artifact* artifact : asked->artifacts) {
+    if (report.refusal && artifact->role != Role::report) continue;
+    auto files = write(*artifact, **made, asked->request, stem);
+    if (!files) return tl::unexpected(files.error());
+    for (WrittenArtifact& file : *files)
+      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
+                                  std::string(artifact->media_type), std::move(file.bytes)});
+  }
+  result.status = report.status();
+  result.report = (*made)->json();
+  return result;
+}
+
+}  // namespace planish::job

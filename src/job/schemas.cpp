@@ -1,0 +1,41 @@
+#include "input_schemas.hpp"
+#include "report_schema.hpp"
+#include "request_schema.hpp"
+
+#include <planish/job/schemas.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace planish::job {
+namespace {
+
+std::optional<Schema> schema_named(const std::string& name, const Catalogue& catalogue) {
+  for (const Maker& maker : catalogue.makers)
+    if (maker.schema && name == maker.schema_name()) return maker.schema();
+  if (name == "rules") return rules_schema();
+  if (name == "request") return request_schema(catalogue);
+  if (name == "report") return report_schema(catalogue);
+  if (name == "summary") return summary_schema(catalogue);
+  if (name == "info") return info_schema();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> schema_names(const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const Maker& maker : catalogue.makers)
+    if (maker.schema) names.push_back(maker.schema_name());
+  for (const char* name : {"rules", "request", "report", "summary", "info"})
+    names.emplace_back(name);
+  return names;
+}
+
+std::string schema_text(const std::string& name, const Catalogue& catalogue) {
+  const auto schema = schema_named(name, catalogue);
+  if (!schema) return {};
+  return text_of(json_schema(*schema, "planish/" + name, name + ".json"));
+}
+
+}  // namespace planish::job

@@ -1,0 +1,48 @@
+#include "slit_drafts.hpp"
+
+namespace planish::job {
+namespace {
+
+SlitDesign moved_scans(SlitDesign design, const Eigen::Isometry3d& motion) {
+  for (SlitScan& scan : design.scans)
+    for (Vec3& point : scan.points)
+      point = motion * point;
+  return design;
+}
+
+}  // namespace
+
+Result<void> SlitDrafts::solve(const Progress& progress) {
+  SlitSolveOptions options;
+  options.seconds = 0.05;
+  const auto solved = session_->solve(options, progress);
+  if (!solved) return tl::unexpected(solved.error());
+  return {};
+}
+
+Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
+  auto started = SlitSession::start(file.design);
+  if (!started) return tl::unexpected(started.error());
+  session_ = std::move(*started);
+  motion_ = Eigen::Isometry3d::Identity();
+  aligned_ = file.align_scans;
+  if (!aligned_) return {};
+  // Scans lie only roughly where the sheet is: they are brought to the first shape.
+  if (auto solved = solve(progress); !solved) return solved;
+  const auto motion = session_->align_scans();
+  if (!motion) return tl::unexpected(motion.error());
+  motion_ = *motion;
+  return {};
+}
+
+Result<void> SlitDrafts::take(const SlitFile& file, const Progress& progress) {
+  if (!session_ || aligned_ != file.align_scans) return begin(file, progress);
+  return session_->set_design(aligned_ ? moved_scans(file.design, motion_) : file.design);
+}
+
+Result<void> SlitDrafts::follow(const SlitFile& file, const Progress& progress) {
+  if (auto taken = take(file, progress); !taken) return taken;
+  return solve(progress);
+}
+
+}  // namespace planish::job

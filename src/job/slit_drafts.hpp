@@ -1,0 +1,35 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/job/slit_json.hpp>
+#include <planish/slit/session.hpp>
+
+#include <optional>
+
+namespace planish::job {
+
+/// The strips of a slit sheet while somebody drags at it: each design begins from the shape of the
+/// one before.
+class SlitDrafts {
+ public:
+  /// Takes the design of a file, without its subdivisions, and solves it for 0.05 s at most; what
+  /// is open then goes on with the next. Errors: those of `SlitSession::start` (what was before
+  /// stays), `cancelled`.
+  Result<void> follow(const SlitFile& file, const Progress& progress);
+
+  /// Requires that `follow` has succeeded.
+  const SlitSession& now() const { return *session_; }
+  /// By which the scans were moved to the strips, where the file says that they shall be.
+  const Eigen::Isometry3d& scan_motion() const { return motion_; }
+
+ private:
+  Result<void> begin(const SlitFile& file, const Progress& progress);
+  Result<void> take(const SlitFile& file, const Progress& progress);
+  Result<void> solve(const Progress& progress);
+
+  std::optional<SlitSession> session_;
+  Eigen::Isometry3d motion_ = Eigen::Isometry3d::Identity();
+  bool aligned_ = false;
+};
+
+}  // namespace planish::job

@@ -1,0 +1,131 @@
+#include "input.hpp"
+#include "made_report.hpp"
+#include "makers.hpp"
+#include "report_schema.hpp"
+
+#include <planish/base/progress_part.hpp>
+#include <planish/brep/step.hpp>
+#include <planish/job/info.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <map>
+
+namespace planish::job {
+namespace {
+
+constexpr auto kHelp = R"(Examples:
+  planish unfold part.step                     part.dxf beside it, a summary here
+  planish unfold part.step -o a.dxf -o a.svg   two files of one pattern
+  planish unfold part.step --k-table steel.csv --json part.json
+  planish unfold cabinet.step --body door      one body of several
+  planish unfold cabinet.step --all -o flat/   every body, with summary.csv
+  planish unfold part.step --r12 --profile onshape --units inch
+  planish unfold --print-rules > rules.json    thresholds to edit, for --rules
+  cat part.step | planish unfold - --check --json -
+
+Exit status:
+  0 done (also with warnings)        3 a file cannot be read, is invalid or cannot be written
+  1 internal error, or cancelled     4 refused: understood, but no flat pattern exists
+  2 wrong usage                        (or, with --all, of none of the bodies)
+
+More in docs/cli.md.)";
+
+constexpr double kRead = 0.7;  // share of opening a file, the rest is measuring its bodies
+
+class MadeUnfolded : public MadeReport<UnfoldReport> {
+ public:
+  using MadeReport::MadeReport;
+  MadeUnfolded(UnfoldReport report, const Body& body)
+      : MadeReport(std::move(report)), body_(body) {}
+
+  Result<Mesh> folded_mesh() const override {
+    return body_ ? body_mesh(*body_) : Made::folded_mesh();
+  }
+  // Whoever is refused wants to see of what; where the kernel has no mesh there is nothing to see.
+  std::optional<Mesh> refused_solid() const override {
+    if (!body_) return std::nullopt;
+    constexpr double kShare = 1e-3;  // of the extent
+    auto mesh = body_mesh(*body_, kShare * body_->size().norm());
+    return mesh ? std::optional(std::move(*mesh)) : std::nullopt;
+  }
+
+ private:
+  std::optional<Body> body_;
+};
+
+/// Keeps the file as it was read, and the sheets found in its bodies.
+class UnfoldWork : public Work {
+ public:
+  UnfoldWork(std::string name, StepFile file) : name_(std::move(name)), file_(std::move(file)) {}
+
+  std::string info(const Progress& progress) const override {
+    const auto info = info_of(file_, {.input = name_, .body = {}}, part_of(progress, kRead, 1.0));
+    return info ? info_json(*info) : "null";
+  }
+
+  Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) override {
+    const auto index = choose_body(file_, request.body);
+    if (!index) return tl::unexpected(index.error());
+    const Body& body = file_.bodies[*index];
+    auto report = unfold_recognized(body, sheet_of(*index, progress), request, progress);
+    if (!report) return tl::unexpected(report.error());
+    report->input = request.input.string();
+    report->number = *index + 1;
+    report->bodies_in_file = static_cast<int>(file_.bodies.size());
+    return std::make_unique<MadeUnfolded>(std::move(*report), body);
+  }
+
+ private:
+  /// Found once a body.
+  const Result<Recognized>& sheet_of(int body, const Progress& progress) {
+    const auto known = found_.find(body);
+    if (known != found_.end()) return known->second;
+    progress.at("finding the sheet", 0.2);
+    return found_.emplace(body, recognize(file_.bodies[body])).first->second;
+  }
+
+  std::string name_;
+  StepFile file_;
+  std::map<int, Result<Recognized>> found_;
+};
+
+Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress& progress) {
+  auto file = read_step_text(input.content, input.name, part_of(progress, 0.0, kRead));
+  if (!file) return tl::unexpected(file.error());
+  return std::make_unique<UnfoldWork>(input.name, std::move(*file));
+}
+
+std::unique_ptr<Made> failed(const Request& request, const Error& error) {
+  return std::make_unique<MadeUnfolded>(failed_unfold(request, error));
+}
+
+}  // namespace
+
+std::unique_ptr<Made> made_of(const UnfoldReport& report) {
+  return std::make_unique<MadeUnfolded>(report);
+}
+
+Maker unfold_maker() {
+  return {
+      .name = "unfold",
+      .description = "lay a sheet-metal part flat",
+      .input = "STEP",
+      .help = kHelp,
+      .sources = {Source::pattern, Source::folded_mesh},
+      .options = with_pattern_options({{"body"},
+                                       {"units", "mm"},
+                                       {"k", "0.44"},
+                                       {"k_table"},
+                                       {"din6935"},
+                                       {"bend_k"},
+                                       {"root"},
+                                       {"up"},
+                                       {"rules"},
+                                       {"no_rules"}}),
+      .report_details = unfold_report_details,
+      .open = open,
+      .failed = failed,
+  };
+}
+
+}  // namespace planish::job

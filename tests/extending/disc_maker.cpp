@@ -1,0 +1,105 @@
+#include "disc_maker.hpp"
+
+#include "json_reading.hpp"
+#include "lay_flat.hpp"
+#include "made_report.hpp"
+#include "makers.hpp"
+#include "report_text.hpp"
+
+#include <planish/sheet/builder.hpp>
+
+#include <numbers>
+
+namespace planish::job {
+
+struct DiscFile {
+  double radius = 0.0, thickness = 0.0;  ///< mm
+  LengthUnit units = LengthUnit::mm;     ///< of the file
+};
+
+struct DiscReport : Report {};
+
+std::string report_json(const DiscReport& report) {
+  Json json = begun_report(report, "disc");
+  finish_report(json, report);
+  return text_of(json);
+}
+
+std::string report_text(const DiscReport& report) {
+  return text_of(report, input_name(report), {});
+}
+
+namespace {
+
+const Schema& disc_schema() {
+  static const Schema schema = [] {
+    std::vector<Field> fields = header_fields("example/disc", 1);
+    fields.push_back(optional("units", units()));
+    fields.push_back(required("radius", length(kAboveZero).said("of the plate")));
+    fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
+    return object(std::move(fields)).said("A round flat plate");
+  }();
+  return schema;
+}
+
+Result<DiscFile> parse(const InputFile& input) {
+  JsonReading reading(input.content, "disc file", input.name, disc_schema());
+  const JsonPlace place(reading);
+  DiscFile file{place["radius"].length(), place["thickness"].length(), reading.unit()};
+  if (reading.error()) return tl::unexpected(*reading.error());
+  return file;
+}
+
+/// A round plate about the origin: one flange of one face, whose border is one full circle.
+Result<Sheet> sheet_of(const DiscFile& file) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  Border border{Arc{Vec2::Zero(), file.radius, 0.0, kTurn}};
+  border.edge_length = kTurn * file.radius;
+  SheetBuilder builder(file.thickness);
+  Face face;
+  face.surface = Frame{};
+  face.part_of = builder.add_flange();
+  face.loops = {{border}};
+  builder.add_face(std::move(face));
+  builder.number_edges();
+  builder.set_volume(std::numbers::pi * file.radius * file.radius * file.thickness);
+  return std::move(builder).build();
+}
+
+Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
+                                   const Progress& progress) {
+  DiscReport report = begun<DiscReport>(request, file.units);
+  const auto sheet = sheet_of(file);
+  if (!sheet) return tl::unexpected(sheet.error());
+  report.summary = summary_of(*sheet);
+  const EdgeDistance distance = border_distance(*sheet);
+  const auto lay = [&] {
+    return lay_flat(report, {*sheet, distance, request}, FlattenOptions(), progress);
+  };
+  if (const auto error = reported(report, lay)) return tl::unexpected(*error);
+  return std::make_unique<MadeReport<DiscReport>>(std::move(report));
+}
+
+Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress&) {
+  return SpecWork<DiscFile>::open(input, parse, make);
+}
+
+}  // namespace
+
+Maker disc_maker() {
+  return {
+      .name = "disc",
+      .description = "make a round flat plate",
+      .input = "disc",
+      .format = "example/disc",
+      .mark = "radius",
+      .help = "Example:\n  planish disc disc.json",
+      .sources = {Source::pattern},
+      .options = with_pattern_options({{"units", "that of the disc file"}}),
+      .schema = disc_schema,
+      .open = open,
+      .failed = failed_as<MadeReport<DiscReport>, DiscReport>,
+  };
+}
+
+}  // namespace planish::job

@@ -1,0 +1,173 @@
+#include <planish/job/connect.hpp>
+#include <planish/job/run.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+
+namespace planish::job {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using json = nlohmann::json;
+
+const std::string kExamples = PLANISH_SOURCE_DIR "/examples/";
+const std::string kPlates = kExamples + "connect/a_folded.json";
+
+std::string text_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+json request(const std::string& maker, const std::string& path) {
+  return {{"maker", maker}, {"input", path}};
+}
+
+RunResult done(const json& asked) {
+  const auto result = run(asked.dump());
+  EXPECT_TRUE(result.has_value()) << result.error().message;
+  return result.value_or(RunResult{});
+}
+
+Error refused(const json& asked) {
+  const auto result = run(asked.dump());
+  EXPECT_FALSE(result.has_value()) << asked;
+  return result ? Error{} : result.error();
+}
+
+TEST(Run, GivesTheReportOfTheMaker) {
+  Request typed;
+  typed.input = kPlates;
+  const auto report = connect(typed);
+  ASSERT_TRUE(report.has_value());
+  EXPECT_EQ(done(request("connect", kPlates)).report, report_json(*report));
+}
+
+TEST(Run, TakesTheInputsContentAsWellAsItsPath) {
+  json inline_request = request("connect", kPlates);
+  inline_request["input"] = {{"name", kPlates}, {"content", json::parse(text_of_file(kPlates))}};
+  EXPECT_EQ(done(inline_request).report, done(request("connect", kPlates)).report);
+  inline_request["input"]["content"] = text_of_file(kPlates);
+  EXPECT_EQ(done(inline_request).report, done(request("connect", kPlates)).report);
+  json part = request("unfold", "");
+  part["input"] = {{"name", "b.step"}, {"content", text_of_file(kExamples + "bracket.step")}};
+  EXPECT_EQ(json::parse(done(part).report)["status"], "ok");
+}
+
+TEST(Run, GivesTheArtifactsThatAreAskedForInTheirOrder) {
+  json asked = request("connect", kPlates);
+  asked["artifacts"] = {"step", "dxf", "flat.step", "json"};
+  const RunResult result = done(asked);
+  std::vector<std::string> names;
+  for (const ArtifactFile& file : result.artifacts)
+    names.push_back(file.name);
+  EXPECT_THAT(names, ElementsAre("a_folded.step", "a_folded.dxf", "a_folded_flat.step",
+                                 "a_folded_report.json"));
+  EXPECT_EQ(result.artifacts[0].media_type, "model/step");
+  EXPECT_THAT(result.artifacts[0].bytes, StartsWith("ISO-10303-21;"));
+  EXPECT_EQ(result.artifacts[3].bytes, result.report);
+}
+
+TEST(Run, GivesEachPieceAFileOfItsOwn) {
+  json asked = request("transition", "");
+  json spec = json::parse(text_of_file(kExamples + "transition/a_square_to_round.json"));
+  spec["pieces"] = 2;
+  asked["input"] = {{"name", "net.json"}, {"content", spec}};
+  asked["artifacts"] = {"dxf", "stl"};
+  asked["effort"] = "draft";
+  const RunResult result = done(asked);
+  ASSERT_EQ(result.artifacts.size(), 3u);
+  EXPECT_EQ(result.artifacts[0].name, "net-1.dxf");
+  EXPECT_EQ(result.artifacts[1].name, "net-2.dxf");
+  EXPECT_EQ(result.artifacts[2].name, "net.stl") << "of both pieces together";
+}
+
+TEST(Run, HasNoArtifactsOfWhatIsRefused) {
+  json asked = request("transition", "");
+  json spec = json::parse(text_of_file(kExamples + "transition/a_square_to_round.json"));
+  spec["to"] = spec["from"];
+  asked["input"] = {{"content", spec}};
+  asked["artifacts"] = {"dxf", "json"};
+  const RunResult result = done(asked);
+  EXPECT_EQ(result.status, Status::refused);
+  ASSERT_EQ(result.artifacts.size(), 1u);
+  EXPECT_EQ(result.artifacts[0].artifact, "json");
+}
+
+TEST(Run, EntersOptionsUnderTheirNames) {
+  json asked = request("connect", kPlates);
+  asked["options"] = {{"k", 0.25}, {"units", "inch"}, {"r12", true}, {"density", nullptr}};
+  asked["artifacts"] = {"dxf"};
+  const RunResult result = done(asked);
+  const json report = json::parse(result.report);
+  EXPECT_EQ(report["sheet"]["k_factor"], 0.25);
+  EXPECT_EQ(report["units"], "inch");
+  EXPECT_TRUE(report["sheet"]["mass"].is_null());
+  EXPECT_THAT(result.artifacts[0].bytes, HasSubstr("AC1009"));
+  asked["options"] = {
+      {"k_table", {{"name", "steel.csv"}, {"content", "r/t, k\n0.1, 0.3\n9, 0.3\n"}}}};
+  EXPECT_THAT(json::parse(done(asked).report)["sheet"]["k_source"].get<std::string>(),
+              HasSubstr("steel.csv"));
+  asked["options"] = {{"rules", {{"content", {{"enabled", false}}}}}};
+  EXPECT_EQ(json::parse(done(asked).report)["checks"], json::array());
+}
+
+TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
+  json asked = request("fold", kPlates);
+  EXPECT_EQ(refused(asked).where, "/maker");
+  EXPECT_THAT(refused(asked).message,
+              HasSubstr("/maker must be one of unfold, connect, transition, slit, not \"fold\""));
+  asked = request("connect", kPlates);
+  asked["options"] = {{"k", 2}};
+  EXPECT_EQ(refused(asked).where, "/options/k");
+  EXPECT_THAT(refused(asked).message, HasSubstr("must be a number from 0 to 1"));
+  asked["options"] = {{"root", "largest"}};
+  EXPECT_EQ(refused(asked).code, ErrorCode::bad_option);
+  EXPECT_EQ(refused(asked).where, "/options/root");
+  asked["options"] = {{"k", 0.4}, {"din6935", true}};
+  EXPECT_THAT(refused(asked).message, HasSubstr("`k`, `k_table` and `din6935`"));
+  asked["options"] = json::object();
+  asked["artifacts"] = {"mould.stl"};
+  EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, step, stl"));
+  EXPECT_EQ(run("[]").error().code, ErrorCode::invalid_input);
+}
+
+TEST(Catalogue, HasWhatEveryRowNeeds) {
+  for (const Maker& maker : built_in().makers) {
+    EXPECT_TRUE(maker.open && maker.failed) << maker.name;
+    EXPECT_EQ(maker.schema == nullptr, maker.format.empty()) << maker.name;
+    for (const OptionUse& use : maker.options)
+      EXPECT_TRUE(option(use.name).set) << use.name;
+    const auto failed = maker.failed({}, {ErrorCode::cannot_read, "gone", "a"});
+    EXPECT_EQ(json::parse(failed->json())["reason"]["code"], "cannot_read") << maker.name;
+    EXPECT_EQ(json::parse(failed->json())["command"], maker.name);
+  }
+  for (const Artifact& artifact : built_in().artifacts)
+    EXPECT_TRUE(artifact.write) << artifact.name;
+}
+
+TEST(Catalogue, KnowsAnInputByItsFormatElseByItsMark) {
+  for (const Maker& maker : built_in().makers) {
+    if (maker.format.empty()) continue;
+    for (const char* key : {"format", ""}) {
+      json document{{std::string(maker.mark), 1}};
+      if (*key) document = {{"format", maker.format}};
+      const auto found = built_in().maker_for("a.json", document.dump());
+      ASSERT_TRUE(found.has_value()) << found.error().message;
+      EXPECT_EQ((*found)->name, maker.name);
+    }
+  }
+  EXPECT_EQ((*built_in().maker_for("a.step", "ISO-10303-21;"))->name, "unfold");
+  EXPECT_THAT(built_in().maker_for("a.json", R"({"format": "x"})").error().message,
+              HasSubstr("planish/plates, planish/transition, planish/slits"));
+  EXPECT_THAT(built_in().maker_for("a.json", "{}").error().message,
+              HasSubstr("plates file, transition file, slit file"));
+}
+
+}  // namespace
+}  // namespace planish::job

@@ -1,0 +1,100 @@
+#include "schema.hpp"
+
+#include "input_schemas.hpp"
+#include "json_reading.hpp"
+
+#include <planish/job/schemas.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace planish::job {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string sentence(const Schema& schema, const char* json) {
+  const auto wrong = first_mistake(schema, Json::parse(json));
+  return wrong ? wrong->pointer + " " + wrong->sentence : "";
+}
+
+TEST(Schema, TakesNumbersWithinTheirRangeAlone) {
+  const Schema share = number(kShare);
+  for (const char* fine : {"0", "1", "0.25"})
+    EXPECT_EQ(sentence(share, fine), "");
+  EXPECT_EQ(sentence(share, "-0.1"), " must be a number from 0 to 1, not -0.1");
+  EXPECT_EQ(sentence(share, "\"1\""), " must be a number from 0 to 1, not \"1\"");
+  EXPECT_EQ(sentence(number(kAboveZero), "0"), " must be a number above 0, not 0");
+  EXPECT_EQ(sentence(whole(1, 6), "2.0"), "") << "as JSON Schema has it";
+  EXPECT_EQ(sentence(whole(1, 6), "7"), " must be a whole number from 1 to 6, not 7");
+}
+
+TEST(Schema, NamesThePlaceByItsPointer) {
+  const Schema schema = object({required("rows", list(object({required("a/b", text())})))});
+  EXPECT_EQ(sentence(schema, R"({"rows": [{"a/b": "x"}, {"a/b": 3}]})"),
+            "/rows/1/a~1b must be a text that is not empty, not 3");
+  EXPECT_EQ(sentence(schema, R"({"rows": [{}]})"), "/rows/0/a~1b is missing");
+  EXPECT_EQ(sentence(schema, R"({"rows": {}})"), "/rows must be a list, not an object");
+}
+
+TEST(Schema, SaysWhichChoicesThereAre) {
+  const Schema either = any_of({whole(1), words({"auto", "none"})}, "auto, none or a number");
+  EXPECT_EQ(sentence(either, "3"), "");
+  EXPECT_EQ(sentence(either, "\"auto\""), "");
+  EXPECT_EQ(sentence(either, "true"), " must be auto, none or a number, not true");
+  EXPECT_EQ(sentence(either, "0"), " must be a whole number of at least 1, not 0");
+  const Schema one = one_key({optional("radius", number()), optional("corner", whole())});
+  EXPECT_EQ(sentence(one, R"({"radius": 1})"), "");
+  EXPECT_EQ(sentence(one, R"({"radius": 1, "corner": 2})"), " must be one of radius, corner");
+  EXPECT_EQ(sentence(one, "{}"), " must be one of radius, corner");
+  const Schema keyed = by_key("width",
+                              object({required("width", number()), required("n", whole())}),
+                              object({required("n", list(number()))}));
+  EXPECT_EQ(sentence(keyed, R"({"n": [1]})"), "");
+  EXPECT_EQ(sentence(keyed, R"({"n": 1})"), "/n must be a list, not 1");
+  EXPECT_EQ(sentence(keyed, R"({"n": 1, "width": 2})"), "");
+}
+
+TEST(Schema, IsPrintedAsJsonSchema) {
+  const Json json = json_schema(object({required("r", length(kAboveZero).said("radius")),
+                                        optional("n", whole(0, 6).defaulting(2))}),
+                                "title", "id.json");
+  EXPECT_EQ(json["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(json["properties"]["r"], Json::parse(R"({"description": "radius", "type": "number",
+                                                     "exclusiveMinimum": 0,
+                                                     "quantity": "length"})"));
+  EXPECT_EQ(json["properties"]["n"], Json::parse(R"({"type": "integer", "minimum": 0,
+                                                     "maximum": 6, "default": 2})"));
+  EXPECT_EQ(json["required"], Json::array({"r"}));
+  EXPECT_EQ(json["additionalProperties"], false);
+}
+
+TEST(JsonReading, GivesTheSchemasDefaultsForWhatIsLeftOut) {
+  const Schema schema = object({optional("units", units()), optional("gap", length().defaulting(3)),
+                                optional("on", flag().defaulting(true)),
+                                optional("inner", object({optional("n", whole().defaulting(7))}))});
+  JsonReading reading(R"({"units": "inch"})", "file", "f", schema);
+  const JsonPlace place(reading);
+  EXPECT_DOUBLE_EQ(place["gap"].length(), 3 * 25.4);
+  EXPECT_TRUE(place["on"].yes());
+  EXPECT_EQ(place["inner"]["n"].whole(), 7);
+  EXPECT_FALSE(place["gap"].maybe_length().has_value());
+}
+
+TEST(JsonReadingDeathTest, ReadsNoKeyThatTheSchemaDoesNotDescribe) {
+  const Schema schema = object({optional("gap", length())});
+  JsonReading reading("{}", "file", "f", schema);
+  EXPECT_DEATH((void)JsonPlace(reading)["gaps"].length(), "field");
+}
+
+TEST(Schemas, AreNamedForWhatTheyDescribe) {
+  EXPECT_THAT(schema_names(), ElementsAre("plates", "transition", "slits", "rules", "request",
+                                          "report", "summary", "info"));
+  for (const std::string& name : schema_names())
+    EXPECT_EQ(Json::parse(schema_text(name))["$id"], name + ".json");
+  EXPECT_EQ(schema_text("plate"), "");
+}
+
+}  // namespace
+}  // namespace planish::job
