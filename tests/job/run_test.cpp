@@ -111,8 +111,10 @@ TEST(Run, EntersOptionsUnderTheirNames) {
   EXPECT_THAT(result.artifacts[0].bytes, HasSubstr("AC1009"));
   asked["options"] = {
       {"k_table", {{"name", "steel.csv"}, {"content", "r/t, k\n0.1, 0.3\n9, 0.3\n"}}}};
-  EXPECT_THAT(json::parse(done(asked).report)["sheet"]["k_source"].get<std::string>(),
-              HasSubstr("steel.csv"));
+  for (const json& bend : json::parse(done(asked).report)["flat"]["bends"]) {
+    EXPECT_EQ(bend["k_factor"], 0.3);
+    EXPECT_THAT(bend["k_source"].get<std::string>(), HasSubstr("steel.csv"));
+  }
   asked["options"] = {{"rules", {{"content", {{"enabled", false}}}}}};
   EXPECT_EQ(json::parse(done(asked).report)["checks"], json::array());
 }

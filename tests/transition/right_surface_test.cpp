@@ -68,7 +68,9 @@ TEST(RightSurface, IsNotThereForEllipsesAndObliqueCones) {
   EXPECT_FALSE(found(ring_between(EllipseProfile{50, 30}, EllipseProfile{50, 30}, {0, 0, 80})));
   const Ring ring = square_to_circle();
   for (const HullPatch& patch : ring.hull->patches)
-    if (!patch.plane) EXPECT_FALSE(right_surface(*ring.hull, patch));
+    if (!patch.plane) {
+      EXPECT_FALSE(right_surface(*ring.hull, patch));
+    }
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ TEST(EvenlyTurned, DividesARightConeIntoEqualParts) {
   const auto presses = ring.strip(0).evenly_turned(0.0, 1.0, 4);
   ASSERT_EQ(presses.size(), 4u);
   const double whole = 2 * kPi * 80 / std::hypot(80, 30);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (int i = 0; i < 4; ++i) {
     EXPECT_NEAR(presses[i].at, (i + 0.5) / 4, 1e-9);
     EXPECT_NEAR(presses[i].turn, whole / 4, 1e-8);
   }
@@ -34,7 +34,7 @@ TEST(EvenlyTurned, PressesInTheMiddleOfWhatTurns) {
   const double whole = strip.turn(0.0, 1.0);
   const auto presses = strip.evenly_turned(0.0, 1.0, 5);
   ASSERT_EQ(presses.size(), 5u);
-  for (std::size_t i = 0; i < 5; ++i)
+  for (int i = 0; i < 5; ++i)
     EXPECT_NEAR(strip.turn(0.0, presses[i].at), (i + 0.5) / 5 * whole, 1e-8);
 }
 
@@ -45,7 +45,7 @@ TEST(EvenlyAlong, PressesAtEqualDistancesByWhatTurnsThere) {
   ASSERT_EQ(presses.size(), 6u);
   const double border = strip.border_length(1, 0.1, 0.9);
   double turned = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (int i = 0; i < 6; ++i) {
     EXPECT_NEAR(strip.border_length(1, 0.1, presses[i].at), (i + 0.5) / 6 * border, 1e-6);
     turned += presses[i].turn;
   }

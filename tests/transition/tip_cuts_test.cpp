@@ -35,7 +35,9 @@ TEST(TipCuts, AreMadeWhereSeveralFoldsMeet) {
   const Ring ring = antiprism();
   const TipCuts tips = cuts(ring, 2.0);
   for (const Strip& strip : ring.strips)
-    if (strip.stands(0)) EXPECT_GT(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+    if (strip.stands(0)) {
+      EXPECT_GT(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+    }
 }
 
 TEST(TipCuts, GrowWithTheThickness) {

@@ -48,7 +48,7 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
   job::Request request = asked.request;
   request.input = name_;
   request.effort = effort;
-  if (request.body.empty()) request.body = "1";
+  if (request.body.empty()) request.body = std::string("1");
   return request;
 }
 
