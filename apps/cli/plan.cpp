@@ -49,9 +49,10 @@ std::vector<const Artifact*> formats_of(const Planning& planning) {
   const auto written = planning.written(Role::flat);
   std::vector<const Artifact*> formats;
   for (const std::string& word : planning.arguments.formats) {
-    const Artifact* artifact = by_suffix(written, "." + word);
-    if (artifact && std::find(formats.begin(), formats.end(), artifact) == formats.end())
-      formats.push_back(artifact);
+    for (const Artifact* artifact : written)
+      if (artifact->suffix == "." + word &&
+          std::find(formats.begin(), formats.end(), artifact) == formats.end())
+        formats.push_back(artifact);
   }
   if (formats.empty()) formats.push_back(written.front());
   return formats;

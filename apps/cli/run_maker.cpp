@@ -26,7 +26,10 @@ void print_summary(const Arguments& arguments, const std::string& text) {
 
 /// Ends a request that failed as a whole: complains, and writes the report that says so, so that
 /// scripts find the reason in the same place.
-int end_failed(const Arguments& arguments, const job::Request& request, const Error& error) {
+int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
+  Error error = failure;
+  if (error.code == ErrorCode::no_such_body && request.body.empty())
+    error.message += "; or take all of them with --all -o FOLDER/";
   const int status = complain(error);
   if (error.code == ErrorCode::cancelled) return status;
   const auto failed = arguments.maker->failed(request, error);

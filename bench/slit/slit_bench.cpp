@@ -22,7 +22,7 @@ SlitDesign chair(int strips) {
   return design;
 }
 
-/// The chair of FORMATS, with a back.
+/// The chair of formats.md#slits, with a back.
 SlitDesign six_strips() {
   SlitDesign design = chair(6);
   design.seat_curve = BezierCurve{{{330, 0}, {300, 120}, {310, 240}, {640, 360}}};

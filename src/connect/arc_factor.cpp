@@ -10,7 +10,7 @@ double arc_factor(Angle beta, EdgeKind kind, double slope) {
   const double alpha = std::numbers::pi - beta.radians();
   if (slope == 0.0)
     return (kind == EdgeKind::facing ? alpha : 2.0 * std::numbers::pi - alpha) * tangent;
-  // ω from MATH 3.3; tan φ / sin ω, where both are small together, by their quotient.
+  // ω from math.md#tangent-cone; tan φ / sin ω, where both are small together, by their quotient.
   const double phi = std::atan(std::abs(slope));
   const double omega = std::atan(std::sin(phi) * tangent);
   const double theta = std::atan2(std::tan(phi), std::sin(omega));

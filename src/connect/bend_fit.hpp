@@ -35,14 +35,15 @@ struct FitTask {
   std::array<std::set<int>, 2> taken;  ///< edges that other bends use already
 };
 
-/// Fits a bend between two plates (MATH 3). Errors: those of `connect` for one bend.
+/// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
 
-/// A curved section that ends free: behind an edge of one plate, or of its own (MATH 3.9).
+/// A curved section that ends free: behind an edge of one plate, or of its own
+/// (math.md#free-sections).
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
 
-/// How far the plates are apart in the sense of MATH 3.7, for choosing what to join: span over
-/// width of the best bend between them; none where no bend fits.
+/// How far the plates are apart in the sense of math.md#widest-bend, for choosing what to join:
+/// span over width of the best bend between them; none where no bend fits.
 struct Nearness {
   double span = 0.0, width = 0.0;
 };

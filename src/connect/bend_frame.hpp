@@ -12,10 +12,10 @@ namespace planish::connect_detail {
 enum class PlanePair { crossing, parallel, coplanar };
 PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarity);
 
-/// Axes of the bends that two plates can have (MATH 3). Crossing planes: one for each combination
-/// of sides of the intersection line on which the plates have corners (one, unless a plate crosses
-/// the line); the origin is the point of the line nearest to the middle of both plates. Parallel
-/// planes: one for each direction of an edge and each way to look from it.
+/// Axes of the bends that two plates can have (math.md#bend-frame). Crossing planes: one for each
+/// combination of sides of the intersection line on which the plates have corners (one, unless a
+/// plate crosses the line); the origin is the point of the line nearest to the middle of both
+/// plates. Parallel planes: one for each direction of an edge and each way to look from it.
 std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, PlanePair kind);
 
 /// The outline in (x, y) of a side.

@@ -53,8 +53,9 @@ struct BendSurface {
   Angle turned() const;
 };
 
-/// Cylinder (slope 0) or right cone tangent to both plates along `line` (MATH 3.2, 3.3). A cone
-/// wants k x − q > 0 on the span it is used for; its v is the distance from the apex.
+/// Cylinder (slope 0) or right cone tangent to both plates along `line` (math.md#tangent-cylinder
+/// and math.md#tangent-cone). A cone wants k x − q > 0 on the span it is used for; its v is the
+/// distance from the apex.
 BendSurface tangent_surface(const BendFrame& frame, EdgeKind edges, const TangentLine& line);
 
 /// A half-turn between parallel planes: `line` has slope 0.

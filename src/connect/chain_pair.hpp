@@ -31,8 +31,9 @@ struct ChainPair {
   }
 };
 
-/// The bend of minimum average length of a pair of chains (MATH 3.6): one edge a side, or the edges
-/// that are fixed. None where no tangent line is possible, or none is shorter than `bound`.
+/// The bend of minimum average length of a pair of chains (math.md#shortest-bend): one edge a side,
+/// or the edges that are fixed. None where no tangent line is possible, or none is shorter than
+/// `bound`.
 struct ReferenceBend {
   EdgeChoice choice;  ///< with the width and the smallest span of its edges
   double length = 0.0;
@@ -53,7 +54,7 @@ std::optional<EdgeChoice> measured(const ChainPair& pair,
 /// Widths that differ by less than this share of the extent are equal.
 inline constexpr double kEqualWidths = tolerance::kComputed;
 
-/// Order of MATH 3.7: the wider, then the smaller span, then the smaller edge numbers.
+/// Order of math.md#widest-bend: the wider, then the smaller span, then the smaller edge numbers.
 bool better(const ChainPair& pair, const EdgeChoice& a, const EdgeChoice& b);
 
 }  // namespace planish::connect_detail

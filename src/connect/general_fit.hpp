@@ -24,8 +24,8 @@ Result<GeneralLines> general_lines(const std::array<std::vector<Vec2>, 2>& corne
 
 /// The general cone tangent to both plates along `lines`, over the arc that leaves the plates at
 /// their ends far from the apex: elliptic, its end tangents meeting in `tangent_point` on the
-/// intersection line (MATH 2.4, 5.2); by default in the point from which the arc is circular.
-/// Error: `no_bend_fits`.
+/// intersection line (math.md#general-cone and math.md#corner-cone); by default in the point from
+/// which the arc is circular. Error: `no_bend_fits`.
 Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& lines,
                                     const std::array<std::vector<Vec2>, 2>& corners,
                                     const std::optional<Vec3>& tangent_point, double extent);
@@ -35,7 +35,7 @@ Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& 
 double middle_radius(const BendSurface& surface, const Curve2& low, const Curve2& high);
 
 /// The surface at a constant distance along the normal, with the same (u, v) on the same normals
-/// (MATH 2.6).
+/// (math.md#neutral-surface).
 Ruled offset_surface(const BendSurface& surface, double offset);
 
 }  // namespace planish::connect_detail

@@ -29,19 +29,21 @@ struct RunEnds {
 struct LateralOptions {
   double neutral_offset = 0.0;  ///< of the neutral surface from the mid-surface along its normal,
                                 ///< mm
-  /// Sections of both tangent rulings on which the bend runs over no plate (MATH 3.8), as far as
-  /// they are common to both sides: intervals of levels, ascending.
+  /// Sections of both tangent rulings on which the bend runs over no plate
+  /// (math.md#lateral-boundaries), as far as they are common to both sides: intervals of levels,
+  /// ascending.
   std::vector<std::pair<double, double>> legal;
   double extent = 0.0;  ///< of both plates, mm
 };
 
-/// Chooses the lateral boundaries (MATH 3.8). What was asked for and is not possible, and bends
-/// without common width, are `no_common_width`.
+/// Chooses the lateral boundaries (math.md#lateral-boundaries). What was asked for and is not
+/// possible, and bends without common width, are `no_common_width`.
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options);
 
 /// Sections of the ruling h = 0 next to which, at h < 0, an outline given in (v, h) has no
-/// material: intervals of v within [low, high], ascending (after Appendix 1 of the thesis).
+/// material: intervals of v within [low, high], ascending (after appendix 1 of
+/// bibliography.md#thesis).
 std::vector<std::pair<double, double>> legal_sections(const std::vector<Vec2>& outline, double low,
                                                       double high, double tolerance);
 

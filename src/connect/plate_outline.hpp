@@ -30,9 +30,9 @@ struct JointRange {
 };
 JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate);
 
-/// Puts the plate extensions of MATH 3.1 on: the selected edges are replaced by the shortest way
-/// from their ends to the lateral boundaries that leaves the plate whole, and by the tangent line
-/// between. Error: `overlap` where extensions run into each other or over the plate.
+/// Puts the plate extensions of math.md#tangent-lines on: the selected edges are replaced by the
+/// shortest way from their ends to the lateral boundaries that leaves the plate whole, and by the
+/// tangent line between. Error: `overlap` where extensions run into each other or over the plate.
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id);
 

@@ -39,8 +39,8 @@ double shift(const Unit& a, const Unit& b) {
   return std::abs(a.left.x() - b.left.x()) + std::abs(a.right.x() - b.right.x());
 }
 
-/// The objective of MATH 3.6 without the shift: of tangent lines (k, q), `of_height` · 2 H +
-/// `constant` where H = k x̄ − q is the height of the line over the mean x of all corners.
+/// The objective of math.md#shortest-bend without the shift: of tangent lines (k, q), `of_height` ·
+/// 2 H + `constant` where H = k x̄ − q is the height of the line over the mean x of all corners.
 struct Length {
   double of_height = 0.0, constant = 0.0, mean_x = 0.0;
 

@@ -4,10 +4,10 @@
 
 namespace planish::connect_detail {
 
-/// The tangent line on which a bend is built: that of least plate extension (MATH 3.5) under what
-/// is given, with an inside radius above zero all along the edges. Errors: `no_bend_fits`,
-/// `plates_touch`, `radius_too_small`, `apex_in_span`; `where` is the key of the request that is at
-/// fault, if one is.
+/// The tangent line on which a bend is built: that of least plate extension
+/// (math.md#least-extension) under what is given, with an inside radius above zero all along the
+/// edges. Errors: `no_bend_fits`, `plates_touch`, `radius_too_small`, `apex_in_span`; `where` is
+/// the key of the request that is at fault, if one is.
 Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice,
                                  const ConnectOptions& options);
 

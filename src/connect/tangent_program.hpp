@@ -32,10 +32,10 @@ struct TangentOptimum {
   double value = 0.0;
 };
 
-/// Least cost over all tangent lines that MATH 3.1 allows for the corners of both sides, under what
-/// is given. For each slope the best offset is at a bound, what is left is convex and piecewise
-/// linear in the slope (MATH 3.7). `size` is the extent of the corners; `start` a slope near the
-/// optimum, if known.
+/// Least cost over all tangent lines that math.md#tangent-lines allows for the corners of both
+/// sides, under what is given. For each slope the best offset is at a bound, what is left is convex
+/// and piecewise linear in the slope (math.md#widest-bend). `size` is the extent of the corners;
+/// `start` a slope near the optimum, if known.
 std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>& sides,
                                                EdgeKind kind, const TangentCost& cost,
                                                const GivenLine& given, double size,

@@ -22,7 +22,7 @@ Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near);
 
 /// The development of one offset of a ruled surface. Where the surface has ruling g and point b(u),
 /// the plane has G = (cos ψ, sin ψ) and B(u). A developable's tangent plane turns only about its
-/// rulings, so plane and surface see the same rates (MATH 2.5):
+/// rulings, so plane and surface see the same rates (math.md#general-developable):
 ///   ψ′ = −g′·across,  B′ = (b′·g) G + (b′·across) (sin ψ, −cos ψ).
 /// Both are integrated with Chebyshev series on pieces that are halved until the series ends in
 /// terms below 1e-13 of the extent.

@@ -23,9 +23,9 @@ Json number_json(double value);
 Json number_json(const std::optional<double>& value);
 Json point_json(const Vec2& p, const Units& units);
 Json space_point_json(const Vec3& p, const Units& units);
-/// FORMATS, "reason"; null for none.
+/// formats.md#reason; null for none.
 Json reason_json(const std::optional<Error>& error);
-/// A whole report as FORMATS has it.
+/// A whole report as formats.md#report has it.
 Json report_value(const UnfoldReport& report);
 
 /// Whether a report lists its bends one by one.

@@ -12,7 +12,7 @@ namespace planish::job {
 namespace {
 
 constexpr double kCubicDecimetre = 1e6;  // mm³
-constexpr int kRefusedStatus = 4;        // FORMATS, "Exit status"
+constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 
 // Bends of one table row may differ in the last digits; that is still one K.
 constexpr double kSameK = 1e-9;

@@ -16,7 +16,7 @@ class Units {
   double area(double mm2) const { return mm2 / (millimetres_ * millimetres_); }
   double volume(double mm3) const { return mm3 / (millimetres_ * millimetres_ * millimetres_); }
 
-  std::string_view name() const;    ///< as FORMATS spells it: "mm", "inch", "m"
+  std::string_view name() const;    ///< as formats.md#units spells it: "mm", "inch", "m"
   std::string_view symbol() const;  ///< as people write it: "mm", "in", "m"
 
   /// Fixed decimals, a micrometre or finer; without the symbol.

@@ -7,9 +7,9 @@
 namespace planish::sheet_detail {
 namespace {
 
-/// The border's trihedron in the developed plane of its face: a point and the direction X (MATH
-/// 4.2; Y points into the face, Z out of the plane). The direction comes from the surfaces, not
-/// from the end points, whose rounding a short border would magnify.
+/// The border's trihedron in the developed plane of its face: a point and the direction X
+/// (math.md#border-trihedron; Y points into the face, Z out of the plane). The direction comes from
+/// the surfaces, not from the end points, whose rounding a short border would magnify.
 struct BorderFrame {
   Vec2 middle;
   Vec2 direction;
@@ -79,8 +79,8 @@ double shift_along(const Sheet& sheet, const Joint& joint, const Vec3& line) {
 }
 
 /// Placement of joint.b's node where joint.a's is placed at `base`: b's border trihedron goes onto
-/// a's, turned round because both borders keep their face on the left (MATH 4.2), with the
-/// allowance of a sharp bend between them.
+/// a's, turned round because both borders keep their face on the left (math.md#border-trihedron),
+/// with the allowance of a sharp bend between them.
 Isometry2 child_placement(const Sheet& sheet, const Layout& layout, const Joint& joint,
                           const Isometry2& base) {
   const Vec3 line = fold_line(sheet, joint);

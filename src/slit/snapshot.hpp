@@ -50,7 +50,8 @@ FoldedStrip folded_of(const Snapshot& now, int strip);
 /// Marks a strip as not solved since.
 void reopen(Snapshot& now, int strip);
 
-/// A strip with every quad divided in its middle by a ridge that does not fold (MATH 6.4).
+/// A strip with every quad divided in its middle by a ridge that does not fold
+/// (math.md#subdivision).
 StripParameters subdivided(const StripBase& base, const StripParameters& p);
 
 /// Null where there are no points.

@@ -43,7 +43,7 @@ struct Twist {
 };
 
 /// A strip placed quad by quad: quad i is the flat one moved by a product of rotations about ridges
-/// 0 … i (MATH 6.2), so lengths are kept whatever the parameters.
+/// 0 … i (math.md#strip-folding), so lengths are kept whatever the parameters.
 struct StripFold {
   std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads

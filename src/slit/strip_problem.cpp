@@ -9,7 +9,8 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kReferenceQuads = 10.0;  // of the paper, where weights mean what they mean there
+constexpr double kReferenceQuads = 10.0;  // as in the paper (bibliography.md#slits) for the same
+                                          // weights
 constexpr double kThirtieths = 30.0;      // lengths count in thirtieths of the strip's length
 
 Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {

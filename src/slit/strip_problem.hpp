@@ -47,15 +47,15 @@ struct StripAnchor {
   Vec3 at = Vec3::Zero();
 };
 
-/// What one strip is to become: end conditions, inequalities, and the objective of MATH 6.3 as a
-/// sum of squares. Lengths are divided by the strip's length.
+/// What one strip is to become: end conditions, inequalities, and the objective of
+/// math.md#strip-conditions as a sum of squares. Lengths are divided by the strip's length.
 ///
 /// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and
-/// keeps its value when a strip is divided more finely; at ten quads the weight is the paper's.
-/// Where a strip goes on in its mirror image so do the differences: the last one is that of θ_M−2,
-/// θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings whose sum is given equals Σ (Δ − h)²/(Δ
-/// h²) and a constant, h the mean: that is a sum of squares which vanish at equal spacing, so that
-/// Gauss–Newton steps converge. Its mean over the quads is taken.
+/// keeps its value when a strip is divided more finely; at ten quads the weight is that of the
+/// paper (bibliography.md#slits). Where a strip goes on in its mirror image so do the differences:
+/// the last one is that of θ_M−2, θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings whose
+/// sum is given equals Σ (Δ − h)²/(Δ h²) and a constant, h the mean: that is a sum of squares which
+/// vanish at equal spacing, so that Gauss–Newton steps converge. Its mean over the quads is taken.
 struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;

@@ -40,10 +40,10 @@ struct Hull {
   }
 };
 
-/// The lateral boundary of the convex hull (MATH 5.3): planes that touch both boundaries, found by
-/// carrying the tangent lines at the ends of each element over to the other side. Boundary 0's axis
-/// points to boundary 1, boundary 1's away from boundary 0. `size` is their extent. Errors:
-/// `profiles_meet`, `profile_hidden`.
+/// The lateral boundary of the convex hull (math.md#lateral-hull): planes that touch both
+/// boundaries, found by carrying the tangent lines at the ends of each element over to the other
+/// side. Boundary 0's axis points to boundary 1, boundary 1's away from boundary 0. `size` is their
+/// extent. Errors: `profiles_meet`, `profile_hidden`.
 Result<Hull> lateral_hull(Boundary first, Boundary second, double size);
 
 /// det(T₁, T₂, q − p): zero where tangents at p and q lie in one plane, positive where q is ahead

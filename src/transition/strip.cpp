@@ -86,7 +86,7 @@ Strip::Pairing Strip::pairing(double at) const {
 }
 
 // Rulings are numbered by the mean of the shares of both curves that lie behind them, since either
-// may stand still for a moment. MATH 5.3 then fixes both.
+// may stand still for a moment. math.md#lateral-hull then fixes both.
 Strip::Pairing Strip::solved(double at) const {
   const Stretch &a = patch_.sides[0], &b = patch_.sides[1];
   const double whole_a = a.t1 - a.t0, whole_b = b.t1 - b.t0;

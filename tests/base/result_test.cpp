@@ -34,7 +34,7 @@ TEST(ErrorCodes, AreSpelledAsInTheEnumeration) {
   EXPECT_EQ(code_name(ErrorCode::internal), "internal");
 }
 
-// FORMATS, "Exit status": 1 internal, 2 wrong usage, 3 input cannot be read or is invalid, 4
+// formats.md#exit-status: 1 internal, 2 wrong usage, 3 input cannot be read or is invalid, 4
 // refused.
 TEST(ErrorCodes, HaveTheExitStatusOfTheirGroup) {
   for (const ErrorCode code : every_code()) {

@@ -71,7 +71,7 @@ TEST(TangentSurface, OfASlopeIsAConeWithItsApexOnTheLineOfThePlanes) {
       EXPECT_EQ(surface.kind, BendKind::cone);
       const Cone& cone = std::get<Cone>(surface.mid);
       EXPECT_LT((cone.frame.origin - (frame.origin + 40 * frame.d)).norm(), 1e-11);
-      // MATH 3.3: sin φ · tan(β/2) is the tangent of the half-angle.
+      // math.md#tangent-cone: sin φ · tan(β/2) is the tangent of the half-angle.
       const double sine = std::sin(std::atan(std::abs(slope)));
       EXPECT_NEAR(std::tan(cone.half_angle), sine * std::tan(35 * pi / 180), 1e-12);
       expect_tangent(surface, frame, line);

@@ -123,7 +123,7 @@ TEST(Connect, JoinsEdgesThatRunApartByAConeWithoutExtension) {
   ASSERT_TRUE(bend.apex);
   EXPECT_LT((bend.frame.origin + *bend.apex * bend.frame.d).norm(), 1e-6)
       << "the apex lies where the edges meet";
-  // MATH 3.3.
+  // math.md#tangent-cone.
   const double phi = std::atan(k), omega = std::atan(std::sin(phi) * std::tan(pi / 4));
   ASSERT_TRUE(bend.half_angle);
   EXPECT_NEAR(bend.half_angle->radians(), omega, 1e-12);
@@ -228,7 +228,7 @@ TEST(Connect, LoftsAnObliqueConeToARoundOpening) {
     EXPECT_NEAR(p.z(), 300.0, 1e-6);
     EXPECT_NEAR(p.head<2>().norm(), 120.0, 1e-6);
   }
-  // Area of the mid-surface between both ends, by MATH 2.4 over the circle.
+  // Area of the mid-surface between both ends, by math.md#general-cone over the circle.
   double area = 0.0;
   constexpr int kParts = 20000;
   const Vec3 apex(200, 200, 0);

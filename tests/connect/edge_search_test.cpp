@@ -10,8 +10,8 @@
 #include <numbers>
 #include <optional>
 
-// The exact search against a search of everything, written from MATH 3 with nothing in common with
-// it.
+// The exact search against a search of everything, written from math.md#bend-fitting with nothing
+// in common with it.
 
 namespace planish::test {
 namespace {
@@ -58,7 +58,7 @@ double length_at(const Corners& c, EdgeKind kind, double psi, double k, double q
   return length;
 }
 
-/// Every vertex of the polyhedron of MATH 3.1 and of the kinks of the span.
+/// Every vertex of the polyhedron of math.md#tangent-lines and of the kinks of the span.
 template <typename Cost>
 std::optional<double> least(const Corners& c, EdgeKind kind, const Cost& cost) {
   std::vector<Vec2> points;

@@ -71,7 +71,7 @@ TEST(TangentLineOf, AnApertureHasThatHalfAngle) {
   const double half = 3.0 * std::numbers::pi / 180;
   const auto line = line_for(PairTask(angle_pair(14.0), {.aperture = Angle::degrees(6)}));
   ASSERT_TRUE(line);
-  // MATH 3.3 with β = 90°: sin φ is the tangent of the half-angle.
+  // math.md#tangent-cone with β = 90°: sin φ is the tangent of the half-angle.
   EXPECT_NEAR(std::sin(std::atan(std::abs(line->slope))), std::tan(half), 1e-12);
 }
 

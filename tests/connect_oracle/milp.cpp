@@ -25,7 +25,7 @@ void at_most_if(LinearProgram& program, const SelectableCorner& corner, const Li
   program.at_most(a, b + std::max(0.0, excess) * (1.0 - corner.selected));
 }
 
-/// MATH 3.1.
+/// math.md#tangent-lines.
 void require_feasible(LinearProgram& program, const SelectableCorner& corner, EdgeKind kind) {
   const double y = corner.at.y();
   at_most_if(program, corner, 0.0, corner.height, -corner.bounds.low);
@@ -98,8 +98,8 @@ int first_set(const Solution& solution, const std::vector<Column>& columns) {
   return static_cast<int>(std::find_if(columns.begin(), columns.end(), set) - columns.begin());
 }
 
-/// [99]: left and right corner of the one edge of a side, each a vector of binaries with a single
-/// one.
+/// [thesis 99]: left and right corner of the one edge of a side, each a vector of binaries with a
+/// single one.
 struct EdgeColumns {
   std::vector<Column> left, right;
 };
@@ -113,7 +113,7 @@ EdgeColumns one_edge(LinearProgram& program, std::size_t corners) {
   return edge;
 }
 
-/// The height at a corner where it is selected, else zero: B of [99].
+/// The height at a corner where it is selected, else zero: B of [thesis 99].
 Linear height_if_selected(Model& model, const SelectableCorner& corner, double cap) {
   const double top = model.kind == EdgeKind::facing ? corner.at.y() : cap;
   const Linear height = Linear::of(model.program.continuous(0.0, std::max(0.0, top)));
@@ -157,8 +157,8 @@ double highest_of_shortest(const Corners& corners, double psi) {
          (0.5 * psi + 1.0);
 }
 
-/// [114]: a run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to the
-/// last.
+/// [thesis 114]: a run of corners of a side: `from` is 1 from the first corner on, `to` is 1 up to
+/// the last.
 struct RunColumns {
   std::vector<Column> from, to;
   Linear selected(std::size_t j) const { return Linear::of(from[j]) + Linear::of(to[j]) - 1.0; }

@@ -8,40 +8,37 @@
 #include <limits>
 #include <vector>
 
-// The mixed-integer programs of the bent-plate thesis, [99, 101–102] (4.6.7) and [114] (4.6.8), for
-// one pair of chains of one kind: what search_edges must agree with and is measured against.
-// Nothing here is shared with the search; Ψ̃ is given.
+// The mixed-integer programs of the bent-plate thesis (bibliography.md#thesis), [thesis 99] with
+// [thesis 101–102] (section 4.6.7) and [thesis 114] (section 4.6.8), for one pair of chains of one
+// kind: what search_edges must agree with and is measured against. Nothing here is shared with the
+// search; Ψ̃ is given.
 //
-// Where they differ from the thesis, which MATH 3.6 and 3.7 put right:
-// - Reference [103, 114]. The thesis subtracts the average length of the shortest bend from a span;
-//   a span is never less, so the shortest bend itself could be refused. Here its span is
+// Where they differ from the thesis, which math.md#shortest-bend and math.md#widest-bend put right:
+// - Reference [thesis 103, 114]. The thesis subtracts the average length of the shortest bend from
+//   a span. A span is never less, so the shortest bend itself could be refused. Here its span is
 //   subtracted.
-// - Ψ̃ [94, 99, 100]. Its Ψ, half of ours, has −1 beside it in [99], +1 in [102]: the curved
-//   section counts ½Ψ̃ b̄ a side, the extension ȳ − b̄ (facing) or b̄ − ȳ (averted). Written out here
-//   term by term. It is a constant, that at slope 0.3.
-// - Shift [98, 99, 112]. |x₁ − x₂| of the left and of the right corners. [99] as printed bounds its
-//   variables by unreadable terms; here two rows each, ±(x₁ − x₂).
-// - Adjacency [99]. −1 ≤ difference of the indices ≤ 1 with a further row against 0 leaves both
-// orders
-//   of an edge's corners, twice the solutions, and lets left meet right. Here the second corner's
-//   index is that of the first and one.
-// - Runs [107, 114]. Also here two vectors of binaries a side, "from the first corner on" and "up
-// to the
-//   last", whose sum less one says what is selected; at least two corners. The ends' x follow from
-//   them by telescoping sums, without the big M that [114] takes for the least and greatest
-//   selected x.
-// - The objective of [114] adds the distance of the ends over M to settle ties. That bends the
-// optimum
-//   by a little; left out.
-// - Signs [110–114]. Heights are k x − q ≥ 0 and the extension's y − (k x − q); the thesis writes
-// both
-//   ways round, as extracted without its minus signs.
-// - Averted [101–102] is given for the shortest bend only. In the widest: y ≤ k x − q, extension
-//   (k x − q) − y, Ψ̃ of the averted azimuth.
-// - Big M is one number in the thesis, large. Here every row has its own, from the coordinates: a
-//   bend uses at least one edge on each side, which bounds the tangent line at that edge, so its
-//   slope and its height at every other corner. Averted edges bound it from below only; the length
-//   or span that an optimum can have at most bounds it from above.
+// - Ψ̃ [thesis 94, 99, 100]. The Ψ of the thesis, half of ours, has −1 beside it in [thesis 99] and
+//   +1 in [thesis 102]: the curved section counts ½Ψ̃ b̄ a side, the extension ȳ − b̄ (facing) or
+//   b̄ − ȳ (averted). Here it is written out term by term, with the constant at slope 0.3.
+// - Shift [thesis 98, 99, 112]. |x₁ − x₂| of the left and of the right corners. [thesis 99] as
+//   printed bounds its variables by unreadable terms; here by two rows each, ±(x₁ − x₂).
+// - Adjacency [thesis 99]. −1 ≤ difference of the indices ≤ 1, with a further row against 0, leaves
+//   both orders of an edge's corners: twice the solutions, and left may meet right. Here the index
+//   of the second corner is that of the first plus one.
+// - Runs [thesis 107, 114]. Here, too, two vectors of binaries a side, "from the first corner on"
+//   and "up to the last", whose sum less one says what is selected; at least two corners. The ends'
+//   x follow by telescoping sums, without the big M that [thesis 114] takes for the least and
+//   greatest selected x.
+// - The objective of [thesis 114] adds the distance of the ends over M to settle ties. That shifts
+//   the optimum a little; it is left out.
+// - Signs [thesis 110–114]. Heights are k x − q ≥ 0, and the extension is y − (k x − q). The thesis
+//   writes both ways round; the text at hand has lost its minus signs.
+// - Averted [thesis 101–102] is given for the shortest bend only. In the widest bend: y ≤ k x − q,
+//   extension (k x − q) − y, Ψ̃ of the averted azimuth.
+// - Big M is one large number in the thesis. Here every row has its own, from the coordinates: a
+//   bend uses at least one edge on each side, which bounds the tangent line at that edge, and so
+//   its slope and its height at every other corner. Averted edges bound it from below only; the
+//   length or span that an optimum can have at most bounds it from above.
 namespace planish::oracle {
 
 /// No time limit.
@@ -51,12 +48,13 @@ using Corners = std::array<std::vector<Vec2>, 2>;  ///< selected, by side, x gro
 
 struct MilpReference {
   Outcome outcome = Outcome::stopped;
-  double length = 0.0;         ///< objective of MATH 3.6, of a linear program for the edges found
+  double length = 0.0;  ///< objective of math.md#shortest-bend, of a linear program for the edges
+                        ///< found
   std::array<int, 2> edges{};  ///< positions in the chains
   TangentLine line;
 };
 
-/// The bend of minimum average length (MATH 3.6) between two chains of one kind.
+/// The bend of minimum average length (math.md#shortest-bend) between two chains of one kind.
 MilpReference minimum_length_bend(const Chain& chain1, const Chain& chain2, double psi,
                                   double seconds = kUnlimited);
 
@@ -73,14 +71,15 @@ struct MilpTopology {
   double span = 0.0;        ///< least for the runs found
 };
 
-/// The widest bend (MATH 3.7) between two chains of one kind; a span may exceed what is allowed by
-/// kSpanSlack of the extent, without which the reference itself would hang on rounding where γ = 0.
+/// The widest bend (math.md#widest-bend) between two chains of one kind; a span may exceed what is
+/// allowed by kSpanSlack of the extent, without which the reference itself would hang on rounding
+/// where γ = 0.
 MilpTopology widest_bend(const Chain& chain1, const Chain& chain2, double psi, const Wanted& wanted,
                          double seconds = kUnlimited);
 inline constexpr double kSpanSlack = 1e-8;
 
-/// Objective of MATH 3.6 and span of MATH 3.7 of selected corners, the least over all tangent
-/// lines, by linear programs; infinite where no tangent line is feasible.
+/// Objective of math.md#shortest-bend and span of math.md#widest-bend of selected corners, the
+/// least over all tangent lines, by linear programs; infinite where no tangent line is feasible.
 double smallest_length(const Corners& corners, EdgeKind kind, double psi);
 double smallest_span(const Corners& corners, EdgeKind kind, double psi);
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <random>
 
-// The exact search against the mixed-integer programs of the thesis, solved by an independent
-// program.
+// The exact search against the mixed-integer programs of the thesis (bibliography.md#thesis),
+// solved by an independent program.
 
 namespace planish::oracle {
 namespace {

@@ -45,7 +45,8 @@ Json request(const std::string& artifact) {
           {"artifacts", {artifact}}};
 }
 
-/// Radii about the middle of the pattern, which begins at the origin, and area of points in order, "x,y" a line behind a heading.
+/// Radii about the middle of the pattern, which begins at the origin, and area of points in order,
+/// "x,y" a line behind a heading.
 struct Ring {
   double smallest = 1e300, largest = 0.0, area = 0.0;
 };

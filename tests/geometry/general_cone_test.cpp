@@ -67,7 +67,7 @@ Corner any_corner() {
   return c;
 }
 
-/// The cone of MATH 2.4 itself, without knots.
+/// The cone of math.md#general-cone itself, without knots.
 struct ExactCone {
   Vec3 apex;
   SpaceCurve curve;

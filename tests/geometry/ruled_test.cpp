@@ -410,7 +410,7 @@ TEST(UnrollRuled, RightConeIsTheCone) {
 }
 
 TEST(UnrollRuled, ObliqueConeFollowsThePolarFormula) {
-  // MATH 2.4: polar (|c − V|, ∫ |(c − V) × c′| / |c − V|² dτ) about the apex V.
+  // math.md#general-cone: polar (|c − V|, ∫ |(c − V) × c′| / |c − V|² dτ) about the apex V.
   const Vec3 apex(1, 2, 8);
   const KnotAt knot = cone_through_circle(apex, 4);
   const Development image(ruled_from(knot, 0, 2 * pi, 2000), 0.0);

@@ -29,7 +29,7 @@ TEST(RuleFields, NameEveryThresholdOnce) {
                           "inside_radius_t", "relief_width_t", "relief_depth_r", "relief_depth_t",
                           "hem_diameter_t", "hem_return_t", "k_low", "k_high"));
   EXPECT_THAT(values, ElementsAre(1.5, 1, 2, 2, 5, 1, 1, 1, 1, 1, 1, 6, 0.2, 0.5))
-      << "defaults of SHOPFLOOR";
+      << "defaults of shop-floor.md#rules-of-manufacture";
   // Every threshold is a double, `enabled` the only other member: none can be missing.
   EXPECT_EQ(sizeof(Rules), rule_fields().size() * sizeof(double) + sizeof(double));
 }

@@ -136,7 +136,7 @@ struct ProfileRow {
   LayerNames names;
 };
 
-// SHOPFLOOR, "Layer sets".
+// shop-floor.md#layer-sets.
 const std::vector<ProfileRow> kProfiles{
     {LayerProfile::standard,
      {"OUTER_PROFILE", "INTERIOR_PROFILES", "BEND_UP", "BEND_DOWN", "BEND_TANGENT", ""}},

@@ -242,9 +242,8 @@ TEST(ConnectReport, IsTheReasonOfARequestThatFailed) {
   Request request;
   request.input = "p.json";
   request.units = LengthUnit::inch;
-  const json report = json::parse(
-      report_json(failed_report<ConnectReport>(
-          request, {ErrorCode::unknown_plate, "no plate C", "p.json/bends/0"})));
+  const json report = json::parse(report_json(failed_report<ConnectReport>(
+      request, {ErrorCode::unknown_plate, "no plate C", "p.json/bends/0"})));
   EXPECT_EQ(report["command"], "connect");
   EXPECT_EQ(report["units"], "inch");
   EXPECT_EQ(report["status"], "refused");

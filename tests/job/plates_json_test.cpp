@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// The example of FORMATS, with a second plate.
+// The example of formats.md#plates, with a second plate.
 json example() {
   return json::parse(R"({
     "format": "planish/plates", "version": 1, "units": "mm", "thickness": 4.0, "k_factor": 0.4,

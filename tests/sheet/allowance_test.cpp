@@ -93,7 +93,7 @@ TEST(BendAllowance, DeductionTakenFromOutsideLegsGivesTheFlatLength) {
   }
 }
 
-// ---- DIN 6935, test vectors of SHOPFLOOR
+// ---- DIN 6935, test vectors of shop-floor.md#din-6935-vectors
 
 struct DinRow {
   double ratio, k, allowance, compensation;

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <functional>
 
-// Flat patterns of plates joined by an oblique cone, against MATH 2.4 and 2.6 by quadrature.
+// Flat patterns of plates joined by an oblique cone, against math.md#general-cone and
+// math.md#neutral-surface by quadrature.
 
 namespace planish::test {
 namespace {

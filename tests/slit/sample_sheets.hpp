@@ -8,7 +8,7 @@
 
 namespace planish::test {
 
-/// The chair of FORMATS: six strips, a straight leg, a seat that rises to a back.
+/// The chair of formats.md#slits: six strips, a straight leg, a seat that rises to a back.
 inline SlitDesign chair() {
   SlitDesign design;
   design.sheet.thickness = 4.0;

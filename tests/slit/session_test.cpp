@@ -47,7 +47,7 @@ TEST(SlitSession, ChairMeetsItsSymmetryPlaneSmoothly) {
     const FoldedStrip& shape = folded.strips[strip];
     for (const Vec3& end : shape.ridges.back().folded)
       EXPECT_LE(std::abs(end.x()), 1e-9 * 884);
-    // The paper's end term, and the right angle.
+    // The end term of the paper [slits 3], and the right angle.
     for (std::size_t side = 0; side < 2; ++side)
       EXPECT_NEAR(shape.ridges[39].folded[side].y(), shape.ridges[40].folded[side].y(), 1e-9 * 884);
     EXPECT_NEAR(shape.quads.back().z.x(), 0.0, 1e-11);

@@ -93,7 +93,9 @@ class Types(StudioTest):
             name = {"unfold": "bracket.step", "connect": "connect/a_folded.json", "transition": "transition/a_square_to_round.json", "slit": "slit/chair.json"}[kind]
             document, spec = self.small(name) if kind != "unfold" else self.studio.open_example(name)
             for key, value in options.items():
-                answer = self.studio.post(document, "draft", spec, **{key: value})
+                # The length of ticks goes with ticks.
+                given = {"bend_marks": "ticks"} if key == "tick_length" else {}
+                answer = self.studio.post(document, "draft", spec, **given, **{key: value})
                 self.assertTrue(answer.is_good, (kind, key, answer.body[:300]))
         self.assertEqual(self.studio.post(document, "draft", spec, no_such_option=1).status, 400)
 

@@ -4,8 +4,8 @@
 
 namespace planish::test {
 
-/// Border trihedron of a face (MATH 4.2): origin at the border's start, x along the border, y into
-/// the face, z outward from the reference skin.
+/// Border trihedron of a face (math.md#border-trihedron): origin at the border's start, x along the
+/// border, y into the face, z outward from the reference skin.
 Frame border_trihedron(const Sheet& sheet, const BorderRef& border);
 
 /// Rigid motion that unfolds a child flange about one cylindrical bend into its parent's plane.
@@ -14,7 +14,7 @@ Frame border_trihedron(const Sheet& sheet, const BorderRef& border);
 /// the parent's outward normal; `allowance` in mm.
 ///
 /// As elementary transforms, T = TC · R · TR: the child is moved until the edges meet, turned about
-/// x by the bend angle, moved off by the allowance (Analysis Situs, part 4).
+/// x by the bend angle, moved off by the allowance [part 4].
 Eigen::Isometry3d unfolding_by_steps(const Frame& parent, const Frame& child, Angle turn,
                                      double allowance);
 

@@ -38,12 +38,9 @@ Json option_json(const job::OptionUse& use) {
 }
 
 Json maker_json(const job::Catalogue& catalogue, const job::Maker& maker) {
-  Json json{{"name", maker.name},
-            {"description", maker.description},
-            {"input", maker.input_kind()},
-            {"editable", !maker.format.empty()},
-            {"options", Json::array()},
-            {"artifacts", Json::array()}};
+  Json json{{"name", maker.name},          {"description", maker.description},
+            {"input", maker.input_kind()}, {"editable", !maker.format.empty()},
+            {"options", Json::array()},    {"artifacts", Json::array()}};
   for (const job::OptionUse& use : maker.options)
     json["options"].push_back(option_json(use));
   for (const job::Artifact* artifact : catalogue.written_by(maker))

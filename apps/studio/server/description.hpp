@@ -6,8 +6,8 @@
 
 namespace planish::studio {
 
-/// What can be opened, asked and written, as docs/studio-api.md has it: the page's menus are made of
-/// it.
+/// What can be opened, asked and written, as docs/studio-api.md has it: the page makes its menus
+/// of it.
 Answer description(const job::Catalogue& catalogue);
 
 }  // namespace planish::studio

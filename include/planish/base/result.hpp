@@ -8,7 +8,7 @@
 namespace planish {
 
 /// What went wrong, as a closed list: scripts branch on it. `code_name` gives the name used in
-/// reports (FORMATS, "reason.code"), `exit_status` the status a program ends with.
+/// reports (formats.md#reason), `exit_status` the status a program ends with.
 enum class ErrorCode {
   // The request is wrong (exit status 2).
   bad_option,    ///< an option value outside its range or not understood
@@ -68,7 +68,7 @@ enum class ErrorCode {
 /// Name of a code as reports spell it, e.g. "not_a_sheet".
 std::string_view code_name(ErrorCode code);
 
-/// Exit status of a program that ends with this error (FORMATS, "Exit status").
+/// Exit status of a program that ends with this error (formats.md#exit-status).
 int exit_status(ErrorCode code);
 
 /// A foreseeable failure. `message` is one sentence holding numbers, units and the remedy; `where`

@@ -13,9 +13,9 @@
 
 namespace planish {
 
-/// The axes of slope, offset and apex of a bend (MATH 3): the intersection line of the plates'
-/// planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes do not meet:
-/// then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
+/// The axes of slope, offset and apex of a bend (math.md#bend-fitting): the intersection line of
+/// the plates' planes runs through `origin` along `d`; side i lies along e[i]. Parallel planes do
+/// not meet: then e[0] = e[1], and `rise` leads from the plane of side 0 to that of side 1.
 struct BendFrame {
   Vec3 origin = Vec3::Zero();
   Vec3 d = Vec3::UnitX();
@@ -56,8 +56,8 @@ struct FittedBend {
   std::array<double, 2> inside_radii{};  ///< at the left (lower x) and at the right end
   std::optional<Angle> half_angle;       ///< of cones
   LateralBoundary lateral = LateralBoundary::straight;
-  double width = 0.0, span = 0.0;  ///< of the edges, MATH 3.7
-  double extension_area = 0.0;     ///< MATH 3.5, at `line`
+  double width = 0.0, span = 0.0;  ///< of the edges, math.md#widest-bend
+  double extension_area = 0.0;     ///< math.md#least-extension, at `line`
   std::vector<BendAlternative> alternatives;
   BendId bend{};  ///< row of the sheet's bends
 };
@@ -82,9 +82,10 @@ struct ConnectOptions {
   double planarity = 1e-3;  ///< mm that a corner may lie off its plate's plane
 };
 
-/// Joins plates by bends, finding what is not given of them (MATH 3). To join the same plates again
-/// after one has moved, give the requests of the bends that were found. `where` of an error is the
-/// place of its cause in the structure, written as a JSON pointer (FORMATS): "/plates/2/outline/3",
+/// Joins plates by bends, finding what is not given of them (math.md#bend-fitting). To join the
+/// same plates again after one has moved, give the requests of the bends that were found. `where`
+/// of an error is the place of its cause in the structure, written as a JSON pointer
+/// (formats.md#plates): "/plates/2/outline/3",
 /// "/bends/0/inside_radius".
 /// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
 /// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,

@@ -10,8 +10,9 @@
 
 namespace planish {
 
-// The plane problem of MATH 3. On side i of a bend a corner is (x, y): x along the intersection
-// line of the plates' planes, y the distance from it, positive on the side where the plate lies.
+// The plane problem of math.md#bend-frame. On side i of a bend a corner is (x, y): x along the
+// intersection line of the plates' planes, y the distance from it, positive on the side where the
+// plate lies.
 
 /// Facing: the outward normals point to the intersection line; averted: away from it.
 enum class EdgeKind { facing, averted };
@@ -30,12 +31,12 @@ struct Chain {
 /// the outline's extent count as parallel to the y axis, corners with |y| below that as y = 0.
 std::vector<Chain> viable_chains(const std::vector<Vec2>& outline);
 
-/// Ψ(φ) of MATH 3.4 for the slope k = tan φ: arc length of the circular directrix over the height
-/// of its ends above the intersection line; `beta` = angle between the plates' sides e₁ and e₂, in
-/// (0, π). Averted: with the averted azimuth.
+/// Ψ(φ) of math.md#arc-factor for the slope k = tan φ: arc length of the circular directrix over
+/// the height of its ends above the intersection line; `beta` = angle between the plates' sides e₁
+/// and e₂, in (0, π). Averted: with the averted azimuth.
 double arc_factor(Angle beta, EdgeKind kind, double slope);
 
-/// The slope at which the thesis linearises Ψ [94].
+/// The slope at which the thesis linearises Ψ [thesis 94].
 inline constexpr double kLinearisedSlope = 0.3;
 
 /// The tangent lines y = k x − q, the same on both sides.
@@ -59,7 +60,7 @@ struct Run {
   friend bool operator==(const Run&, const Run&) = default;
 };
 
-/// Edges for a bend and how good they are (MATH 3.7).
+/// Edges for a bend and how good they are (math.md#widest-bend).
 struct EdgeChoice {
   EdgeKind kind = EdgeKind::facing;
   std::array<Run, 2> runs;
@@ -77,28 +78,31 @@ struct EdgeSearchOptions {
 };
 
 struct EdgeSearch {
-  EdgeChoice reference;  ///< the bend of minimum average length (MATH 3.6); its span is S_ref
-  double reference_length = 0.0;  ///< the objective of MATH 3.6
+  EdgeChoice reference;  ///< the bend of minimum average length (math.md#shortest-bend); its span
+                         ///< is S_ref
+  double reference_length = 0.0;  ///< the objective of math.md#shortest-bend
   EdgeChoice best;
   /// Next best ones: of other pairs of chains or of the other kind, each the best of its own,
   /// widest first.
   std::vector<EdgeChoice> alternatives;
 };
 
-/// Exact optimum of MATH 3.7 over all runs of both sides and both kinds: the widest bend whose span
-/// exceeds that of the reference by at most γ times what it is wider. Ties (widths within 1e-9 of
-/// the extent): the smaller span, then the smaller edge numbers. Exact to rounding: span and width
-/// agree with the mixed-integer programs [99, 114] to 1e-9 of the extent. Errors: `no_bend_fits`
-/// when no pair of edges admits a tangent line (facing needs 0 ≤ k x − q ≤ y at every corner,
-/// averted k x − q ≥ y), also when that is because of what is given; `unknown_edge` when given
-/// edges are not consecutive edges of one viable chain. Cost: a best-first branch and bound over
-/// the ends of the runs; near-linear in practice, see docs/connect.md for measurements.
+/// Exact optimum of math.md#widest-bend over all runs of both sides and both kinds: the widest bend
+/// whose span exceeds that of the reference by at most γ times what it is wider. Ties (widths
+/// within 1e-9 of the extent): the smaller span, then the smaller edge numbers. Exact to rounding:
+/// span and width agree with the mixed-integer programs [thesis 99, 114] to 1e-9 of the extent.
+/// Errors: `no_bend_fits` when no pair of edges admits a tangent line (facing needs 0 ≤ k x − q ≤ y
+/// at every corner, averted k x − q ≥ y), also when that is because of what is given;
+/// `unknown_edge` when given edges are not consecutive edges of one viable chain. Cost: a
+/// best-first branch and bound over the ends of the runs; near-linear in practice, see
+/// docs/connect.md for measurements.
 Result<EdgeSearch> search_edges(const std::array<std::vector<Chain>, 2>& sides, Angle beta,
                                 const EdgeSearchOptions& options = {});
 
-/// Tangent line of least plate extension for given runs (MATH 3.5): minimises the sum over both
-/// sides of the area between the run and the tangent line, lateral edges along y. Exact: a linear
-/// program in (k, q), solved at its vertices. Where the optimum is not unique, the smallest |k|.
+/// Tangent line of least plate extension for given runs (math.md#least-extension): minimises the
+/// sum over both sides of the area between the run and the tangent line, lateral edges along y.
+/// Exact: a linear program in (k, q), solved at its vertices. Where the optimum is not unique, the
+/// smallest |k|.
 struct SmallestExtension {
   TangentLine line;
   double area = 0.0;  ///< mm², ≥ 0
@@ -107,7 +111,8 @@ struct SmallestExtension {
 Result<SmallestExtension> smallest_extension(const std::array<std::vector<Vec2>, 2>& corners,
                                              EdgeKind kind, const GivenLine& given = {});
 
-/// Area between runs and a tangent line as in MATH 3.5; negative where the line cuts a plate.
+/// Area between runs and a tangent line as in math.md#least-extension; negative where the line cuts
+/// a plate.
 double extension_area(const std::array<std::vector<Vec2>, 2>& corners, EdgeKind kind,
                       const TangentLine& line);
 

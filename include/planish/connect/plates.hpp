@@ -18,10 +18,12 @@ struct Plate {
   std::vector<std::vector<Vec3>> holes;
 };
 
-/// `general`: an oblique cone (MATH 2.4), whose tangent lines lie along the edges of both plates.
+/// `general`: an oblique cone (math.md#general-cone), whose tangent lines lie along the edges of
+/// both plates.
 enum class SurfaceChoice { automatic, cylinder, cone, general };
 
-/// MATH 3.8. `automatic`: straight where the corners of both plates lie near enough, else corner.
+/// math.md#lateral-boundaries. `automatic`: straight where the corners of both plates lie near
+/// enough, else corner.
 enum class LateralBoundary { automatic, straight, arc, corner };
 
 /// What is given of a bend; what is not is chosen. Lengths in mm.
@@ -36,13 +38,14 @@ struct BendRequest {
   std::optional<std::array<double, 2>> inside_radii = std::nullopt;  ///< of a cone at its lateral
                                                                      ///< boundaries
   std::optional<Angle> aperture = std::nullopt;  ///< of a cone: twice its half-angle
-  std::optional<double> slope = std::nullopt;    ///< k of MATH 3
-  std::optional<double> apex = std::nullopt;     ///< x₀ = q/k of MATH 3
+  std::optional<double> slope = std::nullopt;    ///< k of the tangent lines, math.md#tangent-lines
+  std::optional<double> apex = std::nullopt;     ///< x₀ = q/k of the tangent lines,
+                                                 ///< math.md#tangent-lines
   /// Of a general bend: where the tangents at both ends of its outer arc meet, on the line of the
   /// planes.
   std::optional<Vec3> tangent_point = std::nullopt;
   LateralBoundary lateral = LateralBoundary::automatic;
-  double trade_off = 1.0;                       ///< γ of MATH 3.7, ≥ 0
+  double trade_off = 1.0;                       ///< γ of math.md#widest-bend, ≥ 0
   std::optional<Angle> angle = std::nullopt;    ///< of a section with a free end, ≤ 360°
   std::optional<double> length = std::nullopt;  ///< of a section without plates, along its rulings
 };

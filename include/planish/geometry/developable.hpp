@@ -22,12 +22,13 @@ struct Cone {
   double half_angle = 0.0;
 };
 
-/// General developable x(u, v) = b(u) + v·g(u), |g| = 1, det(b′, g, g′) = 0 (MATH 2.5), given by
-/// two or more knots with growing u. b is interpolated by cubic Hermite pieces, g by such pieces
-/// scaled to unit length; past the first and last knot the end pieces go on. The normal is b′ × g,
-/// normalised; b′ and g must never be parallel. Between knots h apart the pieces leave the surface
-/// meant by O(h⁴), their normal by O(h³): whoever makes the knots chooses h for the accuracy
-/// wanted. The surface ends at its edge of regression: it is the side on which b lies (v = 0).
+/// General developable x(u, v) = b(u) + v·g(u), |g| = 1, det(b′, g, g′) = 0
+/// (math.md#general-developable), given by two or more knots with growing u. b is interpolated by
+/// cubic Hermite pieces, g by such pieces scaled to unit length; past the first and last knot the
+/// end pieces go on. The normal is b′ × g, normalised; b′ and g must never be parallel. Between
+/// knots h apart the pieces leave the surface meant by O(h⁴), their normal by O(h³): whoever makes
+/// the knots chooses h for the accuracy wanted. The surface ends at its edge of regression: it is
+/// the side on which b lies (v = 0).
 struct Ruled {
   struct Knot {
     double u;
@@ -40,7 +41,8 @@ struct Ruled {
 using Developable = std::variant<Cylinder, Cone, Ruled>;
 
 /// Point at (u, v) on the surface that lies `offset` along the normal from `surface`. The offset
-/// surface keeps its rulings, and (u, v) names the same normal line on every offset (MATH 2.6).
+/// surface keeps its rulings, and (u, v) names the same normal line on every offset
+/// (math.md#neutral-surface).
 Vec3 point_on(const Developable& surface, const Vec2& uv, double offset = 0.0);
 
 /// Unit normal at azimuth u: away from the axis for cylinder and cone, b′ × g for a ruled surface.
@@ -62,7 +64,7 @@ class RuledImage;
 }
 
 /// The isometry between one offset of a developable surface and the plane, in both directions
-/// (MATH 2.2–2.6). Orientation: seen from the tip of the normal, the image is not mirrored.
+/// (math.md#development). Orientation: seen from the tip of the normal, the image is not mirrored.
 /// Placement: a cylinder's (u, v) goes to (ρu, v); a cone's apex to the origin, its ruling u = 0
 /// along +x; a ruled surface's first knot to the origin, its first ruling along +y.
 /// Requires a regular surface at that offset: ρ = radius + offset > 0, v + offset·cot(half-angle)

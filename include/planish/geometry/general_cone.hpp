@@ -13,17 +13,17 @@ struct SpaceCurvePoint {
 };
 using SpaceCurve = std::function<SpaceCurvePoint(double)>;
 
-/// The general cone with its apex at `apex` over the part t0 … t1 of a curve c (MATH 2.4): of the
-/// developables of a loft or a transition all that are neither plane nor right cone. u is the
-/// curve's parameter; v = 0 lies on the curve, v grows away from the apex, which is at v = −|c(u) −
-/// apex|. The normal is that of c′ × (c − apex): seen from its tip, with the apex below, c runs to
-/// the right. Accuracy: between the apex and the curve, points are within `tolerance` (mm) of where
-/// the cone has those of the same (u, v), and as far again beyond the curve within three times
-/// that; normals are within (tolerance / s)^¾ radians, s the largest distance of the curve from the
-/// apex. Knots are placed by halving, 4096 intervals at most; below some 1e-13 s the tolerance is
-/// rounding's. Requires: t0 < t1; tolerance > 0; c twice differentiable, its tangents nowhere
-/// through the apex. Cost: intervals × some 10 evaluations of the curve; intervals grow with (s /
-/// tolerance)^¼.
+/// The general cone with its apex at `apex` over the part t0 … t1 of a curve c
+/// (math.md#general-cone): of the developables of a loft or a transition all that are neither plane
+/// nor right cone. u is the curve's parameter; v = 0 lies on the curve, v grows away from the apex,
+/// which is at v = −|c(u) − apex|. The normal is that of c′ × (c − apex): seen from its tip, with
+/// the apex below, c runs to the right. Accuracy: between the apex and the curve, points are within
+/// `tolerance` (mm) of where the cone has those of the same (u, v), and as far again beyond the
+/// curve within three times that; normals are within (tolerance / s)^¾ radians, s the largest
+/// distance of the curve from the apex. Knots are placed by halving, 4096 intervals at most; below
+/// some 1e-13 s the tolerance is rounding's. Requires: t0 < t1; tolerance > 0; c twice
+/// differentiable, its tangents nowhere through the apex. Cost: intervals × some 10 evaluations of
+/// the curve; intervals grow with (s / tolerance)^¼.
 Ruled cone_over(const Vec3& apex, const SpaceCurve& curve, double t0, double t1, double tolerance);
 
 /// The elliptic arc over [0, 1] from p0 to p1 that touches there the lines to `tangent_point`: the

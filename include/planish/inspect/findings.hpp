@@ -22,7 +22,7 @@ struct Finding {
   std::vector<Vec2> at;  ///< where in the pattern; may be several places
 };
 
-/// Thresholds of SHOPFLOOR "Rules of manufacture". Lengths as factors of thickness T and inside
+/// Thresholds of shop-floor.md#rules-of-manufacture. Lengths as factors of thickness T and inside
 /// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0
 /// switches its rule off.
 struct Rules {

@@ -28,8 +28,8 @@ struct DxfOptions {
   bool tangent_lines = false;  ///< ignored where the profile has no layer for them
 };
 
-/// DXF text of a flat pattern by the rules of SHOPFLOOR: one closed polyline (or circle) per
-/// contour, bend lines with layer, colour and DASHED linetype at once, units in the header.
+/// DXF text of a flat pattern by the rules of shop-floor.md#dxf: one closed polyline (or circle)
+/// per contour, bend lines with layer, colour and DASHED linetype at once, units in the header.
 ///
 /// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE
 /// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a

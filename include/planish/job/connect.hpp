@@ -30,7 +30,7 @@ Result<ConnectReport> connect(const Request& request, const Progress& progress =
 Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                      const Progress& progress = {});
 
-/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+/// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
 std::string report_json(const ConnectReport& report);
 std::string report_text(const ConnectReport& report);
 

@@ -64,7 +64,7 @@ Result<InfoReport> info(const InfoRequest& request, const Progress& progress = {
 Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
                            const Progress& progress = {});
 
-/// JSON text; `status` and `reason` as in a report of FORMATS.
+/// JSON text; `status` and `reason` as in a report (formats.md#report).
 std::string info_json(const InfoReport& report);
 /// As a person reads it; `refusal` is not looked at.
 std::string info_text(const InfoReport& report);

@@ -39,7 +39,8 @@ class Made {
 
   virtual const Report& report() const = 0;
   virtual Report& report() = 0;
-  /// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+  /// Report as JSON text with the keys of formats.md#report, and as a person reads it on a
+  /// terminal.
   virtual std::string json() const = 0;
   virtual std::string text() const = 0;
 

@@ -9,7 +9,7 @@
 
 namespace planish::job {
 
-/// What a plates file says (FORMATS, "planish/plates"; docs/connect.md), lengths in mm.
+/// What a plates file says (formats.md#plates; docs/connect.md), lengths in mm.
 struct PlatesFile {
   PlateStructure structure;
   std::optional<double> k_factor;

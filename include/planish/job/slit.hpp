@@ -43,7 +43,7 @@ Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
                                const Request& request, const Progress& progress = {});
 
-/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+/// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
 std::string report_json(const SlitReport& report, Ridges ridges = Ridges::told);
 std::string report_text(const SlitReport& report);
 

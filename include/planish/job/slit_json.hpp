@@ -12,7 +12,7 @@
 
 namespace planish::job {
 
-/// What a slit file says (FORMATS, "planish/slits"; docs/slit.md), lengths in mm.
+/// What a slit file says (formats.md#slits; docs/slit.md), lengths in mm.
 struct SlitFile {
   SlitDesign design;
   int subdivisions = 0;

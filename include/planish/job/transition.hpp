@@ -36,7 +36,7 @@ Result<TransitionReport> transition(const Request& request, const Progress& prog
 Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                             const Progress& progress = {});
 
-/// Report as JSON text with the keys of FORMATS, and as a person reads it on a terminal.
+/// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
 std::string report_json(const TransitionReport& report);
 std::string report_text(const TransitionReport& report);
 

@@ -8,7 +8,7 @@
 
 namespace planish::job {
 
-/// What a transition file says (FORMATS, "planish/transition"; docs/transition.md), lengths in mm.
+/// What a transition file says (formats.md#transition; docs/transition.md), lengths in mm.
 struct TransitionFile {
   TransitionSpec spec;
   LengthUnit units = LengthUnit::mm;  ///< of the file

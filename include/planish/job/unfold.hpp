@@ -49,7 +49,7 @@ class Made;
 /// The report as artifacts are written from it; the mesh of its body is not known.
 std::unique_ptr<Made> made_of(const UnfoldReport& report);
 
-/// Report as JSON text with the keys of FORMATS.
+/// Report as JSON text with the keys of formats.md#report.
 std::string report_json(const UnfoldReport& report);
 /// Summary of several bodies as JSON and as CSV (one row a body).
 std::string summary_json(const std::vector<UnfoldReport>& reports);

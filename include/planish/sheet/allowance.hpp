@@ -9,9 +9,10 @@
 
 namespace planish {
 
-/// What a bend takes of the flat sheet, and where the number came from (MATH 1). Lengths in mm.
-/// Of the two readings of the deduction beyond 90° this is the one to the outer mould line (where
-/// the outside faces would meet); at 180°, where they do not, the one to the tangent plane (r + t).
+/// What a bend takes of the flat sheet, and where the number came from (math.md#bend-allowance).
+/// Lengths in mm. Of the two readings of the deduction beyond 90° this is the one to the outer
+/// mould line (where the outside faces would meet); at 180°, where they do not, the one to the
+/// tangent plane (r + t).
 struct BendAllowance {
   double k_factor = 0.0;   ///< neutral surface at k·t from the inside face
   double allowance = 0.0;  ///< BA = α (r + k t)
@@ -26,7 +27,7 @@ struct ConstantK {
 
 struct Din6935 {};
 
-/// A bend table (SHOPFLOOR, "Bend tables"): K by R/T, or K, BA or BD by radius, thickness, angle.
+/// A bend table (shop-floor.md#bend-tables): K by R/T, or K, BA or BD by radius, thickness, angle.
 /// BA and BD without angles are those of 90° bends; BD is read as `BendAllowance` says.
 struct BendTable {
   enum class Value { k_factor, allowance, deduction };
@@ -61,9 +62,9 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
 /// has no meaning there.
 double outside_setback(double inside_radius, double thickness, Angle angle);
 
-/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (MATH 1), not below 0,
-/// which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its formula
-/// 0.9995.
+/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (math.md#din-6935), not
+/// below 0, which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its
+/// formula 0.9995.
 double din6935_k(double inside_radius, double thickness);
 
 /// DIN 6935 compensation v, by opening angle β = 180° − α: flat length = sum of both legs,

@@ -10,7 +10,7 @@ namespace planish {
 /// The residuals that show a flat pattern right; none of what could not be measured.
 struct Certificate {
   double flat_area_half = 0.0;  ///< flat area at K = ½, mm²
-  /// flat_area_half · thickness / volume of the solid (MATH 1).
+  /// flat_area_half · thickness / volume of the solid (math.md#volume-identity).
   std::optional<double> volume_ratio = {};
   /// The same for the solid without what its formed features and mitred corners add or take: 1 when
   /// nothing was missed.
@@ -35,13 +35,13 @@ EdgeDistance border_distance(const Sheet& sheet);
 
 /// Measures a pattern as it is written (its contours, and of each bend the K-factor and allowance)
 /// against the sheet, and by `distance` against the solid it came from. It shares no placement,
-/// tree, contour or origin with what made the pattern (MATH 10.4): it develops each face anew, lays
-/// the faces out over a tree of its own from where the pattern says its root lies, and looks for
-/// every border among the contours and for every contour among the borders. What was lost or added
-/// on the way is therefore a deviation, and so is a face in the wrong place. Certify first, cut
-/// slits then. `curve_tolerance`: to which developed curves are fitted, mm.
-/// Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the sheet or has no
-/// outer contour), `not_a_sheet` (faces that no joint leads to).
+/// tree, contour or origin with what made the pattern (math.md#certificate-independence): it
+/// develops each face anew, lays the faces out over a tree of its own from where the pattern says
+/// its root lies, and looks for every border among the contours and for every contour among the
+/// borders. What was lost or added on the way is therefore a deviation, and so is a face in the
+/// wrong place. Certify first, cut slits then. `curve_tolerance`: to which developed curves are
+/// fitted, mm. Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the
+/// sheet or has no outer contour), `not_a_sheet` (faces that no joint leads to).
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
                             const EdgeDistance& distance, double curve_tolerance = 1e-4);
 

@@ -60,8 +60,8 @@ struct Mould {
 /// The form on which the strips are laid. Every facet is parallel to its quad, half the thickness
 /// from it towards the mould's side; neighbouring facets meet in a line below their ridge (a
 /// mitre), so the sheet lies on all of them at once, its mid-surface where it was designed
-/// (MATH 6.5). Where a strip is too steep, or hangs over, it is left bare, and what comes after it
-/// stands on a rib of its own; the panel needs no support.
+/// (math.md#mould). Where a strip is too steep, or hangs over, it is left bare, and what comes
+/// after it stands on a rib of its own; the panel needs no support.
 ///
 /// A mould can be cast, milled or printed without undercut, and the sheet lifted off: every rib
 /// stands upright on its base, which lies flat on the table while the sheet's ground may lean.

@@ -57,7 +57,7 @@ struct SlitSolveReport {
 /// A slit sheet being designed. A new design marks the strips that it touches; `solve` works on
 /// these alone, from the shape that they have. End conditions are constraints: every shape between
 /// two iterations meets them to 1e-12 of the strip's length. Not thread-safe; different sessions
-/// are. `where` of an error is the JSON pointer of its cause in a slit file (FORMATS, slits).
+/// are. `where` of an error is the JSON pointer of its cause in a slit file (formats.md#slits).
 class SlitSession {
  public:
   /// Errors (exit status 3): `invalid_input` (numbers not finite or outside their range, weights
@@ -83,8 +83,8 @@ class SlitSession {
   /// Moves all scans by the rigid motion that brings them nearest to the strips as they are (ICP).
   /// What comes back is that motion. Error: `empty_scan` (there are no scans).
   Result<Eigen::Isometry3d> align_scans();
-  /// A ridge without fold in the middle of each quad (MATH 6.4): the shape stays. Ridge i of
-  /// anchors becomes 2i.
+  /// A ridge without fold in the middle of each quad (math.md#subdivision): the shape stays. Ridge
+  /// i of anchors becomes 2i.
   void subdivide();
 
   /// Works on the strips that are open. Error: `cancelled` (the strips worked on so far keep what

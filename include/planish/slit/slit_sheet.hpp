@@ -25,7 +25,8 @@ struct SlitStrip {
   friend bool operator==(const SlitStrip&, const SlitStrip&) = default;
 };
 
-/// The sheet, or in symmetric sheets the half of it up to the symmetry plane x = 0 (MATH 6.1).
+/// The sheet, or in symmetric sheets the half of it up to the symmetry plane x = 0
+/// (math.md#slit-model).
 struct SlitSheet {
   double thickness = 0.0;  ///< mm
   double panel_height = 0.0;
@@ -80,28 +81,28 @@ struct SlitScan {
 };
 
 /// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so
-/// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the paper's end term [3]; it says
-/// the same, except that it says nothing where the last ridge is upright. `free`: the halves may
-/// meet in a fold.
+/// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the end term of the paper [slits
+/// 3]; it says the same, except that it says nothing where the last ridge is upright. `free`: the
+/// halves may meet in a fold.
 enum class EndAngle { right_angle, level, free };
 
-/// The weights of what is wanted (MATH 6.3). Lengths count in thirtieths of the strip's length,
-/// angles in radians, so a form does not depend on the unit or the size; sums over ridges are
-/// weighed so that subdivision keeps them.
+/// The weights of what is wanted (math.md#strip-conditions). Lengths count in thirtieths of the
+/// strip's length, angles in radians, so a form does not depend on the unit or the size; sums over
+/// ridges are weighed so that subdivision keeps them.
 struct SlitWeights {
-  double smooth = 0.04;   ///< second differences of the fold angles [3]
-  double spacing = 0.01;  ///< barrier that keeps ridges apart [4]
-  double anchors = 0.03;  ///< distance to anchors [5]
-  double seat = 0.03;     ///< distance of the strips' ends to the seat curve [5]
+  double smooth = 0.04;   ///< second differences of the fold angles [slits 3]
+  double spacing = 0.01;  ///< barrier that keeps ridges apart [slits 4]
+  double anchors = 0.03;  ///< distance to anchors [slits 5]
+  double seat = 0.03;     ///< distance of the strips' ends to the seat curve [slits 5]
   /// Distance of the strips' ends to their places on the seat curve: in the order of the strips,
   /// from one end of the curve to the other, evenly apart. Without it strips leave holes where
   /// their neighbours crowd.
   double spread = 0.003;
-  double scan = 0.03;  ///< distance of the ridges' ends to scanned points [6]
+  double scan = 0.03;  ///< distance of the ridges' ends to scanned points [slits 6]
   friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
-/// A slit sheet and the form that it is to take: the content of a file (FORMATS, slits).
+/// A slit sheet and the form that it is to take: the content of a file (formats.md#slits).
 struct SlitDesign {
   SlitSheet sheet;
   BezierCurve leg_curve;  ///< (x, z): what the panel stands over, from the sheet's left side

@@ -111,17 +111,18 @@ struct TransitionOptions {
 };
 
 /// The surface that bounds the opening between two convex profiles in two planes: the lateral
-/// boundary of their convex hull (MATH 5.1–5.3), made of planes, cones and general developables
-/// whose tangent plane touches both profiles. Profiles are set in or out, in their planes, from the
-/// face that they are given for to the neutral surface; so the surface meets what is joined to it
-/// in its own neutral surface. `where` of an error is the place of its cause in the request,
-/// written as a JSON pointer ("/from/profile/polygon/2"). Errors (exit status 3): `invalid_input`
-/// (numbers not finite, or sizes not positive), `too_few_corners`, `repeated_corner`,
-/// `self_crossing`, `unknown_seam`. Errors (exit status 4): `profile_not_convex`, `profiles_meet`
-/// (they touch, pierce each other or lie in one plane), `profile_hidden` (one lies on both sides of
-/// the other's plane, so that a part of it is inside the hull), `radius_too_small` (thickness too
-/// large for a profile or a bend). Error (exit status 2): `bad_option` (a tolerance or a chord that
-/// is not positive). Error (exit status 1): `cancelled`.
+/// boundary of their convex hull (math.md#lateral-hull), made of planes, cones and general
+/// developables whose tangent plane touches both profiles. Profiles are set in or out, in their
+/// planes, from the face that they are given for to the neutral surface; so the surface meets what
+/// is joined to it in its own neutral surface. `where` of an error is the place of its cause in the
+/// request, written as a JSON pointer ("/from/profile/polygon/2"). Errors (exit status 3):
+/// `invalid_input` (numbers not finite, or sizes not positive), `too_few_corners`,
+/// `repeated_corner`, `self_crossing`, `unknown_seam`. Errors (exit status 4):
+/// `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in one plane),
+/// `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
+/// the hull), `radius_too_small` (thickness too large for a profile or a bend). Error (exit status
+/// 2): `bad_option` (a tolerance or a chord that is not positive). Error (exit status 1):
+/// `cancelled`.
 Result<Transition> make_transition(const TransitionSpec& spec,
                                    const TransitionOptions& options = {},
                                    const Progress& progress = {});

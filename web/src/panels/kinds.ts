@@ -6,7 +6,10 @@ import { slitPanel } from './slit.ts';
 import { transitionPanel } from './transition.ts';
 import { unfoldPanel } from './unfold.ts';
 
-/** How the input of each maker is edited; a maker without a row is shown and downloaded all the same. `edits`: a file of ours. */
+/**
+ * How the input of each maker is edited; a maker without a row is shown and downloaded all the same.
+ * `edits`: a file of ours.
+ */
 export const panels: Record<Kind, { draw: (ui: Ui) => TemplateResult; edits: boolean }> = {
   unfold: { draw: unfoldPanel, edits: false },
   connect: { draw: connectPanel, edits: true },
