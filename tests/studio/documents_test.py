@@ -217,7 +217,7 @@ class Rubbish(StudioTest):
     def test_faces_that_are_none(self):
         document, _ = self.studio.open_example("bracket.step")
         self.assert_problem(self.studio.post(document, "draft", root=9999), "no_such_face")
-        self.assert_error(self.studio.post(document, "draft", up="sideways"), 400, "bad_option")
+        self.assert_error(self.studio.post(document, "draft", up="sideways"), 400, "bad_request")
 
     def test_files_of_what_is_refused(self):
         document = self.studio.open("block.step", step_files.block()).json()["id"]
