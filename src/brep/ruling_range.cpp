@@ -13,19 +13,19 @@
 namespace planish::brep {
 namespace {
 
-constexpr int samples = 64;
+constexpr int kSamples = 64;
 
 /// Largest L that a border point needs: v ≥ −L/(1 + q L) is L ≥ −v/(1 + q v), and mirrored.
 double reach_of(const Face& face, double side, const auto& narrowing) {
   double reach = 0.0;
   for (const BorderLoop& loop : face.loops)
     for (const Border& border : loop)
-      for (int i = 0; i <= samples; ++i) {
-        const Vec2 uv = point_at(border.curve, double(i) / samples);
+      for (int i = 0; i <= kSamples; ++i) {
+        const Vec2 uv = point_at(border.curve, double(i) / kSamples);
         const double left = 1.0 + narrowing(uv.x()) * uv.y();
         if (side * uv.y() > 0.0) reach = std::max(reach, left > 0.0 ? side * uv.y() / left : 1e300);
       }
-  constexpr double beyond = 1.01;  // of what the samples need, for what lies between them
+  constexpr double beyond = 1.01;  // of what the kSamples need, for what lies between them
   return beyond * reach;
 }
 
@@ -86,8 +86,8 @@ RulingRange ruling_range(const Face& face, double depth) {
   if (!narrow_below && !narrow_above) return whole;
   const double side = narrow_below ? -1.0 : 1.0;
   range.reach_ = side * reach_of(face, side, [&](double u) { return range.narrowing(u); });
-  for (int i = 0; i <= samples; ++i) {
-    const double u = box.lo.x() + box.size().x() * i / samples;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double u = box.lo.x() + box.size().x() * i / kSamples;
     if (range.narrowing(u) * side >= 0.0 || 1.0 + narrowing(u) * range.limit(u) <= 0.0)
       return whole;
   }
