@@ -25,7 +25,7 @@ double reach_of(const Face& face, double side, const auto& narrowing) {
         const double left = 1.0 + narrowing(uv.x()) * uv.y();
         if (side * uv.y() > 0.0) reach = std::max(reach, left > 0.0 ? side * uv.y() / left : 1e300);
       }
-  constexpr double beyond = 1.01;  // of what the kSamples need, for what lies between them
+  constexpr double beyond = 1.01;  // of what the samples need, for what lies between them
   return beyond * reach;
 }
 
