@@ -33,10 +33,6 @@ set(PLANISH_WALLED_LIBS
   Httplib::httplib=httplib.h
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 
-# Modules whose files keep short names to themselves (`make`, `parse`, `text_of`), so that grouping
-# them would join what has nothing in common.
-set(PLANISH_UNGROUPED job)
-
 # Hides the headers of every walled library that is not among the given ones from `target`.
 function(_planish_hide_libs target)
   foreach(entry IN LISTS PLANISH_WALLED_LIBS)
@@ -84,9 +80,7 @@ function(planish_module name)
 
   if(sources)
     add_library(${target} ${sources})
-    if(NOT name IN_LIST PLANISH_UNGROUPED)
-      planish_group_sources(${target} ${sources})
-    endif()
+    planish_group_sources(${target} ${sources})
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src/${name}")
     target_link_libraries(${target} PRIVATE ${arg_PRIVATE_LIBS})
     _planish_hide_libs(${target} ${arg_PRIVATE_LIBS})
@@ -147,9 +141,7 @@ function(_planish_module_tests name)
     return()
   endif()
   add_executable(${name}_tests ${tests})
-  if(NOT name IN_LIST PLANISH_UNGROUPED)
-    planish_group_sources(${name}_tests ${tests})
-  endif()
+  planish_group_sources(${name}_tests ${tests})
   target_link_libraries(${name}_tests
     PRIVATE planish::${name} ${ARGN} GTest::gmock GTest::gtest_main rapidcheck_gtest)
   target_include_directories(${name}_tests

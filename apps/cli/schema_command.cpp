@@ -10,7 +10,7 @@
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kSchemaExamples = R"(Examples:
   planish schema            the names of all schemas
   planish schema plates     what a plates file must hold
   planish schema report     what --json writes
@@ -30,7 +30,7 @@ CLI::App* add_schema(CLI::App& app, std::string& name) {
   CLI::App* command = app.add_subcommand("schema",
                                          "print the JSON Schema of an input or of a report");
   add_text(*command, "name", name, "NAME", "which one; without, their names are printed");
-  command->footer(kExamples);
+  command->footer(kSchemaExamples);
   return command;
 }
 

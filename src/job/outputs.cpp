@@ -15,15 +15,15 @@ namespace {
 
 constexpr std::size_t kLongestName = 100;  // bytes; with thickness and suffix far below any limit
 
-struct Range {
+struct Block {
   char32_t first, last;
 };
 
 // Letters of other scripts, by blocks: what lies outside is punctuation, symbols, signs that turn
 // the direction of writing, private use and the like.
-constexpr std::array kLetters{Range{0xC0, 0xD6},      Range{0xD8, 0xF6},     Range{0xF8, 0x1FFF},
-                              Range{0x2C00, 0x2DFF},  Range{0x3041, 0xD7FF}, Range{0xF900, 0xFDFF},
-                              Range{0x20000, 0x323AF}};
+constexpr std::array kLetters{Block{0xC0, 0xD6},      Block{0xD8, 0xF6},     Block{0xF8, 0x1FFF},
+                              Block{0x2C00, 0x2DFF},  Block{0x3041, 0xD7FF}, Block{0xF900, 0xFDFF},
+                              Block{0x20000, 0x323AF}};
 
 bool is_ascii_letter_or_digit(char32_t c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -31,8 +31,8 @@ bool is_ascii_letter_or_digit(char32_t c) {
 
 bool stays(char32_t c) {
   if (c < 0x80) return is_ascii_letter_or_digit(c) || c == '-' || c == '_' || c == '.';
-  for (const Range& range : kLetters) {
-    if (c >= range.first && c <= range.last) return true;
+  for (const Block& block : kLetters) {
+    if (c >= block.first && c <= block.last) return true;
   }
   return false;
 }

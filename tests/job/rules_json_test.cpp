@@ -30,12 +30,12 @@ TEST(RulesJson, ReadsWhatItWrites) {
 }
 
 TEST(RulesJson, WritesEveryThreshold) {
-  const auto json = nlohmann::json::parse(rules_json(Rules{}));
+  const auto written = nlohmann::json::parse(rules_json(Rules{}));
   for (const RuleField& field : rule_fields()) {
-    EXPECT_EQ(json[std::string(field.name)], Rules{}.*(field.value)) << field.name;
+    EXPECT_EQ(written[std::string(field.name)], Rules{}.*(field.value)) << field.name;
   }
-  EXPECT_EQ(json["format"], "planish/rules");
-  EXPECT_EQ(json["enabled"], true);
+  EXPECT_EQ(written["format"], "planish/rules");
+  EXPECT_EQ(written["enabled"], true);
 }
 
 TEST(RulesJson, KeepsTheDefaultsOfKeysLeftOut) {

@@ -14,8 +14,8 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-std::string sentence(const Schema& schema, const char* json) {
-  const auto wrong = first_mistake(schema, Json::parse(json));
+std::string sentence(const Schema& schema, const char* text) {
+  const auto wrong = first_mistake(schema, Json::parse(text));
   return wrong ? wrong->pointer + " " + wrong->sentence : "";
 }
 
@@ -57,17 +57,17 @@ TEST(Schema, SaysWhichChoicesThereAre) {
 }
 
 TEST(Schema, IsPrintedAsJsonSchema) {
-  const Json json = json_schema(object({required("r", length(kAboveZero).said("radius")),
-                                        optional("n", whole(0, 6).defaulting(2))}),
-                                "title", "id.json");
-  EXPECT_EQ(json["$schema"], "https://json-schema.org/draft/2020-12/schema");
-  EXPECT_EQ(json["properties"]["r"], Json::parse(R"({"description": "radius", "type": "number",
+  const Json schema = json_schema(object({required("r", length(kAboveZero).said("radius")),
+                                          optional("n", whole(0, 6).defaulting(2))}),
+                                  "title", "id.json");
+  EXPECT_EQ(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
+  EXPECT_EQ(schema["properties"]["r"], Json::parse(R"({"description": "radius", "type": "number",
                                                      "exclusiveMinimum": 0,
                                                      "quantity": "length"})"));
-  EXPECT_EQ(json["properties"]["n"], Json::parse(R"({"type": "integer", "minimum": 0,
+  EXPECT_EQ(schema["properties"]["n"], Json::parse(R"({"type": "integer", "minimum": 0,
                                                      "maximum": 6, "default": 2})"));
-  EXPECT_EQ(json["required"], Json::array({"r"}));
-  EXPECT_EQ(json["additionalProperties"], false);
+  EXPECT_EQ(schema["required"], Json::array({"r"}));
+  EXPECT_EQ(schema["additionalProperties"], false);
 }
 
 TEST(JsonReading, GivesTheSchemasDefaultsForWhatIsLeftOut) {

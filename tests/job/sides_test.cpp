@@ -23,7 +23,7 @@ Sheet sheet() {
   return made;
 }
 
-Request request(const std::string& root, const std::string& up) {
+Request sides_of(const std::string& root, const std::string& up) {
   Request made;
   made.root = root;
   made.up = up;
@@ -31,24 +31,24 @@ Request request(const std::string& root, const std::string& up) {
 }
 
 TEST(Sides, LeaveTheChoiceToFlattenUnlessAsked) {
-  const auto options = flatten_options(sheet(), request("largest", "auto"));
+  const auto options = flatten_options(sheet(), sides_of("largest", "auto"));
   ASSERT_TRUE(options.has_value());
   EXPECT_FALSE(options->root.has_value());
   EXPECT_EQ(options->up, UpSide::automatic);
 }
 
 TEST(Sides, FindTheFaceThatANumberOfTheSolidNames) {
-  const auto options = flatten_options(sheet(), request("7", "12"));
+  const auto options = flatten_options(sheet(), sides_of("7", "12"));
   ASSERT_TRUE(options.has_value());
   EXPECT_EQ(options->root, FaceId{2});
   EXPECT_EQ(options->up, UpSide::reference);
-  EXPECT_EQ(flatten_options(sheet(), request("12", "other"))->up, UpSide::other);
+  EXPECT_EQ(flatten_options(sheet(), sides_of("12", "other"))->up, UpSide::other);
 }
 
 TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
   Sheet made = sheet();
   made.bends.resize(12);
-  Request asked = request("largest", "auto");
+  Request asked = sides_of("largest", "auto");
   asked.bend_k = {{"B1", 0.3}, {"B12", 0.5}};
   const auto options = flatten_options(made, asked);
   ASSERT_TRUE(options.has_value());
@@ -66,7 +66,7 @@ TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
 TEST(Sides, ListTheFacesThatCanBeTheRoot) {
   // A bend has no frame to stay in.
   for (const char* wrong : {"3", "99", "0", "-1"}) {
-    const auto options = flatten_options(sheet(), request(wrong, "auto"));
+    const auto options = flatten_options(sheet(), sides_of(wrong, "auto"));
     ASSERT_FALSE(options.has_value()) << wrong;
     EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
     EXPECT_THAT(options.error().message, HasSubstr("7, 12"));
@@ -74,17 +74,17 @@ TEST(Sides, ListTheFacesThatCanBeTheRoot) {
 }
 
 TEST(Sides, ListTheFacesOfTheSkinThatCanFaceUp) {
-  const auto options = flatten_options(sheet(), request("largest", "99"));
+  const auto options = flatten_options(sheet(), sides_of("largest", "99"));
   ASSERT_FALSE(options.has_value());
   EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
   EXPECT_THAT(options.error().message, HasSubstr("3, 7, 12"));
 }
 
 TEST(Sides, RefuseOtherWords) {
-  EXPECT_EQ(flatten_options(sheet(), request("biggest", "auto")).error().code,
+  EXPECT_EQ(flatten_options(sheet(), sides_of("biggest", "auto")).error().code,
             ErrorCode::bad_option);
-  EXPECT_EQ(flatten_options(sheet(), request("7x", "auto")).error().code, ErrorCode::bad_option);
-  EXPECT_EQ(flatten_options(sheet(), request("largest", "down")).error().code,
+  EXPECT_EQ(flatten_options(sheet(), sides_of("7x", "auto")).error().code, ErrorCode::bad_option);
+  EXPECT_EQ(flatten_options(sheet(), sides_of("largest", "down")).error().code,
             ErrorCode::bad_option);
 }
 
