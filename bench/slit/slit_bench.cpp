@@ -45,7 +45,7 @@ void WarmStrip(benchmark::State& state) {
   const int middle = session->design().ridges / 2;
   const Vec3 at = session->folded().strips[1].ridges[middle].folded[0];
   SlitDesign design = session->design();
-  design.anchors = {{1, middle, Side::left, at}};
+  design.anchors = {{1, middle, StripEdge::left, at}};
   if (!session->set_design(design) || !session->solve()) return state.SkipWithError("no anchor");
   int step = 0, iterations = 0;
   for (auto _ : state) {

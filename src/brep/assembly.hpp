@@ -14,7 +14,7 @@ struct Recognition {
   const Skins& skins;
   const Rim& rim;
   const Groups& groups;
-  Side side;         ///< the reference skin
+  Skin skin;         ///< the reference skin
   double tolerance;  ///< to which borders are read, mm
 };
 

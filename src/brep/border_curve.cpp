@@ -23,7 +23,7 @@ namespace {
 using Shape = BorderCurve::Shape;
 
 /// Corners below this are rounding of a fit.
-constexpr double kKink = 1e-7;  // radians
+constexpr double kKink = tolerance::kFileDigits;  // radians
 /// Of a border's length: parameters nearer than this are one knot.
 constexpr double kSameKnot = tolerance::kComputed;
 

@@ -13,10 +13,10 @@ namespace {
 
 /// Loops that a part touches on the reference skin, and on the other one.
 const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
-  return of.side == Side::first ? part.first : part.second;
+  return of.skin == Skin::first ? part.first : part.second;
 }
 const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
-  return of.side == Side::first ? part.second : part.first;
+  return of.skin == Skin::first ? part.second : part.first;
 }
 
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
@@ -103,7 +103,7 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
     const Outline& outline = of.outlines[partner];
     const bool near = ((outline.lo.array() - reach) <= point.array()).all() &&
                       (point.array() <= (outline.hi.array() + reach)).all();
-    if (near && of.skins.side[partner] == of.side && is_plane(of, partner)) return partner;
+    if (near && of.skins.skin_of[partner] == of.skin && is_plane(of, partner)) return partner;
   }
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include "kernel_points.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -18,7 +20,7 @@ using Eigen::VectorXd;
 
 /// Slope by differences that stay within [lo, hi]: f need not exist outside.
 VectorXd slope(const PathFunction& f, double t, double lo, double hi) {
-  constexpr double kStep = 1e-5;  // of the range: rounding and curvature weigh alike
+  constexpr double kStep = tolerance::kDifference;  // of the range
   const double h = kStep * (hi - lo);
   if (t - h < lo) return (4 * f(t + h) - f(t + 2 * h) - 3 * f(t)) / (2 * h);
   if (t + h > hi) return (3 * f(t) - 4 * f(t - h) + f(t - 2 * h)) / (2 * h);

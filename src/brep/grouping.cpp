@@ -14,11 +14,11 @@ namespace {
 bool is_flat(const SolidFace& face) { return std::holds_alternative<Frame>(face.surface); }
 
 /// Joints of one skin, with the numbers of faces in place of groups.
-std::vector<GroupJoint> face_joints(const SolidModel& model, const Skins& skins, Side side) {
+std::vector<GroupJoint> face_joints(const SolidModel& model, const Skins& skins, Skin skin) {
   std::set<int> sharp;
   for (const SharpEdge& edge : skins.sharp)
     sharp.insert(edge.edge);
-  const auto mine = [&](int f) { return f >= 0 && skins.side[f] == side; };
+  const auto mine = [&](int f) { return f >= 0 && skins.skin_of[f] == skin; };
   std::vector<GroupJoint> joints;
   for (int e = 0; e < std::ssize(model.edges); ++e) {
     const SolidEdge& edge = model.edges[e];
@@ -71,15 +71,15 @@ UnionFind with_interrupted_bends(const SolidModel& model, const std::vector<Grou
 }  // namespace
 
 Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
-                   const Skins& skins, Side side) {
+                   const Skins& skins, Skin skin) {
   Groups groups;
-  groups.joints = face_joints(model, skins, side);
+  groups.joints = face_joints(model, skins, skin);
   UnionFind sets = with_interrupted_bends(model, groups.joints,
                                           continued_faces(model, groups.joints));
   groups.of_face.assign(model.faces.size(), -1);
   std::map<int, int> row_of_root;
   for (int f = 0; f < std::ssize(model.faces); ++f) {
-    if (skins.side[f] != side) continue;
+    if (skins.skin_of[f] != skin) continue;
     const auto [at, fresh] = row_of_root.emplace(sets.root(f),
                                                  static_cast<int>(groups.rows.size()));
     if (fresh) groups.rows.push_back({{}, is_flat(model.faces[f]), f});

@@ -28,6 +28,6 @@ struct Groups {
 
 /// Groups one skin. Rows are in the order of their first face.
 Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
-                   const Skins& skins, Side side);
+                   const Skins& skins, Skin skin);
 
 }  // namespace planish::brep

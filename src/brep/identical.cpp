@@ -1,5 +1,6 @@
 #include "identical.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/frame.hpp>
 
 #include <BRepAdaptor_Curve.hxx>
@@ -78,7 +79,7 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
 
 bool identical(const Fingerprint& a, const Fingerprint& b) {
   if (a.counts != b.counts) return false;
-  constexpr double kPlaced = 1e-6;  // STEP files carry about 1e-7 relative for placed copies
+  constexpr double kPlaced = tolerance::kWrittenDigits;  // placed copies are rounded once more
   if (std::abs(a.moments[0] - b.moments[0]) > kPlaced * a.moments[0]) return false;
   for (size_t i = 1; i < a.moments.size(); ++i)
     if (std::abs(a.moments[i] - b.moments[i]) > kPlaced) return false;

@@ -21,7 +21,7 @@
 namespace planish {
 namespace {
 
-using Side = std::pair<int, int>;
+using VertexPair = std::pair<int, int>;
 
 Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
   const auto at = [&](int corner) -> const Vec3& { return mesh.points[t[corner]]; };
@@ -75,16 +75,16 @@ Result<void> check_triangles(const Mesh& mesh) {
 
 Result<void> check_closed(const Mesh& mesh) {
   if (mesh.triangles.empty()) return fail(ErrorCode::invalid_input, "The mesh is empty.");
-  std::map<Side, int> runs;
+  std::map<VertexPair, int> runs;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i)
       ++runs[{t[i], t[(i + 1) % 3]}];
-  for (const auto& [side, times] : runs) {
-    const auto back = runs.find({side.second, side.first});
+  for (const auto& [edge, times] : runs) {
+    const auto back = runs.find({edge.second, edge.first});
     if (times != 1 || back == runs.end() || back->second != 1)
       return fail(
           ErrorCode::invalid_input,
-          fmt::format("The mesh is not closed between points {} and {}.", side.first, side.second));
+          fmt::format("The mesh is not closed between points {} and {}.", edge.first, edge.second));
   }
   return {};
 }
@@ -103,14 +103,14 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   for (const auto& t : mesh.triangles)
     for (const int corner : t)
       if (!vertices.contains(corner)) vertices.emplace(corner, builder.vertex(mesh.points[corner]));
-  std::map<Side, brep::BuiltEdge> edges;
+  std::map<VertexPair, brep::BuiltEdge> edges;
   const auto use_of = [&](int from, int to) {
-    const Side side = std::minmax(from, to);
-    auto found = edges.find(side);
+    const VertexPair edge = std::minmax(from, to);
+    auto found = edges.find(edge);
     if (found == edges.end())
       found = edges
-                  .emplace(side,
-                           builder.straight_edge(vertices.at(side.first), vertices.at(side.second)))
+                  .emplace(edge,
+                           builder.straight_edge(vertices.at(edge.first), vertices.at(edge.second)))
                   .first;
     return brep::EdgeUse{&found->second, {}, from < to};
   };

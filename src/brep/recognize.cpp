@@ -2,7 +2,7 @@
 #include "body.hpp"
 #include "closed_forms.hpp"
 #include "guarded.hpp"
-#include "reference_side.hpp"
+#include "reference_skin.hpp"
 #include "solid_reader.hpp"
 #include "thickness.hpp"
 
@@ -26,18 +26,18 @@ constexpr double kBorderTolerance = 1e-5;
 Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                            Skins skins) {
   constexpr double kLargestShare = 0.25;  // of the skin
-  for (const Side side : {Side::first, Side::second}) {
-    const Groups groups = group_faces(model, outlines, skins, side);
+  for (const Skin skin : {Skin::first, Skin::second}) {
+    const Groups groups = group_faces(model, outlines, skins, skin);
     const std::vector<int> faces = closed_forms(model, outlines, groups);
     double area = 0.0;
     for (const int f : faces)
       area += outlines[f].area;
-    const double whole = side == Side::first ? skins.area_first : skins.area_second;
+    const double whole = skin == Skin::first ? skins.area_first : skins.area_second;
     if (area > kLargestShare * whole) continue;
     for (const int f : faces) {
-      skins.side[f] = Side::none;
+      skins.skin_of[f] = Skin::none;
       for (const int partner : skins.partners[f])
-        skins.side[partner] = Side::none;
+        skins.skin_of[partner] = Skin::none;
     }
   }
   return skins;
@@ -49,9 +49,9 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
   if (!found) return tl::unexpected(found.error());
   const Skins skins = without_closed_forms(model, outlines, std::move(*found));
   const Rim rim = find_rim(model, outlines, skins);
-  const Side side = reference_side(model, outlines, skins);
-  const Groups groups = group_faces(model, outlines, skins, side);
-  return assemble_sheet({model, outlines, skins, rim, groups, side, kBorderTolerance});
+  const Skin skin = reference_skin(model, outlines, skins);
+  const Groups groups = group_faces(model, outlines, skins, skin);
+  return assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
 }
 
 /// Forms may hold this share of a sheet's volume; beyond, they are the body and the sheet is a part

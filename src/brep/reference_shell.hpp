@@ -1,5 +1,7 @@
 #pragma once
 
+#include "thicken.hpp"
+
 #include <planish/base/result.hpp>
 #include <planish/sheet/sheet.hpp>
 
@@ -7,9 +9,7 @@
 
 namespace planish::brep {
 
-struct ReferenceShellOptions {
-  double fit_tolerance = 5e-7;    ///< mm: curves and surfaces that the kernel has no name for
-  double shape_tolerance = 1e-6;  ///< mm: borders this near a ruling or a circle are one
+struct ReferenceShellOptions : ThickenOptions {
   double joint_tolerance = 1e-3;  ///< mm: joints whose borders' ends lie farther apart stay open
 };
 

@@ -11,7 +11,9 @@ namespace {
 
 using EdgesByFace = std::vector<std::vector<int>>;
 
-bool is_skin(const Skins& skins, int face) { return face >= 0 && skins.side[face] != Side::none; }
+bool is_skin(const Skins& skins, int face) {
+  return face >= 0 && skins.skin_of[face] != Skin::none;
+}
 
 bool on_skin(const Skins& skins, const SolidEdge& edge) {
   return is_skin(skins, edge.faces[0]) || is_skin(skins, edge.faces[1]);
@@ -59,7 +61,7 @@ Rim with_loops(Rim rim, const SolidModel& model, const Skins& skins) {
     for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
       for (const int p : parts_along(model, rim, {f, l})) {
         RimPart& part = rim.parts[p];
-        (skins.side[f] == Side::first ? part.first : part.second).push_back({f, l});
+        (skins.skin_of[f] == Skin::first ? part.first : part.second).push_back({f, l});
       }
   }
   return rim;

@@ -23,7 +23,7 @@ std::vector<Contact> contacts_of(const SolidModel& model,
   for (const int f : part.faces)
     for (const int e : edges[f]) {
       const int skin = face_across(model.edges[e], f);
-      if (skin >= 0 && skins.side[skin] != Side::none) contacts.push_back({e, f, skin});
+      if (skin >= 0 && skins.skin_of[skin] != Skin::none) contacts.push_back({e, f, skin});
     }
   return contacts;
 }

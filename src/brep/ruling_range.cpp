@@ -42,7 +42,7 @@ Box2 extent(const Face& face) {
 double speed_across(const Face& face, const Vec2& uv, double depth) {
   const auto& surface = std::get<Developable>(face.surface);
   const auto& knots = std::get<Ruled>(surface).knots;
-  constexpr double kStep = 1e-5;  // of the range of u: central difference
+  constexpr double kStep = tolerance::kDifference;  // of the range of u
   const Vec2 h(kStep * (knots.back().u - knots.front().u), 0.0);
   const Vec3 across = ruling_on(surface, uv.x()).cross(normal_on(surface, uv.x()));
   return (point_below(face, uv + h, depth) - point_below(face, uv - h, depth)).dot(across) /

@@ -101,18 +101,18 @@ Result<std::pair<int, int>> two_skins(const Components& components, const FacePa
 
 /// Faces opposite one skin but cut off from the other (a tongue that a bend runs past) belong to
 /// that other skin.
-std::vector<std::pair<int, Side>> islands_of(const Skins& skins,
+std::vector<std::pair<int, Skin>> islands_of(const Skins& skins,
                                              const std::vector<bool>& candidates) {
-  std::vector<std::pair<int, Side>> islands;
+  std::vector<std::pair<int, Skin>> islands;
   for (int f = 0; f < std::ssize(candidates); ++f) {
-    if (!candidates[f] || skins.side[f] != Side::none) continue;
+    if (!candidates[f] || skins.skin_of[f] != Skin::none) continue;
     const auto& partners = skins.partners[f];
-    const auto all_on = [&](Side side) {
+    const auto all_on = [&](Skin skin) {
       return !partners.empty() && std::all_of(partners.begin(), partners.end(),
-                                              [&](int p) { return skins.side[p] == side; });
+                                              [&](int p) { return skins.skin_of[p] == skin; });
     };
-    if (all_on(Side::first)) islands.emplace_back(f, Side::second);
-    if (all_on(Side::second)) islands.emplace_back(f, Side::first);
+    if (all_on(Skin::first)) islands.emplace_back(f, Skin::second);
+    if (all_on(Skin::second)) islands.emplace_back(f, Skin::first);
   }
   return islands;
 }
@@ -156,12 +156,12 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
   const auto [first, second] = *both;
   skins.partners = pairs.partners;
   for (const int component : components.of_face)
-    skins.side.push_back(component == first    ? Side::first
-                         : component == second ? Side::second
-                                               : Side::none);
-  for (const auto& [f, side] : islands_of(skins, candidates)) {
-    skins.side[f] = side;
-    (side == Side::first ? skins.islands_first : skins.islands_second) += 1;
+    skins.skin_of.push_back(component == first    ? Skin::first
+                            : component == second ? Skin::second
+                                                  : Skin::none);
+  for (const auto& [f, skin] : islands_of(skins, candidates)) {
+    skins.skin_of[f] = skin;
+    (skin == Skin::first ? skins.islands_first : skins.islands_second) += 1;
   }
   skins.area_first = components.area[first];
   skins.area_second = components.area[second];

@@ -7,13 +7,13 @@
 namespace planish::brep {
 
 /// Which skin of the sheet a face belongs to.
-enum class Side { none, first, second };
+enum class Skin { none, first, second };
 
 /// The two skins of a sheet in a solid.
 struct Skins {
   double thickness = 0.0;
   double spread = 0.0;                         ///< of the depths met between the skins, mm
-  std::vector<Side> side;                      ///< by face
+  std::vector<Skin> skin_of;                   ///< by face
   std::vector<std::vector<int>> partners;      ///< by face: faces opposite at the thickness
   std::vector<SharpEdge> sharp;                ///< on both skins
   double area_first = 0.0, area_second = 0.0;  ///< mm², coarse

@@ -2,7 +2,7 @@
 
 #include "border_curve.hpp"
 #include "kernel_points.hpp"
-#include "sheet_topology.hpp"
+#include "sheet_corners.hpp"
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
 
@@ -49,30 +49,25 @@ struct BorderEdges {
 
 class Thickener {
  public:
-  Thickener(const Sheet& sheet, const ThickenOptions& options, SheetTopology topology,
-            std::vector<CornerPoints> corners)
+  Thickener(const Sheet& sheet, const ThickenOptions& options, SheetCorners corners,
+            std::vector<CornerPoints> points)
       : sheet_(sheet),
         depths_(sheet),
         options_(options),
-        topology_(std::move(topology)),
-        points_(std::move(corners)) {}
+        corners_(std::move(corners)),
+        points_(std::move(points)) {}
 
   Result<TopoDS_Shell> shell() {
     make_vertices();
-    edges_.resize(topology_.borders.size());
-    for (std::size_t row = 0; row < topology_.borders.size(); ++row)
-      if (topology_.borders[row].leads)
-        if (auto made = make_edges(static_cast<int>(row)); !made)
-          return tl::unexpected(made.error());
-    int first_row = 0;
-    for (const Face& face : sheet_.faces) {
+    edges_.resize(topology().border_count());
+    for (const BorderId border : topology().borders())
+      if (corners_.leads(border))
+        if (auto made = make_edges(border); !made) return tl::unexpected(made.error());
+    for (const FaceId face : sheet_.faces.ids())
       for (double depth : {depths_.first, depths_.second})
-        make_skin(face, first_row, depth);
-      for (const BorderLoop& loop : face.loops)
-        first_row += static_cast<int>(loop.size());
-    }
-    for (std::size_t row = 0; row < topology_.borders.size(); ++row)
-      if (topology_.borders[row].mate < 0) make_wall(static_cast<int>(row));
+        make_skin(face, depth);
+    for (const BorderId border : topology().borders())
+      if (topology().is_free(border)) make_wall(border);
     return builder_.shell();
   }
 
@@ -84,21 +79,22 @@ class Thickener {
     }
   }
 
-  const Face& face_at(int row) const { return face_of(sheet_, topology_.borders[row].ref); }
-  const Border& border_at(int row) const { return border_of(sheet_, topology_.borders[row].ref); }
+  const Topology& topology() const { return corners_.topology(); }
+  const Face& face_at(BorderId border) const { return sheet_[topology()[border].face]; }
+  const Curve2& curve_at(BorderId border) const { return sheet_[topology()[border]].curve; }
 
-  Result<void> make_edges(int row) {
-    const Face& face = face_at(row);
-    const int start = topology_.borders[row].corner, end = topology_.end_corner(row);
-    BorderEdges& edges = edges_[row];
-    edges.border = border_curve(face, border_at(row).curve, options_.shape_tolerance);
-    if (edges.border.shape == Shape::line) return make_straight(row, start, end);
-    if (topology_.sharp[start] || topology_.sharp[end])
+  Result<void> make_edges(BorderId border) {
+    const Face& face = face_at(border);
+    const int start = corners_.at_start(border), end = corners_.at_end(border);
+    BorderEdges& edges = edges_[border];
+    edges.border = border_curve(face, curve_at(border), options_.shape_tolerance);
+    if (edges.border.shape == Shape::line) return make_straight(border, start, end);
+    if (corners_.is_sharp(start) || corners_.is_sharp(end))
       return fail(ErrorCode::unsupported_shape,
                   "A curved border ends at a sharp bend; only straight ones can be mitred.",
-                  place(topology_.borders[row].ref));
+                  place(topology()[border]));
 
-    if (topology_.borders[row].mate < 0)
+    if (topology().is_free(border))
       edges.wall = curved_wall(face, edges.border, depths_, options_.fit_tolerance);
     const auto curve = [&](const Handle(Geom_Curve) & fitted, double depth) {
       return fitted.IsNull() ? space_curve_below(face, edges.border, depth, options_.fit_tolerance)
@@ -112,43 +108,42 @@ class Thickener {
     return {};
   }
 
-  Result<void> make_straight(int row, int start, int end) {
+  Result<void> make_straight(BorderId border, int start, int end) {
     const Vec3 along = points_[end].reference - points_[start].reference;
     if (along.dot(points_[end].other - points_[start].other) <= 0.0)
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("A border of {:.3g} mm is shorter than the mitres of the sharp bends "
                               "at its ends.",
                               along.norm()),
-                  place(topology_.borders[row].ref));
-    edges_[row].reference = builder_.straight_edge(reference_[start], reference_[end]);
-    edges_[row].other = builder_.straight_edge(other_[start], other_[end]);
+                  place(topology()[border]));
+    edges_[border].reference = builder_.straight_edge(reference_[start], reference_[end]);
+    edges_[border].other = builder_.straight_edge(other_[start], other_[end]);
     return {};
   }
 
   /// The edge of a border as its own face uses it; its curve still in the face's (u, v).
-  EdgeUse skin_use(int row, double depth) const {
-    const auto& node = topology_.borders[row];
-    const int leader = node.leads ? row : node.mate;
+  EdgeUse skin_use(BorderId border, double depth) const {
+    const BorderId leader = corners_.leader(border);
+    const bool leads = leader == border;
     const BorderEdges& edges = edges_[leader];
-    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv,
-                node.leads};
-    if (std::holds_alternative<Frame>(face_at(row).surface))
+    EdgeUse use{depth == depths_.first ? &edges.reference : &edges.other, edges.border.uv, leads};
+    if (std::holds_alternative<Frame>(face_at(border).surface))
       use.curve.Nullify();
-    else if (!node.leads)
-      use.curve = across_joint(face_at(leader), edges.border, face_at(row),
-                               reversed(border_at(row).curve), options_.shape_tolerance);
+    else if (!leads)
+      use.curve = across_joint(face_at(leader), edges.border, face_at(border),
+                               reversed(curve_at(border)), options_.shape_tolerance);
     return use;
   }
 
-  void make_skin(const Face& face, int first_row, double depth) {
+  void make_skin(FaceId id, double depth) {
+    const Face& face = sheet_[id];
     const SkinSurface skin = skin_surface(face, depth, options_.fit_tolerance);
     const bool outer_skin = depth == depths_.first;
     std::vector<std::vector<EdgeUse>> loops;
-    int row = first_row;
-    for (const BorderLoop& borders : face.loops) {
+    for (int l = 0; l < std::ssize(face.loops); ++l) {
       std::vector<EdgeUse>& loop = loops.emplace_back();
-      for (std::size_t b = 0; b < borders.size(); ++b, ++row) {
-        EdgeUse use = skin_use(row, depth);
+      for (int b = 0; b < std::ssize(face.loops[l]); ++b) {
+        EdgeUse use = skin_use(topology().id_of({id, l, b}), depth);
         if (!use.curve.IsNull()) use.curve = skin.carried(use.curve, use.edge->length);
         // Seen from outside, the other skin's loops run the other way.
         if (outer_skin) {
@@ -168,13 +163,13 @@ class Thickener {
     return &at->second;
   }
 
-  void make_wall(int row) {
-    const int start = topology_.borders[row].corner, end = topology_.end_corner(row);
-    const BorderEdges& edges = edges_[row];
+  void make_wall(BorderId border) {
+    const int start = corners_.at_start(border), end = corners_.at_end(border);
+    const BorderEdges& edges = edges_[border];
     const SideWall wall = edges.border.shape == Shape::line
                               ? straight_wall({points_[start].reference, points_[end].reference,
                                                points_[start].other, points_[end].other},
-                                              outward_across(face_at(row), edges.border,
+                                              outward_across(face_at(border), edges.border,
                                                              0.5 * edges.border.length),
                                               options_.shape_tolerance)
                               : edges.wall.wall;
@@ -192,11 +187,11 @@ class Thickener {
   const Sheet& sheet_;
   Depths depths_;
   const ThickenOptions& options_;
-  SheetTopology topology_;
+  SheetCorners corners_;
   std::vector<CornerPoints> points_;
   SolidBuilder builder_;
   std::vector<TopoDS_Vertex> reference_, other_;
-  std::vector<BorderEdges> edges_;
+  IdVector<BorderId, BorderEdges> edges_;
   std::map<int, BuiltEdge> across_;
 };
 
@@ -220,11 +215,10 @@ Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {
 
 Result<TopoDS_Solid> thicken(const Sheet& sheet, const ThickenOptions& options) {
   if (auto sound = check_input(sheet); !sound) return tl::unexpected(sound.error());
-  auto topology = sheet_topology(sheet);
-  if (!topology) return tl::unexpected(topology.error());
-  auto corners = corner_points(sheet, *topology);
-  if (!corners) return tl::unexpected(corners.error());
-  auto shell = Thickener(sheet, options, std::move(*topology), std::move(*corners)).shell();
+  SheetCorners corners(sheet);
+  auto points = corner_points(sheet, corners);
+  if (!points) return tl::unexpected(points.error());
+  auto shell = Thickener(sheet, options, std::move(corners), std::move(*points)).shell();
   if (!shell) return tl::unexpected(shell.error());
   return checked_solid(*shell);
 }

@@ -49,8 +49,8 @@ double length_in_space(const Developable& surface, const Curve2& uv) {
 
 TaggedLoop reversed_loop(TaggedLoop loop) {
   std::reverse(loop.begin(), loop.end());
-  for (TaggedCurve& piece : loop)
-    piece.curve = reversed(piece.curve);
+  for (TaggedCurve& border : loop)
+    border.curve = reversed(border.curve);
   return loop;
 }
 
@@ -65,19 +65,19 @@ TaggedLoop ruling(const Parts& parts, int bend, int side) {
   const double least = kNoPiece * (high - low);
   if (joint.low - low <= least) joint.low = low;
   if (high - joint.high <= least) joint.high = high;
-  TaggedLoop pieces;
-  if (joint.low > low) pieces.push_back({Segment{{u, low}, {u, joint.low}}});
-  pieces.push_back({Segment{{u, joint.low}, {u, joint.high}}, plate});
-  if (joint.high < high) pieces.push_back({Segment{{u, joint.high}, {u, high}}});
-  return pieces;
+  TaggedLoop part;
+  if (joint.low > low) part.push_back({Segment{{u, low}, {u, joint.low}}});
+  part.push_back({Segment{{u, joint.low}, {u, joint.high}}, plate});
+  if (joint.high < high) part.push_back({Segment{{u, joint.high}, {u, high}}});
+  return part;
 }
 
 // Counter-clockwise in (u, v).
 TaggedLoop loop_of(const Parts& parts, int bend) {
   const BendFit& fit = parts.fits[bend];
   TaggedLoop loop{TaggedCurve{fit.boundaries.low.curve}};
-  const auto append = [&](const TaggedLoop& pieces) {
-    loop.insert(loop.end(), pieces.begin(), pieces.end());
+  const auto append = [&](const TaggedLoop& part) {
+    loop.insert(loop.end(), part.begin(), part.end());
   };
   append(ruling(parts, bend, 1 - fit.surface.first));
   append({TaggedCurve{reversed(fit.boundaries.high.curve)}});
@@ -105,9 +105,10 @@ JoinedFace bend_face(const Parts& parts, int bend, int sense) {
   TaggedLoop loop = loop_of(parts, bend);
   if (sense < 0) loop = reversed_loop(std::move(loop));
   BorderLoop borders;
-  for (const TaggedCurve& piece : loop) {
-    const Curve2 curve = shifted(piece.curve, shift);
-    if (piece.plate) made.joints.push_back({*piece.plate, bend, static_cast<int>(borders.size())});
+  for (const TaggedCurve& border : loop) {
+    const Curve2 curve = shifted(border.curve, shift);
+    if (border.plate)
+      made.joints.push_back({*border.plate, bend, static_cast<int>(borders.size())});
     borders.push_back({.curve = curve, .edge_length = length_in_space(surface, curve)});
   }
   made.face.loops.push_back(std::move(borders));

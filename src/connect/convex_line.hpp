@@ -26,7 +26,7 @@ struct LineSearch {
 };
 
 /// Minimises f where g ≤ 0, exactly but for rounding: where two supporting lines meet is the next
-/// place to look (Kelley's cutting planes in one variable, which end after finitely many pieces).
+/// place to look (Kelley's cutting planes in one variable, which end after finitely many lines).
 /// Of several minima the one nearest to zero. None where g > 0 everywhere. `support(x)` gives a
 /// Support.
 template <typename Function>

@@ -6,7 +6,7 @@
 namespace planish::connect_detail {
 namespace {
 
-using Piece = ExtendedOutline::Piece;
+using Edge = ExtendedOutline::Edge;
 
 std::vector<BendOnPlate> bends_on(const Parts& parts, int plate) {
   std::vector<BendOnPlate> bends;
@@ -26,29 +26,29 @@ Frame skin_frame(const PlacedPlate& plate, double thickness, int sense) {
 }
 
 // The loop seen from outside the material.
-std::vector<Piece> seen_from_outside(std::vector<Piece> pieces, int sense) {
-  if (sense > 0) return pieces;
-  std::reverse(pieces.begin(), pieces.end());
-  for (Piece& piece : pieces) {
-    std::swap(piece.a, piece.b);
-    for (Vec2* p : {&piece.a, &piece.b})
+std::vector<Edge> seen_from_outside(std::vector<Edge> edges, int sense) {
+  if (sense > 0) return edges;
+  std::reverse(edges.begin(), edges.end());
+  for (Edge& edge : edges) {
+    std::swap(edge.a, edge.b);
+    for (Vec2* p : {&edge.a, &edge.b})
       p->y() = -p->y();
   }
-  return pieces;
+  return edges;
 }
 
-BorderLoop border_loop(const std::vector<Piece>& pieces) {
+BorderLoop border_loop(const std::vector<Edge>& edges) {
   BorderLoop loop;
-  for (const Piece& piece : pieces)
-    loop.push_back({.curve = Segment{piece.a, piece.b}, .edge_length = (piece.b - piece.a).norm()});
+  for (const Edge& edge : edges)
+    loop.push_back({.curve = Segment{edge.a, edge.b}, .edge_length = (edge.b - edge.a).norm()});
   return loop;
 }
 
-std::vector<Piece> hole_pieces(const std::vector<Vec2>& hole) {
-  std::vector<Piece> pieces;
+std::vector<Edge> hole_edges(const std::vector<Vec2>& hole) {
+  std::vector<Edge> edges;
   for (std::size_t i = 0; i < hole.size(); ++i)
-    pieces.push_back({hole[i], hole[(i + 1) % hole.size()], std::nullopt});
-  return pieces;
+    edges.push_back({hole[i], hole[(i + 1) % hole.size()], std::nullopt});
+  return edges;
 }
 
 }  // namespace
@@ -59,12 +59,12 @@ Result<JoinedFace> plate_face(const Parts& parts, int plate, int sense) {
   if (!outline) return tl::unexpected(outline.error());
   JoinedFace made;
   made.face.surface = skin_frame(placed, parts.thickness, sense);
-  const std::vector<Piece> outer = seen_from_outside(outline->pieces, sense);
+  const std::vector<Edge> outer = seen_from_outside(outline->edges, sense);
   for (std::size_t i = 0; i < outer.size(); ++i)
     if (outer[i].bend) made.joints.push_back({plate, *outer[i].bend, static_cast<int>(i)});
   made.face.loops.push_back(border_loop(outer));
   for (const auto& hole : placed.holes)
-    made.face.loops.push_back(border_loop(seen_from_outside(hole_pieces(hole), sense)));
+    made.face.loops.push_back(border_loop(seen_from_outside(hole_edges(hole), sense)));
   return made;
 }
 

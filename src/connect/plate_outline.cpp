@@ -10,7 +10,7 @@
 namespace planish::connect_detail {
 namespace {
 
-using Piece = ExtendedOutline::Piece;
+using Edge = ExtendedOutline::Edge;
 
 // Points this share of the plate's extent apart are one.
 constexpr double kSame = tolerance::kComputed;
@@ -87,7 +87,7 @@ Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
 
 void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, std::optional<int> bend,
             double same) {
-  if ((b - a).norm() > same) outline.pieces.push_back({a, b, bend});
+  if ((b - a).norm() > same) outline.edges.push_back({a, b, bend});
 }
 
 void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
@@ -110,7 +110,7 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
            j == path.joint ? std::optional(on.bend) : std::nullopt, same);
 }
 
-// A corner that lies on a piece which does not end there: the extension runs back to the plate,
+// A corner that lies on an edge which does not end there: the extension runs back to the plate,
 // over it.
 std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
@@ -125,8 +125,8 @@ std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
 Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate,
                           const std::string& id) {
   std::vector<Vec2> ring;
-  for (const Piece& piece : outline.pieces)
-    ring.push_back(piece.a);
+  for (const Edge& edge : outline.edges)
+    ring.push_back(edge.a);
   const auto crossings = self_crossings(ring);
   if (crossings.empty() && ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))

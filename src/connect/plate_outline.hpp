@@ -16,11 +16,11 @@ struct BendOnPlate {
 
 /// The outline of a plate extended to its bends, in the plate's own axes, counter-clockwise.
 struct ExtendedOutline {
-  struct Piece {
+  struct Edge {
     Vec2 a, b;
     std::optional<int> bend = {};  ///< row of the fits whose joint this is; none: a cut
   };
-  std::vector<Piece> pieces;
+  std::vector<Edge> edges;
 };
 
 /// The part of a tangent ruling along which a bend hangs on its plate: from low to high v. Smaller

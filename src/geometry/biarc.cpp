@@ -10,7 +10,7 @@ namespace {
 
 using namespace geometry_detail;
 
-/// A joint of pieces that turns by more (about 0.06°) is a corner and kept; less is what fitting
+/// A joint of spans that turns by more (about 0.06°) is a corner and kept; less is what fitting
 /// leaves at the joints of a smooth curve.
 constexpr double kCorner = 1e-3;
 /// An arc that turns by less is given as its chord: the tangent is off by half of this, and a
@@ -19,7 +19,7 @@ constexpr double kFlat = 1e-5;
 /// Comparisons along a biarc: its distance from the curve has about four extremes.
 constexpr int kComparisons = 32;
 
-/// A part of the spline in its own parameter: piece number plus parameter in the piece.
+/// A part of the spline in its own parameter: span number plus parameter in the span.
 struct Part {
   double from = 0.0;
   double to = 0.0;
@@ -32,11 +32,11 @@ struct BiarcChain {
 
   Vec2 point(double x) const {
     const auto [i, t] = local(x);
-    return bezier_point(piece(spline, i), t);
+    return bezier_point(span(spline, i), t);
   }
 
   std::pair<std::size_t, double> local(double x) const {
-    const std::size_t i = std::min(static_cast<std::size_t>(x), piece_count(spline) - 1);
+    const std::size_t i = std::min(static_cast<std::size_t>(x), span_count(spline) - 1);
     return {i, x - static_cast<double>(i)};
   }
 
@@ -48,7 +48,7 @@ struct BiarcChain {
       --i;
       t = 1.0;
     }
-    const Bezier b = piece(spline, i);
+    const Bezier b = span(spline, i);
     const double size = (b[1] - b[0]).norm() + (b[2] - b[1]).norm() + (b[3] - b[2]).norm();
     const Vec2 first = bezier_derivative(b, t);
     if (first.norm() > std::sqrt(kEpsilon) * size) return first.normalized();
@@ -58,9 +58,9 @@ struct BiarcChain {
     return third.isZero(0.0) ? Vec2(Vec2::UnitX()) : third.normalized();
   }
 
-  /// The part with one piece per piece of the spline, for measuring distances to it.
+  /// The part with one span per span of the spline, for measuring distances to it.
   CubicSpline cut(const Part& part) const {
-    const double n = static_cast<double>(piece_count(spline));
+    const double n = static_cast<double>(span_count(spline));
     return std::get<CubicSpline>(trimmed(spline, part.from / n, part.to / n));
   }
 
@@ -91,8 +91,8 @@ struct BiarcChain {
 
   bool close(const std::array<Curve2, 2>& arcs, const Part& part) const {
     const double allowed = kBetweenStations * tolerance;
-    const double pieces = std::ceil(part.to) - std::floor(part.from);
-    const int n = kComparisons * std::max(1, static_cast<int>(pieces / 4.0));
+    const double spans = std::ceil(part.to) - std::floor(part.from);
+    const int n = kComparisons * std::max(1, static_cast<int>(spans / 4.0));
     for (int k = 1; k < n; ++k) {
       const Vec2 p = point(part.from + (part.to - part.from) * k / n);
       if (std::min(nearest(arcs[0], p).distance, nearest(arcs[1], p).distance) > allowed)
@@ -170,7 +170,7 @@ struct BiarcChain {
 /// Joints where the spline turns a corner, with both ends.
 std::vector<std::size_t> corners(const CubicSpline& spline) {
   const BiarcChain chain{spline, 0.0};
-  const std::size_t n = piece_count(spline);
+  const std::size_t n = span_count(spline);
   std::vector<std::size_t> found{0};
   for (std::size_t i = 1; i < n; ++i) {
     const double x = static_cast<double>(i);
@@ -198,7 +198,7 @@ std::vector<Curve2> to_arcs(const Curve2& curve, double tolerance) {
       continue;
     }
     const BiarcChain chain{smooth, tolerance};
-    const std::vector<Curve2> arcs = chain.along({0.0, static_cast<double>(piece_count(smooth))});
+    const std::vector<Curve2> arcs = chain.along({0.0, static_cast<double>(span_count(smooth))});
     made.insert(made.end(), arcs.begin(), arcs.end());
   }
   if (made.empty()) made.push_back(Segment{start_of(curve), end_of(curve)});

@@ -29,10 +29,10 @@ std::vector<Vec2> arc_samples(const Arc& arc, double chord) {
 
 std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
   std::vector<Vec2> points{spline.poles.front()};
-  for (std::size_t i = 0; i < piece_count(spline); ++i) {
-    const Bezier b = piece(spline, i);
+  for (std::size_t i = 0; i < span_count(spline); ++i) {
+    const Bezier b = span(spline, i);
     // A chord over a parameter step h misses the curve by at most h²/8 max|B''|, and B'' is
-    // largest at an end of the piece.
+    // largest at an end of the span.
     const double second = std::max(bezier_second(b, 0.0).norm(), bezier_second(b, 1.0).norm());
     const auto n = static_cast<std::size_t>(
         std::max(1.0, std::ceil(std::sqrt(second / (8.0 * chord)))));
@@ -69,10 +69,10 @@ std::vector<double> arc_crossings(const Arc& arc, const Vec2& origin, const Vec2
 
 std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& origin,
                                      const Vec2& normal) {
-  const std::size_t n = piece_count(spline);
+  const std::size_t n = span_count(spline);
   std::vector<double> found;
   for (std::size_t i = 0; i < n; ++i) {
-    const Bezier b = piece(spline, i);
+    const Bezier b = span(spline, i);
     std::array<double, 4> height{};
     double highest = 0.0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -85,7 +85,7 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
       continue;
     for (const double root : roots(height)) {
       const double t = (static_cast<double>(i) + root) / static_cast<double>(n);
-      // A crossing at a joint is the end of one piece and the start of the next.
+      // A crossing at a joint is the end of one span and the start of the next.
       if (found.empty() || t > found.back()) found.push_back(t);
     }
   }
@@ -93,8 +93,8 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
 }
 
 CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
-  const std::size_t n = piece_count(spline);
-  // A parameter that means a joint but was rounded must not leave a piece of no length.
+  const std::size_t n = span_count(spline);
+  // A parameter that means a joint but was rounded must not leave a span of no length.
   const auto snapped = [n](double t) {
     const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(n);
     const double whole = std::round(x);
@@ -108,7 +108,7 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
   CubicSpline part;
   for (std::size_t i = first; i < last; ++i) {
     const double base = static_cast<double>(i);
-    const Bezier b = bezier_part(piece(spline, i), std::max(0.0, from - base),
+    const Bezier b = bezier_part(span(spline, i), std::max(0.0, from - base),
                                  std::min(1.0, to - base));
     part.poles.insert(part.poles.end(), b.begin() + (part.poles.empty() ? 0 : 1), b.end());
   }
@@ -123,7 +123,7 @@ Vec2 point_at(const Curve2& curve, double t) {
                         [t](const Arc& a) -> Vec2 { return arc_point(a, a.start + t * a.sweep); },
                         [t](const CubicSpline& s) -> Vec2 {
                           const auto [i, local] = locate(s, t);
-                          return bezier_point(piece(s, i), local);
+                          return bezier_point(span(s, i), local);
                         },
                     },
                     curve);
@@ -138,7 +138,7 @@ Vec2 derivative_at(const Curve2& curve, double t) {
           },
           [t](const CubicSpline& s) -> Vec2 {
             const auto [i, local] = locate(s, t);
-            return static_cast<double>(piece_count(s)) * bezier_derivative(piece(s, i), local);
+            return static_cast<double>(span_count(s)) * bezier_derivative(span(s, i), local);
           },
       },
       curve);

@@ -62,14 +62,14 @@ double adaptive_length(const Bezier& b, double t0, double t1, double whole, doub
          adaptive_length(b, mid, t1, right, allowed, depth - 1);
 }
 
-double piece_length(const Bezier& b) {
+double span_length(const Bezier& b) {
   const double polygon = (b[1] - b[0]).norm() + (b[2] - b[1]).norm() + (b[3] - b[2]).norm();
   const double allowed = 32.0 * kEpsilon * polygon;
   return adaptive_length(b, 0.0, 1.0, gauss_length(b, 0.0, 1.0), allowed, 30);
 }
 
 /// Green integral about `o`, exact for cubics: ½∫ B × B' dt in terms of products of poles.
-double piece_green(const Bezier& b, const Vec2& o) {
+double span_green(const Bezier& b, const Vec2& o) {
   const Vec2 p0 = b[0] - o;
   const Vec2 p1 = b[1] - o;
   const Vec2 p2 = b[2] - o;
@@ -91,8 +91,8 @@ double green_area_about(const Curve2& curve, const Vec2& o) {
                         },
                         [&](const CubicSpline& s) {
                           double sum = 0.0;
-                          for (std::size_t i = 0; i < piece_count(s); ++i)
-                            sum += piece_green(piece(s, i), o);
+                          for (std::size_t i = 0; i < span_count(s); ++i)
+                            sum += span_green(span(s, i), o);
                           return sum;
                         },
                     },
@@ -133,8 +133,8 @@ Nearest nearest_on_arc(const Arc& arc, const Vec2& p) {
   return to_start <= to_end ? Nearest{to_start, 0.0} : Nearest{to_end, 1.0};
 }
 
-/// Finds the point of one piece nearest to the origin of `poles`, if it beats `best`.
-struct NearestOnPiece {
+/// Finds the point of one span nearest to the origin of `poles`, if it beats `best`.
+struct NearestOnSpan {
   Bezier poles;  // relative to the point
   double best;   // squared distance to beat
   double t = -1.0;
@@ -188,10 +188,10 @@ struct NearestOnPiece {
 };
 
 Nearest nearest_on_spline(const CubicSpline& spline, const Vec2& p) {
-  const std::size_t n = piece_count(spline);
+  const std::size_t n = span_count(spline);
   double best = std::numeric_limits<double>::infinity();
   double at = 0.0;
-  for (std::size_t i = 0; i <= n; ++i) {  // joints first: a good bound lets most pieces be skipped
+  for (std::size_t i = 0; i <= n; ++i) {  // joints first: a good bound lets most spans be skipped
     const double d = (spline.poles[3 * i] - p).squaredNorm();
     if (d < best) {
       best = d;
@@ -199,7 +199,7 @@ Nearest nearest_on_spline(const CubicSpline& spline, const Vec2& p) {
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    NearestOnPiece task{piece(spline, i), best};
+    NearestOnSpan task{span(spline, i), best};
     Box2 hull;
     for (Vec2& pole : task.poles) {
       pole -= p;
@@ -224,8 +224,8 @@ double length(const Curve2& curve) {
                         [](const Arc& a) { return a.radius * std::abs(a.sweep); },
                         [](const CubicSpline& s) {
                           double sum = 0.0;
-                          for (std::size_t i = 0; i < piece_count(s); ++i)
-                            sum += piece_length(piece(s, i));
+                          for (std::size_t i = 0; i < span_count(s); ++i)
+                            sum += span_length(span(s, i));
                           return sum;
                         },
                     },
@@ -263,8 +263,8 @@ Box2 bounds(const Curve2& curve) {
                         [](const CubicSpline& s) {
                           Box2 box;
                           box.add(s.poles.front());
-                          for (std::size_t i = 0; i < piece_count(s); ++i) {
-                            const Bezier b = piece(s, i);
+                          for (std::size_t i = 0; i < span_count(s); ++i) {
+                            const Bezier b = span(s, i);
                             box.add(b[3]);
                             for (const int axis : {0, 1}) {
                               for (const double t : extrema(b, axis))

@@ -34,22 +34,22 @@ bool constant(double a, double b) {
   return std::abs(b - a) <= tolerance::kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
 
-std::vector<Curve2> pieces_of(const Curve2& curve) {
+std::vector<Curve2> spans_of(const Curve2& curve) {
   const auto* spline = std::get_if<CubicSpline>(&curve);
   if (spline == nullptr) return {curve};
-  std::vector<Curve2> pieces;
+  std::vector<Curve2> spans;
   for (auto pole = spline->poles.begin(); spline->poles.end() - pole > 3; pole += 3)
-    pieces.emplace_back(CubicSpline{{pole, pole + 4}});
-  return pieces;
+    spans.emplace_back(CubicSpline{{pole, pole + 4}});
+  return spans;
 }
 
 CubicSpline fitted_image(const Development& image, const Curve2& uv_curve, double tolerance) {
   CubicSpline result;
-  // One by one, because the speed along a spline jumps from piece to piece.
-  for (const Curve2& piece : pieces_of(uv_curve)) {
+  // One by one, because the speed along a spline jumps from span to span.
+  for (const Curve2& span : spans_of(uv_curve)) {
     const auto sample = [&](double t) -> CurveSample {
-      const Vec2 uv = point_at(piece, t);
-      return {image.develop(uv), image.jacobian(uv) * derivative_at(piece, t)};
+      const Vec2 uv = point_at(span, t);
+      return {image.develop(uv), image.jacobian(uv) * derivative_at(span, t)};
     };
     const std::vector<Vec2> poles = fit_cubics(sample, 0.0, 1.0, tolerance).spline.poles;
     result.poles.insert(result.poles.end(), poles.begin() + (result.poles.empty() ? 0 : 1),

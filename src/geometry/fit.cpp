@@ -9,10 +9,10 @@ namespace {
 
 using namespace geometry_detail;
 
-constexpr std::size_t kMostPieces = 4096;
+constexpr std::size_t kMostSpans = 4096;
 /// Halvings of one place, beyond which parameters of doubles stop being told apart.
 constexpr int kMostHalvings = 40;
-/// Where a Hermite piece is compared with the function. Its error behaves as t²(1−t)²(a + bt): the
+/// Where a Hermite span is compared with the function. Its error behaves as t²(1−t)²(a + bt): the
 /// middle is the largest for b = 0 and 0.5 ± √5/10 for a = −b/2; the outer two see what is steeper.
 constexpr std::array<double, 5> kChecks{0.112, 0.276, 0.5, 0.724, 0.888};
 
@@ -21,7 +21,7 @@ struct Knot {
   CurveSample sample;
 };
 
-struct Piece {
+struct Span {
   Knot from;
   Knot to;
   Bezier poles;
@@ -29,7 +29,7 @@ struct Piece {
   int halvings = 0;
 };
 
-/// A derivative that moves the point less than this share of the size of the piece tells no
+/// A derivative that moves the point less than this share of the size of the span tells no
 /// direction: half the digits, as for a difference quotient.
 bool tells_direction(const Vec2& derivative, double step, double size) {
   return (derivative * step).norm() > std::sqrt(kEpsilon) * size;
@@ -56,7 +56,7 @@ struct Fitter {
     return at.sample.point + ahead.normalized() * chord.norm() / 3.0;
   }
 
-  Piece piece_between(const Knot& from, const Knot& to, int halvings) const {
+  Span span_between(const Knot& from, const Knot& to, int halvings) const {
     std::array<Vec2, kChecks.size()> wanted;
     Box2 box;
     box.add(from.sample.point);
@@ -66,10 +66,10 @@ struct Fitter {
       box.add(wanted[i]);
     }
     const double size = largest(box.size());
-    Piece made{from, to, {}, 0.0, halvings};
+    Span made{from, to, {}, 0.0, halvings};
     made.poles = {from.sample.point, inner_pole(from, to, size), inner_pole(to, from, size),
                   to.sample.point};
-    // Handles longer than the chord may make a piece double back, onto points that it should have
+    // Handles longer than the chord may make a span double back, onto points that it should have
     // passed once.
     const double handles = (made.poles[1] - made.poles[0]).norm() +
                            (made.poles[3] - made.poles[2]).norm();
@@ -92,7 +92,7 @@ struct Fitter {
   }
 
   /// Knot near the middle, beside a place where f stands still: there no tangent could be shared.
-  Knot middle(const Piece& p) const {
+  Knot middle(const Span& p) const {
     const double step = p.to.t - p.from.t;
     const double size = (p.to.sample.point - p.from.sample.point).norm();
     for (const double share : {0.5, 0.4375, 0.5625}) {
@@ -107,30 +107,30 @@ struct Fitter {
 
 FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolerance) {
   const Fitter fitter{f, tolerance};
-  std::vector<Piece> pieces{fitter.piece_between(fitter.knot(t0), fitter.knot(t1), 0)};
-  const auto wants_halving = [tolerance](const Piece& p) {
+  std::vector<Span> spans{fitter.span_between(fitter.knot(t0), fitter.knot(t1), 0)};
+  const auto wants_halving = [tolerance](const Span& p) {
     return p.deviation > tolerance && p.halvings < kMostHalvings;
   };
-  // Level by level, so that the limit of pieces is shared by the whole curve.
-  while (std::any_of(pieces.begin(), pieces.end(), wants_halving) && pieces.size() < kMostPieces) {
-    std::vector<Piece> finer;
-    finer.reserve(2 * pieces.size());
-    std::size_t room = kMostPieces - pieces.size();
-    for (const Piece& p : pieces) {
+  // Level by level, so that the limit of spans is shared by the whole curve.
+  while (std::any_of(spans.begin(), spans.end(), wants_halving) && spans.size() < kMostSpans) {
+    std::vector<Span> finer;
+    finer.reserve(2 * spans.size());
+    std::size_t room = kMostSpans - spans.size();
+    for (const Span& p : spans) {
       if (!wants_halving(p) || room == 0) {
         finer.push_back(p);
         continue;
       }
       --room;
       const Knot mid = fitter.middle(p);
-      finer.push_back(fitter.piece_between(p.from, mid, p.halvings + 1));
-      finer.push_back(fitter.piece_between(mid, p.to, p.halvings + 1));
+      finer.push_back(fitter.span_between(p.from, mid, p.halvings + 1));
+      finer.push_back(fitter.span_between(mid, p.to, p.halvings + 1));
     }
-    pieces = std::move(finer);
+    spans = std::move(finer);
   }
   FitReport report;
-  report.spline.poles.push_back(pieces.front().poles[0]);
-  for (const Piece& p : pieces) {
+  report.spline.poles.push_back(spans.front().poles[0]);
+  for (const Span& p : spans) {
     report.spline.poles.insert(report.spline.poles.end(), p.poles.begin() + 1, p.poles.end());
     report.deviation = std::max(report.deviation, p.deviation);
   }

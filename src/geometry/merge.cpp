@@ -82,7 +82,7 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   path.back().point = path.front().point;
   std::optional<Arc> circle = arc_through(path);
   if (!circle || kind_of(*circle) != kind) return std::nullopt;
-  // Pieces of one circle keep its centre and radius to the bit.
+  // Curves of one circle keep its centre and radius to the bit.
   const Arc& model = std::get<Arc>(items.front().curve);
   const double noise = kSamePoint * size_of(path);
   const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
@@ -313,7 +313,7 @@ MergedLoop merged(const Loop& loop, double tolerance) {
   const double noise = joints.empty() ? 0.0 : kSamePoint * size_of(joints);
   // Rounding alone must not keep a curve of no length, or two halves of a line, apart.
   tolerance = std::max(tolerance, noise);
-  // Pieces of one line or circle first, lest short ones be lost; but a short edge that is merely
+  // Curves of one line or circle first, lest short ones be lost; but a short edge that is merely
   // within the tolerance of its neighbour's line is better absorbed, which keeps both directions.
   items = grouped(items, {noise, tolerance});
   for (int round = 0; round < kMostRounds; ++round) {

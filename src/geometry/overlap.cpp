@@ -13,7 +13,7 @@ namespace {
 
 using namespace geometry_detail;
 
-/// Pieces of a quarter turn of the arcs with which shrinking rounds notches.
+/// Segments in a quarter turn of the arcs with which shrinking rounds notches.
 constexpr int kQuadrantSegments = 8;
 /// Grid, as a share of the extent, on which an overlay that fails in doubles is repeated; GEOS
 /// never fails on a grid.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors, Bézier pieces and Bernstein polynomials as the sources of geometry use them.
+// Vectors, Bézier spans and Bernstein polynomials as the sources of geometry use them.
 
 #include <planish/base/assert.hpp>
 #include <planish/geometry/curve.hpp>
@@ -36,16 +36,16 @@ Overloaded(Ts...) -> Overloaded<Ts...>;
 
 using Bezier = std::array<Vec2, 4>;
 
-inline std::size_t piece_count(const CubicSpline& s) {
+inline std::size_t span_count(const CubicSpline& s) {
   PLANISH_ASSERT(s.poles.size() >= 4 && s.poles.size() % 3 == 1);
   return (s.poles.size() - 1) / 3;
 }
-inline Bezier piece(const CubicSpline& s, std::size_t i) {
+inline Bezier span(const CubicSpline& s, std::size_t i) {
   return {s.poles[3 * i], s.poles[3 * i + 1], s.poles[3 * i + 2], s.poles[3 * i + 3]};
 }
-/// Piece and parameter in it at global parameter t in [0, 1].
+/// Span and parameter in it at global parameter t in [0, 1].
 inline std::pair<std::size_t, double> locate(const CubicSpline& s, double t) {
-  const std::size_t n = piece_count(s);
+  const std::size_t n = span_count(s);
   const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(n);
   const std::size_t i = std::min(static_cast<std::size_t>(x), n - 1);
   return {i, x - static_cast<double>(i)};
@@ -74,7 +74,7 @@ std::pair<std::array<T, M>, std::array<T, M>> split(std::array<T, M> c, double t
   }
   return {left, c};
 }
-/// The part of a piece between t0 < t1; ends at 0 and 1 are kept to the bit.
+/// The part of a span between t0 < t1; ends at 0 and 1 are kept to the bit.
 inline Bezier bezier_part(const Bezier& b, double t0, double t1) {
   Bezier part = b;
   if (t1 < 1.0) part = split(part, t1).first;
@@ -170,7 +170,7 @@ inline std::array<double, 7> square(const Bezier& b) {
   return c;
 }
 
-/// Parameters inside (0, 1) where coordinate `axis` of a piece is extremal.
+/// Parameters inside (0, 1) where coordinate `axis` of a span is extremal.
 inline std::vector<double> extrema(const Bezier& b, int axis) {
   return roots(std::array<double, 3>{b[1][axis] - b[0][axis], b[2][axis] - b[1][axis],
                                      b[3][axis] - b[2][axis]});

@@ -139,17 +139,17 @@ namespace {
 
 using namespace geometry_detail;
 
-/// Evenly spaced stations of a piece, to fit a circle to and to follow its turning.
-constexpr int kStationsPerPiece = 24;
+/// Evenly spaced stations of a span, to fit a circle to and to follow its turning.
+constexpr int kStationsPerSpan = 24;
 
-/// Stations at every end, and wherever a piece turns back or is farthest out seen along `chord`:
+/// Stations at every end, and wherever a span turns back or is farthest out seen along `chord`:
 /// on them alone the test for a line is exact.
 std::vector<Station> extreme_stations(const CubicSpline& spline) {
   const Vec2 chord = spline.poles.back() - spline.poles.front();
   const Vec2 along = chord.isZero(0.0) ? Vec2(Vec2::UnitX()) : chord.stableNormalized();
   std::vector<Station> path{{spline.poles.front()}};
-  for (std::size_t i = 0; i < piece_count(spline); ++i) {
-    const Bezier b = piece(spline, i);
+  for (std::size_t i = 0; i < span_count(spline); ++i) {
+    const Bezier b = span(spline, i);
     Bezier turned;
     for (std::size_t k = 0; k < 4; ++k)
       turned[k] = {along.dot(b[k] - b[0]), cross(along, b[k] - b[0])};
@@ -182,11 +182,11 @@ std::vector<double> angular_extrema(const Bezier& b, const Vec2& center) {
 /// Evenly spaced stations, and where the spline turns back round the centre (if given).
 std::vector<Station> even_stations(const CubicSpline& spline, const std::optional<Vec2>& center) {
   std::vector<Station> path{{spline.poles.front(), 0.0}};
-  for (std::size_t i = 0; i < piece_count(spline); ++i) {
-    const Bezier b = piece(spline, i);
+  for (std::size_t i = 0; i < span_count(spline); ++i) {
+    const Bezier b = span(spline, i);
     std::vector<double> at;
-    for (int k = 1; k < kStationsPerPiece; ++k)
-      at.push_back(k / double{kStationsPerPiece});
+    for (int k = 1; k < kStationsPerSpan; ++k)
+      at.push_back(k / double{kStationsPerSpan});
     if (center) {
       for (const double t : angular_extrema(b, *center))
         at.push_back(t);
@@ -216,11 +216,11 @@ bool within(const std::array<double, 7>& c, double low, double high, int halving
 bool within_ring(const CubicSpline& spline, const Arc& arc, double tolerance) {
   const double inner = std::max(0.0, arc.radius - tolerance);
   const double outer = arc.radius + tolerance;
-  for (std::size_t i = 0; i < piece_count(spline); ++i) {
-    Bezier b = piece(spline, i);
+  for (std::size_t i = 0; i < span_count(spline); ++i) {
+    Bezier b = span(spline, i);
     for (Vec2& pole : b)
       pole -= arc.center;
-    constexpr int halvings = 20;  // a millionth of the piece
+    constexpr int halvings = 20;  // a millionth of the span
     if (!within(square(b), inner * inner, outer * outer, halvings)) return false;
   }
   return true;

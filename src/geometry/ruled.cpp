@@ -269,14 +269,14 @@ RuledImage::RuledImage(const Ruled& ruled, double offset) {
            i + 2 == k.size() ? last_u(ruled) : k[i + 1].u, extent, kHalvings);
   move_start_to_origin(k.front().u);
 
-  lines_.reserve(pieces_.size() + 1);
-  for (const Piece& piece : pieces_)
-    lines_.push_back(line_at(piece.begin));
-  lines_.push_back(line_at(pieces_.back().end));
+  lines_.reserve(spans_.size() + 1);
+  for (const Span& span : spans_)
+    lines_.push_back(line_at(span.begin));
+  lines_.push_back(line_at(spans_.back().end));
 }
 
-RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, double begin,
-                                         double end, const Vec3& state_at_begin) {
+RuledImage::Span RuledImage::integrated(const Ruled& ruled, double offset, double begin, double end,
+                                        const Vec3& state_at_begin) {
   const double half = 0.5 * (end - begin);
   const std::array<double, kTerms>& nodes = chebyshev_cosines<kTerms>()[1];
   std::array<RulingFrame, kTerms> frames;
@@ -300,16 +300,16 @@ RuledImage::Piece RuledImage::integrated(const Ruled& ruled, double offset, doub
 void RuledImage::append(const Ruled& ruled, double offset, double begin, double end, double extent,
                         int halvings) {
   constexpr double kTail = 1e-13;        // of the extent, and radians
-  constexpr double kLargestTurn = 0.25;  // radians; `fold` looks for rulings at the ends of pieces
-  const Vec3 start = pieces_.empty() ? Vec3(0.0, 0.0, 0.5 * std::numbers::pi)
-                                     : series_at(pieces_.back().state, 1.0);
-  const Piece piece = integrated(ruled, offset, begin, end, start);
+  constexpr double kLargestTurn = 0.25;  // radians; `fold` looks for rulings at the ends of spans
+  const Vec3 start = spans_.empty() ? Vec3(0.0, 0.0, 0.5 * std::numbers::pi)
+                                    : series_at(spans_.back().state, 1.0);
+  const Span span = integrated(ruled, offset, begin, end, start);
   // Two terms, because every other one of an even or odd function is zero.
-  const Vec3 tail = piece.state[kTerms].cwiseAbs().cwiseMax(piece.state[kTerms - 1].cwiseAbs());
+  const Vec3 tail = span.state[kTerms].cwiseAbs().cwiseMax(span.state[kTerms - 1].cwiseAbs());
   const bool fine = tail.head<2>().maxCoeff() <= kTail * extent && tail.z() <= kTail &&
-                    std::abs(series_at(piece.state, 1.0).z() - start.z()) <= kLargestTurn;
+                    std::abs(series_at(span.state, 1.0).z() - start.z()) <= kLargestTurn;
   if (fine || halvings == 0) {
-    pieces_.push_back(piece);
+    spans_.push_back(span);
     return;
   }
   const double middle = std::midpoint(begin, end);
@@ -321,22 +321,22 @@ void RuledImage::move_start_to_origin(double u) {
   const Vec3 start = line_at(u).state;
   const double turn = 0.5 * std::numbers::pi - start.z();
   const Eigen::AngleAxisd rotation(turn, Vec3::UnitZ());
-  for (Piece& piece : pieces_) {
-    piece.state[0] -= Vec3(start.x(), start.y(), 0.0);
-    for (Vec3& c : piece.state)
+  for (Span& span : spans_) {
+    span.state[0] -= Vec3(start.x(), start.y(), 0.0);
+    for (Vec3& c : span.state)
       c = rotation * c;
-    for (Vec3& c : piece.rate)
+    for (Vec3& c : span.rate)
       c = rotation * c;
-    piece.state[0].z() += turn;
+    span.state[0].z() += turn;
   }
 }
 
 RuledImage::Line RuledImage::line_at(double u) const {
-  const auto past = std::upper_bound(pieces_.begin() + 1, pieces_.end(), u,
-                                     [](double x, const Piece& piece) { return x < piece.begin; });
-  const Piece& piece = *(past - 1);
-  const double x = ((u - piece.begin) - (piece.end - u)) / (piece.end - piece.begin);
-  return {u, series_at(piece.state, x), series_at(piece.rate, x)};
+  const auto past = std::upper_bound(spans_.begin() + 1, spans_.end(), u,
+                                     [](double x, const Span& span) { return x < span.begin; });
+  const Span& span = *(past - 1);
+  const double x = ((u - span.begin) - (span.end - u)) / (span.end - span.begin);
+  return {u, series_at(span.state, x), series_at(span.rate, x)};
 }
 
 Vec2 RuledImage::develop(const Vec2& uv) const {

@@ -24,7 +24,7 @@ Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near);
 /// the plane has G = (cos ψ, sin ψ) and B(u). A developable's tangent plane turns only about its
 /// rulings, so plane and surface see the same rates (math.md#general-developable):
 ///   ψ′ = −g′·across,  B′ = (b′·g) G + (b′·across) (sin ψ, −cos ψ).
-/// Both are integrated with Chebyshev series on pieces that are halved until the series ends in
+/// Both are integrated with Chebyshev series on spans that are halved until the series ends in
 /// terms below 1e-13 of the extent.
 class RuledImage {
  public:
@@ -37,7 +37,7 @@ class RuledImage {
  private:
   static constexpr std::size_t kTerms = 10;
   /// Chebyshev series of (B_x, B_y, ψ) and its rate over [begin, end].
-  struct Piece {
+  struct Span {
     double begin, end;
     std::array<Vec3, kTerms> rate;
     std::array<Vec3, kTerms + 1> state;
@@ -48,15 +48,15 @@ class RuledImage {
     Vec3 state, rate;
   };
 
-  static Piece integrated(const Ruled& ruled, double offset, double begin, double end,
-                          const Vec3& state_at_begin);
+  static Span integrated(const Ruled& ruled, double offset, double begin, double end,
+                         const Vec3& state_at_begin);
   void append(const Ruled& ruled, double offset, double begin, double end, double extent,
               int halvings);
   void move_start_to_origin(double u);
   Line line_at(double u) const;
 
-  std::vector<Piece> pieces_;
-  std::vector<Line> lines_;  // at the ends of the pieces
+  std::vector<Span> spans_;
+  std::vector<Line> lines_;  // at the ends of the spans
 };
 
 }  // namespace planish::geometry_detail

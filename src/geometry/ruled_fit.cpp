@@ -45,14 +45,14 @@ class KnotPlacer {
   }
 
  private:
-  /// Where the error of a Hermite piece and that of its slope are largest, and a place between.
+  /// Where the error of a Hermite span and that of its slope are largest, and a place between.
   static constexpr std::array<double, 5> kChecked{0.5, 0.35, 0.65, 0.2, 0.8};
 
   bool near_enough(const Ruled::Knot& k0, const Ruled::Knot& k1) const {
-    const Ruled piece{{k0, k1}};
+    const Ruled span{{k0, k1}};
     return std::ranges::all_of(kChecked, [&](double share) {
       const auto [meant, reach] = ruling_(std::lerp(k0.u, k1.u, share));
-      const RulingFrame found = frame_at(piece, meant.u);
+      const RulingFrame found = frame_at(span, meant.u);
       const Vec3 normal = meant.b_prime.cross(meant.g).normalized();
       return (found.b - meant.b).norm() <= tolerance_ &&
              (found.b + reach * found.g - meant.b - reach * meant.g).norm() <= tolerance_ &&

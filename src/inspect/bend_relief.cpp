@@ -38,10 +38,10 @@ struct Limits {
 };
 
 /// The corners of a bend zone at the end of the bend that lies in `direction`.
-std::vector<ZoneCorner> corners_towards(const Workpiece& piece, size_t bend,
+std::vector<ZoneCorner> corners_towards(const Workpiece& workpiece, size_t bend,
                                         const Vec2& direction) {
   std::vector<ZoneCorner> corners;
-  for (const BendSide& side : piece.sides) {
+  for (const BendSide& side : workpiece.sides) {
     if (side.bend != bend || side.length() <= 0.0) continue;
     const Vec2 along = (side.end - side.start) / side.length();
     const bool forward = along.dot(direction) > 0.0;
@@ -51,45 +51,46 @@ std::vector<ZoneCorner> corners_towards(const Workpiece& piece, size_t bend,
   return corners;
 }
 
-double free_way(const Workpiece& piece, const Vec2& from, const Vec2& direction, double reach) {
-  return piece.contours.first_hit(from, direction, reach, [](size_t) { return true; });
+double free_way(const Workpiece& workpiece, const Vec2& from, const Vec2& direction, double reach) {
+  return workpiece.contours.first_hit(from, direction, reach, [](size_t) { return true; });
 }
 
-bool uncut(const Workpiece& piece, const Vec2& from, const Vec2& to) {
+bool uncut(const Workpiece& workpiece, const Vec2& from, const Vec2& to) {
   const double distance = (to - from).norm();
-  return !std::isfinite(free_way(piece, from, (to - from) / distance, distance));
+  return !std::isfinite(free_way(workpiece, from, (to - from) / distance, distance));
 }
 
 /// Whether the flange's own sheet lies beside the corner, `beside` along the bend and `depth` into
 /// the flange: then one gets there from the bend, down and then aside, without crossing a cut.
-bool flange_goes_on(const Workpiece& piece, const ZoneCorner& corner, double beside, double depth) {
+bool flange_goes_on(const Workpiece& workpiece, const ZoneCorner& corner, double beside,
+                    double depth) {
   const Vec2 inside = corner.at - kBeside * corner.beyond;
   const Vec2 start = inside + kAcross * corner.outward;
   const Vec2 turn = inside + (kAcross + depth) * corner.outward;
   const Vec2 goal = turn + (kBeside + beside) * corner.beyond;
-  return piece.material(goal) && uncut(piece, start, turn) && uncut(piece, turn, goal);
+  return workpiece.material(goal) && uncut(workpiece, start, turn) && uncut(workpiece, turn, goal);
 }
 
 /// The relief between a corner and the sheet beside it; as wide and deep as can be where the
 /// flange does not go on beside the bend, not even round a relief: at free ends, and at the side
 /// of a tab, where the slit beside it is not a relief.
-Relief relief_at(const Workpiece& piece, const ZoneCorner& corner, const Limits& limits,
+Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Limits& limits,
                  double reach) {
   Relief relief{corner.at};
-  relief.missing = flange_goes_on(piece, corner, kBeside, 0.5 * kAcross);
+  relief.missing = flange_goes_on(workpiece, corner, kBeside, 0.5 * kAcross);
   if (relief.missing) return relief;
   const Vec2 level = corner.at + kBeside * corner.beyond + kAcross * corner.outward;
-  const double width = piece.material(level)
+  const double width = workpiece.material(level)
                            ? 0.0
-                           : kBeside + free_way(piece, level, corner.beyond, limits.width);
+                           : kBeside + free_way(workpiece, level, corner.beyond, limits.width);
   const double middle = std::max(kBeside, 0.5 * std::min(width, limits.width));
   bool bottom = false;
   for (double depth = kAcross; depth < reach && !bottom; depth *= 1.5)
-    bottom = flange_goes_on(piece, corner, middle, depth);
+    bottom = flange_goes_on(workpiece, corner, middle, depth);
   if (!bottom) return relief;
   relief.width = width;
   if (limits.depth > kAcross && width > 0.0)
-    relief.depth = free_way(piece, corner.at + middle * corner.beyond, corner.outward,
+    relief.depth = free_way(workpiece, corner.at + middle * corner.beyond, corner.outward,
                             limits.depth);
   return relief;
 }
@@ -123,7 +124,7 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
       bend.id, point_text(relief.at), mm_text(relief.depth + setback), depth);
 }
 
-bool reported(const std::vector<Observation>& observations, const Vec2& p, double near) {
+bool seen_already(const std::vector<Observation>& observations, const Vec2& p, double near) {
   return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
     return (o.finding.at.front() - p).norm() <= near;
   });
@@ -131,30 +132,32 @@ bool reported(const std::vector<Observation>& observations, const Vec2& p, doubl
 
 }  // namespace
 
-std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& rules) {
+std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules& rules) {
   std::vector<Observation> result;
   if (rules.relief_width_t <= 0.0) return result;
-  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
-    if (!piece.spans[b]) continue;
-    const FlatBend& bend = piece.pattern.bends[b];
-    const double outside = bend.inside_radius + piece.thickness;
+  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
+    if (!workpiece.spans[b]) continue;
+    const FlatBend& bend = workpiece.pattern.bends[b];
+    const double outside = bend.inside_radius + workpiece.thickness;
     // Measured from the outside of the bend, as flanges are: there R + T reaches the tangent line.
-    const Limits limits{rules.relief_width_t * piece.thickness,
-                        rules.relief_depth_t * piece.thickness +
+    const Limits limits{rules.relief_width_t * workpiece.thickness,
+                        rules.relief_depth_t * workpiece.thickness +
                             rules.relief_depth_r * bend.inside_radius - outside};
-    const Vec2 along = piece.spans[b]->end - piece.spans[b]->start;
+    const Vec2 along = workpiece.spans[b]->end - workpiece.spans[b]->start;
     for (const bool forward : {false, true}) {
       Relief worst;
-      for (const ZoneCorner& corner : corners_towards(piece, b, forward ? along : Vec2(-along))) {
-        const Relief relief = relief_at(piece, corner, limits, kReach * outside);
+      for (const ZoneCorner& corner :
+           corners_towards(workpiece, b, forward ? along : Vec2(-along))) {
+        const Relief relief = relief_at(workpiece, corner, limits, kReach * outside);
         if (excess(relief, limits) < excess(worst, limits)) worst = relief;
       }
       // Bends that meet in a corner lack one relief between them.
-      if (excess(worst, limits) >= -kDrawn || reported(result, worst.at, piece.thickness)) continue;
+      if (excess(worst, limits) >= -kDrawn || seen_already(result, worst.at, workpiece.thickness))
+        continue;
       result.push_back(
           {{"bend_relief",
             Severity::warning,
-            relief_text(bend, worst, limits, rules, piece.thickness),
+            relief_text(bend, worst, limits, rules, workpiece.thickness),
             {worst.at}},
            worst.missing ? "missing" : "small",
            worst.missing ? "ends of bends lack a relief" : "reliefs of bends are too small",

@@ -1,5 +1,7 @@
 #include "rule_checks.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,56 +9,58 @@
 namespace planish::inspect_detail {
 namespace {
 
-std::vector<Vec2> middle_of(const Workpiece& piece, size_t bend) {
-  if (!piece.spans[bend]) return {};
-  return {0.5 * (piece.spans[bend]->start + piece.spans[bend]->end)};
+std::vector<Vec2> middle_of(const Workpiece& workpiece, size_t bend) {
+  if (!workpiece.spans[bend]) return {};
+  return {0.5 * (workpiece.spans[bend]->start + workpiece.spans[bend]->end)};
 }
 
-Observation bend_observation(const Workpiece& piece, size_t bend, const char* code,
+Observation bend_observation(const Workpiece& workpiece, size_t bend, const char* code,
                              std::string message, std::string many, double excess) {
-  return {
-      {code, Severity::warning, std::move(message), middle_of(piece, bend)}, many, many, excess};
+  return {{code, Severity::warning, std::move(message), middle_of(workpiece, bend)},
+          many,
+          many,
+          excess};
 }
 
-void observe_radius(const Workpiece& piece, size_t b, const Rules& rules,
+void observe_radius(const Workpiece& workpiece, size_t b, const Rules& rules,
                     std::vector<Observation>& result) {
-  const FlatBend& bend = piece.pattern.bends[b];
-  const double limit = rules.inside_radius_t * piece.thickness;
+  const FlatBend& bend = workpiece.pattern.bends[b];
+  const double limit = rules.inside_radius_t * workpiece.thickness;
   if (bend.inside_radius >= limit - kDrawn) return;
   const std::string radius = mm_text(bend.inside_radius);
   result.push_back(bend_observation(
-      piece, b, "inside_radius",
+      workpiece, b, "inside_radius",
       fmt::format("the inside radius of bend {} is {}; at least {} ({}) is needed", bend.id, radius,
                   mm_text(limit), factors_text(rules.inside_radius_t)),
       fmt::format("bends have an inside radius of {}, which is too small", radius),
       bend.inside_radius - limit));
 }
 
-void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
+void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
                  std::vector<Observation>& result) {
-  const FlatBend& bend = piece.pattern.bends[b];
+  const FlatBend& bend = workpiece.pattern.bends[b];
   const double diameter = 2.0 * bend.inside_radius;
-  const double least_diameter = rules.hem_diameter_t * piece.thickness;
+  const double least_diameter = rules.hem_diameter_t * workpiece.thickness;
   if (diameter < least_diameter - kDrawn) {
     result.push_back(bend_observation(
-        piece, b, "hem",
+        workpiece, b, "hem",
         fmt::format("the hem at bend {} is {} wide inside; at least {} ({}) is needed", bend.id,
                     mm_text(diameter), mm_text(least_diameter), factors_text(rules.hem_diameter_t)),
         "hems are too narrow inside", diameter - least_diameter));
   }
-  const double least_return = rules.hem_return_t * piece.thickness;
-  const double outside = bend.inside_radius + piece.thickness;
+  const double least_return = rules.hem_return_t * workpiece.thickness;
+  const double outside = bend.inside_radius + workpiece.thickness;
   FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
-  for (const BendSide& side : piece.sides) {
+  for (const BendSide& side : workpiece.sides) {
     if (side.bend != b) continue;
-    const FlatLength flat = shortest_flat(piece, side, std::max(0.0, least_return - outside),
+    const FlatLength flat = shortest_flat(workpiece, side, std::max(0.0, least_return - outside),
                                           least_return);
     if (flat.length < shortest.length) shortest = flat;
   }
   const double measured = shortest.length + outside;
   if (measured >= least_return - kDrawn) return;
   Observation one = bend_observation(
-      piece, b, "hem",
+      workpiece, b, "hem",
       fmt::format("the return of the hem at bend {} is {} long from the outside "
                   "of the bend; at least {} ({}) is needed",
                   bend.id, mm_text(measured), mm_text(least_return),
@@ -67,11 +71,11 @@ void observe_hem(const Workpiece& piece, size_t b, const Rules& rules,
 }
 
 /// K is a property of material and tool, so all bends with the same wrong one make one finding.
-void observe_k_factors(const Workpiece& piece, const Rules& rules,
+void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
                        std::vector<Observation>& result) {
-  constexpr double kSame = 1e-6;           // K-factors this near are one
+  constexpr double kSame = tolerance::kWrittenDigits;
   std::vector<std::vector<size_t>> alike;  // bends by K, in the order of their first
-  const auto& bends = piece.pattern.bends;
+  const auto& bends = workpiece.pattern.bends;
   for (size_t b = 0; b < bends.size(); ++b) {
     const double k = bends[b].allowance.k_factor;
     if (k >= rules.k_low - kSame && k <= rules.k_high + kSame) continue;
@@ -101,7 +105,7 @@ void observe_k_factors(const Workpiece& piece, const Rules& rules,
                     source, number_text(rules.k_low), number_text(rules.k_high)),
         {}};
     for (const size_t b : group)
-      for (const Vec2& p : middle_of(piece, b))
+      for (const Vec2& p : middle_of(workpiece, b))
         finding.at.push_back(p);
     result.push_back({std::move(finding), number_text(first.allowance.k_factor), "", 0.0});
   }
@@ -109,16 +113,16 @@ void observe_k_factors(const Workpiece& piece, const Rules& rules,
 
 }  // namespace
 
-std::vector<Observation> observe_bend_shapes(const Workpiece& piece, const Rules& rules) {
+std::vector<Observation> observe_bend_shapes(const Workpiece& workpiece, const Rules& rules) {
   std::vector<Observation> result;
-  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
-    if (is_hem(piece.pattern.bends[b])) {
-      observe_hem(piece, b, rules, result);
+  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
+    if (is_hem(workpiece.pattern.bends[b])) {
+      observe_hem(workpiece, b, rules, result);
     } else {
-      observe_radius(piece, b, rules, result);
+      observe_radius(workpiece, b, rules, result);
     }
   }
-  observe_k_factors(piece, rules, result);
+  observe_k_factors(workpiece, rules, result);
   return result;
 }
 

@@ -10,15 +10,16 @@ namespace {
 constexpr int kStations = 9;
 
 /// Distance along a ray to a tangent line of another bend.
-std::pair<double, size_t> first_other_bend(const Workpiece& piece, size_t bend, const Vec2& origin,
-                                           const Vec2& direction, double reach) {
+std::pair<double, size_t> first_other_bend(const Workpiece& workpiece, size_t bend,
+                                           const Vec2& origin, const Vec2& direction,
+                                           double reach) {
   double nearest = std::numeric_limits<double>::infinity();
   size_t which = bend;
   Box2 box;
   box.add(origin);
   box.add(Vec2(origin + reach * direction));
-  piece.tangent_index.visit(box, [&](size_t i) {
-    const TangentPiece& other = piece.tangent_lines[i];
+  workpiece.tangent_index.visit(box, [&](size_t i) {
+    const TangentSegment& other = workpiece.tangent_lines[i];
     if (other.bend == bend) return;
     for (const double t : crossings(other.line, origin, direction)) {
       const double s = (point_at(other.line, t) - origin).dot(direction);
@@ -31,7 +32,7 @@ std::pair<double, size_t> first_other_bend(const Workpiece& piece, size_t bend, 
 }
 
 bool on_material(const BendSide& side, const Vec2& p) {
-  return std::any_of(side.pieces.begin(), side.pieces.end(),
+  return std::any_of(side.segments.begin(), side.segments.end(),
                      [&](const Segment& s) { return nearest(s, p).distance <= kDrawn; });
 }
 
@@ -42,11 +43,11 @@ double measured_setback(const FlatBend& bend, double thickness) {
   return (bend.inside_radius + thickness) * std::tan(half);
 }
 
-FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double reach,
+FlatLength shortest_flat(const Workpiece& workpiece, const BendSide& side, double reach,
                          double margin) {
   // An opening ends a flange only where the bend ends at it too: the window of a tab.
   const auto ends_flange = [&](size_t ring) {
-    return ring == 0 || piece.openings[ring - 1].bounds.contains(side.bend);
+    return ring == 0 || workpiece.openings[ring - 1].bounds.contains(side.bend);
   };
   FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
   const double share = side.length() > 0.0 ? std::min(0.25, margin / side.length()) : 0.25;
@@ -56,8 +57,9 @@ FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double re
     if (!on_material(side, station)) continue;
     // From a little inside the bend, so that an edge on the tangent line is met.
     const Vec2 origin = station - kDrawn * side.outward;
-    const double edge = piece.contours.first_hit(origin, side.outward, reach + kDrawn, ends_flange);
-    const auto [bend, which] = first_other_bend(piece, side.bend, origin, side.outward,
+    const double edge = workpiece.contours.first_hit(origin, side.outward, reach + kDrawn,
+                                                     ends_flange);
+    const auto [bend, which] = first_other_bend(workpiece, side.bend, origin, side.outward,
                                                 reach + kDrawn);
     const double length = std::max(0.0, std::min(edge, bend) - kDrawn);
     if (length >= shortest.length) continue;
@@ -66,29 +68,29 @@ FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double re
   return shortest;
 }
 
-std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules) {
+std::vector<Observation> observe_flange_heights(const Workpiece& workpiece, const Rules& rules) {
   std::vector<Observation> result;
   std::set<std::pair<size_t, size_t>> webs;  // between two bends: reported once
-  for (const BendSide& side : piece.sides) {
-    const FlatBend& bend = piece.pattern.bends[side.bend];
+  for (const BendSide& side : workpiece.sides) {
+    const FlatBend& bend = workpiece.pattern.bends[side.bend];
     if (is_hem(bend)) continue;
     // At 90° the outside of the bend lies R + T from the tangent line; the flat length that the
     // die needs beyond the bend is the same whatever the angle.
-    const double limit = rules.flange_height_t * piece.thickness +
+    const double limit = rules.flange_height_t * workpiece.thickness +
                          rules.flange_height_r * bend.inside_radius;
-    const double wanted = limit - (bend.inside_radius + piece.thickness);
+    const double wanted = limit - (bend.inside_radius + workpiece.thickness);
     if (wanted <= kDrawn) continue;
-    const FlatLength flat = shortest_flat(piece, side, wanted, limit);
+    const FlatLength flat = shortest_flat(workpiece, side, wanted, limit);
     if (flat.length >= wanted - kDrawn) continue;
     const bool nothing_flat = flat.length <= kDrawn;
     // A bend that runs into the next, or a rolled one that ends at the edge, has no flange there.
-    if (nothing_flat && (flat.other_bend || is_rolled(bend, piece.thickness))) continue;
+    if (nothing_flat && (flat.other_bend || is_rolled(bend, workpiece.thickness))) continue;
     if (flat.other_bend && !webs.insert(std::minmax(side.bend, *flat.other_bend)).second) continue;
-    const double setback = measured_setback(bend, piece.thickness);
+    const double setback = measured_setback(bend, workpiece.thickness);
     const std::string rule = factors_text(rules.flange_height_t, rules.flange_height_r);
     const std::string where = flat.other_bend
                                   ? fmt::format("between bends {} and {}", bend.id,
-                                                piece.pattern.bends[*flat.other_bend].id)
+                                                workpiece.pattern.bends[*flat.other_bend].id)
                                   : fmt::format("at bend {}", bend.id);
     result.push_back(
         {{"flange_height",

@@ -14,16 +14,16 @@ std::string wanted_text(double limit, double factor) {
   return fmt::format("; at least {} ({}) is needed", mm_text(limit), factors_text(factor));
 }
 
-Observation in_bend(const Workpiece& piece, const Opening& opening, size_t b) {
-  const FlatBend& bend = piece.pattern.bends[b];
+Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b) {
+  const FlatBend& bend = workpiece.pattern.bends[b];
   int limits_cut = 0;
-  for (const BendSide& side : piece.sides) {
+  for (const BendSide& side : workpiece.sides) {
     if (side.bend != b) continue;
     const auto ends_at_opening = [&](const Segment& s) {
       return gap_between(opening.boxed, Segment{s.a, s.a}, 2.0 * kDrawn).distance <= kDrawn ||
              gap_between(opening.boxed, Segment{s.b, s.b}, 2.0 * kDrawn).distance <= kDrawn;
     };
-    if (std::any_of(side.pieces.begin(), side.pieces.end(), ends_at_opening)) ++limits_cut;
+    if (std::any_of(side.segments.begin(), side.segments.end(), ends_at_opening)) ++limits_cut;
   }
   // A cut from flange to flange is made on purpose; an edge within the zone is torn open.
   const bool through = limits_cut == 2;
@@ -57,13 +57,13 @@ struct NearBend {
 };
 
 /// The nearest tangent line of each bend that is nearer than `limit` through material.
-std::vector<NearBend> near_bends(const Workpiece& piece, const Opening& opening, double limit) {
+std::vector<NearBend> near_bends(const Workpiece& workpiece, const Opening& opening, double limit) {
   std::vector<NearBend> found;
-  piece.tangent_index.visit(widened(opening.boxed.box, limit), [&](size_t i) {
-    const auto& [line, bend] = piece.tangent_lines[i];
+  workpiece.tangent_index.visit(widened(opening.boxed.box, limit), [&](size_t i) {
+    const auto& [line, bend] = workpiece.tangent_lines[i];
     if (opening.bounds.contains(bend) || opening.reaches_in.contains(bend)) return;
     const Gap gap = gap_between(opening.boxed, line, limit);
-    if (gap.distance >= limit - kDrawn || !piece.joined_by_material(gap.a, gap.b)) return;
+    if (gap.distance >= limit - kDrawn || !workpiece.joined_by_material(gap.a, gap.b)) return;
     const auto same = std::find_if(found.begin(), found.end(),
                                    [b = bend](const NearBend& n) { return n.bend == b; });
     if (same == found.end()) {
@@ -79,19 +79,19 @@ std::vector<NearBend> near_bends(const Workpiece& piece, const Opening& opening,
 
 }  // namespace
 
-std::vector<Observation> observe_openings_by_bends(const Workpiece& piece, const Rules& rules) {
-  const double limit = rules.opening_to_bend_t * piece.thickness;
+std::vector<Observation> observe_openings_by_bends(const Workpiece& workpiece, const Rules& rules) {
+  const double limit = rules.opening_to_bend_t * workpiece.thickness;
   std::vector<Observation> result;
-  for (const Opening& opening : piece.openings) {
+  for (const Opening& opening : workpiece.openings) {
     for (const size_t b : opening.reaches_in)
-      if (!is_rolled(piece.pattern.bends[b], piece.thickness))
-        result.push_back(in_bend(piece, opening, b));
-    for (const auto& [gap, bend] : near_bends(piece, opening, limit)) {
+      if (!is_rolled(workpiece.pattern.bends[b], workpiece.thickness))
+        result.push_back(in_bend(workpiece, opening, b));
+    for (const auto& [gap, bend] : near_bends(workpiece, opening, limit)) {
       result.push_back(
           {{"opening_to_bend",
             Severity::warning,
             fmt::format("{} is {} from the tangent line of bend {}{}", opening_text(opening),
-                        mm_text(gap.distance), piece.pattern.bends[bend].id,
+                        mm_text(gap.distance), workpiece.pattern.bends[bend].id,
                         wanted_text(limit, rules.opening_to_bend_t)),
             {gap.a}},
            opening.size_text,
@@ -102,12 +102,12 @@ std::vector<Observation> observe_openings_by_bends(const Workpiece& piece, const
   return result;
 }
 
-std::vector<Observation> observe_openings_by_edges(const Workpiece& piece, const Rules& rules) {
-  const double limit = rules.opening_to_edge_t * piece.thickness;
-  const Loop& outer = piece.pattern.outer.loop;
+std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, const Rules& rules) {
+  const double limit = rules.opening_to_edge_t * workpiece.thickness;
+  const Loop& outer = workpiece.pattern.outer.loop;
   const BoxTree edges(BoxedLoop(outer).boxes);
   std::vector<Observation> result;
-  for (const Opening& opening : piece.openings) {
+  for (const Opening& opening : workpiece.openings) {
     Gap nearest;
     edges.visit(widened(opening.boxed.box, limit), [&](size_t i) {
       const Gap gap = gap_between(opening.boxed, outer[i], std::min(limit, nearest.distance));
@@ -136,8 +136,8 @@ struct Neighbour {
 };
 
 /// The neighbour of each opening that is nearer than `limit` through material.
-std::vector<Neighbour> nearest_neighbours(const Workpiece& piece, double limit) {
-  const auto& openings = piece.openings;
+std::vector<Neighbour> nearest_neighbours(const Workpiece& workpiece, double limit) {
+  const auto& openings = workpiece.openings;
   std::vector<Box2> boxes;
   for (const Opening& opening : openings)
     boxes.push_back(opening.boxed.box);
@@ -149,7 +149,7 @@ std::vector<Neighbour> nearest_neighbours(const Workpiece& piece, double limit) 
       const double reach = std::min(limit,
                                     std::max(nearest[i].gap.distance, nearest[k].gap.distance));
       const Gap gap = gap_between(openings[i].boxed, openings[k].boxed, reach);
-      if (gap.distance >= reach - kDrawn || !piece.joined_by_material(gap.a, gap.b)) return;
+      if (gap.distance >= reach - kDrawn || !workpiece.joined_by_material(gap.a, gap.b)) return;
       if (gap.distance < nearest[i].gap.distance) nearest[i] = {gap, k};
       if (gap.distance < nearest[k].gap.distance) nearest[k] = {{gap.distance, gap.b, gap.a}, i};
     });
@@ -159,10 +159,11 @@ std::vector<Neighbour> nearest_neighbours(const Workpiece& piece, double limit) 
 
 }  // namespace
 
-std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules) {
-  const double limit = rules.opening_to_opening_t * piece.thickness;
-  const auto& openings = piece.openings;
-  const std::vector<Neighbour> nearest = nearest_neighbours(piece, limit);
+std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece,
+                                                      const Rules& rules) {
+  const double limit = rules.opening_to_opening_t * workpiece.thickness;
+  const auto& openings = workpiece.openings;
+  const std::vector<Neighbour> nearest = nearest_neighbours(workpiece, limit);
   std::vector<Observation> result;
   for (size_t i = 0; i < openings.size(); ++i) {
     const Neighbour& n = nearest[i];

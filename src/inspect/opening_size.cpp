@@ -86,10 +86,10 @@ double inscribed_radius(const Opening& opening, double enough) {
 
 }  // namespace
 
-std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rules& rules) {
-  const double limit = rules.smallest_opening_t * piece.thickness;
+std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const Rules& rules) {
+  const double limit = rules.smallest_opening_t * workpiece.thickness;
   std::vector<Observation> result;
-  for (const Opening& opening : piece.openings) {
+  for (const Opening& opening : workpiece.openings) {
     if (opening.is_cut) continue;
     const double width = 2.0 * inscribed_radius(opening, 0.5 * (limit - kDrawn));
     if (width >= limit - kDrawn) continue;

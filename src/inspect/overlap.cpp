@@ -19,11 +19,7 @@ using namespace inspect_detail;
 
 namespace {
 
-/// Share of the thickness by which pieces may cover each other and still only touch. A laser's kerf
-/// is a hundred times as wide.
-constexpr double kContactShare = 1e-3;
-
-/// By how much pieces are shrunk before their overlap is measured. Overlaps less deep than twice
+/// By how much regions are shrunk before their overlap is measured. Overlaps less deep than twice
 /// this cannot be told from the errors of flattened curves, or of a closed ring of joints, of which
 /// each side gets half.
 double contact_clearance(const FlatPattern& pattern) {
@@ -32,7 +28,7 @@ double contact_clearance(const FlatPattern& pattern) {
 }
 
 /// Everything that takes area in the pattern, and what part of the sheet it is.
-struct Pieces {
+struct Regions {
   std::vector<Polygon> polygons;
   std::vector<PartId> parts;
   std::vector<std::optional<FaceId>> faces;  ///< empty for the strip of a sharp bend
@@ -41,16 +37,16 @@ struct Pieces {
   std::map<std::pair<std::optional<FaceId>, std::optional<FaceId>>, double> shared;
 };
 
-void add_faces(const Sheet& sheet, const Layout& layout, double chord, Pieces& pieces) {
+void add_faces(const Sheet& sheet, const Layout& layout, double chord, Regions& regions) {
   for (const FaceId id : sheet.faces.ids()) {
-    pieces.polygons.push_back(polygon_of(layout.region(id), chord));
-    pieces.parts.push_back(sheet[id].part_of);
-    pieces.faces.emplace_back(id);
+    regions.polygons.push_back(polygon_of(layout.region(id), chord));
+    regions.parts.push_back(sheet[id].part_of);
+    regions.faces.emplace_back(id);
   }
 }
 
 /// A sharp bend has no face; its strip lies between the borders that it joins.
-void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
+void add_sharp_bends(const Sheet& sheet, const Layout& layout, Regions& regions) {
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
     const Curve2& a = layout.image(joint.a);
@@ -59,11 +55,11 @@ void add_sharp_bends(const Sheet& sheet, const Layout& layout, Pieces& pieces) {
     // A face lies left of its borders, or right of them where the pattern shows the other side.
     const double turn = signed_area(layout.outline(joint.a.face));
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
-      pieces.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
+      regions.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
     } else {
-      pieces.polygons.push_back({strip, {}});
-      pieces.parts.push_back(*joint.sharp);
-      pieces.faces.emplace_back(std::nullopt);
+      regions.polygons.push_back({strip, {}});
+      regions.parts.push_back(*joint.sharp);
+      regions.faces.emplace_back(std::nullopt);
     }
   }
 }
@@ -92,18 +88,19 @@ struct SharedArea {
 };
 using SharedByParts = std::map<std::pair<PartId, PartId>, SharedArea>;
 
-SharedByParts shared_by_parts(const Pieces& pieces, double clearance) {
+SharedByParts shared_by_parts(const Regions& regions, double clearance) {
   SharedByParts result;
-  for (const Overlap& overlap : overlaps(pieces.polygons, clearance, clearance * clearance)) {
+  for (const Overlap& overlap : overlaps(regions.polygons, clearance, clearance * clearance)) {
     const int first = overlap.first, second = overlap.second;
-    // Shrinking both pieces took a rim as wide as the clearance off what they share.
+    // Shrinking both regions took a rim as wide as the clearance off what they share.
     double area = overlap.area;
     for (const auto& ring : overlap.outline)
       area += clearance * ring_length(ring);
-    const auto allowed = pieces.shared.find(std::minmax(pieces.faces[first], pieces.faces[second]));
+    const auto allowed = regions.shared.find(
+        std::minmax(regions.faces[first], regions.faces[second]));
     constexpr double kSameArea = 1e-6;  // what shrinking and rounding leave
-    if (allowed != pieces.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
-    SharedArea& shared = result[std::minmax(pieces.parts[first], pieces.parts[second])];
+    if (allowed != regions.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
+    SharedArea& shared = result[std::minmax(regions.parts[first], regions.parts[second])];
     shared.area += area;
     shared.places += static_cast<int>(overlap.outline.size());
     for (const auto& ring : overlap.outline)
@@ -192,11 +189,11 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
   const double clearance = contact_clearance(pattern);
   const double chord = 0.25 *
                        clearance;  // polygons of one curve seen from both sides still touch only
-  Pieces pieces;
-  add_faces(sheet, layout, chord, pieces);
-  add_sharp_bends(sheet, layout, pieces);
+  Regions regions;
+  add_faces(sheet, layout, chord, regions);
+  add_sharp_bends(sheet, layout, regions);
 
-  const SharedByParts by_parts = shared_by_parts(pieces, clearance);
+  const SharedByParts by_parts = shared_by_parts(regions, clearance);
   std::vector<SharedByParts::const_iterator> order;
   for (auto it = by_parts.begin(); it != by_parts.end(); ++it)
     order.push_back(it);

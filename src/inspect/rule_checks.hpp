@@ -6,15 +6,16 @@
 namespace planish::inspect_detail {
 
 /// Violations of one or a few rules each, in the order of bends and openings.
-std::vector<Observation> observe_flange_heights(const Workpiece& piece, const Rules& rules);
-std::vector<Observation> observe_reliefs(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_flange_heights(const Workpiece& workpiece, const Rules& rules);
+std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules& rules);
 /// Inside radius, hem diameter and return, K-factor.
-std::vector<Observation> observe_bend_shapes(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_bend_shapes(const Workpiece& workpiece, const Rules& rules);
 
-std::vector<Observation> observe_openings_by_bends(const Workpiece& piece, const Rules& rules);
-std::vector<Observation> observe_openings_by_edges(const Workpiece& piece, const Rules& rules);
-std::vector<Observation> observe_openings_by_openings(const Workpiece& piece, const Rules& rules);
-std::vector<Observation> observe_opening_sizes(const Workpiece& piece, const Rules& rules);
+std::vector<Observation> observe_openings_by_bends(const Workpiece& workpiece, const Rules& rules);
+std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, const Rules& rules);
+std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece,
+                                                      const Rules& rules);
+std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const Rules& rules);
 
 /// Distance from the outside of a bend to its tangent line, as a shop measures a leg: from the
 /// outer mould line up to 90°, from the tangent plane beyond.
@@ -28,6 +29,7 @@ struct FlatLength {
 };
 /// The shortest flat length at a side of a bend, up to `reach`, measured at stations along it.
 /// Within `margin` of the ends of the bend, chamfers and rounded corners are accepted.
-FlatLength shortest_flat(const Workpiece& piece, const BendSide& side, double reach, double margin);
+FlatLength shortest_flat(const Workpiece& workpiece, const BendSide& side, double reach,
+                         double margin);
 
 }  // namespace planish::inspect_detail

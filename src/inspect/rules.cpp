@@ -52,12 +52,12 @@ std::span<const RuleField> rule_fields() {
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
                                  const Rules& rules) {
   if (!rules.enabled) return {};
-  const Workpiece piece(sheet, pattern);
+  const Workpiece workpiece(sheet, pattern);
   std::vector<Observation> all;
   for (const auto observe :
        {observe_flange_heights, observe_reliefs, observe_bend_shapes, observe_openings_by_bends,
         observe_openings_by_edges, observe_openings_by_openings, observe_opening_sizes}) {
-    for (Observation& one : observe(piece, rules))
+    for (Observation& one : observe(workpiece, rules))
       all.push_back(std::move(one));
   }
   return grouped(std::move(all));

@@ -2,6 +2,7 @@
 
 #include "observation.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
 #include <fmt/format.h>
@@ -35,12 +36,12 @@ std::vector<std::vector<Vec2>> contour_rings(const FlatPattern& pattern,
   return rings;
 }
 
-/// Ends of collinear pieces, farthest apart along the first.
-BendSpan span_of(const std::vector<Segment>& pieces) {
-  const Vec2 direction = (pieces.front().b - pieces.front().a).stableNormalized();
-  BendSpan span{pieces.front().a, pieces.front().b};
-  for (const Segment& piece : pieces) {
-    for (const Vec2& p : {piece.a, piece.b}) {
+/// Ends of collinear segments, farthest apart along the first.
+BendSpan span_of(const std::vector<Segment>& segments) {
+  const Vec2 direction = (segments.front().b - segments.front().a).stableNormalized();
+  BendSpan span{segments.front().a, segments.front().b};
+  for (const Segment& segment : segments) {
+    for (const Vec2& p : {segment.a, segment.b}) {
       if ((p - span.start).dot(direction) < 0.0) span.start = p;
       if ((p - span.end).dot(direction) > 0.0) span.end = p;
     }
@@ -86,12 +87,12 @@ std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
     if (offset < kDrawn) right.push_back(line);
   }
   std::vector<BendSide> sides;
-  const auto add = [&](std::vector<Segment>& pieces, const Vec2& away) {
-    if (pieces.empty()) return;
-    const BendSpan span = span_of(pieces);
+  const auto add = [&](std::vector<Segment>& segments, const Vec2& away) {
+    if (segments.empty()) return;
+    const BendSpan span = span_of(segments);
     Vec2 outward = perpendicular((span.end - span.start).stableNormalized());
     if (outward.dot(away) < 0.0) outward = -outward;
-    sides.push_back({id, std::move(pieces), span.start, span.end, outward});
+    sides.push_back({id, std::move(segments), span.start, span.end, outward});
   };
   add(left, across);
   add(right, -across);
@@ -151,12 +152,14 @@ Opening opening_of(const Contour& contour, SizeTeller& size_text) {
 
 /// Which bends end at an opening, and into which it reaches. At a relief or a window a bend has an
 /// outermost end; an opening elsewhere lies in its course.
-void relate(Opening& opening, const Sheet& sheet, const Contour& contour, const Workpiece& piece) {
+void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
+            const Workpiece& workpiece) {
   const std::set<BendId> cut = bends_cut(sheet, contour);
-  for (size_t b = 0; b < piece.pattern.bends.size(); ++b) {
-    const FlatBend& bend = piece.pattern.bends[b];
-    if (!piece.spans[b] || box_distance(piece.zones[b], opening.boxed.box) > kDrawn) continue;
-    if (at_loop(opening, piece.spans[b]->start) || at_loop(opening, piece.spans[b]->end)) {
+  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
+    const FlatBend& bend = workpiece.pattern.bends[b];
+    if (!workpiece.spans[b] || box_distance(workpiece.zones[b], opening.boxed.box) > kDrawn)
+      continue;
+    if (at_loop(opening, workpiece.spans[b]->start) || at_loop(opening, workpiece.spans[b]->end)) {
       opening.bounds.insert(b);
       continue;
     }
@@ -185,7 +188,7 @@ Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
   }
   std::vector<Box2> boxes;
   for (const BendSide& side : sides) {
-    for (const Segment& line : side.pieces) {
+    for (const Segment& line : side.segments) {
       tangent_lines.push_back({line, side.bend});
       boxes.push_back(bounds(line));
     }
@@ -217,8 +220,8 @@ bool is_rolled(const FlatBend& bend, double thickness) {
 }
 
 bool is_hem(const FlatBend& bend) {
-  constexpr double kHem = 170.0, kNoise = 1e-6;  // degrees; what a drawing is off by
-  return bend.angle.degrees() >= kHem - kNoise;
+  constexpr double kHem = 170.0;  // degrees
+  return bend.angle.degrees() >= kHem * (1.0 - tolerance::kWrittenDigits);
 }
 
 }  // namespace planish::inspect_detail

@@ -14,16 +14,16 @@ namespace planish::inspect_detail {
 
 /// One limit of a bend zone: where a flange begins.
 struct BendSide {
-  size_t bend = 0;              ///< index in the pattern's bends
-  std::vector<Segment> pieces;  ///< tangent line, where there is material
-  Vec2 start = Vec2::Zero();    ///< ends of the whole line
+  size_t bend = 0;                ///< index in the pattern's bends
+  std::vector<Segment> segments;  ///< tangent line, where there is material
+  Vec2 start = Vec2::Zero();      ///< ends of the whole line
   Vec2 end = Vec2::Zero();
   Vec2 outward = Vec2::Zero();  ///< unit vector across the line, away from the bend zone
   double length() const { return (end - start).norm(); }
 };
 
-/// A piece of a tangent line and its bend.
-struct TangentPiece {
+/// A segment of a tangent line and its bend.
+struct TangentSegment {
   Segment line;
   size_t bend = 0;
 };
@@ -56,7 +56,7 @@ struct Workpiece {
   std::vector<BendSide> sides;
   std::vector<std::optional<BendSpan>> spans;  ///< by bend; empty without bend lines
   std::vector<Box2> zones;                     ///< by bend: box of its lines
-  std::vector<TangentPiece> tangent_lines;     ///< the pieces of all sides
+  std::vector<TangentSegment> tangent_lines;   ///< the segments of all sides
   BoxTree tangent_index;                       ///< of their boxes
   std::vector<Opening> openings;
 

@@ -37,7 +37,7 @@ Loop with_short_arcs(const Loop& loop) {
   Loop result;
   for (const Curve2& curve : loop) {
     const Arc* arc = std::get_if<Arc>(&curve);
-    // Half turns come with rounding; they stay one piece.
+    // Half turns come with rounding; they stay one curve.
     if (arc && std::abs(arc->sweep) > pi * (1.0 + tolerance::kComputed)) {
       Arc half = *arc;
       half.sweep *= 0.5;
@@ -72,25 +72,25 @@ Vec2 joint(const Curve2& previous, const Curve2& next) {
   return computed && !std::holds_alternative<Arc>(previous) ? end_of(previous) : start_of(next);
 }
 
-/// The pieces that have a length, each with the point where it starts: a piece without length would
+/// The curves that have a length, each with the point where it starts: a curve without length would
 /// double a vertex, which cutting programs stumble over.
-struct Piece {
+struct OutlineCurve {
   Curve2 curve;
   Vec2 start;
 };
 
-std::vector<Piece> pieces_of(const Loop& loop) {
+std::vector<OutlineCurve> curves_of(const Loop& loop) {
   std::vector<Vec2> joints;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     joints.push_back(joint(loop[(i + loop.size() - 1) % loop.size()], loop[i]));
   }
-  std::vector<Piece> pieces;
+  std::vector<OutlineCurve> curves;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const double gap = (joints[(i + 1) % loop.size()] - joints[i]).norm();
     const bool closed_spline = loop.size() == 1 && std::holds_alternative<CubicSpline>(loop[i]);
-    if (gap >= kSamePoint || closed_spline) pieces.push_back({loop[i], joints[i]});
+    if (gap >= kSamePoint || closed_spline) curves.push_back({loop[i], joints[i]});
   }
-  return pieces;
+  return curves;
 }
 
 double bulge_of(const Curve2& curve) {
@@ -101,8 +101,8 @@ double bulge_of(const Curve2& curve) {
 
 Polyline polyline_of(const Loop& loop) {
   Polyline result;
-  for (const Piece& piece : pieces_of(loop))
-    result.vertices.push_back({piece.start, bulge_of(piece.curve)});
+  for (const OutlineCurve& curve : curves_of(loop))
+    result.vertices.push_back({curve.start, bulge_of(curve.curve)});
   return result;
 }
 
@@ -128,11 +128,11 @@ Curve2 between(const Curve2& curve, const Vec2& a, const Vec2& b) {
 }
 
 Loop chain_of(const Loop& loop) {
-  const std::vector<Piece> pieces = pieces_of(loop);
+  const std::vector<OutlineCurve> curves = curves_of(loop);
   Loop result;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Vec2& end = pieces[(i + 1) % pieces.size()].start;
-    result.push_back(between(pieces[i].curve, pieces[i].start, end));
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    const Vec2& end = curves[(i + 1) % curves.size()].start;
+    result.push_back(between(curves[i].curve, curves[i].start, end));
   }
   return result;
 }

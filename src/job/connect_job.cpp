@@ -39,7 +39,8 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const R
 Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                      const Progress& progress) {
   ConnectReport report = begun<ConnectReport>(request, file.units);
-  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); })) {
+  if (const auto error = run_reporting(report,
+                                       [&] { return fill(report, file, request, progress); })) {
     return tl::unexpected(*error);
   }
   return report;

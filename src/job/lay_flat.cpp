@@ -2,6 +2,7 @@
 
 #include "verdict.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr double kCubicDecimetre = 1e6;  // mm³
 constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 
 // Bends of one table row may differ in the last digits; that is still one K.
-constexpr double kSameK = 1e-9;
+constexpr double kSameK = tolerance::kComputed;
 
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
@@ -60,7 +61,7 @@ void take_pattern(Report& report, FlatSheet flat, const SheetToLay& given,
   summarize_k(report.summary, report.flat, options.allowance);
 }
 
-std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOptions options) {
+std::optional<Error> lay_draft(Report& report, const SheetToLay& given, FlattenOptions options) {
   constexpr double kSeen = 1e-3;  // mm; a pixel is far wider
   options.curve_tolerance = std::max(options.curve_tolerance, kSeen);
   auto flat = flat_sheet(given.sheet, options);
@@ -70,8 +71,8 @@ std::optional<Error> drafted(Report& report, const SheetToLay& given, FlattenOpt
 }
 
 // What is wrong comes back, what is known is in the report.
-std::optional<Error> certified(Report& report, const SheetToLay& given,
-                               const FlattenOptions& options, const Progress& progress) {
+std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
+                                     const FlattenOptions& options, const Progress& progress) {
   progress.at("laying it flat", 0.5);
   auto flat = flat_sheet(given.sheet, options);
   if (!flat) return flat.error();
@@ -92,7 +93,7 @@ std::optional<Error> certified(Report& report, const SheetToLay& given,
   return std::nullopt;
 }
 
-std::optional<Error> inspected(Report& report, const SheetToLay& given) {
+std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   const std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
   append(report.findings, overlaps);
   if (!given.checks.write_overlapping) {
@@ -120,14 +121,15 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
                               const FlattenOptions& options, const Progress& progress) {
   if (progress.should_stop()) return stopped();
   report.sheet = given.sheet;
-  if (given.checks.effort == Effort::draft) return drafted(report, given, options);
-  if (auto error = certified(report, given, options, progress)) return error;
+  if (given.checks.effort == Effort::draft) return lay_draft(report, given, options);
+  if (auto error = lay_and_certify(report, given, options, progress)) return error;
   if (progress.should_stop()) return stopped();
   progress.at("checking", 0.9);
-  return inspected(report, given);
+  return inspect_pattern(report, given);
 }
 
-std::optional<Error> reported(Report& report, const std::function<std::optional<Error>()>& work) {
+std::optional<Error> run_reporting(Report& report,
+                                   const std::function<std::optional<Error>()>& work) {
   const auto start = std::chrono::steady_clock::now();
   auto error = work();
   report.unfold_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start)

@@ -27,6 +27,7 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
 
 /// Does the work, which fills a report, and takes its time; an error of status 4 becomes the
 /// report's refusal, any other comes back.
-std::optional<Error> reported(Report& report, const std::function<std::optional<Error>()>& work);
+std::optional<Error> run_reporting(Report& report,
+                                   const std::function<std::optional<Error>()>& work);
 
 }  // namespace planish::job

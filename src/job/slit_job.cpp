@@ -196,7 +196,7 @@ std::optional<Error> fill(SlitReport& report, const SlitFile& file, const Reques
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
                                const Request& request, const Progress& progress) {
   SlitReport report = begun<SlitReport>(request, file.units);
-  if (const auto error = reported(
+  if (const auto error = run_reporting(
           report, [&] { return lay_solved(report, session, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
@@ -205,7 +205,8 @@ Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
 Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
                               const Progress& progress) {
   SlitReport report = begun<SlitReport>(request, file.units);
-  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
+  if (const auto error = run_reporting(report,
+                                       [&] { return fill(report, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }

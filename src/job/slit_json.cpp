@@ -17,7 +17,7 @@ constexpr int kMostSubdivisions = 6;
 
 constexpr int kMostStrips = 10000;
 
-const Words<Side> kSides{{"left", Side::left}, {"right", Side::right}};
+const Words<StripEdge> kSides{{"left", StripEdge::left}, {"right", StripEdge::right}};
 const Words<EndAngle> kEndAngles{
     {"right_angle", EndAngle::right_angle}, {"level", EndAngle::level}, {"free", EndAngle::free}};
 const Words<double SlitWeights::*> kWeights{

@@ -3,6 +3,7 @@
 #include "lay_flat.hpp"
 #include "made_report.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/job/transition.hpp>
 
 #include <fmt/format.h>
@@ -21,7 +22,7 @@ constexpr double kMerged = 5e-7;
 constexpr double kFolded = 1e-8;
 
 /// A share of the extent that nobody sees.
-constexpr double kDrawn = 1e-7;
+constexpr double kDrawn = tolerance::kFileDigits;
 
 FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
   FlattenOptions options;
@@ -114,7 +115,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
 Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                             const Progress& progress) {
   TransitionReport report = begun<TransitionReport>(request, file.units);
-  if (const auto error = reported(report, [&] { return fill(report, file, request, progress); }))
+  if (const auto error = run_reporting(report,
+                                       [&] { return fill(report, file, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }

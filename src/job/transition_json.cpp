@@ -1,6 +1,7 @@
 #include "input_schemas.hpp"
 #include "json_reading.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/job/transition_json.hpp>
 
 #include <fmt/format.h>
@@ -79,7 +80,7 @@ Frame frame_at(const JsonPlace& place) {
   if (!place.given()) return {};
   const Vec3 origin = place["origin"].given() ? place["origin"].point() : Vec3::Zero();
   const Vec3 z = place["normal"].direction().value_or(Vec3::UnitZ());
-  constexpr double kParallel = 1e-6;
+  constexpr double kParallel = tolerance::kWrittenDigits;  // sine
   const bool x_given = place["x"].given();
   const Vec3 x = place["x"].direction().value_or(Vec3::UnitX());
   if (x.cross(z).norm() > kParallel) return frame_from_axes(origin, z, x);
@@ -119,9 +120,9 @@ std::optional<Seam> seam_at(const JsonPlace& place) {
   return SeamParameter{place["parameter"].number()};
 }
 
-Pieces pieces_at(const JsonPlace& place) {
-  if (place.is_text()) return Pieces::per_side;
-  return place.whole() == 2 ? Pieces::two : Pieces::one;
+Division pieces_at(const JsonPlace& place) {
+  if (place.is_text()) return Division::per_side;
+  return place.whole() == 2 ? Division::two : Division::one;
 }
 
 Pressing pressing_at(const JsonPlace& place) {

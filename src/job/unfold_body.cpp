@@ -30,7 +30,8 @@ std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
 Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
                                        const Request& request, const Progress& progress) {
   UnfoldReport report = begun(body, request);
-  if (const auto error = reported(report, [&] { return fill(report, found, request, progress); }))
+  if (const auto error = run_reporting(report,
+                                       [&] { return fill(report, found, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
@@ -42,7 +43,7 @@ Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
     progress.at("finding the sheet", 0.2);
     return fill(report, recognize(body), request, progress);
   };
-  if (const auto error = reported(report, work)) return tl::unexpected(*error);
+  if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
   return report;
 }
 

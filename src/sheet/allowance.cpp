@@ -80,7 +80,7 @@ std::vector<TablePoint> points_of(const BendTable& table) {
 
 /// The same place along one dimension: tables write 0.0598 where CAD has 0.05980001.
 bool same(double a, double b) {
-  constexpr double kRelative = 1e-6;  // tables have four digits, CAD has seven
+  constexpr double kRelative = tolerance::kWrittenDigits;
   return std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
 }
 
@@ -218,7 +218,7 @@ Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness
 }
 
 double outside_setback(double inside_radius, double thickness, Angle angle) {
-  constexpr double kNearly = 1e-6;  // rad: a hem in a CAD file is seldom closer to its half turn
+  constexpr double kNearly = tolerance::kWrittenDigits;  // rad: of a hem in a CAD file
   constexpr double kHalfTurn = std::numbers::pi - kNearly;
   const double outside_radius = inside_radius + thickness;
   return angle.radians() < kHalfTurn ? outside_radius * std::tan(angle.radians() / 2.0)

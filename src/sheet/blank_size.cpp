@@ -4,9 +4,8 @@
 namespace planish {
 
 Vec2 blank_size(const FlatPattern& pattern) {
-  constexpr double kChord = 1e-4;  // mm
   if (pattern.outer.loop.empty()) return Vec2::Zero();
-  return smallest_rectangle(sampled(pattern.outer.loop, kChord)).size;
+  return smallest_rectangle(sampled(pattern.outer.loop, kImageTolerance)).size;
 }
 
 }  // namespace planish

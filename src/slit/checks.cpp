@@ -172,7 +172,7 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
                 where + "/ridge");
   if (auto sound = check_place(wish.at, "an anchor", where + "/at"); !sound) return sound;
   const PanelFacet& facet = facet_of(panel, wish.strip);
-  const std::size_t side = wish.side == Side::left ? 0 : 1;
+  const std::size_t side = wish.side == StripEdge::left ? 0 : 1;
   const double start = design.sheet.start_of(wish.strip)[side];
   const Vec3 from = facet.frame.point({start, facet.corners[side == 0 ? 1 : 2].y()});
   const double available = wish.ridge == 0 ? 0.0 : design.sheet.end_of(wish.strip) - start;
@@ -204,7 +204,7 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
     if (direction && !(direction->allFinite() && direction->norm() > 0.0))
       return invalid("a direction is zero or not finite", where + key);
   if (end.direction && end.across) {
-    constexpr double kPerpendicular = 1e-6;  // cosine, of directions written with six digits
+    constexpr double kPerpendicular = tolerance::kWrittenDigits;  // cosine
     const double cosine = end.direction->normalized().dot(end.across->normalized());
     if (std::abs(cosine) > kPerpendicular)
       return invalid(

@@ -87,8 +87,8 @@ bool cross(const FoldedStrip& a, const FoldedStrip& b) {
 }
 
 std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour,
-                                     Side where_neighbour_is) {
-  const std::size_t own = where_neighbour_is == Side::left ? 0 : 1, theirs = 1 - own;
+                                     StripEdge where_neighbour_is) {
+  const std::size_t own = where_neighbour_is == StripEdge::left ? 0 : 1, theirs = 1 - own;
   const double sense = own == 0 ? 1.0 : -1.0;
   const double width = std::abs(strip.ridges.front().flat[1].y() -
                                 strip.ridges.front().flat[0].y());

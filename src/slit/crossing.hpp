@@ -14,7 +14,7 @@ bool cross(const FoldedStrip& a, const FoldedStrip& b);
 /// neighbour's near border next to each of its own near ridge ends, perpendicular to the neighbour
 /// there. Ends farther from the neighbour's surface than the strip is wide are left free.
 std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour,
-                                     Side where_neighbour_is);
+                                     StripEdge where_neighbour_is);
 
 /// Planes that keep a strip on its side of x = 0, `sign` being that of x there.
 std::vector<HalfSpace> planes_before_mirror(int quads, double sign);

@@ -2,14 +2,18 @@
 
 #include "strip_problem.hpp"
 
+#include <planish/slit/session.hpp>
+
 #include <functional>
 
 namespace planish::slit_detail {
 
 struct DescentOptions {
   int max_iterations = 200;
-  double function_tolerance = 1e-7;  ///< gain of an iteration, as a share, at which it is done
-  std::function<bool()> stop = {};   ///< asked after every iteration
+  double function_tolerance = SlitSolveOptions{}.function_tolerance;  ///< gain of an iteration, as
+                                                                      ///< a share, at which it is
+                                                                      ///< done
+  std::function<bool()> stop = {};  ///< asked after every iteration
 };
 
 /// The best shape so far.

@@ -16,37 +16,37 @@ namespace {
 
 constexpr double kFolds = tolerance::kComputed;  // radians; less is rounding
 
-/// A plane piece in flat coordinates, counter-clockwise, and where it lies in space.
-struct Piece {
+/// A plane region in flat coordinates, counter-clockwise, and where it lies in space.
+struct PlaneRegion {
   Frame frame;
   std::vector<Vec2> corners;
   int border_count() const { return static_cast<int>(corners.size()); }
 };
 
-/// The mirror image in x = 0 of a piece, which lies beyond the symmetry line of the flat sheet. Its
-/// border n − 1 − i is the image of border i.
-Piece mirrored(const Piece& piece, double symmetry_line) {
+/// The mirror image in x = 0 of a region, which lies beyond the symmetry line of the flat sheet.
+/// Its border n − 1 − i is the image of border i.
+PlaneRegion mirrored(const PlaneRegion& region, double symmetry_line) {
   const auto in_space = [](Vec3 v) -> Vec3 { return {-v.x(), v.y(), v.z()}; };
-  Piece image;
-  image.frame.origin = in_space(piece.frame.origin + 2.0 * symmetry_line * piece.frame.x);
-  image.frame.x = -in_space(piece.frame.x);
-  image.frame.y = in_space(piece.frame.y);
-  image.frame.z = in_space(piece.frame.z);
-  for (const Vec2& corner : piece.corners)
+  PlaneRegion image;
+  image.frame.origin = in_space(region.frame.origin + 2.0 * symmetry_line * region.frame.x);
+  image.frame.x = -in_space(region.frame.x);
+  image.frame.y = in_space(region.frame.y);
+  image.frame.z = in_space(region.frame.z);
+  for (const Vec2& corner : region.corners)
     image.corners.emplace_back(2.0 * symmetry_line - corner.x(), corner.y());
   std::reverse(image.corners.begin() + 1, image.corners.end());
   return image;
 }
 
-/// Two pieces that share a border.
-struct Seam {
+/// Two regions that share a border.
+struct SharedBorder {
   int a = 0, border_a = 0, b = 0, border_b = 0;
 };
 
-/// The sheet's pieces and how they hang together.
-struct Pieces {
-  std::vector<Piece> pieces;
-  std::vector<Seam> seams;
+/// The sheet's regions and how they hang together.
+struct JoinedRegions {
+  std::vector<PlaneRegion> all;
+  std::vector<SharedBorder> shared;
 };
 
 /// Borders of a facet: of the parts of its sides that touch neighbours, and of its top.
@@ -58,61 +58,63 @@ struct FacetBorders {
 constexpr int kFarRidge = 1, kNearRidge = 3;
 
 /// A facet of the panel. Where a neighbour is lower, its corner divides the side.
-std::pair<Piece, FacetBorders> facet_piece(const std::vector<PanelFacet>& panel, std::size_t i) {
+std::pair<PlaneRegion, FacetBorders> facet_region(const std::vector<PanelFacet>& panel,
+                                                  std::size_t i) {
   const auto& [bottom_left, top_left, top_right, bottom_right] = panel[i].corners;
-  Piece piece{panel[i].frame, {bottom_left}};
+  PlaneRegion region{panel[i].frame, {bottom_left}};
   FacetBorders borders;
   if (i > 0 && panel[i - 1].corners[2].x() < top_left.x())
-    piece.corners.push_back(panel[i - 1].corners[2]);
-  piece.corners.push_back(top_left);
-  borders.top = piece.border_count() - 1;
-  piece.corners.push_back(top_right);
+    region.corners.push_back(panel[i - 1].corners[2]);
+  region.corners.push_back(top_left);
+  borders.top = region.border_count() - 1;
+  region.corners.push_back(top_right);
   if (i + 1 < panel.size() && panel[i + 1].corners[1].x() < top_right.x())
-    piece.corners.push_back(panel[i + 1].corners[1]);
-  borders.right = piece.border_count() - 1;
-  piece.corners.push_back(bottom_right);
-  return {std::move(piece), borders};
+    region.corners.push_back(panel[i + 1].corners[1]);
+  borders.right = region.border_count() - 1;
+  region.corners.push_back(bottom_right);
+  return {std::move(region), borders};
 }
 
 /// The quads of a strip, from the border where it leaves the panel. Returns the last of them.
-int add_strip(Pieces& half, const FoldedStrip& strip, int facet, int top) {
-  Seam seam{facet, top, 0, kNearRidge};
+int add_strip(JoinedRegions& half, const FoldedStrip& strip, int facet, int top) {
+  SharedBorder border{facet, top, 0, kNearRidge};
   for (std::size_t i = 0; i < strip.quads.size(); ++i) {
     const SlitRidge &near = strip.ridges[i], &far = strip.ridges[i + 1];
-    seam.b = static_cast<int>(half.pieces.size());
-    half.seams.push_back(seam);
-    half.pieces.push_back({strip.quads[i], {near.flat[0], far.flat[0], far.flat[1], near.flat[1]}});
-    seam = {seam.b, kFarRidge, 0, kNearRidge};
+    border.b = static_cast<int>(half.all.size());
+    half.shared.push_back(border);
+    half.all.push_back({strip.quads[i], {near.flat[0], far.flat[0], far.flat[1], near.flat[1]}});
+    border = {border.b, kFarRidge, 0, kNearRidge};
   }
-  return seam.a;
+  return border.a;
 }
 
 /// Both halves, joined at the far ridges of the strips' last quads.
-Pieces with_mirror_image(Pieces half, double symmetry_line, const std::vector<int>& last_quads) {
-  Pieces whole = half;
-  const int count = static_cast<int>(half.pieces.size());
-  for (const Piece& piece : half.pieces)
-    whole.pieces.push_back(mirrored(piece, symmetry_line));
-  const auto image = [&](int piece, int border) {
-    return half.pieces[piece].border_count() - 1 - border;
+JoinedRegions with_mirror_image(JoinedRegions half, double symmetry_line,
+                                const std::vector<int>& last_quads) {
+  JoinedRegions whole = half;
+  const int count = static_cast<int>(half.all.size());
+  for (const PlaneRegion& region : half.all)
+    whole.all.push_back(mirrored(region, symmetry_line));
+  const auto image = [&](int region, int border) {
+    return half.all[region].border_count() - 1 - border;
   };
-  for (const Seam& seam : half.seams)
-    whole.seams.push_back({count + seam.a, image(seam.a, seam.border_a), count + seam.b,
-                           image(seam.b, seam.border_b)});
+  for (const SharedBorder& border : half.shared)
+    whole.shared.push_back({count + border.a, image(border.a, border.border_a), count + border.b,
+                            image(border.b, border.border_b)});
   for (const int quad : last_quads)
-    whole.seams.push_back({quad, kFarRidge, count + quad, image(quad, kFarRidge)});
+    whole.shared.push_back({quad, kFarRidge, count + quad, image(quad, kFarRidge)});
   return whole;
 }
 
 /// The panel, then the strips, then their mirror images.
-Pieces pieces_of(const FoldedSlitSheet& folded) {
-  Pieces half;
+JoinedRegions regions_of(const FoldedSlitSheet& folded) {
+  JoinedRegions half;
   std::vector<FacetBorders> borders;
   for (std::size_t i = 0; i < folded.panel.size(); ++i) {
-    auto [piece, its] = facet_piece(folded.panel, i);
+    auto [region, its] = facet_region(folded.panel, i);
     const int facet = static_cast<int>(i);
-    if (i > 0) half.seams.push_back({facet - 1, borders.back().right, facet, its.left});
-    half.pieces.push_back(std::move(piece));
+    if (i > 0) half.shared.push_back({facet - 1, borders.back().right, facet, its.left});
+    half.all.push_back(std::move(region));
     borders.push_back(its);
   }
   std::vector<int> last_quads;
@@ -123,62 +125,62 @@ Pieces pieces_of(const FoldedSlitSheet& folded) {
   return folded.symmetric ? with_mirror_image(std::move(half), folded.reach, last_quads) : half;
 }
 
-/// Angle by which the sheet is folded where two pieces meet; positive away from its front.
-double fold_between(const Piece& a, int border, const Piece& b) {
+/// Angle by which the sheet is folded where two regions meet; positive away from its front.
+double fold_between(const PlaneRegion& a, int border, const PlaneRegion& b) {
   const std::size_t i = static_cast<std::size_t>(border), n = a.corners.size();
-  // The piece lies left of its border, so the other one's normal leans outwards where the front is
+  // The region lies left of its border, so the other one's normal leans outwards where the front is
   // convex.
   const Vec3 along = (a.frame.point(a.corners[(i + 1) % n]) - a.frame.point(a.corners[i]))
                          .normalized();
   return std::atan2(along.dot(a.frame.z.cross(b.frame.z)), a.frame.z.dot(b.frame.z));
 }
 
-/// Pieces that are one plane.
-UnionFind planes_of(std::size_t count, const std::vector<Seam>& seams,
+/// JoinedRegions that are one plane.
+UnionFind planes_of(std::size_t count, const std::vector<SharedBorder>& shared,
                     const std::vector<double>& folds) {
   UnionFind planes(static_cast<int>(count));
-  for (std::size_t s = 0; s < seams.size(); ++s)
-    if (std::abs(folds[s]) <= kFolds) planes.unite(seams[s].a, seams[s].b);
+  for (std::size_t s = 0; s < shared.size(); ++s)
+    if (std::abs(folds[s]) <= kFolds) planes.unite(shared[s].a, shared[s].b);
   return planes;
 }
 
-Face face_of(const Piece& piece, FlangeId flange) {
+Face face_of(const PlaneRegion& region, FlangeId flange) {
   Face face;
-  face.surface = piece.frame;
+  face.surface = region.frame;
   face.part_of = flange;
   BorderLoop& loop = face.loops.emplace_back();
-  for (std::size_t i = 0; i < piece.corners.size(); ++i) {
-    const Vec2 &from = piece.corners[i], &to = piece.corners[(i + 1) % piece.corners.size()];
+  for (std::size_t i = 0; i < region.corners.size(); ++i) {
+    const Vec2 &from = region.corners[i], &to = region.corners[(i + 1) % region.corners.size()];
     Border border{Segment{from, to}};
-    border.edge_length = (piece.frame.point(to) - piece.frame.point(from)).norm();
+    border.edge_length = (region.frame.point(to) - region.frame.point(from)).norm();
     loop.push_back(border);
   }
   return face;
 }
 
-void add_faces(SheetBuilder& builder, const Pieces& pieces, UnionFind& planes) {
-  std::vector<std::optional<FlangeId>> flanges(pieces.pieces.size());
-  for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
+void add_faces(SheetBuilder& builder, const JoinedRegions& joined, UnionFind& planes) {
+  std::vector<std::optional<FlangeId>> flanges(joined.all.size());
+  for (std::size_t i = 0; i < joined.all.size(); ++i) {
     auto& flange = flanges[planes.root(static_cast<int>(i))];
     if (!flange) flange = builder.add_flange();
-    builder.add_face(face_of(pieces.pieces[i], *flange));
+    builder.add_face(face_of(joined.all[i], *flange));
   }
 }
 
-void add_joints(SheetBuilder& builder, const Pieces& pieces, const std::vector<double>& folds,
-                UnionFind& planes) {
-  for (std::size_t s = 0; s < pieces.seams.size(); ++s) {
-    const Seam& seam = pieces.seams[s];
+void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
+                const std::vector<double>& folds, UnionFind& planes) {
+  for (std::size_t s = 0; s < joined.shared.size(); ++s) {
+    const SharedBorder& border = joined.shared[s];
     std::optional<BendId> sharp;
-    if (!planes.same(seam.a, seam.b)) {
+    if (!planes.same(border.a, border.b)) {
       Bend bend;
       bend.kind = BendKind::sharp;
       bend.angle = Angle::radians(std::abs(folds[s]));
       bend.reference_inside = folds[s] < 0.0;
       sharp = builder.add_bend(std::move(bend));
     }
-    builder.join({static_cast<FaceId>(seam.a), 0, seam.border_a},
-                 {static_cast<FaceId>(seam.b), 0, seam.border_b}, sharp);
+    builder.join({static_cast<FaceId>(border.a), 0, border.border_a},
+                 {static_cast<FaceId>(border.b), 0, border.border_b}, sharp);
   }
 }
 
@@ -197,14 +199,14 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
 }  // namespace
 
 Sheet sheet_of(const FoldedSlitSheet& folded) {
-  const Pieces pieces = pieces_of(folded);
+  const JoinedRegions joined = regions_of(folded);
   std::vector<double> folds;
-  for (const Seam& seam : pieces.seams)
-    folds.push_back(fold_between(pieces.pieces[seam.a], seam.border_a, pieces.pieces[seam.b]));
-  UnionFind planes = planes_of(pieces.pieces.size(), pieces.seams, folds);
+  for (const SharedBorder& border : joined.shared)
+    folds.push_back(fold_between(joined.all[border.a], border.border_a, joined.all[border.b]));
+  UnionFind planes = planes_of(joined.all.size(), joined.shared, folds);
   SheetBuilder builder(folded.thickness, 0.5 * folded.thickness);
-  add_faces(builder, pieces, planes);
-  add_joints(builder, pieces, folds, planes);
+  add_faces(builder, joined, planes);
+  add_joints(builder, joined, folds, planes);
   builder.number_edges();
   add_labels(builder, folded);
   auto sheet = std::move(builder).build();
@@ -213,31 +215,31 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
 }
 
 Mesh mesh_of(const FoldedSlitSheet& folded) {
-  const Pieces pieces = pieces_of(folded);
-  std::vector<std::vector<int>> seams_of(pieces.pieces.size());  // by their first piece
-  for (std::size_t s = 0; s < pieces.seams.size(); ++s)
-    seams_of[pieces.seams[s].a].push_back(static_cast<int>(s));
+  const JoinedRegions joined = regions_of(folded);
+  std::vector<std::vector<int>> shared_by(joined.all.size());  // by their first region
+  for (std::size_t s = 0; s < joined.shared.size(); ++s)
+    shared_by[joined.shared[s].a].push_back(static_cast<int>(s));
   Mesh mesh;
-  std::vector<std::vector<int>> corner(pieces.pieces.size());
-  for (std::size_t i = 0; i < pieces.pieces.size(); ++i)
-    corner[i].assign(pieces.pieces[i].corners.size(), -1);
-  for (std::size_t i = 0; i < pieces.pieces.size(); ++i) {
-    const Piece& piece = pieces.pieces[i];
-    for (std::size_t c = 0; c < piece.corners.size(); ++c) {
+  std::vector<std::vector<int>> corner(joined.all.size());
+  for (std::size_t i = 0; i < joined.all.size(); ++i)
+    corner[i].assign(joined.all[i].corners.size(), -1);
+  for (std::size_t i = 0; i < joined.all.size(); ++i) {
+    const PlaneRegion& region = joined.all[i];
+    for (std::size_t c = 0; c < region.corners.size(); ++c) {
       if (corner[i][c] >= 0) continue;
       corner[i][c] = static_cast<int>(mesh.points.size());
-      mesh.points.push_back(piece.frame.point(piece.corners[c]));
+      mesh.points.push_back(region.frame.point(region.corners[c]));
     }
-    // Seams are listed from the piece that comes first, so its corners are known.
-    for (const int s : seams_of[i]) {
-      const Seam& seam = pieces.seams[s];
-      auto& other = corner[seam.b];
-      const std::size_t n = piece.corners.size(), m = other.size();
-      const std::size_t a = seam.border_a, b = seam.border_b;
+    // Shared borders are listed from the region that comes first, so its corners are known.
+    for (const int s : shared_by[i]) {
+      const SharedBorder& border = joined.shared[s];
+      auto& other = corner[border.b];
+      const std::size_t n = region.corners.size(), m = other.size();
+      const std::size_t a = border.border_a, b = border.border_b;
       if (other[b] < 0) other[b] = corner[i][(a + 1) % n];
       if (other[(b + 1) % m] < 0) other[(b + 1) % m] = corner[i][a];
     }
-    for (std::size_t c = 1; c + 1 < piece.corners.size(); ++c)
+    for (std::size_t c = 1; c + 1 < region.corners.size(); ++c)
       mesh.triangles.push_back({corner[i][0], corner[i][c], corner[i][c + 1]});
   }
   return mesh;

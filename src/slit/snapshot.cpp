@@ -98,7 +98,7 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
     if (anchor.strip == strip)
-      problem.anchors.push_back({anchor.ridge, anchor.side == Side::left ? 0 : 1, anchor.at});
+      problem.anchors.push_back({anchor.ridge, anchor.side == StripEdge::left ? 0 : 1, anchor.at});
   if (design.sheet.symmetric && now.seat) {
     problem.seat = now.seat;
     problem.seat_places = {(*now.seat_places)[2 * strip], (*now.seat_places)[2 * strip + 1]};

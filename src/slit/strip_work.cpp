@@ -76,10 +76,12 @@ bool is_folded(const Snapshot& now, int strip) {
 }
 
 PlanesBroken planes_broken(const Snapshot& now, int strip, Clear clear) {
-  std::vector<std::pair<Side, FoldedStrip>> neighbours;
+  std::vector<std::pair<StripEdge, FoldedStrip>> neighbours;
   if (clear == Clear::of_neighbours) {
-    if (is_folded(now, strip - 1)) neighbours.emplace_back(Side::left, folded_of(now, strip - 1));
-    if (is_folded(now, strip + 1)) neighbours.emplace_back(Side::right, folded_of(now, strip + 1));
+    if (is_folded(now, strip - 1))
+      neighbours.emplace_back(StripEdge::left, folded_of(now, strip - 1));
+    if (is_folded(now, strip + 1))
+      neighbours.emplace_back(StripEdge::right, folded_of(now, strip + 1));
   }
   const bool symmetric = now.design->sheet.symmetric;
   const double sign = half_sign(now);

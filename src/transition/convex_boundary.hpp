@@ -14,8 +14,8 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// One piece of a closed convex curve: a straight edge, or a part of a curve that turns by at most
-/// 90°.
+/// One element of a closed convex curve: a straight edge, or a part of a curve that turns by at
+/// most 90°.
 struct Element {
   SpaceCurve curve;  ///< of edges too: linear
   double t0 = 0.0, t1 = 1.0;

@@ -11,29 +11,29 @@
 namespace planish::transition_detail {
 namespace {
 
-/// A part of a strip and the face that it becomes.
+/// A part of a patch and the face that it becomes.
 struct PartFace {
-  StripPart range;
-  Strip::Part part;
-  std::vector<Strip::Press> presses;  ///< of bends
+  PatchPart range;
+  RuledPatch::Part part;
+  std::vector<RuledPatch::Press> presses;  ///< of bends
 };
 
-PartFace face_of(const Ring& ring, const StripPart& range, const Pressing& pressing,
-                 const Strip::Tips& tips) {
-  const Strip& strip = ring.strip(range.strip);
-  PartFace face{range, strip.part(range.from, range.to, tips), {}};
-  if (!strip.plane()) face.presses = presses_of(strip, range.from, range.to, pressing);
+PartFace face_of(const Ring& ring, const PatchPart& range, const Pressing& pressing,
+                 const RuledPatch::Tips& tips) {
+  const RuledPatch& patch = ring.patch(range.patch);
+  PartFace face{range, patch.part(range.from, range.to, tips), {}};
+  if (!patch.plane()) face.presses = presses_of(patch, range.from, range.to, pressing);
   return face;
 }
 
-Bend bend_of(const Strip& strip, const PartFace& face, const TransitionSpec& spec) {
+Bend bend_of(const RuledPatch& patch, const PartFace& face, const TransitionSpec& spec) {
   const auto& [range, part, presses] = face;
   Bend bend;
-  bend.kind = strip.bend_kind();
-  bend.angle = Angle::radians(strip.turned(range.from, range.to));
+  bend.kind = patch.bend_kind();
+  bend.angle = Angle::radians(patch.turned(range.from, range.to));
   bend.inside_radius = std::max(
-      0.0, strip.smallest_radii(range.from, range.to).middle - spec.k_factor * spec.thickness);
-  for (const Strip::Press& press : presses)
+      0.0, patch.smallest_radii(range.from, range.to).middle - spec.k_factor * spec.thickness);
+  for (const RuledPatch::Press& press : presses)
     bend.press_lines.push_back({part.u(press.at), Angle::radians(press.turn)});
   if (part.u1 < part.u0) std::reverse(bend.press_lines.begin(), bend.press_lines.end());
   return bend;
@@ -53,16 +53,16 @@ SheetBuilder assembled(const Ring& ring, const TransitionSpec& spec,
   std::optional<BorderRef> last;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const auto& [range, part, presses] = faces[i];
-    const Strip& strip = ring.strip(range.strip);
+    const RuledPatch& patch = ring.patch(range.patch);
     std::optional<BendId> sharp;
     if (last)
       if (const double fold = fold_between(ring, faces[i - 1].range, range); fold > 0.0)
         sharp = sheet.add_bend(sharp_bend(fold));
     Face face = part.face;
-    if (strip.plane())
+    if (patch.plane())
       face.part_of = sheet.add_flange();
     else
-      face.part_of = sheet.add_bend(bend_of(strip, faces[i], spec));
+      face.part_of = sheet.add_bend(bend_of(patch, faces[i], spec));
     const FaceId id = sheet.add_face(std::move(face));
     if (last) sheet.join(*last, {id, 0, part.ruling_borders[0]}, sharp);
     last = {id, 0, part.ruling_borders[1]};
@@ -92,7 +92,7 @@ std::vector<ShownRuling> shown_rulings(const PartFace& face, const PartId& part_
 }
 
 /// (u, v) of a point on the ruling `at`.
-Vec2 uv_of(const Strip::Part& part, double at, const Vec3& p) {
+Vec2 uv_of(const RuledPatch::Part& part, double at, const Vec3& p) {
   if (const auto* plane = std::get_if<Frame>(&part.face.surface)) return plane->local2(p);
   const auto& surface = std::get<Developable>(part.face.surface);
   const double u = part.u(at);
@@ -106,7 +106,7 @@ void add_labels(SheetBuilder& sheet, const Ring& ring, const std::vector<PartFac
   for (const FaceId id : sheet.sheet().faces.ids()) {
     const PartFace& face = faces[index_of(id)];
     for (const ShownRuling& ruling : shown_rulings(face, sheet.sheet()[id].part_of)) {
-      const std::array<Vec3, 2> ends = ring.strip(face.range.strip).ruling(ruling.at);
+      const std::array<Vec3, 2> ends = ring.patch(face.range.patch).ruling(ruling.at);
       const std::array<std::string, 2> named = names.add(ends, ruling.press, piece);
       for (std::size_t side = 0; side < 2; ++side) {
         if (named[side] == last[side]) continue;
@@ -120,9 +120,9 @@ void add_labels(SheetBuilder& sheet, const Ring& ring, const std::vector<PartFac
 }  // namespace
 
 Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
-                          const std::vector<StripPart>& parts, int piece, RulingNames& names) {
+                          const std::vector<PatchPart>& parts, int piece, RulingNames& names) {
   std::vector<PartFace> faces;
-  for (const StripPart& part : parts)
+  for (const PatchPart& part : parts)
     faces.push_back(face_of(ring, part, spec.pressing, {}));
   SheetBuilder sheet = assembled(ring, spec, faces);
   add_labels(sheet, ring, faces, piece, names);
@@ -130,11 +130,11 @@ Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
 }
 
 Result<Sheet> cut_sheet(const Ring& ring, const TransitionSpec& spec,
-                        const std::vector<StripPart>& parts, const TipCuts& cuts) {
+                        const std::vector<PatchPart>& parts, const TipCuts& cuts) {
   std::vector<PartFace> faces;
-  for (const StripPart& part : parts)
+  for (const PatchPart& part : parts)
     faces.push_back(
-        face_of(ring, part, spec.pressing, cuts.of(ring.strip(part.strip), part.from, part.to)));
+        face_of(ring, part, spec.pressing, cuts.of(ring.patch(part.patch), part.from, part.to)));
   return assembled(ring, spec, faces).build();
 }
 

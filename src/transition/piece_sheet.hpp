@@ -11,10 +11,10 @@ namespace planish::transition_detail {
 /// the order of `parts`. The ends of all its rulings that a template shows are named, as true
 /// lengths of that piece. Error: `invalid_sheet`.
 Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
-                          const std::vector<StripPart>& parts, int piece, RulingNames& names);
+                          const std::vector<PatchPart>& parts, int piece, RulingNames& names);
 
 /// The same without names, its tips cut off.
 Result<Sheet> cut_sheet(const Ring& ring, const TransitionSpec& spec,
-                        const std::vector<StripPart>& parts, const TipCuts& cuts);
+                        const std::vector<PatchPart>& parts, const TipCuts& cuts);
 
 }  // namespace planish::transition_detail

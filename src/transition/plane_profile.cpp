@@ -16,7 +16,7 @@ namespace {
 
 using std::numbers::pi;
 
-using Pieces = Result<std::vector<PlanePiece>>;
+using Elements = Result<std::vector<PlaneElement>>;
 
 /// Every edge moved outwards, corners where they meet.
 std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double outwards) {
@@ -53,7 +53,8 @@ Result<ConvexPolygon> convex(const PolygonProfile& given, const std::string& pla
 }
 
 /// The edges and corners that were given from turn k to the next, as shares of that length.
-void add_given(PlanePiece& piece, const ConvexPolygon& polygon, std::size_t k, double length) {
+void add_given(PlaneElement& plane_element, const ConvexPolygon& polygon, std::size_t k,
+               double length) {
   const int n = polygon.count();
   const int first = polygon.turns[k], next = polygon.turns[(k + 1) % polygon.turns.size()];
   const int last = next + (next <= first ? n : 0);
@@ -63,39 +64,39 @@ void add_given(PlanePiece& piece, const ConvexPolygon& polygon, std::size_t k, d
   for (int i = first; i < last; ++i) {
     const int corner = polygon.given_corner(i % n);
     const int edge = polygon.reversed ? polygon.given_corner((i + 1) % n) : corner;
-    piece.edges.push_back({edge, 0, share(i), i + 1 == last ? 1.0 : share(i + 1)});
-    piece.corners.push_back({corner, 0, share(i)});
+    plane_element.edges.push_back({edge, 0, share(i), i + 1 == last ? 1.0 : share(i + 1)});
+    plane_element.corners.push_back({corner, 0, share(i)});
   }
 }
 
 /// Straight sides 2x and 2y long with quarter circles between; edges are numbered from below.
-std::vector<PlanePiece> rounded(double x, double y, double radius, double outwards,
-                                const std::array<int, 4>& edges) {
+std::vector<PlaneElement> rounded(double x, double y, double radius, double outwards,
+                                  const std::array<int, 4>& edges) {
   const double r = radius + outwards;
   const std::array<Vec2, 4> centres{Vec2(x, -y), Vec2(x, y), Vec2(-x, y), Vec2(-x, -y)};
-  std::vector<PlanePiece> pieces;
+  std::vector<PlaneElement> plane_elements;
   int source = 0;
   for (int i = 0; i < 4; ++i) {
     const Vec2 &last = centres[(i + 3) % 4], &centre = centres[i];
     const Vec2 outward(std::cos(0.5 * pi * (i - 1)), std::sin(0.5 * pi * (i - 1)));
     const bool side = (centre - last).norm() > kNoCorner * (x + y + radius);
     if (side) {
-      pieces.push_back(straight(last + r * outward, centre + r * outward, ++source));
-      pieces.back().edges = {{edges[i], 0, 0.0, 1.0}};
+      plane_elements.push_back(straight(last + r * outward, centre + r * outward, ++source));
+      plane_elements.back().edges = {{edges[i], 0, 0.0, 1.0}};
     }
-    pieces.push_back(quarter(radius, radius, centre, outwards, 0.5 * pi * (i - 1), 0));
+    plane_elements.push_back(quarter(radius, radius, centre, outwards, 0.5 * pi * (i - 1), 0));
     // Half circles of an obround are one curve.
     const bool goes_on = i > 0 && !side;
-    pieces.back().source = goes_on ? source : ++source;
+    plane_elements.back().source = goes_on ? source : ++source;
   }
-  return pieces;
+  return plane_elements;
 }
 
 struct Shaper {
   double outwards = 0.0;
   const std::string& pointer;
 
-  Pieces operator()(const PolygonProfile& given) const {
+  Elements operator()(const PolygonProfile& given) const {
     const std::string place = pointer + "/polygon";
     const auto polygon = convex(given, place);
     if (!polygon) return tl::unexpected(polygon.error());
@@ -103,36 +104,36 @@ struct Shaper {
     for (const int i : polygon->turns)
       turning.push_back(polygon->corners[i]);
     const std::vector<Vec2> moved = mitred(turning, outwards);
-    std::vector<PlanePiece> pieces;
+    std::vector<PlaneElement> plane_elements;
     for (std::size_t k = 0; k < turning.size(); ++k) {
       const std::size_t next = (k + 1) % turning.size();
       const Vec2 edge = turning[next] - turning[k];
-      PlanePiece piece = straight(moved[k], moved[next], static_cast<int>(k));
-      add_given(piece, *polygon, k, edge.norm());
+      PlaneElement plane_element = straight(moved[k], moved[next], static_cast<int>(k));
+      add_given(plane_element, *polygon, k, edge.norm());
       if ((moved[next] - moved[k]).dot(edge) <= 0.0)
         return fail(ErrorCode::radius_too_small,
                     fmt::format("edge {} is {:.4g} mm long, too short for the thickness: the "
                                 "neutral surface lies {:.4g} mm within the polygon that is given",
-                                piece.edges.front().number, edge.norm(), -outwards),
+                                plane_element.edges.front().number, edge.norm(), -outwards),
                     place);
-      pieces.push_back(std::move(piece));
+      plane_elements.push_back(std::move(plane_element));
     }
-    return pieces;
+    return plane_elements;
   }
 
-  Pieces operator()(const EllipseProfile& e) const {
+  Elements operator()(const EllipseProfile& e) const {
     const std::string place = pointer + (e.rx == e.ry ? "/circle" : "/ellipse");
     if (auto sound = check_sizes({e.rx, e.ry}, place); !sound) return tl::unexpected(sound.error());
     const double tightest = std::min(e.rx * e.rx / e.ry, e.ry * e.ry / e.rx);
     if (auto fits = check_radius(tightest, outwards, place); !fits)
       return tl::unexpected(fits.error());
-    std::vector<PlanePiece> pieces;
+    std::vector<PlaneElement> plane_elements;
     for (int i = 0; i < 4; ++i)
-      pieces.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * pi * i, 0));
-    return pieces;
+      plane_elements.push_back(quarter(e.rx, e.ry, Vec2::Zero(), outwards, 0.5 * pi * i, 0));
+    return plane_elements;
   }
 
-  Pieces operator()(const RoundedRectangleProfile& r) const {
+  Elements operator()(const RoundedRectangleProfile& r) const {
     const std::string place = pointer + "/rounded_rectangle";
     if (auto sound = check_sizes({r.width, r.height}, place); !sound)
       return tl::unexpected(sound.error());
@@ -151,7 +152,7 @@ struct Shaper {
     return rounded(x - r.radius, y - r.radius, r.radius, outwards, {0, 1, 2, 3});
   }
 
-  Pieces operator()(const ObroundProfile& o) const {
+  Elements operator()(const ObroundProfile& o) const {
     const std::string place = pointer + "/obround";
     if (auto sound = check_sizes({o.length, o.width}, place); !sound)
       return tl::unexpected(sound.error());
@@ -167,7 +168,7 @@ struct Shaper {
     return rounded(0.5 * o.length - radius, 0.0, radius, outwards, {0, -1, 1, -1});
   }
 
-  Pieces operator()(const SplineProfile& given) const {
+  Elements operator()(const SplineProfile& given) const {
     const std::string place = pointer + "/spline";
     std::vector<Vec2> points = given.points;
     if (auto sound = check_polygon(points, place); !sound) return tl::unexpected(sound.error());
@@ -177,25 +178,25 @@ struct Shaper {
       return tl::unexpected(sound.error());
     const PlaneCurve curve = set_off(spline, outwards);
     const auto& knots = spline.knots();
-    constexpr int kParts = 4;  // of a piece of the spline: none turns by more than 90°
-    std::vector<PlanePiece> pieces;
+    constexpr int kParts = 4;  // of a plane_element of the spline: none turns by more than 90°
+    std::vector<PlaneElement> plane_elements;
     for (std::size_t k = 0; k + 1 < knots.size(); ++k)
       for (int part = 0; part < kParts; ++part) {
-        PlanePiece& piece = pieces.emplace_back();
-        piece.curve = curve;
-        piece.t0 = std::lerp(knots[k], knots[k + 1], part / double(kParts));
-        piece.t1 = std::lerp(knots[k], knots[k + 1], (part + 1) / double(kParts));
-        piece.period = knots.back();
-        piece.knots = knots;
+        PlaneElement& plane_element = plane_elements.emplace_back();
+        plane_element.curve = curve;
+        plane_element.t0 = std::lerp(knots[k], knots[k + 1], part / double(kParts));
+        plane_element.t1 = std::lerp(knots[k], knots[k + 1], (part + 1) / double(kParts));
+        plane_element.period = knots.back();
+        plane_element.knots = knots;
       }
-    return pieces;
+    return plane_elements;
   }
 };
 
 }  // namespace
 
-Result<std::vector<PlanePiece>> pieces_of(const Profile& profile, double outwards,
-                                          const std::string& pointer) {
+Result<std::vector<PlaneElement>> elements_of(const Profile& profile, double outwards,
+                                              const std::string& pointer) {
   return std::visit(Shaper{outwards, pointer}, profile);
 }
 

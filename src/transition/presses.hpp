@@ -8,12 +8,12 @@
 
 namespace planish::transition_detail {
 
-/// The press lines of a part of a strip, from `from` to `to`; none where it is rolled.
-std::vector<Strip::Press> presses_of(const Strip& strip, double from, double to,
-                                     const Pressing& pressing);
+/// The press lines of a part of a patch, from `from` to `to`; none where it is rolled.
+std::vector<RuledPatch::Press> presses_of(const RuledPatch& patch, double from, double to,
+                                          const Pressing& pressing);
 
 /// Error: `invalid_input` for more lines in one bend than anybody presses, 2,000.
-Result<void> check_presses(const Ring& ring, const std::vector<std::vector<StripPart>>& pieces,
+Result<void> check_presses(const Ring& ring, const std::vector<std::vector<PatchPart>>& pieces,
                            const Pressing& pressing);
 
 }  // namespace planish::transition_detail

@@ -47,9 +47,9 @@ Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
 
 Result<void> check_radii(const Ring& ring, const TransitionSpec& spec) {
   const double inside = spec.k_factor * spec.thickness;
-  for (const Strip& strip : ring.strips) {
-    if (strip.plane()) continue;
-    const double radius = strip.smallest_radii(0.0, 1.0).end;
+  for (const RuledPatch& patch : ring.patches) {
+    if (patch.plane()) continue;
+    const double radius = patch.smallest_radii(0.0, 1.0).end;
     if (radius > inside) continue;
     return fail(ErrorCode::radius_too_small,
                 fmt::format("the thickness of {:.4g} mm is too large: the neutral surface has a "
@@ -71,7 +71,7 @@ Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& option
   if (!hull) return tl::unexpected(hull.error());
   Ring ring{std::make_shared<const Hull>(std::move(*hull)), {}, size};
   for (const HullPatch& patch : ring.hull->patches)
-    ring.strips.emplace_back(ring.hull, patch, options.tolerance * size);
+    ring.patches.emplace_back(ring.hull, patch, options.tolerance * size);
   if (auto wide = check_radii(ring, spec); !wide) return tl::unexpected(wide.error());
   return ring;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "strip.hpp"
+#include "ruled_patch.hpp"
 
 #include <planish/transition/transition.hpp>
 
@@ -9,14 +9,14 @@
 
 namespace planish::transition_detail {
 
-/// The strips of a hull in order, closed to a ring.
+/// The patches of a hull in order, closed to a ring.
 struct Ring {
   std::shared_ptr<const Hull> hull;
-  std::vector<Strip> strips;
+  std::vector<RuledPatch> patches;
   double size = 0.0;  ///< extent of both profiles, mm
 
-  int count() const { return static_cast<int>(strips.size()); }
-  const Strip& strip(int i) const { return strips[((i % count()) + count()) % count()]; }
+  int count() const { return static_cast<int>(patches.size()); }
+  const RuledPatch& patch(int i) const { return patches[((i % count()) + count()) % count()]; }
 };
 
 /// The neutral surface of a transition. Requires: numbers that `check_request` found sound. Errors:

@@ -17,11 +17,11 @@ constexpr double kAsLong = tolerance::kComputed;
 /// profile's length.
 constexpr double kAtCorner = tolerance::kComputed;
 constexpr double kSliver = tolerance::kComputed;
-/// How closely the shortest ruling of a strip is looked for, in rulings.
+/// How closely the shortest ruling of a patch is looked for, in rulings.
 constexpr double kShortestFound = 1e-6;
 
-double length_of(const Strip& strip, double at) {
-  const auto [p, q] = strip.ruling(at);
+double length_of(const RuledPatch& patch, double at) {
+  const auto [p, q] = patch.ruling(at);
   return (q - p).norm();
 }
 
@@ -63,16 +63,16 @@ class Cutter {
     Cut best;
     double least = std::numeric_limits<double>::infinity();
     const auto consider = [&](const Cut& cut) {
-      const double length = length_of(ring_.strip(cut.strip), cut.at);
+      const double length = length_of(ring_.patch(cut.patch), cut.at);
       if (length >= least * (1.0 - kAsLong)) return;
       least = length;
       best = cut;
     };
     for (int i = 0; i < ring_.count(); ++i) {
       consider({i, 0.0});
-      if (!ring_.strip(i).plane())
+      if (!ring_.patch(i).plane())
         consider(shortest_in(i));
-      else if (ring_.strip(i).patch().sides[0].moves())
+      else if (ring_.patch(i).hull_patch().sides[0].moves())
         consider({i, 0.5});
     }
     return best;
@@ -95,14 +95,14 @@ class Cutter {
   }
 
   double length_at(const Cut& cut) const {
-    const Strip& strip = ring_.strip(cut.strip);
-    const Stretch& side = strip.patch().sides[0];
+    const RuledPatch& patch = ring_.patch(cut.patch);
+    const Stretch& side = patch.hull_patch().sides[0];
     double length = 0.0;
     for (int i = 0; i < side.element; ++i)
       length += length_of(boundary_.element(i));
     const Element& element = boundary_.element(side.element);
     return length + length_between(element, element.t0, side.moves() ? side.t0 : side.t1) +
-           strip.border_length(0, 0.0, cut.at);
+           patch.border_length(0, 0.0, cut.at);
   }
 
   double perimeter() const {
@@ -139,32 +139,32 @@ class Cutter {
                 "/pieces");
   }
 
-  /// Cuts that would leave a sliver of a strip go to its end.
+  /// Cuts that would leave a sliver of a patch go to its end.
   Cut settled(const Cut& cut) const {
     const double sliver = kSliver * perimeter();
     const auto narrow = [&](double from, double to) {
-      const Strip& strip = ring_.strip(cut.strip);
-      return std::max(strip.border_length(0, from, to), strip.border_length(1, from, to)) <= sliver;
+      const RuledPatch& patch = ring_.patch(cut.patch);
+      return std::max(patch.border_length(0, from, to), patch.border_length(1, from, to)) <= sliver;
     };
-    if (cut.at > 0.0 && narrow(cut.at, 1.0)) return {(cut.strip + 1) % ring_.count(), 0.0};
-    return narrow(0.0, cut.at) ? Cut{cut.strip, 0.0} : cut;
+    if (cut.at > 0.0 && narrow(cut.at, 1.0)) return {(cut.patch + 1) % ring_.count(), 0.0};
+    return narrow(0.0, cut.at) ? Cut{cut.patch, 0.0} : cut;
   }
 
  private:
-  /// Between some rulings of a strip, by golden sections about the shortest of them.
+  /// Between some rulings of a patch, by golden sections about the shortest of them.
   Cut shortest_in(int number) const {
-    const Strip& strip = ring_.strip(number);
+    const RuledPatch& patch = ring_.patch(number);
     constexpr int kSamples = 32;
     int least = 0;
     for (int i = 1; i < kSamples; ++i)
-      if (length_of(strip, i / double(kSamples)) < length_of(strip, least / double(kSamples)))
+      if (length_of(patch, i / double(kSamples)) < length_of(patch, least / double(kSamples)))
         least = i;
     double low = std::max(0.0, (least - 1) / double(kSamples)),
            high = (least + 1) / double(kSamples);
     constexpr double kGolden = 0.6180339887498949;
     while (high - low > kShortestFound) {
       const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
-      const bool left = length_of(strip, a) < length_of(strip, b);
+      const bool left = length_of(patch, a) < length_of(patch, b);
       (left ? high : low) = left ? b : a;
     }
     return {number, 0.5 * (low + high)};
@@ -181,8 +181,8 @@ class Cutter {
   static double length_of(const Element& element) {
     return length_between(element, element.t0, element.t1);
   }
-  static double length_of(const Strip& strip, double at) {
-    return transition_detail::length_of(strip, at);
+  static double length_of(const RuledPatch& patch, double at) {
+    return transition_detail::length_of(patch, at);
   }
 
   double length_before(int i) const {
@@ -224,8 +224,8 @@ class Cutter {
   Cut in_element(int element, double t) const {
     const Element& wanted = boundary_.element(element);
     for (int i = 0; i < ring_.count(); ++i) {
-      const Strip& strip = ring_.strip(i);
-      const Stretch& side = strip.patch().sides[0];
+      const RuledPatch& patch = ring_.patch(i);
+      const Stretch& side = patch.hull_patch().sides[0];
       const Element& here = boundary_.element(side.element);
       if (!side.moves() || here.source != wanted.source || here.straight != wanted.straight)
         continue;
@@ -234,7 +234,7 @@ class Cutter {
                                                                 tolerance::kRounding)
                                        : t;
       if (same < side.t0 || same >= side.t1) continue;
-      return {i, std::clamp(strip.ruling_at(0, same), 0.0, 1.0)};
+      return {i, std::clamp(patch.ruling_at(0, same), 0.0, 1.0)};
     }
     return {0, 0.0};
   }
@@ -242,9 +242,9 @@ class Cutter {
   Cut at_start_of(int element) const {
     const Vec3 corner = boundary_.element(element).curve(boundary_.element(element).t0).point;
     std::vector<int> standing;
-    int after = 0;  // the strip that runs on from the corner
+    int after = 0;  // the patch that runs on from the corner
     for (int i = 0; i < ring_.count(); ++i) {
-      const Stretch& side = ring_.strip(i).patch().sides[0];
+      const Stretch& side = ring_.patch(i).hull_patch().sides[0];
       if (ring_.hull->point(0, side, side.t0) != corner) continue;
       if (side.moves())
         after = i;
@@ -253,9 +253,9 @@ class Cutter {
     }
     double whole = 0.0;
     for (const int i : standing)
-      whole += ring_.strip(i).turn(0.0, 1.0);
+      whole += ring_.patch(i).turn(0.0, 1.0);
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
-    // Standing strips in the order in which they follow each other, which may run over the ring's
+    // Standing patches in the order in which they follow each other, which may run over the ring's
     // end.
     std::sort(standing.begin(), standing.end(), [&](int a, int b) {
       return (a - after + ring_.count()) % ring_.count() <
@@ -263,12 +263,12 @@ class Cutter {
     });
     double turned = 0.0;
     for (const int i : standing) {
-      const double here = ring_.strip(i).turn(0.0, 1.0);
+      const double here = ring_.patch(i).turn(0.0, 1.0);
       if (turned + here >= 0.5 * whole) {
         const double left = 0.5 * whole - turned;
         const double at = root_between(
             [&](double ruling) {
-              return std::pair{ring_.strip(i).turn(0.0, ruling) - left, here};
+              return std::pair{ring_.patch(i).turn(0.0, ruling) - left, here};
             },
             0.0, 1.0);
         return {i, at};
@@ -284,10 +284,11 @@ class Cutter {
 
 }  // namespace
 
-Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces) {
+Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam,
+                                 Division pieces) {
   const Cutter cutter(ring);
   std::vector<Cut> cuts;
-  if (pieces == Pieces::per_side) {
+  if (pieces == Division::per_side) {
     auto sides = cutter.between_edges();
     if (!sides) return sides;
     cuts = std::move(*sides);
@@ -297,7 +298,7 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
                                    : Result<Cut>(cutter.shortest());
     if (!first) return tl::unexpected(first.error());
     cuts = {*first};
-    if (pieces == Pieces::two)
+    if (pieces == Division::two)
       cuts.push_back(cutter.at_length(cutter.length_at(*first) + 0.5 * cutter.perimeter()));
   }
   for (Cut& cut : cuts)
@@ -308,61 +309,61 @@ Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& se
 }
 
 Ring begun_at(const Ring& ring, double at, double tolerance) {
-  const Strip& strip = ring.strip(0);
-  HullPatch patch = strip.patch();
-  const std::vector<std::array<double, 2>> stops = std::move(patch.stops);
-  const std::array<double, 2> start{strip.parameter(0, at), strip.parameter(1, at)};
+  const RuledPatch& patch = ring.patch(0);
+  HullPatch begun = patch.hull_patch();
+  const std::vector<std::array<double, 2>> stops = std::move(begun.stops);
+  const std::array<double, 2> start{patch.parameter(0, at), patch.parameter(1, at)};
   const std::array<double, 2> period{stops.back()[0] - stops.front()[0],
                                      stops.back()[1] - stops.front()[1]};
-  patch.stops = {start};
+  begun.stops = {start};
   for (const auto& stop : stops)
-    if (stop[0] > start[0] && stop[1] > start[1]) patch.stops.push_back(stop);
+    if (stop[0] > start[0] && stop[1] > start[1]) begun.stops.push_back(stop);
   for (std::size_t i = 1; i < stops.size(); ++i)
     if (stops[i][0] <= start[0] || stops[i][1] <= start[1])
-      patch.stops.push_back({stops[i][0] + period[0], stops[i][1] + period[1]});
-  patch.stops.push_back({start[0] + period[0], start[1] + period[1]});
+      begun.stops.push_back({stops[i][0] + period[0], stops[i][1] + period[1]});
+  begun.stops.push_back({start[0] + period[0], start[1] + period[1]});
   for (std::size_t side = 0; side < 2; ++side) {
-    patch.sides[side].t0 = patch.stops.front()[side];
-    patch.sides[side].t1 = patch.stops.back()[side];
+    begun.sides[side].t0 = begun.stops.front()[side];
+    begun.sides[side].t1 = begun.stops.back()[side];
   }
-  return {ring.hull, {Strip(ring.hull, patch, tolerance)}, ring.size};
+  return {ring.hull, {RuledPatch(ring.hull, begun, tolerance)}, ring.size};
 }
 
-std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end) {
-  std::vector<StripPart> parts;
-  const auto add = [&](int strip, double from, double to) {
-    if (to > from) parts.push_back({strip % ring.count(), from, to});
+std::vector<PatchPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end) {
+  std::vector<PatchPart> parts;
+  const auto add = [&](int patch, double from, double to) {
+    if (to > from) parts.push_back({patch % ring.count(), from, to});
   };
-  if (begin.strip == end.strip && begin.at < end.at) {
-    add(begin.strip, begin.at, end.at);
+  if (begin.patch == end.patch && begin.at < end.at) {
+    add(begin.patch, begin.at, end.at);
     return parts;
   }
-  add(begin.strip, begin.at, 1.0);
-  for (int i = begin.strip + 1; i % ring.count() != end.strip; ++i)
+  add(begin.patch, begin.at, 1.0);
+  for (int i = begin.patch + 1; i % ring.count() != end.patch; ++i)
     add(i, 0.0, 1.0);
-  add(end.strip, 0.0, end.at);
+  add(end.patch, 0.0, end.at);
   return parts;
 }
 
-double fold_between(const Ring& ring, const StripPart& before, const StripPart& after) {
-  const Vec3 a = ring.strip(before.strip).normal(before.to),
-             b = ring.strip(after.strip).normal(after.from);
+double fold_between(const Ring& ring, const PatchPart& before, const PatchPart& after) {
+  const Vec3 a = ring.patch(before.patch).normal(before.to),
+             b = ring.patch(after.patch).normal(after.from);
   const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
   return angle > kNoFold ? angle : 0.0;
 }
 
-double open_seam(const Ring& ring, std::vector<StripPart>& parts) {
+double open_seam(const Ring& ring, std::vector<PatchPart>& parts) {
   constexpr double kHalfOpen = 0.005;  // mm
-  const auto step = [&](const StripPart& part) {
-    const Strip& strip = ring.strip(part.strip);
-    const double width = std::max(strip.border_length(0, part.from, part.to),
-                                  strip.border_length(1, part.from, part.to));
+  const auto step = [&](const PatchPart& part) {
+    const RuledPatch& patch = ring.patch(part.patch);
+    const double width = std::max(patch.border_length(0, part.from, part.to),
+                                  patch.border_length(1, part.from, part.to));
     return std::min(kHalfOpen / width, 0.25) * (part.to - part.from);
   };
-  StripPart &first = parts.front(), &last = parts.back();
+  PatchPart &first = parts.front(), &last = parts.back();
   const double begin = first.from + step(first), end = last.to - step(last);
-  const double area = ring.strip(first.strip).area(first.from, begin) +
-                      ring.strip(last.strip).area(end, last.to);
+  const double area = ring.patch(first.patch).area(first.from, begin) +
+                      ring.patch(last.patch).area(end, last.to);
   first.from = begin;
   last.to = end;
   return area;

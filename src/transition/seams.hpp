@@ -13,31 +13,32 @@ namespace planish::transition_detail {
 /// few 1e-9.
 inline constexpr double kNoFold = 100.0 * tolerance::kComputed;
 
-/// A ruling at which the ring is cut: in a strip, from 0 (its start) up to but not including 1.
+/// A ruling at which the ring is cut: in a patch, from 0 (its start) up to but not including 1.
 struct Cut {
-  int strip = 0;
+  int patch = 0;
   double at = 0.0;
   friend auto operator<=>(const Cut&, const Cut&) = default;
 };
 
 /// The cuts for a seam and a number of pieces, ascending. Errors: `unknown_seam`.
-Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam, Pieces pieces);
+Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam,
+                                 Division pieces);
 
-/// A ring whose only strip is closed, begun anew at a ruling of it.
+/// A ring whose only patch is closed, begun anew at a ruling of it.
 Ring begun_at(const Ring& ring, double at, double tolerance);
 
-/// A stretch of strips between two cuts.
-struct StripPart {
-  int strip = 0;
+/// A stretch of patches between two cuts.
+struct PatchPart {
+  int patch = 0;
   double from = 0.0, to = 1.0;
 };
-std::vector<StripPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
+std::vector<PatchPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
 
 /// The angle (rad) by which the sheet is folded sharply between two parts that follow each other; 0
 /// where it goes on smoothly.
-double fold_between(const Ring& ring, const StripPart& before, const StripPart& after);
+double fold_between(const Ring& ring, const PatchPart& before, const PatchPart& after);
 
 /// Takes 0.005 mm from both ends of what closes to a ring. Returns the area that is missing.
-double open_seam(const Ring& ring, std::vector<StripPart>& parts);
+double open_seam(const Ring& ring, std::vector<PatchPart>& parts);
 
 }  // namespace planish::transition_detail

@@ -7,13 +7,13 @@
 namespace planish::transition_detail {
 namespace {
 
-/// Facets of a strip, so that an arc of its widest radius leaves its chords by no more than
+/// Facets of a patch, so that an arc of its widest radius leaves its chords by no more than
 /// `chord`.
-int facets_of(const Strip& strip, double chord) {
-  if (strip.plane()) return 1;
-  const double length = std::max(strip.border_length(0, 0.0, 1.0),
-                                 strip.border_length(1, 0.0, 1.0));
-  const double turn = strip.turn(0.0, 1.0), radius = length / turn;
+int facets_of(const RuledPatch& patch, double chord) {
+  if (patch.plane()) return 1;
+  const double length = std::max(patch.border_length(0, 0.0, 1.0),
+                                 patch.border_length(1, 0.0, 1.0));
+  const double turn = patch.turn(0.0, 1.0), radius = length / turn;
   constexpr int kMost = 4096;
   const double widest = 2.0 * std::acos(std::max(0.0, 1.0 - chord / radius));
   return std::clamp(static_cast<int>(std::ceil(turn / widest)), 1, kMost);
@@ -34,10 +34,10 @@ void add_facets(Mesh& mesh, const Ends& a, const Ends& b) {
       mesh.triangles.push_back(facet);
 }
 
-/// The last strip that moves on a side: where it ends, that side is round.
+/// The last patch that moves on a side: where it ends, that side is round.
 int last_moving(const Ring& ring, int side) {
   int i = ring.count() - 1;
-  while (i > 0 && ring.strip(i).stands(side))
+  while (i > 0 && ring.patch(i).stands(side))
     --i;
   return i;
 }
@@ -48,17 +48,17 @@ Mesh surface_mesh(const Ring& ring, double chord) {
   Mesh mesh;
   Ends first{};
   for (int side = 0; side < 2; ++side)
-    first[side] = add_point(mesh, ring.strip(0).ruling(0.0)[side]);
+    first[side] = add_point(mesh, ring.patch(0).ruling(0.0)[side]);
   const Ends closing{last_moving(ring, 0), last_moving(ring, 1)};
   Ends last = first;
   for (int i = 0; i < ring.count(); ++i) {
-    const Strip& strip = ring.strip(i);
-    const int facets = facets_of(strip, chord);
+    const RuledPatch& patch = ring.patch(i);
+    const int facets = facets_of(patch, chord);
     for (int k = 1; k <= facets; ++k) {
-      const std::array<Vec3, 2> ruling = strip.ruling(double(k) / facets);
+      const std::array<Vec3, 2> ruling = patch.ruling(double(k) / facets);
       Ends next = last;  // an end that stands still keeps its point
       for (int side = 0; side < 2; ++side)
-        if (!strip.stands(side))
+        if (!patch.stands(side))
           next[side] = i == closing[side] && k == facets ? first[side]
                                                          : add_point(mesh, ruling[side]);
       add_facets(mesh, last, next);

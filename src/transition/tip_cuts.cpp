@@ -28,15 +28,15 @@ struct PanelCorner {
   double fold = 0.0, other_fold = 0.0;
 };
 
-std::vector<PanelCorner> corners_of(const Strip& strip, const StripPart& part, double first_fold,
-                                    double last_fold) {
-  const auto [p0, q0] = strip.ruling(part.from);
-  const auto [p1, q1] = strip.ruling(part.to);
-  if (strip.stands(0))
+std::vector<PanelCorner> corners_of(const RuledPatch& patch, const PatchPart& part,
+                                    double first_fold, double last_fold) {
+  const auto [p0, q0] = patch.ruling(part.from);
+  const auto [p1, q1] = patch.ruling(part.to);
+  if (patch.stands(0))
     return {{0, p0, q0, q1, first_fold, last_fold},
             {1, q0, p0, q1, first_fold, 0.0},
             {1, q1, p0, q0, last_fold, 0.0}};
-  if (strip.stands(1))
+  if (patch.stands(1))
     return {{1, q0, p0, p1, first_fold, last_fold},
             {0, p0, q0, p1, first_fold, 0.0},
             {0, p1, q0, p0, last_fold, 0.0}};
@@ -57,7 +57,7 @@ double cut_of(const PanelCorner& corner, double inside, double radius) {
 
 }  // namespace
 
-TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec)
+TipCuts::TipCuts(const Ring& ring, const PieceParts& pieces, const TransitionSpec& spec)
     : near_(kSameCorner * ring.size), thickness_(spec.thickness) {
   const double inside = spec.k_factor * spec.thickness,
                radius = inside + kInsideRadius * spec.thickness;
@@ -66,27 +66,27 @@ TipCuts::TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& s
 }
 
 void TipCuts::add_cones(const Ring& ring, double radius) {
-  for (const Strip& strip : ring.strips)
+  for (const RuledPatch& patch : ring.patches)
     for (int side = 0; side < 2; ++side)
-      if (!strip.plane() && strip.stands(side))
-        tips_.push_back({side, strip.ruling(0.0)[side], strip.distance_of_radius(radius)});
+      if (!patch.plane() && patch.stands(side))
+        tips_.push_back({side, patch.ruling(0.0)[side], patch.distance_of_radius(radius)});
 }
 
 /// Panels at corners in which more than one fold or also a cone ends: there the mitres of all would
 /// have to meet in one point, which offset planes do not.
-void TipCuts::add_fans(const Ring& ring, const Pieces& pieces, double inside, double radius) {
+void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside, double radius) {
   std::vector<PanelCorner> corners;
   std::vector<Tip> folds;
   for (const auto& parts : pieces)
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const Strip& strip = ring.strip(parts[i].strip);
+      const RuledPatch& patch = ring.patch(parts[i].patch);
       const double first = i == 0 ? 0.0 : fold_between(ring, parts[i - 1], parts[i]);
       const double last = i + 1 == parts.size() ? 0.0 : fold_between(ring, parts[i], parts[i + 1]);
       if (first > 0.0)
         for (int side = 0; side < 2; ++side)
-          folds.push_back({side, strip.ruling(parts[i].from)[side], 0.0});
-      if (!strip.plane()) continue;
-      for (const PanelCorner& corner : corners_of(strip, parts[i], first, last))
+          folds.push_back({side, patch.ruling(parts[i].from)[side], 0.0});
+      if (!patch.plane()) continue;
+      for (const PanelCorner& corner : corners_of(patch, parts[i], first, last))
         corners.push_back(corner);
     }
   const std::vector<Tip> cones = tips_;
@@ -107,9 +107,9 @@ double TipCuts::at(int side, const Vec3& p) const {
   return cut;
 }
 
-Strip::Tips TipCuts::of(const Strip& strip, double from, double to) const {
-  const auto first = strip.ruling(from), last = strip.ruling(to);
-  Strip::Tips tips;
+RuledPatch::Tips TipCuts::of(const RuledPatch& patch, double from, double to) const {
+  const auto first = patch.ruling(from), last = patch.ruling(to);
+  RuledPatch::Tips tips;
   for (std::size_t side = 0; side < 2; ++side) {
     tips.at_from[side] = at(static_cast<int>(side), first[side]);
     tips.at_to[side] = at(static_cast<int>(side), last[side]);
@@ -117,10 +117,10 @@ Strip::Tips TipCuts::of(const Strip& strip, double from, double to) const {
   return tips;
 }
 
-Result<void> TipCuts::leave_room(const Strip& strip, double from, double to) const {
-  const Strip::Tips tips = of(strip, from, to);
+Result<void> TipCuts::leave_room(const RuledPatch& patch, double from, double to) const {
+  const RuledPatch::Tips tips = of(patch, from, to);
   const auto check = [&](const std::array<double, 2>& cuts, double ruling) -> Result<void> {
-    const auto [p, q] = strip.ruling(ruling);
+    const auto [p, q] = patch.ruling(ruling);
     const double length = (q - p).norm();
     if (cuts[0] + cuts[1] <= kMostOfRuling * length) return {};
     return fail(ErrorCode::radius_too_small,

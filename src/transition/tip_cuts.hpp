@@ -11,14 +11,14 @@ namespace planish::transition_detail {
 /// that of a bend with an inside radius of a tenth of the thickness.
 class TipCuts {
  public:
-  using Pieces = std::vector<std::vector<StripPart>>;
+  using PieceParts = std::vector<std::vector<PatchPart>>;
 
-  TipCuts(const Ring& ring, const Pieces& pieces, const TransitionSpec& spec);
+  TipCuts(const Ring& ring, const PieceParts& pieces, const TransitionSpec& spec);
 
-  Strip::Tips of(const Strip& strip, double from, double to) const;
+  RuledPatch::Tips of(const RuledPatch& patch, double from, double to) const;
 
   /// Errors: `radius_too_small` where the cuts at both ends of a ruling leave nothing of it.
-  Result<void> leave_room(const Strip& strip, double from, double to) const;
+  Result<void> leave_room(const RuledPatch& patch, double from, double to) const;
 
  private:
   struct Tip {
@@ -27,7 +27,7 @@ class TipCuts {
     double cut = 0.0;
   };
   void add_cones(const Ring& ring, double radius);
-  void add_fans(const Ring& ring, const Pieces& pieces, double inside, double radius);
+  void add_fans(const Ring& ring, const PieceParts& pieces, double inside, double radius);
   double at(int side, const Vec3& p) const;
 
   double near_, thickness_;

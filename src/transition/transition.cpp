@@ -23,7 +23,7 @@ constexpr double kMostCut = 0.1;
 /// The ring and what each piece is made of.
 struct Division {
   Ring ring;
-  std::vector<std::vector<StripPart>> pieces;
+  std::vector<std::vector<PatchPart>> pieces;
 };
 
 Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& options) {
@@ -50,11 +50,11 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
   return division;
 }
 
-TransitionPatch measured(const Strip& strip) {
-  return {strip.kind(),
-          strip.area(0.0, 1.0),
-          {strip.border_length(0, 0.0, 1.0), strip.border_length(1, 0.0, 1.0)},
-          Angle::radians(strip.turn(0.0, 1.0))};
+TransitionPatch measured(const RuledPatch& patch) {
+  return {patch.kind(),
+          patch.area(0.0, 1.0),
+          {patch.border_length(0, 0.0, 1.0), patch.border_length(1, 0.0, 1.0)},
+          Angle::radians(patch.turn(0.0, 1.0))};
 }
 
 Result<void> add_pieces(Transition& transition, const Division& division,
@@ -72,22 +72,22 @@ Result<void> add_pieces(Transition& transition, const Division& division,
 }
 
 /// What is missing of a piece once `tips` are cut off as well.
-Result<double> with_tips(double area, const Ring& ring, const std::vector<StripPart>& parts,
+Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchPart>& parts,
                          const TipCuts& tips) {
-  for (const StripPart& part : parts) {
-    const Strip& strip = ring.strip(part.strip);
-    if (auto room = tips.leave_room(strip, part.from, part.to); !room)
+  for (const PatchPart& part : parts) {
+    const RuledPatch& patch = ring.patch(part.patch);
+    if (auto room = tips.leave_room(patch, part.from, part.to); !room)
       return tl::unexpected(room.error());
-    area += strip.tip_area(part.from, part.to, tips.of(strip, part.from, part.to));
+    area += patch.tip_area(part.from, part.to, tips.of(patch, part.from, part.to));
   }
   return area;
 }
 
-Result<void> check_cut(const Ring& ring, const std::vector<StripPart>& parts, double cut,
+Result<void> check_cut(const Ring& ring, const std::vector<PatchPart>& parts, double cut,
                        const TransitionSpec& spec) {
   double whole = 0.0;
-  for (const StripPart& part : parts)
-    whole += ring.strip(part.strip).area(part.from, part.to);
+  for (const PatchPart& part : parts)
+    whole += ring.patch(part.patch).area(part.from, part.to);
   if (cut <= kMostCut * whole) return {};
   return fail(ErrorCode::radius_too_small,
               fmt::format("a sheet of {:.4g} mm is too thick to be folded there: corners in which "
@@ -108,8 +108,8 @@ Result<Transition> make_transition(const TransitionSpec& spec, const TransitionO
   if (!division) return tl::unexpected(division.error());
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "The transition was cancelled.");
   Transition transition;
-  for (const Strip& strip : division->ring.strips) {
-    const TransitionPatch& patch = transition.patches.emplace_back(measured(strip));
+  for (const RuledPatch& ruled : division->ring.patches) {
+    const TransitionPatch& patch = transition.patches.emplace_back(measured(ruled));
     transition.area += patch.area;
     for (std::size_t side = 0; side < 2; ++side)
       transition.perimeters[side] += patch.border[side];

@@ -108,13 +108,13 @@ TEST(AssembleSheet, RefusesFacesThatMeetSmoothlyAlongACurve) {
   maker.curved(Cylinder{axis, 1000}, 1,
                {{arc(low, 1000, -pi / 2, -pi / 2 + turn), line(at(0), at(40)),
                  arc(high, 1000, -pi / 2 + turn, -pi / 2), arc(circle, radius, half, -half)}});
-  Recognised seen{std::move(maker).build_open(), {}, {}, {}, {}, Side::first};
+  Recognised seen{std::move(maker).build_open(), {}, {}, {}, {}, Skin::first};
   seen.outlines = outlines_of(seen.model);
   seen.skins.thickness = 2;
-  seen.skins.side.assign(2, Side::first);
+  seen.skins.skin_of.assign(2, Skin::first);
   seen.skins.partners.resize(2);
   seen.rim = find_rim(seen.model, seen.outlines, seen.skins);
-  seen.groups = group_faces(seen.model, seen.outlines, seen.skins, Side::first);
+  seen.groups = group_faces(seen.model, seen.outlines, seen.skins, Skin::first);
   const auto sheet = assemble_sheet(seen.view());
   ASSERT_FALSE(sheet);
   EXPECT_EQ(sheet.error().code, ErrorCode::doubly_curved);

@@ -63,8 +63,8 @@ SolidModel interrupted_bend(const Cylinder& second) {
 
 Groups groups_of(const SolidModel& model) {
   Skins skins;
-  skins.side.assign(model.faces.size(), Side::first);
-  return group_faces(model, outlines_of(model), skins, Side::first);
+  skins.skin_of.assign(model.faces.size(), Skin::first);
+  return group_faces(model, outlines_of(model), skins, Skin::first);
 }
 
 TEST(GroupFaces, MakesOneBendOfPiecesBetweenTheSameFlanges) {

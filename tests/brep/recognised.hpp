@@ -12,19 +12,19 @@ struct Recognised {
   Skins skins;
   Rim rim;
   Groups groups;
-  Side side;
+  Skin skin;
 
-  Recognition view() const { return {model, outlines, skins, rim, groups, side, 1e-5}; }
+  Recognition view() const { return {model, outlines, skins, rim, groups, skin, 1e-5}; }
 };
 
 /// Recognised at this thickness, the skin of face `reference` as the reference skin.
 inline Recognised recognised(SolidModel model, double thickness, int reference) {
-  Recognised result{std::move(model), {}, {}, {}, {}, Side::none};
+  Recognised result{std::move(model), {}, {}, {}, {}, Skin::none};
   result.outlines = outlines_of(result.model);
   result.skins = find_skins(result.model, result.outlines, thickness, 0.02).value();
   result.rim = find_rim(result.model, result.outlines, result.skins);
-  result.side = result.skins.side[reference];
-  result.groups = group_faces(result.model, result.outlines, result.skins, result.side);
+  result.skin = result.skins.skin_of[reference];
+  result.groups = group_faces(result.model, result.outlines, result.skins, result.skin);
   return result;
 }
 

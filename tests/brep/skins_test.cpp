@@ -15,10 +15,10 @@ Result<Skins> skins_of(const SolidModel& model, double thickness) {
   return find_skins(model, outlines_of(model), thickness, 0.02);
 }
 
-std::vector<int> faces_on(const Skins& skins, Side side) {
+std::vector<int> faces_on(const Skins& skins, Skin skin) {
   std::vector<int> faces;
-  for (int f = 0; f < std::ssize(skins.side); ++f)
-    if (skins.side[f] == side) faces.push_back(f);
+  for (int f = 0; f < std::ssize(skins.skin_of); ++f)
+    if (skins.skin_of[f] == skin) faces.push_back(f);
   return faces;
 }
 
@@ -27,8 +27,8 @@ using Faces = std::vector<int>;
 TEST(FindSkins, OfAPlateAreTopAndBottom) {
   const auto skins = skins_of(plate(2, {100, 60}), 2);
   ASSERT_TRUE(skins) << skins.error().message;
-  EXPECT_EQ(faces_on(*skins, Side::none), Faces({2, 3, 4, 5}));
-  EXPECT_NE(skins->side[0], skins->side[1]);
+  EXPECT_EQ(faces_on(*skins, Skin::none), Faces({2, 3, 4, 5}));
+  EXPECT_NE(skins->skin_of[0], skins->skin_of[1]);
   EXPECT_NEAR(skins->thickness, 2.0, 1e-12);
   EXPECT_NEAR(skins->spread, 0.0, 1e-12);
 }
@@ -36,8 +36,8 @@ TEST(FindSkins, OfAPlateAreTopAndBottom) {
 TEST(FindSkins, GrowOverTheBendsAndStartWithTheLarger) {
   const auto skins = skins_of(prism({strip_profile(2, {{50, pi / 2, 3}, {30}})}, 40), 2);
   ASSERT_TRUE(skins) << skins.error().message;
-  EXPECT_EQ(faces_on(*skins, Side::first), Faces({2, 3, 4})) << "the outside is larger";
-  EXPECT_EQ(faces_on(*skins, Side::second), Faces({6, 7, 8}));
+  EXPECT_EQ(faces_on(*skins, Skin::first), Faces({2, 3, 4})) << "the outside is larger";
+  EXPECT_EQ(faces_on(*skins, Skin::second), Faces({6, 7, 8}));
   EXPECT_NEAR(skins->area_first, 40 * (80 + 5 * pi / 2), 1e-9);
   EXPECT_NEAR(skins->area_second, 40 * (80 + 3 * pi / 2), 1e-9);
 }
@@ -45,8 +45,8 @@ TEST(FindSkins, GrowOverTheBendsAndStartWithTheLarger) {
 TEST(FindSkins, GrowOverSharpFolds) {
   const auto skins = skins_of(prism({strip_profile(2, {{50, pi / 2, 0}, {30}})}, 40), 2);
   ASSERT_TRUE(skins) << skins.error().message;
-  EXPECT_EQ(faces_on(*skins, Side::first), Faces({2, 3, 4})) << "with the rounded outside";
-  EXPECT_EQ(faces_on(*skins, Side::second), Faces({6, 7}));
+  EXPECT_EQ(faces_on(*skins, Skin::first), Faces({2, 3, 4})) << "with the rounded outside";
+  EXPECT_EQ(faces_on(*skins, Skin::second), Faces({6, 7}));
   EXPECT_EQ(skins->sharp.size(), 1u);
 }
 
@@ -71,8 +71,8 @@ TEST(FindSkins, AdoptFacesThatAreCutOffFromTheirSkin) {
       40);
   const auto skins = skins_of(model, 2);
   ASSERT_TRUE(skins) << skins.error().message;
-  EXPECT_EQ(faces_on(*skins, skins->side[2]), Faces({2})) << "the bottom";
-  EXPECT_EQ(faces_on(*skins, skins->side[4]), Faces({4, 8})) << "both tops";
+  EXPECT_EQ(faces_on(*skins, skins->skin_of[2]), Faces({2})) << "the bottom";
+  EXPECT_EQ(faces_on(*skins, skins->skin_of[4]), Faces({4, 8})) << "both tops";
   EXPECT_EQ(skins->islands_first + skins->islands_second, 1);
 }
 
@@ -100,8 +100,8 @@ TEST(FindSkins, TakeARoundedEndForACutEdge) {
                  arc(axis(40), 1.0, pi / 2, -pi / 2), line({50, 0, 40}, {50, 0, 0})}});
   const auto skins = skins_of(std::move(maker).build_open(), 2);
   ASSERT_TRUE(skins) << skins.error().message;
-  EXPECT_EQ(skins->side[2], Side::none) << "tangent to both skins, and no part of either";
-  EXPECT_NE(skins->side[0], skins->side[1]);
+  EXPECT_EQ(skins->skin_of[2], Skin::none) << "tangent to both skins, and no part of either";
+  EXPECT_NE(skins->skin_of[0], skins->skin_of[1]);
 }
 
 }  // namespace

@@ -26,32 +26,32 @@ struct Extended {
 
 double area_of(const ExtendedOutline& outline) {
   std::vector<Vec2> ring;
-  for (const auto& piece : outline.pieces)
-    ring.push_back(piece.a);
+  for (const auto& edge : outline.edges)
+    ring.push_back(edge.a);
   return ring_area(ring);
 }
 
-/// The piece that is the joint of bend 5.
-const ExtendedOutline::Piece& joint_of(const ExtendedOutline& outline) {
-  const ExtendedOutline::Piece* joint = nullptr;
-  for (const auto& piece : outline.pieces)
-    if (piece.bend) {
+/// The edge that is the joint of bend 5.
+const ExtendedOutline::Edge& joint_of(const ExtendedOutline& outline) {
+  const ExtendedOutline::Edge* joint = nullptr;
+  for (const auto& edge : outline.edges)
+    if (edge.bend) {
       EXPECT_EQ(joint, nullptr) << "one joint";
-      EXPECT_EQ(*piece.bend, 5);
-      joint = &piece;
+      EXPECT_EQ(*edge.bend, 5);
+      joint = &edge;
     }
   EXPECT_NE(joint, nullptr);
-  return joint ? *joint : outline.pieces.front();
+  return joint ? *joint : outline.edges.front();
 }
 
 TEST(ExtendedOutline, OfAPlateWithoutBendsIsItsOwn) {
   const PlacedPlate plate = laid(angle_pair(14.0).plates[0]);
   const auto outline = extended_outline(plate, {}, "A");
   ASSERT_TRUE(outline);
-  ASSERT_EQ(outline->pieces.size(), 4u);
+  ASSERT_EQ(outline->edges.size(), 4u);
   for (int i = 0; i < 4; ++i) {
-    EXPECT_EQ(outline->pieces[i].a, plate.outline[i]);
-    EXPECT_FALSE(outline->pieces[i].bend);
+    EXPECT_EQ(outline->edges[i].a, plate.outline[i]);
+    EXPECT_FALSE(outline->edges[i].bend);
   }
 }
 

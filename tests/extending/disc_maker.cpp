@@ -76,7 +76,7 @@ Result<std::unique_ptr<Made>> make(const DiscFile& file, const Request& request,
   const auto lay = [&] {
     return lay_flat(report, {*sheet, distance, request}, FlattenOptions(), progress);
   };
-  if (const auto error = reported(report, lay)) return tl::unexpected(*error);
+  if (const auto error = run_reporting(report, lay)) return tl::unexpected(*error);
   return std::make_unique<MadeReport<DiscReport>>(std::move(report));
 }
 

@@ -36,7 +36,7 @@ TEST(Length, KeepsItsAccuracyAtACusp) {
   // ∫ |t| √(4 + 9t²) dt over [−1, 1] = 2 (13^1.5 − 8) / 27.
   const double expected = 2 * (std::pow(13.0, 1.5) - 8) / 27;
   EXPECT_NEAR(length(Curve2(semicubical())), expected, 1e-12 * expected);
-  // A cusp that is not in the middle of the piece.
+  // A cusp that is not in the middle of the span.
   const Curve2 part = trimmed(semicubical(), 0.3, 1.0);
   const auto from_cusp = [](double t) { return (std::pow(4 + 9 * t * t, 1.5) - 8) / 27; };
   EXPECT_NEAR(length(part), from_cusp(0.4) + from_cusp(1), 1e-12 * expected);

@@ -12,7 +12,7 @@
 namespace planish::test {
 namespace {
 
-/// y = x³ for x from −1 to 1, as one Bézier piece.
+/// y = x³ for x from −1 to 1, as one Bézier span.
 CubicSpline cubic_parabola() { return {{{-1, -1}, {-1.0 / 3, 1}, {1.0 / 3, -1}, {1, 1}}}; }
 
 TEST(PointAt, EndsOfSegmentsAndSplinesAreExact) {
@@ -41,9 +41,9 @@ RC_GTEST_PROP(DerivativeAt, IsTheLimitOfDifferences, ()) {
   const Curve2 c = *any_curve();
   const double t = *test::number_in(0.1, 0.9);
   const double h = 1e-5;
-  if (const auto* s = std::get_if<CubicSpline>(&c)) {  // random pieces meet in corners
-    const double pieces = static_cast<double>(s->poles.size() / 3);
-    RC_PRE(std::floor((t - h) * pieces) == std::floor((t + h) * pieces));
+  if (const auto* s = std::get_if<CubicSpline>(&c)) {  // random spans meet in corners
+    const double spans = static_cast<double>(s->poles.size() / 3);
+    RC_PRE(std::floor((t - h) * spans) == std::floor((t + h) * spans));
   }
   const Vec2 difference = (point_at(c, t + h) - point_at(c, t - h)) / (2 * h);
   // A central difference is off by h²/6 of the third derivative, which is below 10⁴ sizes here.

@@ -12,7 +12,7 @@
 namespace planish::test {
 namespace {
 
-std::size_t pieces_of(const CubicSpline& s) { return s.poles.size() / 3; }
+std::size_t spans_of(const CubicSpline& s) { return s.poles.size() / 3; }
 
 TEST(FitCubics, KeepsTheTolerance) {
   for (const double tolerance : {1e-1, 1e-3, 1e-6, 1e-9}) {
@@ -27,11 +27,11 @@ TEST(FitCubics, KeepsTheTolerance) {
 }
 
 TEST(FitCubics, IsOfFourthOrder) {
-  // A Hermite piece over the angle h is off by h⁴/384 at most, and halving overshoots by up to two.
+  // A Hermite span over the angle h is off by h⁴/384 at most, and halving overshoots by up to two.
   for (const double tolerance : {1e-3, 1e-6, 1e-9}) {
     const FitReport fit = fit_cubics(ellipse(1, 1), 0, 2 * pi, tolerance);
     const double needed = 2 * pi / std::pow(384 * tolerance, 0.25);
-    EXPECT_LE(static_cast<double>(pieces_of(fit.spline)), 2 * needed + 1);
+    EXPECT_LE(static_cast<double>(spans_of(fit.spline)), 2 * needed + 1);
   }
 }
 
@@ -40,7 +40,7 @@ TEST(FitCubics, MeetsTheEndsExactlyAndIsTangentContinuous) {
   const FitReport fit = fit_cubics(f, 0.1, 2.5, 1e-5);
   EXPECT_EQ(fit.spline.poles.front(), f(0.1).point);
   EXPECT_EQ(fit.spline.poles.back(), f(2.5).point);
-  ASSERT_GT(pieces_of(fit.spline), 2u);
+  ASSERT_GT(spans_of(fit.spline), 2u);
   for (std::size_t i = 3; i + 1 < fit.spline.poles.size(); i += 3) {
     const Vec2 before = fit.spline.poles[i] - fit.spline.poles[i - 1];
     const Vec2 after = fit.spline.poles[i + 1] - fit.spline.poles[i];
@@ -51,7 +51,7 @@ TEST(FitCubics, MeetsTheEndsExactlyAndIsTangentContinuous) {
 TEST(FitCubics, ReproducesACubicInOnePiece) {
   const auto cubic = [](double t) { return CurveSample{{t, t * t * t}, {1, 3 * t * t}}; };
   const FitReport fit = fit_cubics(cubic, -1, 2, 1e-12);
-  EXPECT_EQ(pieces_of(fit.spline), 1u);
+  EXPECT_EQ(spans_of(fit.spline), 1u);
   EXPECT_LE(fit.deviation, 1e-14);
 }
 
@@ -69,9 +69,9 @@ TEST(FitCubics, DoesNotDependOnTheScale) {
       return CurveSample{s * e.point, s * e.derivative};
     };
   };
-  const std::size_t usual = pieces_of(fit_cubics(ellipse(3, 1), 0, 5, 1e-6).spline);
-  EXPECT_EQ(pieces_of(fit_cubics(scaled_by(0x1p40), 0, 5, 0x1p40 * 1e-6).spline), usual);
-  EXPECT_EQ(pieces_of(fit_cubics(scaled_by(0x1p-40), 0, 5, 0x1p-40 * 1e-6).spline), usual);
+  const std::size_t usual = spans_of(fit_cubics(ellipse(3, 1), 0, 5, 1e-6).spline);
+  EXPECT_EQ(spans_of(fit_cubics(scaled_by(0x1p40), 0, 5, 0x1p40 * 1e-6).spline), usual);
+  EXPECT_EQ(spans_of(fit_cubics(scaled_by(0x1p-40), 0, 5, 0x1p-40 * 1e-6).spline), usual);
 }
 
 TEST(FitCubics, DoesNotDoubleBackWhereSpeedVaries) {
@@ -103,7 +103,7 @@ TEST(FitCubics, PassesAPlaceWhereTheFunctionStandsStill) {
       10, [](double t) { return t * t * t; }, [](double t) { return 3 * t * t; });
   const FitReport fit = fit_cubics(f, -1, 1, 1e-4);
   EXPECT_LE(fit.deviation, 1e-4);
-  EXPECT_LE(pieces_of(fit.spline), 64u);
+  EXPECT_LE(spans_of(fit.spline), 64u);
   for (std::size_t i = 3; i + 1 < fit.spline.poles.size(); i += 3) {
     const Vec2 before = fit.spline.poles[i] - fit.spline.poles[i - 1];
     const Vec2 after = fit.spline.poles[i + 1] - fit.spline.poles[i];
@@ -118,7 +118,7 @@ TEST(FitCubics, NarrowsDownOnACusp) {
   for (const double from : {-pi, -2.0}) {
     const FitReport fit = fit_cubics(cycloid, from, pi, 1e-5);
     EXPECT_LE(fit.deviation, 1e-5);
-    EXPECT_LE(pieces_of(fit.spline), 200u);
+    EXPECT_LE(spans_of(fit.spline), 200u);
   }
 }
 
@@ -126,7 +126,7 @@ TEST(FitCubics, TellsTheDeviationOfWhatCannotBeFitted) {
   const auto noise = [](double t) { return CurveSample{{t, std::sin(1e9 * t)}, {1, 0}}; };
   const FitReport rough = fit_cubics(noise, 0, 1, 1e-6);
   EXPECT_GT(rough.deviation, 1e-6);
-  EXPECT_EQ(pieces_of(rough.spline), 4096u);
+  EXPECT_EQ(spans_of(rough.spline), 4096u);
 }
 
 TEST(FitCubics, OfAPointIsThatPoint) {

@@ -65,8 +65,8 @@ TEST(Merged, JoinsAcrossTheStart) {
 
 TEST(Merged, MakesOneCircleOfItsPieces) {
   for (const double sense : {1.0, -1.0}) {
-    const Loop pieces = cut_up({Arc{{3, 4}, 5, 0.7, sense * 2 * pi}}, 7);
-    const MergedLoop found = merged(pieces, 1e-6);
+    const Loop spans = cut_up({Arc{{3, 4}, 5, 0.7, sense * 2 * pi}}, 7);
+    const MergedLoop found = merged(spans, 1e-6);
     ASSERT_EQ(found.loop.size(), 1u);
     const Arc& arc = std::get<Arc>(found.loop[0]);
     EXPECT_EQ(arc.sweep, sense * 2 * pi);
@@ -77,10 +77,10 @@ TEST(Merged, MakesOneCircleOfItsPieces) {
 }
 
 TEST(Merged, MakesOneCircleOfInaccuratePieces) {
-  Loop pieces = cut_up({Arc{{3, 4}, 5, 0.7, 2 * pi}}, 4);
-  std::get<Arc>(pieces[1]).center += Vec2(2e-5, -1e-5);
-  std::get<Arc>(pieces[2]).radius += 2e-5;
-  const MergedLoop found = merged(pieces, 1e-4);
+  Loop spans = cut_up({Arc{{3, 4}, 5, 0.7, 2 * pi}}, 4);
+  std::get<Arc>(spans[1]).center += Vec2(2e-5, -1e-5);
+  std::get<Arc>(spans[2]).radius += 2e-5;
+  const MergedLoop found = merged(spans, 1e-4);
   ASSERT_EQ(found.loop.size(), 1u);
   EXPECT_EQ(std::get<Arc>(found.loop[0]).sweep, 2 * pi);
   EXPECT_NEAR(std::get<Arc>(found.loop[0]).radius, 5, 1e-4);
@@ -96,17 +96,17 @@ TEST(Merged, LeavesALoopThatIsSimpleAlready) {
 
 RC_GTEST_PROP(Merged, FindsASlotAgainHoweverCutMovedAndStarted, ()) {
   const Isometry2 motion = *any_motion();
-  Loop pieces = transformed(cut_up(slot(), *rc::gen::inRange(1, 12)), motion);
-  if (*rc::gen::arbitrary<bool>()) pieces = reversed(pieces);
-  const auto shift = *rc::gen::inRange<std::size_t>(0, pieces.size());
-  std::rotate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(shift), pieces.end());
-  const MergedLoop found = merged(pieces, 1e-6);
+  Loop spans = transformed(cut_up(slot(), *rc::gen::inRange(1, 12)), motion);
+  if (*rc::gen::arbitrary<bool>()) spans = reversed(spans);
+  const auto shift = *rc::gen::inRange<std::size_t>(0, spans.size());
+  std::rotate(spans.begin(), spans.begin() + static_cast<std::ptrdiff_t>(shift), spans.end());
+  const MergedLoop found = merged(spans, 1e-6);
   RC_ASSERT(found.loop.size() == 4u);
-  RC_ASSERT(std::abs(signed_area(found.loop) - signed_area(pieces)) <= 1e-9);
+  RC_ASSERT(std::abs(signed_area(found.loop) - signed_area(spans)) <= 1e-9);
   RC_ASSERT(std::abs(length(found.loop) - (80 + 10 * pi)) <= 1e-9);
   RC_ASSERT(worst_gap(found.loop) <= 1e-12 * 300);
   for (std::size_t i = 0; i < 4; ++i) {
-    const Vec2 begins = start_of(pieces[found.first_input[i]]);
+    const Vec2 begins = start_of(spans[found.first_input[i]]);
     RC_ASSERT((start_of(found.loop[i]) - begins).norm() <= 1e-9);
   }
 }
@@ -191,7 +191,7 @@ TEST(Merged, ThinsAChainOfShortCurvesWithoutLosingIt) {
 }
 
 TEST(Merged, TakesTenThousandCurves) {
-  // Fine pieces of a big slot: everything joins.
+  // Fine curves of a big slot: everything joins.
   const MergedLoop found = merged(cut_up(scaled(slot(), 100), 2500), 1e-3);
   EXPECT_EQ(found.loop.size(), 4u);
   // A saw: nothing joins.

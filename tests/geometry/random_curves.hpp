@@ -38,8 +38,8 @@ inline rc::Gen<Curve2> any_curve() {
       default: {
         CubicSpline s;
         s.poles.push_back(*point_in(-10, 10));
-        const int pieces = *rc::gen::inRange(1, 4);
-        for (int i = 0; i < 3 * pieces; ++i)
+        const int spans = *rc::gen::inRange(1, 4);
+        for (int i = 0; i < 3 * spans; ++i)
           s.poles.push_back(*point_in(-10, 10));
         return s;
       }

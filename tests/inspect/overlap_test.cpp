@@ -17,11 +17,11 @@ using test::shifted;
 using testing::HasSubstr;
 
 /// A sheet of faces without bends between them, as overlaps see it.
-struct Pieces {
+struct Regions {
   Sheet sheet;
   Layout layout;
   FlatPattern pattern;
-  Pieces() { pattern.thickness = sheet.thickness = 2.0; }
+  Regions() { pattern.thickness = sheet.thickness = 2.0; }
 
   FaceId add(const Loop& outline, std::variant<FlangeId, BendId> part,
              std::vector<Loop> openings = {}) {
@@ -44,10 +44,10 @@ double area_in(const std::string& message) {
 }
 
 TEST(FindOverlaps, NamesTheFlangesTheAreaAndThePlace) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{2});
-  pieces.add(square(5, 5, 10), FlangeId{6});
-  const auto found = pieces.overlaps();
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{2});
+  regions.add(square(5, 5, 10), FlangeId{6});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
   EXPECT_EQ(found[0].code, "overlap");
   EXPECT_EQ(found[0].severity, Severity::error);
@@ -60,68 +60,68 @@ TEST(FindOverlaps, NamesTheFlangesTheAreaAndThePlace) {
 }
 
 TEST(FindOverlaps, MeasuresNarrowOverlapsAsTheyAre) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(9.9, 0, 10), FlangeId{1});
-  const auto found = pieces.overlaps();
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(9.9, 0, 10), FlangeId{1});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(area_in(found[0].message), 1.0, 0.001);
 }
 
 TEST(FindOverlaps, LetsPiecesTouchWithinTheContactDepth) {
   for (const double depth : {0.0, 1e-9, 0.003}) {
-    Pieces pieces;
-    pieces.add(square(0, 0, 10), FlangeId{0});
-    pieces.add(square(10 - depth, 0, 10), FlangeId{1});
-    pieces.add(square(10 - depth, 10 - depth, 10), FlangeId{2});
-    EXPECT_TRUE(pieces.overlaps().empty()) << depth;
+    Regions regions;
+    regions.add(square(0, 0, 10), FlangeId{0});
+    regions.add(square(10 - depth, 0, 10), FlangeId{1});
+    regions.add(square(10 - depth, 10 - depth, 10), FlangeId{2});
+    EXPECT_TRUE(regions.overlaps().empty()) << depth;
   }
 }
 
 TEST(FindOverlaps, LetsClosedRingsMissByWhatTheyMiss) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(9.99, 0, 10), FlangeId{1});
-  EXPECT_EQ(pieces.overlaps().size(), 1u);
-  pieces.pattern.closure = 0.01;
-  EXPECT_TRUE(pieces.overlaps().empty());
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(9.99, 0, 10), FlangeId{1});
+  EXPECT_EQ(regions.overlaps().size(), 1u);
+  regions.pattern.closure = 0.01;
+  EXPECT_TRUE(regions.overlaps().empty());
 }
 
 TEST(FindOverlaps, LetsCurvedNeighboursTouchAlongOneArc) {
   // A disc in the hole of a plate: both sides of the arc are sampled on their own.
   for (const double radius : {3.0, 500.0}) {
-    Pieces pieces;
+    Regions regions;
     const Arc rim{Vec2(1, 2), radius, 0.3, 2 * std::numbers::pi};
     const Arc hole{Vec2(1, 2), radius, 1.7, -2 * std::numbers::pi};
-    pieces.add(Loop{rim}, FlangeId{0});
-    pieces.add(square(-2 * radius, -2 * radius, 5 * radius), FlangeId{1}, {Loop{hole}});
-    EXPECT_TRUE(pieces.overlaps().empty()) << radius;
+    regions.add(Loop{rim}, FlangeId{0});
+    regions.add(square(-2 * radius, -2 * radius, 5 * radius), FlangeId{1}, {Loop{hole}});
+    EXPECT_TRUE(regions.overlaps().empty()) << radius;
   }
 }
 
 TEST(FindOverlaps, LetsATabLieInItsWindow) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 30), FlangeId{0}, {reversed(square(10, 10, 10))});
-  pieces.add(shifted(rectangle(10, 8), Vec2(10, 12)), FlangeId{1});
-  pieces.add(shifted(rectangle(10, 2), Vec2(10, 10)), BendId{0});
-  EXPECT_TRUE(pieces.overlaps().empty());
+  Regions regions;
+  regions.add(square(0, 0, 30), FlangeId{0}, {reversed(square(10, 10, 10))});
+  regions.add(shifted(rectangle(10, 8), Vec2(10, 12)), FlangeId{1});
+  regions.add(shifted(rectangle(10, 2), Vec2(10, 10)), BendId{0});
+  EXPECT_TRUE(regions.overlaps().empty());
 }
 
 TEST(FindOverlaps, SeesATabTooLongForItsWindow) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 30), FlangeId{0}, {reversed(square(10, 10, 10))});
-  pieces.add(shifted(rectangle(10, 9), Vec2(10, 12)), FlangeId{1});
-  const auto found = pieces.overlaps();
+  Regions regions;
+  regions.add(square(0, 0, 30), FlangeId{0}, {reversed(square(10, 10, 10))});
+  regions.add(shifted(rectangle(10, 9), Vec2(10, 12)), FlangeId{1});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NEAR(area_in(found[0].message), 10.0, 0.01);
 }
 
 TEST(FindOverlaps, TellsAllPlacesOfAPairOnce) {
-  Pieces pieces;  // a bar over a U: two places
-  pieces.add(polygon({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 5}, {10, 5}, {10, 20}, {0, 20}}),
-             FlangeId{0});
-  pieces.add(shifted(rectangle(40, 2), Vec2(-5, 15)), FlangeId{1});
-  const auto found = pieces.overlaps();
+  Regions regions;  // a bar over a U: two places
+  regions.add(polygon({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 5}, {10, 5}, {10, 20}, {0, 20}}),
+              FlangeId{0});
+  regions.add(shifted(rectangle(40, 2), Vec2(-5, 15)), FlangeId{1});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
   EXPECT_NEAR(area_in(found[0].message), 40.0, 0.01);
   EXPECT_THAT(found[0].message, HasSubstr("in 2 places"));
@@ -129,37 +129,37 @@ TEST(FindOverlaps, TellsAllPlacesOfAPairOnce) {
 }
 
 TEST(FindOverlaps, TellsTheFacesOfOneFlangeTogether) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(10, 0, 10), FlangeId{0});
-  pieces.add(shifted(rectangle(10, 4), Vec2(5, 8)), FlangeId{1});
-  const auto found = pieces.overlaps();
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(10, 0, 10), FlangeId{0});
+  regions.add(shifted(rectangle(10, 4), Vec2(5, 8)), FlangeId{1});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 1u) << test::text_of(found);
   EXPECT_NEAR(area_in(found[0].message), 20.0, 0.01);
 }
 
 TEST(FindOverlaps, TellsLargestFirst) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(9, 0, 10), FlangeId{1});
-  pieces.add(square(17, 0, 10), FlangeId{2});
-  const auto found = pieces.overlaps();
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(9, 0, 10), FlangeId{1});
+  regions.add(square(17, 0, 10), FlangeId{2});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_THAT(found[0].message, HasSubstr("flange 2 and flange 3"));
   EXPECT_THAT(found[1].message, HasSubstr("flange 1 and flange 2"));
 }
 
 TEST(FindOverlaps, NamesBendsAsThePatternDoes) {
-  Pieces pieces;
+  Regions regions;
   FlatBend bend;
   bend.id = "B7";
   bend.bend = BendId{0};
-  pieces.pattern.bends = {bend};
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(9, 0, 10), BendId{0});
-  pieces.add(square(9, 20, 10), BendId{0});
-  pieces.add(square(9, 25, 10), BendId{0});
-  const auto found = pieces.overlaps();
+  regions.pattern.bends = {bend};
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(9, 0, 10), BendId{0});
+  regions.add(square(9, 20, 10), BendId{0});
+  regions.add(square(9, 25, 10), BendId{0});
+  const auto found = regions.overlaps();
   ASSERT_EQ(found.size(), 2u) << test::text_of(found);
   EXPECT_EQ(found[0].message, "bend B7 overlaps itself by 50 mm² in the flat pattern");
   EXPECT_EQ(found[1].message, "flange 1 and bend B7 overlap by 10 mm² in the flat pattern");
@@ -169,13 +169,13 @@ TEST(FindOverlaps, NamesBendsAsThePatternDoes) {
 
 /// Two flanges joined by a sharp bend along x, the second one starting `gap` above the first; a
 /// third one reaches from the side into the strip between them.
-Pieces creased(double gap, double third_at) {
-  Pieces pieces;
-  const FaceId first = pieces.add(shifted(rectangle(40, 20), Vec2(0, -20)), FlangeId{0});
-  const FaceId second = pieces.add(shifted(rectangle(40, 20), Vec2(0, gap)), FlangeId{1});
-  pieces.add(shifted(rectangle(10, 1), Vec2(third_at, 0.5)), FlangeId{2});
-  pieces.sheet.joints.push_back({{first, 0, 2}, {second, 0, 0}, BendId{0}});
-  return pieces;
+Regions creased(double gap, double third_at) {
+  Regions regions;
+  const FaceId first = regions.add(shifted(rectangle(40, 20), Vec2(0, -20)), FlangeId{0});
+  const FaceId second = regions.add(shifted(rectangle(40, 20), Vec2(0, gap)), FlangeId{1});
+  regions.add(shifted(rectangle(10, 1), Vec2(third_at, 0.5)), FlangeId{2});
+  regions.sheet.joints.push_back({{first, 0, 2}, {second, 0, 0}, BendId{0}});
+  return regions;
 }
 
 TEST(FindOverlaps, SeesWhatCoversTheStripOfASharpBend) {
@@ -188,7 +188,7 @@ TEST(FindOverlaps, SeesWhatCoversTheStripOfASharpBend) {
 
 TEST(FindOverlaps, LetsFacesReachOverEachOtherAtASharpBendSeenFromOutside) {
   EXPECT_TRUE(creased(-1.3, 60.0).overlaps().empty());
-  Pieces mirrored = creased(-1.3, 60.0);
+  Regions mirrored = creased(-1.3, 60.0);
   Isometry2 mirror = Isometry2::Identity();
   mirror.linear()(0, 0) = -1.0;
   for (std::vector<Loop>& loops : mirrored.layout.images)
@@ -197,19 +197,19 @@ TEST(FindOverlaps, LetsFacesReachOverEachOtherAtASharpBendSeenFromOutside) {
 }
 
 TEST(FindOverlaps, SeesMoreThanASharpBendExplains) {
-  Pieces pieces = creased(-1.3, 60.0);
+  Regions regions = creased(-1.3, 60.0);
   // The second flange has an ear that comes back over the first one.
-  pieces.layout.images[FaceId{1}].front() = polygon({{0, -1.3},
-                                                     {40, -1.3},
-                                                     {40, -6},
-                                                     {45, -6},
-                                                     {45, 20},
-                                                     {35, 20},
-                                                     {35, -10},
-                                                     {30, -10},
-                                                     {30, 20},
-                                                     {0, 20}});
-  EXPECT_FALSE(pieces.overlaps().empty());
+  regions.layout.images[FaceId{1}].front() = polygon({{0, -1.3},
+                                                      {40, -1.3},
+                                                      {40, -6},
+                                                      {45, -6},
+                                                      {45, 20},
+                                                      {35, 20},
+                                                      {35, -10},
+                                                      {30, -10},
+                                                      {30, 20},
+                                                      {0, 20}});
+  EXPECT_FALSE(regions.overlaps().empty());
 }
 
 // ---- contours
@@ -249,12 +249,12 @@ TEST(FindOverlaps, SeesACrossingAtASmallAngle) {
 }
 
 TEST(FindOverlaps, TellsACrossingOnceWhenFacesOverlapThereToo) {
-  Pieces pieces;
-  pieces.add(square(0, 0, 10), FlangeId{0});
-  pieces.add(square(5, 5, 10), FlangeId{1});
-  pieces.pattern.outer = test::contour(polygon(
+  Regions regions;
+  regions.add(square(0, 0, 10), FlangeId{0});
+  regions.add(square(5, 5, 10), FlangeId{1});
+  regions.pattern.outer = test::contour(polygon(
       {{0, 0}, {10, 0}, {10, 10}, {5, 10}, {5, 5}, {15, 5}, {15, 15}, {4, 15}, {4, 10}, {0, 10}}));
-  EXPECT_EQ(pieces.overlaps().size(), 1u) << test::text_of(pieces.overlaps());
+  EXPECT_EQ(regions.overlaps().size(), 1u) << test::text_of(regions.overlaps());
 }
 
 TEST(FindOverlaps, LetsALanceTouchItself) {

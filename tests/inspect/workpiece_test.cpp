@@ -11,14 +11,14 @@ using namespace inspect_detail;
 
 TEST(Workpiece, HasTwoSidesOfABendThatLookAwayFromIt) {
   const FlatPattern pattern = flat_l(30, 50);
-  const Workpiece piece({}, pattern);
-  ASSERT_EQ(piece.sides.size(), 2u);
-  for (const BendSide& side : piece.sides) {
+  const Workpiece workpiece({}, pattern);
+  ASSERT_EQ(workpiece.sides.size(), 2u);
+  for (const BendSide& side : workpiece.sides) {
     EXPECT_NEAR(side.length(), 40.0, 1e-12);
     EXPECT_NEAR(std::abs(side.start.x()), 0.5 * zone_width(), 1e-12);
     EXPECT_NEAR((side.outward - Vec2(side.start.x() > 0 ? 1 : -1, 0)).norm(), 0.0, 1e-12);
   }
-  EXPECT_EQ(piece.tangent_lines.size(), 2u);
+  EXPECT_EQ(workpiece.tangent_lines.size(), 2u);
 }
 
 TEST(Workpiece, TellsWindowsFromOpeningsInTheBend) {
@@ -30,23 +30,23 @@ TEST(Workpiece, TellsWindowsFromOpeningsInTheBend) {
   pattern.bends[0].tangent_lines = {{Vec2(-0.5 * zone_width(), 0), Vec2(-0.5 * zone_width(), 34)},
                                     {Vec2(0.5 * zone_width(), 0), Vec2(0.5 * zone_width(), 17)},
                                     {Vec2(0.5 * zone_width(), 23), Vec2(0.5 * zone_width(), 34)}};
-  const Workpiece piece({}, pattern);
-  ASSERT_EQ(piece.openings.size(), 3u);
-  EXPECT_TRUE(piece.openings[0].bounds.contains(0));
-  EXPECT_TRUE(piece.openings[0].reaches_in.empty());
-  EXPECT_TRUE(piece.openings[1].reaches_in.contains(0));
-  EXPECT_TRUE(piece.openings[2].bounds.empty() && piece.openings[2].reaches_in.empty());
-  EXPECT_EQ(piece.openings[0].size_text, "8 × 8 mm");
-  EXPECT_EQ(piece.openings[1].size_text, "Ø 6 mm");
+  const Workpiece workpiece({}, pattern);
+  ASSERT_EQ(workpiece.openings.size(), 3u);
+  EXPECT_TRUE(workpiece.openings[0].bounds.contains(0));
+  EXPECT_TRUE(workpiece.openings[0].reaches_in.empty());
+  EXPECT_TRUE(workpiece.openings[1].reaches_in.contains(0));
+  EXPECT_TRUE(workpiece.openings[2].bounds.empty() && workpiece.openings[2].reaches_in.empty());
+  EXPECT_EQ(workpiece.openings[0].size_text, "8 × 8 mm");
+  EXPECT_EQ(workpiece.openings[1].size_text, "Ø 6 mm");
 }
 
 TEST(Workpiece, IsJoinedByMaterialOnlyWhereNothingIsCutOut) {
   FlatPattern pattern = flat_plate(rectangle(100, 60));
   open(pattern, rectangular_opening({50, 30}, 2, 20));
-  const Workpiece piece({}, pattern);
-  EXPECT_FALSE(piece.joined_by_material({40, 30}, {60, 30}));
-  EXPECT_TRUE(piece.joined_by_material({40, 5}, {60, 5}));
-  EXPECT_FALSE(piece.openings[0].is_cut);
+  const Workpiece workpiece({}, pattern);
+  EXPECT_FALSE(workpiece.joined_by_material({40, 30}, {60, 30}));
+  EXPECT_TRUE(workpiece.joined_by_material({40, 5}, {60, 5}));
+  EXPECT_FALSE(workpiece.openings[0].is_cut);
 }
 
 TEST(BendKinds, BeginAtTenThicknessesAndAt170Degrees) {

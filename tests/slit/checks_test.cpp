@@ -110,22 +110,22 @@ TEST(SlitRefuses, AnchorsOnMissingStripsAndRidges) {
   const Vec3 at(180, 450, 30);
   expect_chair_refused(
       [&](SlitDesign& d) {
-        d.anchors = {{0, 5, Side::left, at}, {6, 5, Side::left, at}};
+        d.anchors = {{0, 5, StripEdge::left, at}, {6, 5, StripEdge::left, at}};
       },
       ErrorCode::unknown_strip, "/anchors/1/strip", "6");
   expect_chair_refused(
       [&](SlitDesign& d) {
-        d.anchors = {{-1, 5, Side::left, at}};
+        d.anchors = {{-1, 5, StripEdge::left, at}};
       },
       ErrorCode::unknown_strip, "/anchors/0/strip");
   expect_chair_refused(
       [&](SlitDesign& d) {
-        d.anchors = {{0, 11, Side::left, at}};
+        d.anchors = {{0, 11, StripEdge::left, at}};
       },
       ErrorCode::unknown_ridge, "/anchors/0/ridge", "11");
   expect_chair_refused(
       [&](SlitDesign& d) {
-        d.anchors = {{0, 5, Side::left, {kNan, 0, 0}}};
+        d.anchors = {{0, 5, StripEdge::left, {kNan, 0, 0}}};
       },
       ErrorCode::invalid_input, "/anchors/0/at");
 }
@@ -134,18 +134,18 @@ TEST(SlitRefuses, AnchorsOutOfReachSayingHowFar) {
   // From (360, 420, 0) up by 200 and on to the plane 360 away: 560 of 464 mm.
   expect_chair_refused(
       [](SlitDesign& d) {
-        d.anchors = {{0, 5, Side::left, {360, 620, 0}}};
+        d.anchors = {{0, 5, StripEdge::left, {360, 620, 0}}};
       },
       ErrorCode::out_of_reach, "/anchors/0/at", "96 mm");
   // The ridge on the panel does not move.
   expect_chair_refused(
       [](SlitDesign& d) {
-        d.anchors = {{0, 0, Side::left, {360, 423, 0}}};
+        d.anchors = {{0, 0, StripEdge::left, {360, 423, 0}}};
       },
       ErrorCode::out_of_reach, "/anchors/0/at", "3 mm");
   SlitSession session = started(chair());
   SlitDesign design = session.design();
-  design.anchors = {{0, 5, Side::left, {360, 620, 0}}};
+  design.anchors = {{0, 5, StripEdge::left, {360, 620, 0}}};
   EXPECT_EQ(session.set_design(design).error().code, ErrorCode::out_of_reach);
   EXPECT_TRUE(session.design().anchors.empty());
 }

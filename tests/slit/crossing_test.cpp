@@ -42,14 +42,14 @@ TEST(Crossing, DoesNotSeeTouching) {
 
 TEST(PlanesBeside, KeepAStripBeyondTheBorderOfItsNeighbour) {
   // The strip lies 5 over the right border of its left neighbour, at y = 20.
-  const auto planes = planes_beside(strip_at({0, 15, 0}), strip_at({0, 0, 0}), Side::left);
+  const auto planes = planes_beside(strip_at({0, 15, 0}), strip_at({0, 0, 0}), StripEdge::left);
   ASSERT_EQ(planes.size(), 1u);  // ridge 0 stays on the panel
   EXPECT_EQ(planes[0].ridge, 1);
   EXPECT_EQ(planes[0].side, 0);
   EXPECT_NEAR((planes[0].normal - Vec3::UnitY()).norm(), 0.0, 1e-15);
   EXPECT_NEAR(planes[0].offset, 20.0, 1e-12);
   // Seen from the other one, whose right side must stay left of y = 15.
-  const auto others = planes_beside(strip_at({0, 0, 0}), strip_at({0, 15, 0}), Side::right);
+  const auto others = planes_beside(strip_at({0, 0, 0}), strip_at({0, 15, 0}), StripEdge::right);
   ASSERT_EQ(others.size(), 1u);
   EXPECT_EQ(others[0].side, 1);
   EXPECT_NEAR((others[0].normal + Vec3::UnitY()).norm(), 0.0, 1e-15);
@@ -57,9 +57,9 @@ TEST(PlanesBeside, KeepAStripBeyondTheBorderOfItsNeighbour) {
 }
 
 TEST(PlanesBeside, LeaveFreeWhatIsBesideOrFarAbove) {
-  EXPECT_TRUE(planes_beside(strip_at({0, 20, 0}), strip_at({0, 0, 0}), Side::left).empty());
-  EXPECT_TRUE(planes_beside(strip_at({0, 15, 21}), strip_at({0, 0, 0}), Side::left).empty());
-  EXPECT_FALSE(planes_beside(strip_at({0, 15, 19}), strip_at({0, 0, 0}), Side::left).empty());
+  EXPECT_TRUE(planes_beside(strip_at({0, 20, 0}), strip_at({0, 0, 0}), StripEdge::left).empty());
+  EXPECT_TRUE(planes_beside(strip_at({0, 15, 21}), strip_at({0, 0, 0}), StripEdge::left).empty());
+  EXPECT_FALSE(planes_beside(strip_at({0, 15, 19}), strip_at({0, 0, 0}), StripEdge::left).empty());
 }
 
 TEST(Mirror, IsPassedByAsMuchAsCornersLieBehindIt) {

@@ -148,7 +148,7 @@ TEST(SlitSession, IsNotBentTighterForARadiusItCannotKeep) {
 TEST(SlitSession, TakesADesignByWhatDiffers) {
   SlitDesign design = chair();
   SlitSession session = solved(design, 1);
-  design.anchors.push_back({2, 5, Side::left, {180, 330, 150}});
+  design.anchors.push_back({2, 5, StripEdge::left, {180, 330, 150}});
   ASSERT_TRUE(session.set_design(design));
   EXPECT_EQ(session.design().anchors.at(0).ridge, 10);  // as subdivided
   auto report = session.solve();
@@ -217,7 +217,7 @@ TEST(SlitSession, SolvesOnlyTheStripsThatAnEditTouches) {
   const auto before = session.folded();
   const Vec3 at = before.strips[2].ridges[5].folded[0] + Vec3(0, 8, 0);
   SlitDesign design = session.design();
-  design.anchors = {{2, 5, Side::left, at}};
+  design.anchors = {{2, 5, StripEdge::left, at}};
   ASSERT_TRUE(session.set_design(design));
   EXPECT_EQ(session.state(2).status, StripStatus::open);
   const auto report = session.solve();
@@ -238,7 +238,7 @@ TEST(SlitSession, ComesNearerToAnAnchorTheHeavierItWeighs) {
     SlitDesign design = chair();
     const Vec3 at = solved(design).folded().strips[0].ridges[5].folded[0] + Vec3(0, 20, 0);
     design.weights.anchors = weight;
-    design.anchors = {{0, 5, Side::left, at}};
+    design.anchors = {{0, 5, StripEdge::left, at}};
     const double distance = solved(design).state(0).anchor_distance;
     EXPECT_LT(distance, before);
     before = distance;
@@ -250,7 +250,8 @@ TEST(SlitSession, LeavesTheShapeUntilItIsSolved) {
   SlitSession session = solved(chair());
   const auto before = session.folded();
   SlitDesign design = session.design();
-  design.anchors = {{1, 5, Side::right, before.strips[1].ridges[5].folded[1] + Vec3(0, 15, 0)}};
+  design.anchors = {
+      {1, 5, StripEdge::right, before.strips[1].ridges[5].folded[1] + Vec3(0, 15, 0)}};
   ASSERT_TRUE(session.set_design(design));
   EXPECT_EQ(largest_difference(before, session.folded()), 0.0);
   ASSERT_TRUE(session.solve());
@@ -262,7 +263,7 @@ TEST(SlitSession, KeepsEverythingWhereADesignIsRefused) {
   const auto before = session.folded();
   SlitDesign design = session.design();
   design.weights.smooth *= 2;
-  design.anchors = {{9, 5, Side::right, Vec3::Zero()}};
+  design.anchors = {{9, 5, StripEdge::right, Vec3::Zero()}};
   EXPECT_EQ(session.set_design(design).error().code, ErrorCode::unknown_strip);
   EXPECT_EQ(session.design().weights, chair().weights);
   EXPECT_TRUE(session.design().anchors.empty());
@@ -326,8 +327,8 @@ TEST(SlitScan, OfAKnownChairIsFollowed) {
   // A chair bent by an anchor, its ridge ends moved at random by up to half a millimetre: what a
   // scanner would see.
   SlitDesign known = chair();
-  known.anchors = {
-      {1, 5, Side::left, solved(chair()).folded().strips[1].ridges[5].folded[0] + Vec3(0, 25, 0)}};
+  known.anchors = {{1, 5, StripEdge::left,
+                    solved(chair()).folded().strips[1].ridges[5].folded[0] + Vec3(0, 25, 0)}};
   known.weights.anchors = 1.0;
   const auto shape = solved(known, 1).folded();
   std::mt19937 random(3);

@@ -75,8 +75,8 @@ TEST(KnownShape, StripOfKnownAnglesIsFoundFromItsCorners) {
     SlitDesign design = one_strip(quads);
     design.weights = {.smooth = 0.0, .spacing = 0.0, .anchors = 1.0};
     for (int ridge = 1; ridge <= quads; ++ridge)
-      for (const Side side : {Side::left, Side::right})
-        design.anchors.push_back({0, ridge, side, ends[ridge][side == Side::left ? 0 : 1]});
+      for (const StripEdge side : {StripEdge::left, StripEdge::right})
+        design.anchors.push_back({0, ridge, side, ends[ridge][side == StripEdge::left ? 0 : 1]});
     SlitSession session = started(design);
     ASSERT_TRUE(session.solve({.max_iterations = 500, .function_tolerance = 1e-14}));
     EXPECT_LE(session.state(0).anchor_distance, 1e-6) << trial;

@@ -33,9 +33,9 @@ void expect_supported(const Ring& ring) {
     for (const Element& e : boundary.elements)
       for (int i = 0; i <= 20; ++i)
         points.push_back(e.curve(std::lerp(e.t0, e.t1, i / 20.0)).point);
-  for (const Strip& strip : ring.strips)
+  for (const RuledPatch& patch : ring.patches)
     for (const double at : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-      const Vec3 n = strip.normal(at), p = strip.ruling(at)[0];
+      const Vec3 n = patch.normal(at), p = patch.ruling(at)[0];
       for (const Vec3& x : points)
         EXPECT_LT(n.dot(x - p), 1e-7 * ring.size);
     }

@@ -70,7 +70,7 @@ TEST(NamedSheet, HasLabelsWhereItsRulingsEnd) {
     const Vec2 at = rectangle(100, 100).corners[corner[0] - 'A'];
     EXPECT_LT((skin_point(sheet[label->face], label->at) - Vec3(at.x(), at.y(), 0)).norm(), 1e-7);
   }
-  EXPECT_EQ(names.true_lengths().size(), 8u) << "a ruling between every two of eight strips";
+  EXPECT_EQ(names.true_lengths().size(), 8u) << "a ruling between every two of eight patches";
 }
 
 TEST(NamedSheet, NumbersPressLinesByBend) {

@@ -47,8 +47,8 @@ TEST(TransitionPieces, AddUpAndFitAtTheirSeams) {
                     [&](const Vec3& p) { return spec.to.frame.local(p).z() > -1.0; }))
       continue;
     const double whole = made(spec).area;
-    for (const auto& [pieces, count] : {std::pair{Pieces::one, 1u}, std::pair{Pieces::two, 2u},
-                                        std::pair{Pieces::per_side, 4u}}) {
+    for (const auto& [pieces, count] : {std::pair{Division::one, 1u}, std::pair{Division::two, 2u},
+                                        std::pair{Division::per_side, 4u}}) {
       spec.pieces = pieces;
       const Transition transition = made(spec);
       ASSERT_EQ(transition.pieces.size(), count) << "seed " << seed;
@@ -214,7 +214,7 @@ TEST(TransitionLabels, StandInTheNetAsFarApartAsTheTrueLengthsSay) {
     std::mt19937 random(seed);
     TransitionSpec spec = random_transition(random);
     spec.pressing = PressCount{3};
-    spec.pieces = seed % 2 == 0 ? Pieces::one : Pieces::two;
+    spec.pieces = seed % 2 == 0 ? Division::one : Division::two;
     const Transition transition = made(spec);
     std::vector<FlatPattern> nets;
     for (const Sheet& piece : transition.pieces)
@@ -325,7 +325,7 @@ TEST(TransitionSeams, LeaveNoSliversOfPatches) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     std::mt19937 random(seed);
     TransitionSpec spec = random_transition(random);
-    spec.pieces = Pieces::two;
+    spec.pieces = Division::two;
     for (const Sheet& piece : made(spec).pieces)
       for (const Face& face : piece.faces) {
         double longest = 0.0;
@@ -382,7 +382,7 @@ TEST(TransitionBends, AreMeasuredBetweenTheirEndsTheLongWayRound) {
   // Half and three quarters of flat cones: their normals turn little on the way.
   TransitionSpec spec = between(EllipseProfile{100, 100}, EllipseProfile{50, 50}, {0, 0, 10});
   EXPECT_NEAR(made(spec).pieces.at(0).bends.front().angle.degrees(), 360.0, 1e-9);
-  spec.pieces = Pieces::two;
+  spec.pieces = Division::two;
   const double lean = std::atan2(50, 10);  // of the normals from the cone's plane
   EXPECT_NEAR(made(spec).pieces.at(0).bends.front().angle.radians(), 2 * (kPi / 2 - lean), 1e-9);
 }

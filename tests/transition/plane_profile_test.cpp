@@ -12,61 +12,62 @@ namespace {
 
 using namespace transition_detail;
 
-std::vector<PlanePiece> pieces(const Profile& profile, double outwards = 0.0) {
-  auto made = pieces_of(profile, outwards, "/p");
+std::vector<PlaneElement> elements(const Profile& profile, double outwards = 0.0) {
+  auto made = elements_of(profile, outwards, "/p");
   EXPECT_TRUE(made) << (made ? "" : made.error().message);
-  return made ? *made : std::vector<PlanePiece>{};
+  return made ? *made : std::vector<PlaneElement>{};
 }
 
-/// Each piece ends where the next begins.
-void expect_closed(const std::vector<PlanePiece>& all) {
+/// Each element ends where the next begins.
+void expect_closed(const std::vector<PlaneElement>& all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const PlanePiece& next = all[(i + 1) % all.size()];
+    const PlaneElement& next = all[(i + 1) % all.size()];
     EXPECT_LT((all[i].curve(all[i].t1).point - next.curve(next.t0).point).norm(), 1e-10) << i;
   }
 }
 
-double length_of(const PlanePiece& piece) {
-  return simpson([&](double t) { return piece.curve(t).first.norm(); }, piece.t0, piece.t1, 200);
+double length_of(const PlaneElement& element) {
+  return simpson([&](double t) { return element.curve(t).first.norm(); }, element.t0, element.t1,
+                 200);
 }
 
-double perimeter(const std::vector<PlanePiece>& all) {
+double perimeter(const std::vector<PlaneElement>& all) {
   double sum = 0.0;
-  for (const PlanePiece& piece : all)
-    sum += length_of(piece);
+  for (const PlaneElement& element : all)
+    sum += length_of(element);
   return sum;
 }
 
 TEST(PiecesOf, APolygonAreItsEdgesWithMitredCorners) {
-  const auto all = pieces(rectangle(100, 60), 2.0);
+  const auto all = elements(rectangle(100, 60), 2.0);
   ASSERT_EQ(all.size(), 4u);
   expect_closed(all);
   EXPECT_LT((all[0].curve(0.0).point - Vec2(-52, -32)).norm(), 1e-12);
   EXPECT_LT((all[2].curve(0.0).point - Vec2(52, 32)).norm(), 1e-12);
-  for (const PlanePiece& piece : all)
-    EXPECT_TRUE(piece.straight);
+  for (const PlaneElement& element : all)
+    EXPECT_TRUE(element.straight);
 }
 
 TEST(PiecesOf, AClockwisePolygonRunsTheOtherWayAndKeepsItsNumbers) {
   const PolygonProfile given{{{0, 0}, {0, 50}, {80, 50}, {80, 0}}};
-  const auto all = pieces(given);
+  const auto all = elements(given);
   ASSERT_EQ(all.size(), 4u);
   double twice = 0.0;
-  for (const PlanePiece& piece : all) {
-    const Vec2 a = piece.curve(0.0).point, b = piece.curve(1.0).point;
+  for (const PlaneElement& element : all) {
+    const Vec2 a = element.curve(0.0).point, b = element.curve(1.0).point;
     twice += a.x() * b.y() - a.y() * b.x();
-    ASSERT_EQ(piece.edges.size(), 1u);
-    const int edge = piece.edges[0].number;
+    ASSERT_EQ(element.edges.size(), 1u);
+    const int edge = element.edges[0].number;
     const Vec2 middle = 0.5 * (given.corners[edge] + given.corners[(edge + 1) % 4]);
-    EXPECT_LT((piece.curve(0.5).point - middle).norm(), 1e-12);
-    ASSERT_EQ(piece.corners.size(), 1u);
-    EXPECT_EQ(a, given.corners[piece.corners[0].number]);
+    EXPECT_LT((element.curve(0.5).point - middle).norm(), 1e-12);
+    ASSERT_EQ(element.corners.size(), 1u);
+    EXPECT_EQ(a, given.corners[element.corners[0].number]);
   }
   EXPECT_NEAR(twice, 2.0 * 80 * 50, 1e-9) << "counter-clockwise";
 }
 
 TEST(PiecesOf, EdgesInOneLineAreOnePieceWithTheirShares) {
-  const auto all = pieces(PolygonProfile{{{0, 0}, {30, 0}, {100, 0}, {100, 50}, {0, 50}}});
+  const auto all = elements(PolygonProfile{{{0, 0}, {30, 0}, {100, 0}, {100, 50}, {0, 50}}});
   ASSERT_EQ(all.size(), 4u);
   ASSERT_EQ(all[0].edges.size(), 2u);
   EXPECT_NEAR(all[0].edges[0].to, 0.3, 1e-12);
@@ -77,19 +78,19 @@ TEST(PiecesOf, EdgesInOneLineAreOnePieceWithTheirShares) {
 }
 
 TEST(PiecesOf, AnEllipseAreQuartersOfOneCurve) {
-  const auto all = pieces(EllipseProfile{50, 30});
+  const auto all = elements(EllipseProfile{50, 30});
   ASSERT_EQ(all.size(), 4u);
   expect_closed(all);
   EXPECT_NEAR(perimeter(all), ellipse_perimeter(50, 30), 1e-8);
-  for (const PlanePiece& piece : all) {
-    EXPECT_EQ(piece.source, all[0].source);
-    EXPECT_DOUBLE_EQ(piece.period, 2.0 * kPi);
+  for (const PlaneElement& element : all) {
+    EXPECT_EQ(element.source, all[0].source);
+    EXPECT_DOUBLE_EQ(element.period, 2.0 * kPi);
   }
 }
 
 TEST(PiecesOf, ARoundedRectangleAreSidesAndQuartersSetOff) {
   const double w = 100, h = 60, r = 10, d = 2;
-  const auto all = pieces(RoundedRectangleProfile{w, h, r}, d);
+  const auto all = elements(RoundedRectangleProfile{w, h, r}, d);
   ASSERT_EQ(all.size(), 8u);
   expect_closed(all);
   EXPECT_NEAR(perimeter(all), 2 * (w - 2 * r) + 2 * (h - 2 * r) + 2 * kPi * (r + d), 1e-9);
@@ -99,13 +100,13 @@ TEST(PiecesOf, ARoundedRectangleAreSidesAndQuartersSetOff) {
 }
 
 TEST(PiecesOf, AnObroundHasHalfCirclesOfOneCurveEach) {
-  const auto all = pieces(ObroundProfile{100, 40});
+  const auto all = elements(ObroundProfile{100, 40});
   ASSERT_EQ(all.size(), 6u);
   expect_closed(all);
   EXPECT_NEAR(perimeter(all), 2 * 60 + kPi * 40, 1e-9);
   std::vector<int> sources;
-  for (const PlanePiece& piece : all)
-    if (!piece.straight) sources.push_back(piece.source);
+  for (const PlaneElement& element : all)
+    if (!element.straight) sources.push_back(element.source);
   ASSERT_EQ(sources.size(), 4u);
   std::sort(sources.begin(), sources.end());
   EXPECT_EQ(sources[0], sources[1]);
@@ -114,7 +115,7 @@ TEST(PiecesOf, AnObroundHasHalfCirclesOfOneCurveEach) {
 }
 
 TEST(PiecesOf, ASplineAreQuartersOfItsPieces) {
-  const auto all = pieces(SplineProfile{regular_polygon(6, 50).corners});
+  const auto all = elements(SplineProfile{regular_polygon(6, 50).corners});
   ASSERT_EQ(all.size(), 24u);
   expect_closed(all);
   EXPECT_EQ(all[5].knots.size(), 7u);
@@ -122,11 +123,11 @@ TEST(PiecesOf, ASplineAreQuartersOfItsPieces) {
 
 TEST(PiecesOf, AnEdgeThatTheThicknessUsesUpIsRefused) {
   // Set in by 4 mm, an edge of 8 mm between right angles has no length left.
-  const auto refused = pieces_of(rectangle(60, 8), -4.0, "/p");
+  const auto refused = elements_of(rectangle(60, 8), -4.0, "/p");
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, ErrorCode::radius_too_small);
   EXPECT_EQ(refused.error().where, "/p/polygon");
-  EXPECT_TRUE(pieces_of(rectangle(60, 8), -3.999, "/p"));
+  EXPECT_TRUE(elements_of(rectangle(60, 8), -3.999, "/p"));
 }
 
 }  // namespace

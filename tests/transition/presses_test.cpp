@@ -13,7 +13,7 @@ Ring tube() { return ring_between(EllipseProfile{50, 50}, EllipseProfile{50, 50}
 
 std::size_t lines(const Pressing& pressing, double from = 0.0, double to = 1.0) {
   const Ring ring = tube();
-  return presses_of(ring.strip(0), from, to, pressing).size();
+  return presses_of(ring.patch(0), from, to, pressing).size();
 }
 
 TEST(PressesOf, ARolledBendAreNone) { EXPECT_EQ(lines({}), 0u); }
@@ -33,7 +33,7 @@ TEST(PressesOf, ALargestAngleAreAsFewAsCanBe) {
 TEST(PressesOf, ALargestChordAreAlongTheWiderProfile) {
   // 2π · 50 = 314.16 mm below, 125.7 mm above.
   const Ring ring = frustum();
-  EXPECT_EQ(presses_of(ring.strip(0), 0.0, 1.0, PressChord{10.0}).size(), 32u);
+  EXPECT_EQ(presses_of(ring.patch(0), 0.0, 1.0, PressChord{10.0}).size(), 32u);
 }
 
 TEST(CheckPresses, RefusesMoreLinesThanAnybodyPresses) {

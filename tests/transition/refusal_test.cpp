@@ -211,7 +211,7 @@ TEST(TransitionRefuses, SeamsThatDoNotExist) {
 
 TEST(TransitionRefuses, APieceForEachSideOfWhatHasNone) {
   TransitionSpec spec = between(EllipseProfile{50, 50}, EllipseProfile{30, 30}, {0, 0, 80});
-  spec.pieces = Pieces::per_side;
+  spec.pieces = Division::per_side;
   expect_refused(spec, ErrorCode::invalid_input, "/pieces");
 }
 

@@ -51,7 +51,7 @@ TEST(RightSurface, RunsThroughBothProfilesWithTheirParameters) {
     for (int side = 0; side < 2; ++side) {
       const Vec3 p = point_on(right->surface,
                               {std::lerp(right->u0, right->u1, at), right->v[side]});
-      EXPECT_LT((p - ring.strip(0).ruling(at)[side]).norm(), 1e-10);
+      EXPECT_LT((p - ring.patch(0).ruling(at)[side]).norm(), 1e-10);
     }
 }
 

@@ -9,10 +9,10 @@ namespace {
 
 using namespace transition_detail;
 
-TEST(RingOf, ClosesFromStripToStrip) {
+TEST(RingOf, ClosesFromPatchToPatch) {
   for (const Ring& ring : {square_to_circle(), antiprism(), pyramid(), frustum()})
     for (int i = 0; i < ring.count(); ++i) {
-      const auto end = ring.strip(i).ruling(1.0), begin = ring.strip(i + 1).ruling(0.0);
+      const auto end = ring.patch(i).ruling(1.0), begin = ring.patch(i + 1).ruling(0.0);
       EXPECT_LT((end[0] - begin[0]).norm(), 1e-8);
       EXPECT_LT((end[1] - begin[1]).norm(), 1e-8);
     }
@@ -33,7 +33,7 @@ TEST(RingOf, LiesOnTheNeutralSurface) {
     spec.sizes_are = given;
     const auto ring = ring_of(spec, {});
     ASSERT_TRUE(ring);
-    EXPECT_NEAR(ring->strip(0).ruling(0.3)[0].norm(), 50.0 + off, 1e-12);
+    EXPECT_NEAR(ring->patch(0).ruling(0.3)[0].norm(), 50.0 + off, 1e-12);
   }
 }
 

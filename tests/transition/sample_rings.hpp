@@ -14,9 +14,9 @@
 
 namespace planish::test {
 
+using transition_detail::PatchPart;
 using transition_detail::Ring;
-using transition_detail::Strip;
-using transition_detail::StripPart;
+using transition_detail::RuledPatch;
 
 inline Ring ring_between(Profile from, Profile to, const Vec3& apart) {
   auto ring = transition_detail::ring_of(between(std::move(from), std::move(to), apart), {});
@@ -42,9 +42,9 @@ inline Ring antiprism() {
   return ring_between(rectangle(100, 100), regular_polygon(4, 40), {0, 0, 80});
 }
 
-/// The whole ring as one piece, from its first strip on.
-inline std::vector<StripPart> whole(const Ring& ring) {
-  std::vector<StripPart> parts;
+/// The whole ring as one piece, from its first patch on.
+inline std::vector<PatchPart> whole(const Ring& ring) {
+  std::vector<PatchPart> parts;
   for (int i = 0; i < ring.count(); ++i)
     parts.push_back({i, 0.0, 1.0});
   return parts;

@@ -12,14 +12,14 @@ namespace {
 using namespace transition_detail;
 
 std::vector<Cut> cuts(const Ring& ring, const std::optional<Seam>& seam,
-                      Pieces pieces = Pieces::one) {
+                      Division pieces = Division::one) {
   const auto found = cuts_of(ring, seam, pieces);
   EXPECT_TRUE(found) << (found ? "" : found.error().message);
   return found ? *found : std::vector<Cut>{};
 }
 
 /// Where a cut leaves the first profile.
-Vec3 start(const Ring& ring, const Cut& cut) { return ring.strip(cut.strip).ruling(cut.at)[0]; }
+Vec3 start(const Ring& ring, const Cut& cut) { return ring.patch(cut.patch).ruling(cut.at)[0]; }
 
 TEST(CutsOf, AnEdgeAreInItsMiddle) {
   for (const Ring& ring : {pyramid(), square_to_circle()}) {
@@ -32,7 +32,7 @@ TEST(CutsOf, ACornerAreInTheMiddleOfWhatTurnsThere) {
   const Ring ring = square_to_circle();
   const Cut cut = cuts(ring, SeamCorner{1})[0];
   EXPECT_LT((start(ring, cut) - Vec3(50, -50, 0)).norm(), 1e-9);
-  const Strip& cone = ring.strip(cut.strip);
+  const RuledPatch& cone = ring.patch(cut.patch);
   EXPECT_NEAR(cone.turn(0.0, cut.at), 0.5 * cone.turn(0.0, 1.0), 1e-9);
   EXPECT_EQ(cuts(pyramid(), SeamCorner{1})[0].at, 0.0) << "a fold is not divided";
 }
@@ -65,7 +65,7 @@ TEST(CutsOf, NothingGivenAreWhereTheWeldIsShortest) {
 
 TEST(CutsOf, TwoPiecesAreOppositeByLength) {
   const Ring ring = pyramid();
-  const auto found = cuts(ring, SeamEdge{0}, Pieces::two);
+  const auto found = cuts(ring, SeamEdge{0}, Division::two);
   ASSERT_EQ(found.size(), 2u);
   double y = 0.0;
   for (const Cut& cut : found) {
@@ -76,10 +76,10 @@ TEST(CutsOf, TwoPiecesAreOppositeByLength) {
 }
 
 TEST(CutsOf, APieceForEachSideAreAtCornersOrInTheMiddleOfWhatIsRound) {
-  EXPECT_EQ(cuts(pyramid(), std::nullopt, Pieces::per_side).size(), 4u);
+  EXPECT_EQ(cuts(pyramid(), std::nullopt, Division::per_side).size(), 4u);
   const Ring round = ring_between(RoundedRectangleProfile{100, 100, 20}, EllipseProfile{30, 30},
                                   {0, 0, 80});
-  const auto found = cuts(round, std::nullopt, Pieces::per_side);
+  const auto found = cuts(round, std::nullopt, Division::per_side);
   ASSERT_EQ(found.size(), 4u);
   for (const Cut& cut : found) {
     const Vec3 p = start(round, cut);
@@ -92,24 +92,24 @@ TEST(PartsBetween, RunOverTheEndOfTheRing) {
   const Ring ring = antiprism();
   const auto parts = parts_between(ring, {6, 0.25}, {1, 0.5});
   ASSERT_EQ(parts.size(), 4u);
-  EXPECT_EQ(parts[0].strip, 6);
+  EXPECT_EQ(parts[0].patch, 6);
   EXPECT_EQ(parts[0].from, 0.25);
-  EXPECT_EQ(parts[2].strip, 0);
+  EXPECT_EQ(parts[2].patch, 0);
   EXPECT_EQ(parts[3].to, 0.5);
   EXPECT_EQ(parts_between(ring, {2, 0.1}, {2, 0.4}).size(), 1u);
   EXPECT_EQ(parts_between(ring, {2, 0.4}, {2, 0.1}).size(), 9u) << "once round";
 }
 
-TEST(BegunAt, ARulingOfAClosedStripStartsThere) {
+TEST(BegunAt, ARulingOfAClosedPatchStartsThere) {
   const Ring ring = ring_between(EllipseProfile{50, 30}, EllipseProfile{20, 40}, {10, 5, 80});
   const Ring moved = begun_at(ring, 0.3, 1e-9);
   ASSERT_EQ(moved.count(), 1);
   for (int side = 0; side < 2; ++side) {
-    const Vec3 there = ring.strip(0).ruling(0.3)[side];
-    EXPECT_LT((moved.strip(0).ruling(0.0)[side] - there).norm(), 1e-9);
-    EXPECT_LT((moved.strip(0).ruling(1.0)[side] - there).norm(), 1e-9);
+    const Vec3 there = ring.patch(0).ruling(0.3)[side];
+    EXPECT_LT((moved.patch(0).ruling(0.0)[side] - there).norm(), 1e-9);
+    EXPECT_LT((moved.patch(0).ruling(1.0)[side] - there).norm(), 1e-9);
   }
-  EXPECT_NEAR(moved.strip(0).area(0.0, 1.0), ring.strip(0).area(0.0, 1.0), 1e-7);
+  EXPECT_NEAR(moved.patch(0).area(0.0, 1.0), ring.patch(0).area(0.0, 1.0), 1e-7);
 }
 
 TEST(FoldBetween, IsTheAngleOfTheNormalsOrZero) {
@@ -125,8 +125,8 @@ TEST(OpenSeam, TakesAHundredthOfAMillimetreFromTheWiderProfile) {
   const Cut cut = cuts(ring, SeamEdge{0})[0];
   auto parts = parts_between(ring, cut, cut);
   const double missing = open_seam(ring, parts);
-  const Vec3 a = ring.strip(parts.front().strip).ruling(parts.front().from)[0],
-             b = ring.strip(parts.back().strip).ruling(parts.back().to)[0];
+  const Vec3 a = ring.patch(parts.front().patch).ruling(parts.front().from)[0],
+             b = ring.patch(parts.back().patch).ruling(parts.back().to)[0];
   EXPECT_NEAR((a - b).norm(), 0.01, 1e-9);
   // Two slices, 0.005 wide below and 0.003 above.
   EXPECT_NEAR(missing, 0.008 * std::hypot(80, 20), 1e-9);

@@ -20,31 +20,31 @@ TransitionSpec thick(double thickness) {
 
 TipCuts cuts(const Ring& ring, double thickness) { return {ring, {whole(ring)}, thick(thickness)}; }
 
-double largest(const Strip::Tips& tips) {
+double largest(const RuledPatch::Tips& tips) {
   return std::max({tips.at_from[0], tips.at_from[1], tips.at_to[0], tips.at_to[1]});
 }
 
 TEST(TipCuts, LeaveCornersWholeInWhichOneFoldEnds) {
   const Ring ring = pyramid();
   const TipCuts tips = cuts(ring, 2.0);
-  for (const Strip& strip : ring.strips)
-    EXPECT_EQ(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+  for (const RuledPatch& patch : ring.patches)
+    EXPECT_EQ(largest(tips.of(patch, 0.0, 1.0)), 0.0);
 }
 
 TEST(TipCuts, AreMadeWhereSeveralFoldsMeet) {
   const Ring ring = antiprism();
   const TipCuts tips = cuts(ring, 2.0);
-  for (const Strip& strip : ring.strips)
-    if (strip.stands(0)) {
-      EXPECT_GT(largest(tips.of(strip, 0.0, 1.0)), 0.0);
+  for (const RuledPatch& patch : ring.patches)
+    if (patch.stands(0)) {
+      EXPECT_GT(largest(tips.of(patch, 0.0, 1.0)), 0.0);
     }
 }
 
 TEST(TipCuts, GrowWithTheThickness) {
   for (const Ring& ring : {antiprism(), square_to_circle()}) {
     const TipCuts thin = cuts(ring, 1.0), twice = cuts(ring, 2.0);
-    for (const Strip& strip : ring.strips)
-      EXPECT_NEAR(largest(twice.of(strip, 0.0, 1.0)), 2 * largest(thin.of(strip, 0.0, 1.0)), 1e-9);
+    for (const RuledPatch& patch : ring.patches)
+      EXPECT_NEAR(largest(twice.of(patch, 0.0, 1.0)), 2 * largest(thin.of(patch, 0.0, 1.0)), 1e-9);
   }
 }
 
@@ -52,10 +52,10 @@ TEST(TipCuts, CutConesWhereTheirInsideRadiusIsATenthOfTheThickness) {
   const double t = 2.0;
   const Ring ring = square_to_circle();
   const TipCuts tips = cuts(ring, t);
-  for (const Strip& strip : ring.strips) {
-    if (strip.plane()) continue;
-    const double cut = tips.of(strip, 0.0, 1.0).at_from[0];
-    EXPECT_NEAR(cut, strip.distance_of_radius(0.5 * t + 0.1 * t), 1e-12);
+  for (const RuledPatch& patch : ring.patches) {
+    if (patch.plane()) continue;
+    const double cut = tips.of(patch, 0.0, 1.0).at_from[0];
+    EXPECT_NEAR(cut, patch.distance_of_radius(0.5 * t + 0.1 * t), 1e-12);
   }
 }
 
@@ -63,8 +63,8 @@ TEST(TipCuts, RefuseASheetOfWhichTheyLeaveNothing) {
   const Ring ring = square_to_circle();
   const auto room = [&](double thickness) {
     const TipCuts tips = cuts(ring, thickness);
-    for (const Strip& strip : ring.strips)
-      if (auto enough = tips.leave_room(strip, 0.0, 1.0); !enough) return enough;
+    for (const RuledPatch& patch : ring.patches)
+      if (auto enough = tips.leave_room(patch, 0.0, 1.0); !enough) return enough;
     return Result<void>{};
   };
   EXPECT_TRUE(room(2.0));

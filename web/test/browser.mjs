@@ -1,7 +1,7 @@
 // The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. What a flow downloads is written to a
 // folder of its name in STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
-import { browser, folder, fresh } from './driving.mjs';
+import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as connect from './flows/connect.mjs';
 import * as page from './flows/page.mjs';
 import * as server from './flows/server.mjs';
@@ -9,17 +9,31 @@ import * as slit from './flows/slit.mjs';
 import * as transition from './flows/transition.mjs';
 import * as unfold from './flows/unfold.mjs';
 
-const wanted = process.argv.slice(3);
+const address = process.argv[2],
+  wanted = process.argv.slice(3);
 const flows = { ...unfold, ...connect, ...transition, ...slit, ...page, ...server };
+
+/** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
+async function letGo(open) {
+  const end = performance.now() + 20000;
+  for (;;) {
+    const now = await documentsOf(address);
+    if (now.join() === open.join()) return;
+    assert.ok(performance.now() < end, `the page left documents open: ${now} instead of ${open}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
+  }
+}
 
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
   if (wanted.length && !wanted.includes(name)) continue;
   const begun = performance.now(),
+    open = await documentsOf(address),
     given = await fresh({ name });
   try {
     const file = await flow(given);
-    await given.page.goto('about:blank'); // the page lets its document go
+    await given.page.goto('about:blank');
+    await letGo(open);
     assert.deepEqual(given.said, [], 'nothing on the console');
     console.log(`ok ${name}${file ? ` (${file})` : ''} ${((performance.now() - begun) / 1000).toFixed(1)} s`);
   } catch (error) {

@@ -82,6 +82,13 @@ export async function opened(page, path) {
   await rested(page);
 }
 
+/** Ids of the documents that are open at the server of an address, asked for outside of any page. */
+export async function documentsOf(address) {
+  const { origin, hash } = new URL(address);
+  const answer = await fetch(`${origin}/api/documents`, { headers: { 'X-Planish-Token': hash.slice(1) } });
+  return (await answer.json()).map((d) => d.id);
+}
+
 /** Names of the documents that are open at the server. */
 export const openAtServer = (page) =>
   page.evaluate(async () =>

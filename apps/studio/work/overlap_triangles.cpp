@@ -1,6 +1,7 @@
 #include "overlap_triangles.hpp"
 
 #include <planish/geometry/region.hpp>
+#include <planish/inspect/findings.hpp>
 
 #include <algorithm>
 
@@ -44,8 +45,7 @@ std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
 }
 
 std::vector<Vec2> overlap_triangles(const Layout& layout, double thickness) {
-  constexpr double kChord = 0.05;         // mm
-  constexpr double kContactShare = 1e-3;  // of the thickness: less deep overlaps only touch
+  constexpr double kChord = 0.05;  // mm
   std::vector<Polygon> polygons;
   for (const FaceId face : layout.images.ids())
     polygons.push_back(polygon_of(layout.region(face), kChord));

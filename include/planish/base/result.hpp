@@ -72,7 +72,8 @@ std::string_view code_name(ErrorCode code);
 int exit_status(ErrorCode code);
 
 /// A foreseeable failure. `message` is one sentence holding numbers, units and the remedy; `where`
-/// names the place (a file, a face, a bend, a JSON pointer), empty when the whole input is meant.
+/// names the place: a file, a face, a bend, or the path of a field of the request as a JSON pointer
+/// (`/bends/1/inside_radius`); empty when the whole input is meant.
 struct Error {
   ErrorCode code = ErrorCode::internal;
   std::string message;

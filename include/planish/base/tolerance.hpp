@@ -18,8 +18,14 @@ inline constexpr double kComputed = 1e-9;
 /// Positions that went through a file: STEP writers keep some seven digits of the part's size.
 inline constexpr double kFileDigits = 1e-7;
 
-/// A step aside that leaves a border or a corner for certain, and the step of a central difference.
+/// Numbers as people, tables and programs write them out: six digits of the largest.
+inline constexpr double kWrittenDigits = 1e-6;
+
+/// A step aside that leaves a border or a corner for certain.
 inline constexpr double kAside = 1e-6;
+
+/// The step of a central difference, where rounding and curvature weigh about alike.
+inline constexpr double kDifference = 1e-5;
 
 /// Below every length, area or angle that can occur: keeps a division from 0/0.
 inline constexpr double kTiniest = 1e-300;

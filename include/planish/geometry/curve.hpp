@@ -23,7 +23,7 @@ struct Arc {
   double sweep = 0.0;
 };
 
-/// A chain of cubic Bézier pieces: poles 3i … 3i+3 are piece i; 3n+1 poles in all. Fitted chains
+/// A chain of cubic Bézier spans: poles 3i … 3i+3 are span i; 3n+1 poles in all. Fitted chains
 /// are tangent-continuous.
 struct CubicSpline {
   std::vector<Vec2> poles;
@@ -35,7 +35,7 @@ using Curve2 = std::variant<Segment, Arc, CubicSpline>;
 /// starts. Outer loops run counter-clockwise, openings clockwise.
 using Loop = std::vector<Curve2>;
 
-/// Point at `t` in [0, 1]; for a spline each piece takes an equal share of t.
+/// Point at `t` in [0, 1]; for a spline each span takes an equal share of t.
 Vec2 point_at(const Curve2& curve, double t);
 /// Derivative with respect to that t.
 Vec2 derivative_at(const Curve2& curve, double t);

@@ -24,9 +24,9 @@ struct Cone {
 
 /// General developable x(u, v) = b(u) + v·g(u), |g| = 1, det(b′, g, g′) = 0
 /// (math.md#general-developable), given by two or more knots with growing u. b is interpolated by
-/// cubic Hermite pieces, g by such pieces scaled to unit length; past the first and last knot the
-/// end pieces go on. The normal is b′ × g, normalised; b′ and g must never be parallel. Between
-/// knots h apart the pieces leave the surface meant by O(h⁴), their normal by O(h³): whoever makes
+/// cubic Hermite spans, g by such spans scaled to unit length; past the first and last knot the
+/// end spans go on. The normal is b′ × g, normalised; b′ and g must never be parallel. Between
+/// knots h apart the spans leave the surface meant by O(h⁴), their normal by O(h³): whoever makes
 /// the knots chooses h for the accuracy wanted. The surface ends at its edge of regression: it is
 /// the side on which b lies (v = 0).
 struct Ruled {
@@ -88,7 +88,7 @@ class Development {
   Eigen::Matrix2d jacobian(const Vec2& uv) const;
   /// Image of a curve given in (u, v). Segments along rulings, and segments and splines on a
   /// cylinder, are exact; a segment of constant v on a cone is an exact arc; all else is fitted to
-  /// `tolerance` (within the limit on pieces of `fit_cubics`). Ends are the images of the ends.
+  /// `tolerance` (within the limit on spans of `fit_cubics`). Ends are the images of the ends.
   Curve2 develop(const Curve2& uv_curve, double tolerance) const;
 
  private:

@@ -16,13 +16,13 @@ using CurveFunction = std::function<CurveSample(double)>;
 struct FitReport {
   CubicSpline spline;
   double deviation = 0.0;  ///< largest at the check points, or a bound of it, in the curve's units;
-                           ///< above `tolerance` where the pieces did not suffice
+                           ///< above `tolerance` where the spans did not suffice
 };
 
-/// Approximates f on [t0, t1] by tangent-continuous cubics: Hermite pieces, halved until the
+/// Approximates f on [t0, t1] by tangent-continuous cubics: Hermite spans, halved until the
 /// deviation at several points between the knots is below `tolerance`. Ends are met exactly.
-/// Halving stops at 2^12 pieces; `deviation` then tells. Where the derivative vanishes, the tangent
-/// is the direction in which the curve goes on; at a cusp pieces get as small as the tolerance
+/// Halving stops at 2^12 spans; `deviation` then tells. Where the derivative vanishes, the tangent
+/// is the direction in which the curve goes on; at a cusp spans get as small as the tolerance
 /// asks.
 FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolerance);
 
@@ -44,11 +44,11 @@ std::vector<Curve2> to_arcs(const Curve2& curve, double tolerance);
 
 /// A loop with neighbouring curves joined where they are one line or one circle within
 /// `tolerance`; `first_input[i]` is the input index where output i begins (output i covers inputs
-/// first_input[i] … first_input[i+1]−1, cyclically). A circle met in pieces becomes one full-circle
-/// Arc. Curves of length below `tolerance` are absorbed by their neighbours. Recognising, absorbing
-/// and joining move the path by at most `tolerance` each. Results meet: to the bit unless both
-/// are arcs, else to 1e-12 of the size (or some ε·radius, if that is more). What would lose all its
-/// area stays as it is. O(n log n).
+/// first_input[i] … first_input[i+1]−1, cyclically). A circle met in several curves becomes one
+/// full-circle Arc. Curves of length below `tolerance` are absorbed by their neighbours.
+/// Recognising, absorbing and joining move the path by at most `tolerance` each. Results meet: to
+/// the bit unless both are arcs, else to 1e-12 of the size (or some ε·radius, if that is more).
+/// What would lose all its area stays as it is. O(n log n).
 struct MergedLoop {
   Loop loop;
   std::vector<int> first_input;

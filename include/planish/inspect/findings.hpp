@@ -54,10 +54,14 @@ struct RuleField {
 /// Every threshold of `Rules` (all but `enabled`), in the order of its members.
 std::span<const RuleField> rule_fields();
 
+/// Share of the thickness by which regions of a pattern may cover each other and still only touch.
+/// A laser's kerf is a hundred times as wide.
+inline constexpr double kContactShare = 1e-3;
+
 /// Where the pattern covers itself: findings with code "overlap", severity error, largest first,
 /// one for each pair of flanges or bends, with their area in the message and the outlines of what
 /// they share as place; then contours that cross themselves, unless a pair has already told so.
-/// Flanges are counted from 1. Pieces may touch: overlaps less deep than 0.002 of the thickness (or
+/// Flanges are counted from 1. Regions may touch: overlaps less deep than 2 `kContactShare` (or
 /// than curve tolerance and `closure`, if larger) are not seen, and slits without width do not
 /// count. `layout` and `pattern` are those of one `FlatSheet`. Cost: near-linear in the number of
 /// faces when little overlaps.

@@ -43,6 +43,6 @@ EdgeDistance border_distance(const Sheet& sheet);
 /// fitted, mm. Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the
 /// sheet or has no outer contour), `not_a_sheet` (faces that no joint leads to).
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
-                            const EdgeDistance& distance, double curve_tolerance = 1e-4);
+                            const EdgeDistance& distance, double curve_tolerance = kImageTolerance);
 
 }  // namespace planish

@@ -12,6 +12,9 @@ namespace planish {
 
 enum class UpSide { automatic, reference, other };
 
+/// How closely the images of borders are fitted that are neither lines nor arcs, mm.
+inline constexpr double kImageTolerance = 1e-4;
+
 struct FlattenOptions {
   AllowanceRule allowance = ConstantK{};
   std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends, before `allowance`
@@ -20,8 +23,8 @@ struct FlattenOptions {
   /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the
   /// longest bend line along x, its lower left corner at the origin.
   bool keep_root = false;
-  UpSide up = UpSide::automatic;    ///< automatic: the side from which more bends go up
-  double curve_tolerance = 1e-4;    ///< mm: image of curves that are neither lines nor arcs
+  UpSide up = UpSide::automatic;  ///< automatic: the side from which more bends go up
+  double curve_tolerance = kImageTolerance;
   double merge_tolerance = 1e-5;    ///< mm: recognition of lines, arcs, circles
   double closure_tolerance = 0.01;  ///< mm: cycles of joints that close within this are no loop
 };

@@ -9,6 +9,7 @@ namespace planish {
 
 /// Where a border stands among all borders of a sheet: face by face, loop by loop.
 enum class BorderId : int {};
+constexpr int index_of(BorderId id) { return static_cast<int>(id); }
 
 /// How the faces of a sheet hang together: which border lies across each joint, where a contour
 /// goes on, which flanges and bends touch. Requires the positions in the sheet's joints to exist

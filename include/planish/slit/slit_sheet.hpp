@@ -52,14 +52,14 @@ struct SlitSheet {
 std::vector<SlitStrip> equal_strips(int count, double width);
 
 /// The two ends of a ridge, and the two long sides of a strip.
-enum class Side { left, right };
+enum class StripEdge { left, right };
 
 /// A place that one end of a ridge should be near. Ridges count from 0 (on the panel) to the
 /// strip's end.
 struct SlitAnchor {
   int strip = 0;
   int ridge = 0;
-  Side side = Side::left;
+  StripEdge side = StripEdge::left;
   Vec3 at = Vec3::Zero();
   friend bool operator==(const SlitAnchor&, const SlitAnchor&) = default;
 };

@@ -46,7 +46,7 @@ using Pressing = std::variant<std::monostate, PressCount, PressAngle, PressChord
 
 /// One piece, two halves (the second seam opposite, at half the first profile's length), or a piece
 /// for each side of the first profile.
-enum class Pieces { one, two, per_side };
+enum class Division { one, two, per_side };
 
 struct TransitionSpec {
   double thickness = 0.0;  ///< mm
@@ -54,7 +54,7 @@ struct TransitionSpec {
   PlacedProfile from, to;
   SizesAre sizes_are = SizesAre::mid;
   std::optional<Seam> seam;  ///< default: where the weld is shortest
-  Pieces pieces = Pieces::one;
+  Division pieces = Division::one;
   Pressing pressing;  ///< default: rolled
 };
 

@@ -1,5 +1,5 @@
+#include "ruled_patch.hpp"
 #include "sample_rings.hpp"
-#include "strip.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,49 +13,49 @@ using namespace transition_detail;
 
 const double kSlant = std::hypot(80.0, 30.0);
 
-const Strip& first_cone(const Ring& ring) {
-  return *std::find_if(ring.strips.begin(), ring.strips.end(),
-                       [](const Strip& strip) { return !strip.plane(); });
+const RuledPatch& first_cone(const Ring& ring) {
+  return *std::find_if(ring.patches.begin(), ring.patches.end(),
+                       [](const RuledPatch& patch) { return !patch.plane(); });
 }
 
-TEST(StripArea, IsThatOfAFrustum) {
+TEST(PatchArea, IsThatOfAFrustum) {
   const Ring ring = frustum();
-  EXPECT_NEAR(ring.strip(0).area(0.0, 1.0), kPi * 70 * kSlant, 1e-8);
-  EXPECT_NEAR(ring.strip(0).area(0.2, 0.3), 0.1 * kPi * 70 * kSlant, 1e-9);
+  EXPECT_NEAR(ring.patch(0).area(0.0, 1.0), kPi * 70 * kSlant, 1e-8);
+  EXPECT_NEAR(ring.patch(0).area(0.2, 0.3), 0.1 * kPi * 70 * kSlant, 1e-9);
 }
 
-TEST(StripArea, IsThatOfTrapeziaAndObliqueCones) {
+TEST(PatchArea, IsThatOfTrapeziaAndObliqueCones) {
   double area = 0.0;
-  for (const Strip& strip : pyramid().strips)
-    area += strip.area(0.0, 1.0);
+  for (const RuledPatch& patch : pyramid().patches)
+    area += patch.area(0.0, 1.0);
   EXPECT_NEAR(area, 4 * 80 * std::hypot(80, 20), 1e-9);
   const Ring ring = square_to_circle();
   EXPECT_NEAR(first_cone(ring).area(0.0, 1.0),
               circle_cone_area({50, 50, 0}, {0, 0, 80}, 30, 0.0, kPi / 2), 1e-7);
 }
 
-TEST(StripBorderLength, IsTheArcOrZeroWhereASideStands) {
-  EXPECT_NEAR(frustum().strip(0).border_length(0, 0.0, 0.25), 0.5 * kPi * 50, 1e-11);
+TEST(PatchBorderLength, IsTheArcOrZeroWhereASideStands) {
+  EXPECT_NEAR(frustum().patch(0).border_length(0, 0.0, 0.25), 0.5 * kPi * 50, 1e-11);
   const Ring ring = square_to_circle();
   EXPECT_EQ(first_cone(ring).border_length(0, 0.0, 1.0), 0.0);
   EXPECT_NEAR(first_cone(ring).border_length(1, 0.0, 1.0), 0.5 * kPi * 30, 1e-9);
 }
 
-TEST(StripTurn, OfAConeIsItsAzimuthTimesTheCosineOfItsHalfAngle) {
-  EXPECT_NEAR(frustum().strip(0).turn(0.0, 1.0), 2 * kPi * 80 / kSlant, 1e-11);
-  EXPECT_EQ(pyramid().strip(0).turn(0.0, 1.0), 0.0);
+TEST(PatchTurn, OfAConeIsItsAzimuthTimesTheCosineOfItsHalfAngle) {
+  EXPECT_NEAR(frustum().patch(0).turn(0.0, 1.0), 2 * kPi * 80 / kSlant, 1e-11);
+  EXPECT_EQ(pyramid().patch(0).turn(0.0, 1.0), 0.0);
 }
 
-TEST(StripTurned, IsBetweenTheNormalsTheLongWayRoundBeyondAHalf) {
+TEST(PatchTurned, IsBetweenTheNormalsTheLongWayRoundBeyondAHalf) {
   const Ring ring = frustum();
   // Normals of a quarter turn apart, both 30/80 upwards.
   const double quarter = std::acos(30 * 30 / (kSlant * kSlant));
-  EXPECT_NEAR(ring.strip(0).turned(0.1, 0.35), quarter, 1e-12);
-  EXPECT_NEAR(ring.strip(0).turned(0.1, 0.85), 2 * kPi - quarter, 1e-12);
+  EXPECT_NEAR(ring.patch(0).turned(0.1, 0.35), quarter, 1e-12);
+  EXPECT_NEAR(ring.patch(0).turned(0.1, 0.85), 2 * kPi - quarter, 1e-12);
 }
 
-TEST(StripRadii, OfAConeGrowWithTheDistanceFromItsAxis) {
-  const Strip::Radii radii = frustum().strip(0).smallest_radii(0.0, 1.0);
+TEST(PatchRadii, OfAConeGrowWithTheDistanceFromItsAxis) {
+  const RuledPatch::Radii radii = frustum().patch(0).smallest_radii(0.0, 1.0);
   EXPECT_NEAR(radii.end, 20 * kSlant / 80, 1e-10);
   EXPECT_NEAR(radii.middle, 35 * kSlant / 80, 1e-10);
 }
@@ -68,7 +68,7 @@ double radius_at_circle(const Vec3& apex, const Vec3& centre, double radius, dou
   return sine * sine * radius / std::abs(n.dot(out));
 }
 
-TEST(StripDistanceOfRadius, IsWhereTheTightestRulingOfAnObliqueConeIsWideEnough) {
+TEST(PatchDistanceOfRadius, IsWhereTheTightestRulingOfAnObliqueConeIsWideEnough) {
   const Vec3 apex(50, 50, 0), centre(0, 0, 80);
   double expected = 0.0;
   for (int i = 0; i <= 10000; ++i) {
@@ -80,7 +80,7 @@ TEST(StripDistanceOfRadius, IsWhereTheTightestRulingOfAnObliqueConeIsWideEnough)
   EXPECT_NEAR(first_cone(ring).distance_of_radius(2.5), expected, 1e-4 * expected);
 }
 
-TEST(StripTipArea, OfAConeIsASectorOfItsDevelopment) {
+TEST(PatchTipArea, OfAConeIsASectorOfItsDevelopment) {
   const Vec3 apex(50, 50, 0), centre(0, 0, 80);
   const auto arm = [&](int i) -> Vec3 {
     const double t = 0.5 * kPi * i / 20000;
@@ -94,12 +94,12 @@ TEST(StripTipArea, OfAConeIsASectorOfItsDevelopment) {
               0.5 * 9.0 * angle, 1e-6);
 }
 
-TEST(StripTipArea, OfAPlaneAreTrianglesInItsCorners) {
-  const Strip strip = pyramid().strip(0);
-  const auto [p0, q0] = strip.ruling(0.0);
-  const Vec3 p1 = strip.ruling(1.0)[0];
+TEST(PatchTipArea, OfAPlaneAreTrianglesInItsCorners) {
+  const RuledPatch patch = pyramid().patch(0);
+  const auto [p0, q0] = patch.ruling(0.0);
+  const Vec3 p1 = patch.ruling(1.0)[0];
   const double sine = (p1 - p0).normalized().cross((q0 - p0).normalized()).norm();
-  EXPECT_NEAR(strip.tip_area(0.0, 1.0, {.at_from = {2.0, 0.0}, .at_to = {3.0, 0.0}}),
+  EXPECT_NEAR(patch.tip_area(0.0, 1.0, {.at_from = {2.0, 0.0}, .at_to = {3.0, 0.0}}),
               0.5 * (4.0 + 9.0) * sine, 1e-12);
 }
 

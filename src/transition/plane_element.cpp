@@ -1,4 +1,4 @@
-#include "plane_piece.hpp"
+#include "plane_element.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -20,14 +20,14 @@ PlaneCurve ellipse(double rx, double ry, const Vec2& centre) {
 
 }  // namespace
 
-PlanePiece straight(const Vec2& a, const Vec2& b, int source) {
-  PlanePiece piece;
-  piece.curve = [a, d = Vec2(b - a)](double t) -> PlanePoint {
+PlaneElement straight(const Vec2& a, const Vec2& b, int source) {
+  PlaneElement plane_element;
+  plane_element.curve = [a, d = Vec2(b - a)](double t) -> PlanePoint {
     return {a + t * d, d, Vec2::Zero(), Vec2::Zero()};
   };
-  piece.straight = true;
-  piece.source = source;
-  return piece;
+  plane_element.straight = true;
+  plane_element.source = source;
+  return plane_element;
 }
 
 PlaneCurve set_off(PlaneCurve curve, double d) {
@@ -46,21 +46,21 @@ PlaneCurve set_off(PlaneCurve curve, double d) {
   };
 }
 
-PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
-                   int source) {
-  PlanePiece piece;
+PlaneElement quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
+                     int source) {
+  PlaneElement plane_element;
   const bool round = rx == ry;
-  piece.curve = round ? ellipse(rx + outwards, rx + outwards, centre)
-                      : set_off(ellipse(rx, ry, centre), outwards);
-  piece.t0 = from;
-  piece.t1 = from + 0.5 * pi;
-  piece.source = source;
-  piece.period = 2.0 * pi;
+  plane_element.curve = round ? ellipse(rx + outwards, rx + outwards, centre)
+                              : set_off(ellipse(rx, ry, centre), outwards);
+  plane_element.t0 = from;
+  plane_element.t1 = from + 0.5 * pi;
+  plane_element.source = source;
+  plane_element.period = 2.0 * pi;
   if (round) {
-    piece.circle_radius = rx + outwards;
-    piece.circle_centre = centre;
+    plane_element.circle_radius = rx + outwards;
+    plane_element.circle_centre = centre;
   }
-  return piece;
+  return plane_element;
 }
 
 }  // namespace planish::transition_detail

@@ -10,8 +10,8 @@ namespace planish::transition_detail {
 
 using PlaneCurve = std::function<PlanePoint(double)>;
 
-/// A piece in the profile's own plane, run counter-clockwise.
-struct PlanePiece {
+/// A element in the profile's own plane, run counter-clockwise.
+struct PlaneElement {
   PlaneCurve curve;
   double t0 = 0.0, t1 = 1.0;
   bool straight = false;
@@ -24,14 +24,14 @@ struct PlanePiece {
   std::vector<GivenCorner> corners;  ///< at its start and within
 };
 
-PlanePiece straight(const Vec2& a, const Vec2& b, int source);
+PlaneElement straight(const Vec2& a, const Vec2& b, int source);
 
 /// The curve set off to the right by d (mm): outwards of one that runs counter-clockwise. Its third
 /// derivative is left zero: nobody needs it.
 PlaneCurve set_off(PlaneCurve curve, double d);
 
 /// The part of a circle or ellipse, set `outwards`, from one azimuth to the next, 90° further.
-PlanePiece quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
-                   int source);
+PlaneElement quarter(double rx, double ry, const Vec2& centre, double outwards, double from,
+                     int source);
 
 }  // namespace planish::transition_detail

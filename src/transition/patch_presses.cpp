@@ -1,5 +1,5 @@
 #include "integral.hpp"
-#include "strip.hpp"
+#include "ruled_patch.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -7,8 +7,8 @@
 namespace planish::transition_detail {
 
 template <typename Rate>
-Strip::Divided Strip::divided(const Rate& rate, double from, double to,
-                              const std::vector<double>& shares) const {
+RuledPatch::Divided RuledPatch::divided(const Rate& rate, double from, double to,
+                                        const std::vector<double>& shares) const {
   std::vector<PartIntegral> parts;
   const std::vector<double> breaks = breaks_between(from, to);
   for (std::size_t piece = 1; piece < breaks.size(); ++piece)
@@ -27,7 +27,7 @@ Strip::Divided Strip::divided(const Rate& rate, double from, double to,
   return divided;
 }
 
-std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count) const {
+std::vector<RuledPatch::Press> RuledPatch::evenly_turned(double from, double to, int count) const {
   std::vector<double> middles;
   for (int i = 0; i < count; ++i)
     middles.push_back((i + 0.5) / count);
@@ -39,7 +39,8 @@ std::vector<Strip::Press> Strip::evenly_turned(double from, double to, int count
   return presses;
 }
 
-std::vector<Strip::Press> Strip::evenly_along(int side, double from, double to, int count) const {
+std::vector<RuledPatch::Press> RuledPatch::evenly_along(int side, double from, double to,
+                                                        int count) const {
   const auto s = static_cast<std::size_t>(side);
   const auto speed = [&](double at) {
     const Pairing pair = pairing(at);

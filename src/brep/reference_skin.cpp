@@ -1,4 +1,4 @@
-#include "reference_side.hpp"
+#include "reference_skin.hpp"
 
 #include <algorithm>
 
@@ -7,10 +7,10 @@ namespace {
 
 /// Skin area as the neutral surface (K = ½) would measure it, so that the two skins compare.
 double neutral_area(const SolidModel& model, const std::vector<Outline>& outlines,
-                    const Skins& skins, Side side) {
+                    const Skins& skins, Skin skin) {
   double sum = 0.0;
   for (int f = 0; f < std::ssize(model.faces); ++f) {
-    if (skins.side[f] != side) continue;
+    if (skins.skin_of[f] != skin) continue;
     double share = 1.0;
     if (const auto* surface = std::get_if<Developable>(&model.faces[f].surface)) {
       double radius = outlines[f].u_scale;
@@ -22,27 +22,27 @@ double neutral_area(const SolidModel& model, const std::vector<Outline>& outline
   return sum;
 }
 
-int outward_sharp_edges(const SolidModel& model, const Skins& skins, Side side) {
+int outward_sharp_edges(const SolidModel& model, const Skins& skins, Skin skin) {
   return static_cast<int>(
       std::count_if(skins.sharp.begin(), skins.sharp.end(), [&](const SharpEdge& edge) {
-        return !edge.concave && skins.side[model.edges[edge.edge].faces[0]] == side;
+        return !edge.concave && skins.skin_of[model.edges[edge.edge].faces[0]] == skin;
       }));
 }
 
 }  // namespace
 
-Side reference_side(const SolidModel& model, const std::vector<Outline>& outlines,
+Skin reference_skin(const SolidModel& model, const std::vector<Outline>& outlines,
                     const Skins& skins) {
   if (skins.islands_first != skins.islands_second)
-    return skins.islands_first < skins.islands_second ? Side::first : Side::second;
-  const int first = outward_sharp_edges(model, skins, Side::first);
-  const int second = outward_sharp_edges(model, skins, Side::second);
-  if (first != second) return first < second ? Side::first : Side::second;
+    return skins.islands_first < skins.islands_second ? Skin::first : Skin::second;
+  const int first = outward_sharp_edges(model, skins, Skin::first);
+  const int second = outward_sharp_edges(model, skins, Skin::second);
+  if (first != second) return first < second ? Skin::first : Skin::second;
   constexpr double kClearly = 1.0 + 1e-6;  // sampling of outlines must not decide
-  return neutral_area(model, outlines, skins, Side::second) >
-                 kClearly * neutral_area(model, outlines, skins, Side::first)
-             ? Side::second
-             : Side::first;
+  return neutral_area(model, outlines, skins, Skin::second) >
+                 kClearly * neutral_area(model, outlines, skins, Skin::first)
+             ? Skin::second
+             : Skin::first;
 }
 
 }  // namespace planish::brep

@@ -1,5 +1,5 @@
 #include "integral.hpp"
-#include "strip.hpp"
+#include "ruled_patch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace planish::transition_detail {
 
-double Strip::area(double from, double to) const {
-  if (patch_.plane) {
+double RuledPatch::area(double from, double to) const {
+  if (hull_patch_.plane) {
     const auto [p0, q0] = ruling(from);
     const auto [p1, q1] = ruling(to);
     return 0.5 * (q1 - p0).cross(q0 - p1).norm();
@@ -22,20 +22,21 @@ double Strip::area(double from, double to) const {
       breaks_between(from, to));
 }
 
-double Strip::border_length(int side, double from, double to) const {
-  if (!patch_.sides[side].moves()) return 0.0;
-  if (patch_.plane) return (ruling(to)[side] - ruling(from)[side]).norm();
+double RuledPatch::border_length(int side, double from, double to) const {
+  if (!hull_patch_.sides[side].moves()) return 0.0;
+  if (hull_patch_.plane) return (ruling(to)[side] - ruling(from)[side]).norm();
   const auto s = static_cast<std::size_t>(side);
   return arc_length(*curves_[s], pairing(from).t[s], pairing(to).t[s]);
 }
 
-double Strip::turn(double from, double to) const {
-  return patch_.plane || from == to ? 0.0
-                                    : integral_over([&](double at) { return local(at).turn_rate; },
-                                                    breaks_between(from, to));
+double RuledPatch::turn(double from, double to) const {
+  return hull_patch_.plane || from == to
+             ? 0.0
+             : integral_over([&](double at) { return local(at).turn_rate; },
+                             breaks_between(from, to));
 }
 
-double Strip::turned(double from, double to) const {
+double RuledPatch::turned(double from, double to) const {
   const Vec3 a = normal(from), b = normal(to);
   const double between = std::atan2(a.cross(b).norm(), a.dot(b));
   // How far the normals go round their common axis, in steps of less than half a turn.
@@ -56,10 +57,10 @@ double Strip::turned(double from, double to) const {
   return round > std::numbers::pi ? 2.0 * std::numbers::pi - between : between;
 }
 
-Strip::Radii Strip::smallest_radii(double from, double to) const {
+RuledPatch::Radii RuledPatch::smallest_radii(double from, double to) const {
   constexpr int kSamples = 64;
   Radii radii{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  const bool apex = !patch_.sides[0].moves() || !patch_.sides[1].moves();
+  const bool apex = !hull_patch_.sides[0].moves() || !hull_patch_.sides[1].moves();
   for (int i = 0; i <= kSamples; ++i) {
     const Local l = local(std::lerp(from, to, i / double(kSamples)));
     if (l.turn_rate == 0.0) continue;
@@ -70,7 +71,7 @@ Strip::Radii Strip::smallest_radii(double from, double to) const {
   return radii;
 }
 
-double Strip::distance_of_radius(double radius) const {
+double RuledPatch::distance_of_radius(double radius) const {
   // On cones the radius grows with the distance from the apex.
   constexpr int kSamples = 64;
   double distance = 0.0;
@@ -82,9 +83,9 @@ double Strip::distance_of_radius(double radius) const {
   return distance;
 }
 
-double Strip::tip_area(double from, double to, const Tips& tips) const {
+double RuledPatch::tip_area(double from, double to, const Tips& tips) const {
   double area = 0.0;
-  if (patch_.plane) {
+  if (hull_patch_.plane) {
     for (const PanelCorner& corner : panel_corners(from, to, tips))
       area += 0.5 * (corner.cut_before - corner.at).cross(corner.cut_after - corner.at).norm();
     return area;

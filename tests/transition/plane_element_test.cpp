@@ -1,4 +1,4 @@
-#include "plane_piece.hpp"
+#include "plane_element.hpp"
 
 #include "sample_transitions.hpp"
 
@@ -15,21 +15,21 @@ PlaneCurve ellipse(double rx, double ry) {
   return quarter(rx, ry, Vec2::Zero(), 0.0, 0.0, 0).curve;
 }
 
-TEST(PlanePiece, OfAnEdgeIsLinear) {
-  const PlanePiece piece = straight({10, 20}, {40, 60}, 3);
-  EXPECT_TRUE(piece.straight);
-  EXPECT_EQ(piece.source, 3);
-  EXPECT_LT((piece.curve(0.25).point - Vec2(17.5, 30)).norm(), 1e-14);
-  EXPECT_EQ(piece.curve(0.7).first, Vec2(30, 40));
-  EXPECT_EQ(piece.curve(0.7).second, Vec2(0, 0));
+TEST(PlaneElement, OfAnEdgeIsLinear) {
+  const PlaneElement element = straight({10, 20}, {40, 60}, 3);
+  EXPECT_TRUE(element.straight);
+  EXPECT_EQ(element.source, 3);
+  EXPECT_LT((element.curve(0.25).point - Vec2(17.5, 30)).norm(), 1e-14);
+  EXPECT_EQ(element.curve(0.7).first, Vec2(30, 40));
+  EXPECT_EQ(element.curve(0.7).second, Vec2(0, 0));
 }
 
-TEST(PlanePiece, OfACircleIsACircleSetOff) {
-  const PlanePiece piece = quarter(30, 30, {5, 7}, 2.0, kPi / 2, 0);
-  EXPECT_DOUBLE_EQ(piece.t1 - piece.t0, kPi / 2);
-  EXPECT_DOUBLE_EQ(piece.circle_radius, 32.0);
-  for (const double t : {piece.t0, 2.0, piece.t1})
-    EXPECT_NEAR((piece.curve(t).point - Vec2(5, 7)).norm(), 32.0, 1e-12);
+TEST(PlaneElement, OfACircleIsACircleSetOff) {
+  const PlaneElement element = quarter(30, 30, {5, 7}, 2.0, kPi / 2, 0);
+  EXPECT_DOUBLE_EQ(element.t1 - element.t0, kPi / 2);
+  EXPECT_DOUBLE_EQ(element.circle_radius, 32.0);
+  for (const double t : {element.t0, 2.0, element.t1})
+    EXPECT_NEAR((element.curve(t).point - Vec2(5, 7)).norm(), 32.0, 1e-12);
   EXPECT_EQ(quarter(30, 20, {5, 7}, 2.0, 0.0, 0).circle_radius, 0.0) << "an ellipse has no radius";
 }
 

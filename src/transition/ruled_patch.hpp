@@ -18,12 +18,12 @@ namespace planish::transition_detail {
 double arc_length(const Element& element, double t0, double t1);
 
 /// One patch of the hull with its rulings numbered from 0 to 1, as the profiles run.
-class Strip {
+class RuledPatch {
  public:
   /// `tolerance`: mm that points of general developables may be off.
-  Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance);
+  RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance);
 
-  bool plane() const { return patch_.plane; }
+  bool plane() const { return hull_patch_.plane; }
   PatchKind kind() const;
   BendKind bend_kind() const;
 
@@ -35,7 +35,7 @@ class Strip {
   double ruling_at(int side, double t) const;
   /// The other way round.
   double parameter(int side, double at) const { return pairing(at).t[side]; }
-  const HullPatch& patch() const { return patch_; }
+  const HullPatch& hull_patch() const { return hull_patch_; }
 
   double area(double from, double to) const;
   double border_length(int side, double from, double to) const;
@@ -70,7 +70,7 @@ class Strip {
     double u(double at) const { return u0 + (u1 - u0) * (at - from) / (to - from); }
     double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
   };
-  /// `tips`: how much is cut off the corners that the strip has at both ends of both sides, mm
+  /// `tips`: how much is cut off the corners that the patch has at both ends of both sides, mm
   /// along its rulings (where a side stands still both are one).
   struct Tips {
     std::array<double, 2> at_from{}, at_to{};
@@ -78,10 +78,10 @@ class Strip {
   Part part(double from, double to, const Tips& tips) const;
   /// Area of what `tips` cut off.
   double tip_area(double from, double to, const Tips& tips) const;
-  /// Where the strip is a cone with its apex in a profile's corner: how far from there its radius
+  /// Where the patch is a cone with its apex in a profile's corner: how far from there its radius
   /// is at least `radius`.
   double distance_of_radius(double radius) const;
-  bool stands(int side) const { return !patch_.sides[side].moves(); }
+  bool stands(int side) const { return !hull_patch_.sides[side].moves(); }
 
  private:
   /// Parameters on both profiles at a ruling, and their derivatives.
@@ -129,7 +129,7 @@ class Strip {
   void find_breaks();
 
   std::shared_ptr<const Hull> hull_;
-  HullPatch patch_;
+  HullPatch hull_patch_;
   std::array<const Element*, 2> curves_;
   double tolerance_;
   std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending

@@ -1,4 +1,4 @@
-#include "strip.hpp"
+#include "ruled_patch.hpp"
 
 #include "integral.hpp"
 
@@ -37,15 +37,15 @@ double arc_length(const Element& element, double t0, double t1) {
   return integral_over([&](double t) { return element.curve(t).derivative.norm(); }, breaks);
 }
 
-Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance)
+RuledPatch::RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance)
     : hull_(std::move(hull)),
-      patch_(patch),
+      hull_patch_(patch),
       curves_{&hull_->element(0, patch.sides[0]), &hull_->element(1, patch.sides[1])},
       tolerance_(tolerance) {
-  if (patch_.plane) return;
-  right_ = right_surface(*hull_, patch_);
+  if (hull_patch_.plane) return;
+  right_ = right_surface(*hull_, hull_patch_);
   if (right_) {
-    base_ = patch_.sides[0].moves() ? 0 : 1;
+    base_ = hull_patch_.sides[0].moves() ? 0 : 1;
     return;
   }
   // The surface is written about the side that nowhere stands still, or nearly so.
@@ -53,7 +53,7 @@ Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double to
   constexpr int kSamples = 16;
   for (std::size_t side = 0; side < 2; ++side)
     for (int i = 0; i <= kSamples; ++i) {
-      const double whole = patch_.sides[side].t1 - patch_.sides[side].t0;
+      const double whole = hull_patch_.sides[side].t1 - hull_patch_.sides[side].t0;
       slowest[side] = whole == 0.0 ? 0.0
                                    : std::min(slowest[side],
                                               pairing(i / double(kSamples)).rate[side] / whole);
@@ -62,23 +62,23 @@ Strip::Strip(std::shared_ptr<const Hull> hull, const HullPatch& patch, double to
   find_breaks();
 }
 
-PatchKind Strip::kind() const {
-  if (patch_.plane) return PatchKind::plane;
-  const bool apex = !patch_.sides[0].moves() || !patch_.sides[1].moves();
+PatchKind RuledPatch::kind() const {
+  if (hull_patch_.plane) return PatchKind::plane;
+  const bool apex = !hull_patch_.sides[0].moves() || !hull_patch_.sides[1].moves();
   return apex || right_ ? PatchKind::cone : PatchKind::general;
 }
 
-BendKind Strip::bend_kind() const {
+BendKind RuledPatch::bend_kind() const {
   if (!right_) return BendKind::general;
   return std::holds_alternative<Cylinder>(right_->surface) ? BendKind::cylinder : BendKind::cone;
 }
 
-Strip::Pairing Strip::pairing(double at) const {
-  const bool both = patch_.sides[0].moves() && patch_.sides[1].moves();
-  if (both && !patch_.plane && !right_) return solved(at);
+RuledPatch::Pairing RuledPatch::pairing(double at) const {
+  const bool both = hull_patch_.sides[0].moves() && hull_patch_.sides[1].moves();
+  if (both && !hull_patch_.plane && !right_) return solved(at);
   Pairing pairing;
   for (std::size_t side = 0; side < 2; ++side) {
-    const Stretch& stretch = patch_.sides[side];
+    const Stretch& stretch = hull_patch_.sides[side];
     pairing.t[side] = std::lerp(stretch.t0, stretch.t1, at);
     pairing.rate[side] = stretch.t1 - stretch.t0;
   }
@@ -87,8 +87,8 @@ Strip::Pairing Strip::pairing(double at) const {
 
 // Rulings are numbered by the mean of the shares of both curves that lie behind them, since either
 // may stand still for a moment. math.md#lateral-hull then fixes both.
-Strip::Pairing Strip::solved(double at) const {
-  const Stretch &a = patch_.sides[0], &b = patch_.sides[1];
+RuledPatch::Pairing RuledPatch::solved(double at) const {
+  const Stretch &a = hull_patch_.sides[0], &b = hull_patch_.sides[1];
   const double whole_a = a.t1 - a.t0, whole_b = b.t1 - b.t0;
   const auto share_of = [&](const std::array<double, 2>& stop) {
     return (stop[0] - a.t0) / whole_a;
@@ -96,7 +96,7 @@ Strip::Pairing Strip::solved(double at) const {
   const auto number_of = [&](const std::array<double, 2>& stop) {
     return 0.5 * (share_of(stop) + (stop[1] - b.t0) / whole_b);
   };
-  const auto above = std::find_if(patch_.stops.begin() + 1, patch_.stops.end() - 1,
+  const auto above = std::find_if(hull_patch_.stops.begin() + 1, hull_patch_.stops.end() - 1,
                                   [&](const auto& stop) { return number_of(stop) > at; });
   const auto slopes = [&](double share) {
     const SpaceCurvePoint p = point(0, a.t0 + share * whole_a),
@@ -119,23 +119,23 @@ Strip::Pairing Strip::solved(double at) const {
           {rate_a * whole_a, (2.0 - rate_a) * whole_b}};
 }
 
-std::array<Vec3, 2> Strip::ruling(double at) const {
+std::array<Vec3, 2> RuledPatch::ruling(double at) const {
   const Pairing pair = pairing(at);
   return {point(0, pair.t[0]).point, point(1, pair.t[1]).point};
 }
 
-Vec3 Strip::normal(double at) const {
-  if (!patch_.plane) return local(at).normal;
-  const int edge = patch_.sides[0].moves() ? 0 : 1;
+Vec3 RuledPatch::normal(double at) const {
+  if (!hull_patch_.plane) return local(at).normal;
+  const int edge = hull_patch_.sides[0].moves() ? 0 : 1;
   const auto [p, q] = ruling(at);
-  return point(edge, patch_.sides[edge].t0).derivative.cross(q - p).normalized();
+  return point(edge, hull_patch_.sides[edge].t0).derivative.cross(q - p).normalized();
 }
 
-double Strip::ruling_at(int side, double t) const {
-  const Stretch& stretch = patch_.sides[side];
+double RuledPatch::ruling_at(int side, double t) const {
+  const Stretch& stretch = hull_patch_.sides[side];
   const double share = (t - stretch.t0) / (stretch.t1 - stretch.t0);
-  const bool both = patch_.sides[0].moves() && patch_.sides[1].moves();
-  if (!both || patch_.plane || right_) return share;
+  const bool both = hull_patch_.sides[0].moves() && hull_patch_.sides[1].moves();
+  if (!both || hull_patch_.plane || right_) return share;
   const auto s = static_cast<std::size_t>(side);
   return root_between(
       [&](double at) {
@@ -145,7 +145,7 @@ double Strip::ruling_at(int side, double t) const {
       0.0, 1.0);
 }
 
-Strip::Local Strip::local(double at) const {
+RuledPatch::Local RuledPatch::local(double at) const {
   const Pairing pair = pairing(at);
   const std::array<SpaceCurvePoint, 2> ends{point(0, pair.t[0]), point(1, pair.t[1])};
   const auto base = static_cast<std::size_t>(base_);
@@ -168,9 +168,9 @@ Strip::Local Strip::local(double at) const {
   return local;
 }
 
-void Strip::find_breaks() {
+void RuledPatch::find_breaks() {
   for (std::size_t side = 0; side < 2; ++side) {
-    const Stretch& stretch = patch_.sides[side];
+    const Stretch& stretch = hull_patch_.sides[side];
     if (!stretch.moves()) continue;
     for (const double t : knots_between(*curves_[side], stretch.t0, stretch.t1))
       breaks_.push_back(ruling_at(static_cast<int>(side), t));
@@ -178,7 +178,7 @@ void Strip::find_breaks() {
   std::sort(breaks_.begin(), breaks_.end());
 }
 
-std::vector<double> Strip::breaks_between(double from, double to) const {
+std::vector<double> RuledPatch::breaks_between(double from, double to) const {
   constexpr double kApart = tolerance::kComputed;  // in rulings
   std::vector<double> breaks{from};
   for (const double at : breaks_)

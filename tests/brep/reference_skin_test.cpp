@@ -1,4 +1,4 @@
-#include "reference_side.hpp"
+#include "reference_skin.hpp"
 
 #include "solid_models.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 bool is_reference(const SolidModel& model, int face) {
   const auto outlines = outlines_of(model);
   const Skins skins = find_skins(model, outlines, 2, 0.02).value();
-  return skins.side[face] == reference_side(model, outlines, skins);
+  return skins.skin_of[face] == reference_skin(model, outlines, skins);
 }
 
 TEST(ReferenceSide, IsTheSkinInOnePiece) {
@@ -48,10 +48,10 @@ TEST(ReferenceSide, ComparesBendsAtTheirNeutralSurface) {
   const SolidModel model = prism({strip_profile(2, {{50, std::numbers::pi / 2, 3}, {30}})}, 40);
   const auto outlines = outlines_of(model);
   Skins skins = find_skins(model, outlines, 2, 0.02).value();
-  EXPECT_EQ(reference_side(model, outlines, skins), Side::first);
-  for (Side& side : skins.side)
-    side = side == Side::first ? Side::second : side == Side::second ? Side::first : side;
-  EXPECT_EQ(reference_side(model, outlines, skins), Side::first);
+  EXPECT_EQ(reference_skin(model, outlines, skins), Skin::first);
+  for (Skin& skin : skins.skin_of)
+    skin = skin == Skin::first ? Skin::second : skin == Skin::second ? Skin::first : skin;
+  EXPECT_EQ(reference_skin(model, outlines, skins), Skin::first);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
+#include "ruled_patch.hpp"
 #include "sample_rings.hpp"
-#include "strip.hpp"
 
 #include <planish/geometry/curve.hpp>
 
@@ -17,77 +17,78 @@ Vec3 in_space(const Face& face, const Curve2& curve, double t) {
 }
 
 /// Borders follow each other, those on rulings run along them, and all are as long as in space.
-void expect_framed_by_rulings(const Strip& strip, double from, double to) {
-  const Strip::Part part = strip.part(from, to, {});
+void expect_framed_by_rulings(const RuledPatch& patch, double from, double to) {
+  const RuledPatch::Part part = patch.part(from, to, {});
   ASSERT_EQ(part.face.loops.size(), 1u);
   const BorderLoop& loop = part.face.loops[0];
   for (std::size_t i = 0; i < loop.size(); ++i)
     EXPECT_LT((end_of(loop[i].curve) - start_of(loop[(i + 1) % loop.size()].curve)).norm(), 1e-10);
-  const auto [p1, q1] = strip.ruling(to);
+  const auto [p1, q1] = patch.ruling(to);
   const Border& last = loop[part.ruling_borders[1]];
   EXPECT_LT((in_space(part.face, last.curve, 0.0) - p1).norm(), 1e-7);
   EXPECT_LT((in_space(part.face, last.curve, 1.0) - q1).norm(), 1e-7);
   EXPECT_NEAR(last.edge_length.value(), (q1 - p1).norm(), 1e-7);
-  const auto [p0, q0] = strip.ruling(from);
+  const auto [p0, q0] = patch.ruling(from);
   const Border& first = loop[part.ruling_borders[0]];
   EXPECT_LT((in_space(part.face, first.curve, 0.0) - q0).norm(), 1e-7);
   EXPECT_LT((in_space(part.face, first.curve, 1.0) - p0).norm(), 1e-7);
 }
 
-TEST(StripPart, IsAFaceBetweenItsRulings) {
+TEST(PatchPart, IsAFaceBetweenItsRulings) {
   for (const Ring& ring :
        {frustum(), square_to_circle(), pyramid(), antiprism(),
         ring_between(EllipseProfile{50, 30}, EllipseProfile{20, 40}, {10, 5, 80})})
-    for (const Strip& strip : ring.strips) {
-      expect_framed_by_rulings(strip, 0.0, 1.0);
-      expect_framed_by_rulings(strip, 0.2, 0.7);
+    for (const RuledPatch& patch : ring.patches) {
+      expect_framed_by_rulings(patch, 0.0, 1.0);
+      expect_framed_by_rulings(patch, 0.2, 0.7);
     }
 }
 
-TEST(StripPart, LiesOnTheRulings) {
+TEST(PatchPart, LiesOnTheRulings) {
   for (const Ring& ring :
        {frustum(), square_to_circle(),
         ring_between(EllipseProfile{50, 30}, EllipseProfile{20, 40}, {10, 5, 80})})
-    for (const Strip& strip : ring.strips) {
-      if (strip.plane()) continue;
-      const Strip::Part part = strip.part(0.1, 0.9, {});
+    for (const RuledPatch& patch : ring.patches) {
+      if (patch.plane()) continue;
+      const RuledPatch::Part part = patch.part(0.1, 0.9, {});
       const auto& surface = std::get<Developable>(part.face.surface);
       for (const double at : {0.1, 0.35, 0.8}) {
-        const auto [p, q] = strip.ruling(at);
+        const auto [p, q] = patch.ruling(at);
         const Vec3 line = ruling_on(surface, part.u(at)), on = point_on(surface, {part.u(at), 0.0});
         EXPECT_LT((p - on).cross(line).norm(), 1e-7);
         EXPECT_LT((q - on).cross(line).norm(), 1e-7);
-        EXPECT_GT(normal_on(surface, part.u(at)).dot(strip.normal(at)), 1.0 - 1e-9);
+        EXPECT_GT(normal_on(surface, part.u(at)).dot(patch.normal(at)), 1.0 - 1e-9);
       }
     }
 }
 
-TEST(StripPart, OfAPlaneLeavesOutASideThatStands) {
-  for (const Strip& strip : antiprism().strips)
-    EXPECT_EQ(strip.part(0.0, 1.0, {}).face.loops[0].size(), 3u);
-  EXPECT_EQ(pyramid().strip(0).part(0.0, 1.0, {}).face.loops[0].size(), 4u);
+TEST(PatchPart, OfAPlaneLeavesOutASideThatStands) {
+  for (const RuledPatch& patch : antiprism().patches)
+    EXPECT_EQ(patch.part(0.0, 1.0, {}).face.loops[0].size(), 3u);
+  EXPECT_EQ(pyramid().patch(0).part(0.0, 1.0, {}).face.loops[0].size(), 4u);
 }
 
-TEST(StripPart, OfAPlaneLosesItsTips) {
-  const Strip strip = pyramid().strip(0);
-  const Strip::Tips tips{.at_from = {2.0, 0.0}, .at_to = {3.0, 0.0}};
-  const Strip::Part part = strip.part(0.0, 1.0, tips);
+TEST(PatchPart, OfAPlaneLosesItsTips) {
+  const RuledPatch patch = pyramid().patch(0);
+  const RuledPatch::Tips tips{.at_from = {2.0, 0.0}, .at_to = {3.0, 0.0}};
+  const RuledPatch::Part part = patch.part(0.0, 1.0, tips);
   ASSERT_EQ(part.face.loops[0].size(), 6u);
   Loop loop;
   for (const Border& border : part.face.loops[0])
     loop.push_back(border.curve);
-  EXPECT_NEAR(signed_area(loop), strip.area(0.0, 1.0) - strip.tip_area(0.0, 1.0, tips), 1e-9);
+  EXPECT_NEAR(signed_area(loop), patch.area(0.0, 1.0) - patch.tip_area(0.0, 1.0, tips), 1e-9);
   const double cut = length(part.face.loops[0][part.ruling_borders[0]].curve);
-  const auto [p, q] = strip.ruling(0.0);
+  const auto [p, q] = patch.ruling(0.0);
   EXPECT_NEAR(cut, (q - p).norm() - 2.0, 1e-10);
 }
 
-TEST(StripPart, OfAConeLosesItsApex) {
+TEST(PatchPart, OfAConeLosesItsApex) {
   const Ring ring = square_to_circle();
-  for (const Strip& strip : ring.strips) {
-    if (strip.plane()) continue;
-    const Strip::Part part = strip.part(0.0, 1.0, {.at_from = {4.0, 0.0}, .at_to = {4.0, 0.0}});
-    const auto [p, q] = strip.ruling(0.0);
+  for (const RuledPatch& patch : ring.patches) {
+    if (patch.plane()) continue;
+    const RuledPatch::Part part = patch.part(0.0, 1.0,
+                                             {.at_from = {4.0, 0.0}, .at_to = {4.0, 0.0}});
+    const auto [p, q] = patch.ruling(0.0);
     const Border& ruling = part.face.loops[0][part.ruling_borders[0]];
     EXPECT_NEAR(length(ruling.curve), (q - p).norm() - 4.0, 1e-9);
     for (const Border& border : part.face.loops[0])

@@ -1,4 +1,4 @@
-#include "strip.hpp"
+#include "ruled_patch.hpp"
 
 #include <planish/geometry/fit.hpp>
 
@@ -17,8 +17,8 @@ Border border(const Curve2& curve, double length) {
 
 }  // namespace
 
-std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to,
-                                                     const Tips& tips) const {
+std::vector<RuledPatch::PanelCorner> RuledPatch::panel_corners(double from, double to,
+                                                               const Tips& tips) const {
   const auto [p0, q0] = ruling(from);
   const auto [p1, q1] = ruling(to);
   struct Corner {
@@ -47,12 +47,12 @@ std::vector<Strip::PanelCorner> Strip::panel_corners(double from, double to,
   return cut;
 }
 
-Strip::Part Strip::part(double from, double to, const Tips& tips) const {
-  if (patch_.plane) return plane_part(from, to, tips);
+RuledPatch::Part RuledPatch::part(double from, double to, const Tips& tips) const {
+  if (hull_patch_.plane) return plane_part(from, to, tips);
   return right_ ? right_part(from, to, tips) : ruled_part(from, to, tips);
 }
 
-Strip::Part Strip::plane_part(double from, double to, const Tips& tips) const {
+RuledPatch::Part RuledPatch::plane_part(double from, double to, const Tips& tips) const {
   const std::vector<PanelCorner> corners = panel_corners(from, to, tips);
   Part part;
   part.from = from;
@@ -76,7 +76,7 @@ Strip::Part Strip::plane_part(double from, double to, const Tips& tips) const {
   return part;
 }
 
-Strip::Part Strip::right_part(double from, double to, const Tips& tips) const {
+RuledPatch::Part RuledPatch::right_part(double from, double to, const Tips& tips) const {
   Part part;
   part.from = from;
   part.to = to;
@@ -94,7 +94,7 @@ Strip::Part Strip::right_part(double from, double to, const Tips& tips) const {
   return part;
 }
 
-Strip::Part Strip::ruled_part(double from, double to, const Tips& tips) const {
+RuledPatch::Part RuledPatch::ruled_part(double from, double to, const Tips& tips) const {
   const double cut = (stands(0) ? tips.at_from[0] : 0.0) + (stands(1) ? tips.at_from[1] : 0.0);
   const double sign = base_ == 0 ? 1.0 : -1.0;
   const std::vector<double> breaks = breaks_between(from, to);
