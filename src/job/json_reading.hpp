@@ -44,8 +44,8 @@ class JsonReading {
   JsonReading(const JsonReading&) = delete;
   JsonReading& operator=(const JsonReading&) = delete;
 
-  /// `invalid_input`: `where` is name:line:column for text that is not JSON, else name and JSON
-  /// pointer. Empty while all is well.
+  /// `invalid_input`: `where` is name:line:column for text that is not JSON or nested too deep,
+  /// else name and JSON pointer. Empty while all is well.
   const std::optional<Error>& error() const { return error_; }
 
   const Json& document() const { return document_; }

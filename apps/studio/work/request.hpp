@@ -7,6 +7,8 @@
 
 namespace planish::studio {
 
+inline constexpr auto kOptions = "/options";  ///< where they stand in a request
+
 /// A request of docs/studio-api.md, read.
 struct Asked {
   std::string key;   ///< the whole request as text: equal requests have equal keys

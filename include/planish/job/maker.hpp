@@ -62,6 +62,10 @@ class Made {
   virtual std::optional<Mesh> refused_solid() const { return std::nullopt; }
 };
 
+/// The report of the piece that a request shows, from 0; that of the whole where refusal left none.
+/// Errors: `bad_option` where there is no such piece; `where` is the option's name.
+Result<const Report*> piece_of(const Made& made, int piece);
+
 /// An input file: its bytes, what messages call it, and where files that it names are. Without a
 /// folder these are left unread.
 struct InputFile {
@@ -87,7 +91,7 @@ class Work {
   virtual Result<void> edit(const InputFile& input);
   /// An error means that the input or the request is wrong; what cannot be made gives a report
   /// with `refusal`. `where` of both is the input's name, followed by the JSON pointer of the
-  /// cause, or the name of an option.
+  /// cause, or the name of an option, followed by the pointer within its value.
   virtual Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
   /// What the input holds, as JSON text; "null" where there is nothing to say beyond itself.
   virtual std::string info(const Progress&) const { return "null"; }

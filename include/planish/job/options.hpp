@@ -72,17 +72,26 @@ class OptionValues {
   bool given(std::string_view name) const;
   /// The text of a word, face, name or path; empty where it was not given.
   std::string text(std::string_view name) const;
+  std::optional<double> number(std::string_view name) const;
 
   /// What is wrong with options that are each right by themselves: `bad_option`, names of options
-  /// between backquotes.
+  /// between backquotes; `where` is the name of one.
   Result<void> check_together() const;
   /// Enters all in a request, and reads the files whose paths were given. Errors: those of
-  /// `check_together`, `cannot_read`, `invalid_input`.
+  /// `check_together`; `cannot_read`, `invalid_input` with the place in the file, of content that
+  /// was given behind "rules/content".
   Result<void> enter(Request& request) const;
 
  private:
   std::vector<std::pair<const Option*, OptionValue>> values_;
 };
+
+/// The option that a place is of, "bend_k" of "bend_k/B99"; null where it is of none.
+const Option* option_at(std::string_view where);
+
+/// The error of a request whose options stand at a JSON pointer: of the place "bend_k/B99" it makes
+/// "/options/bend_k/B99"; places that are no option's stay.
+Error at_pointer(Error error, const std::string& options);
 
 /// A finite number, the whole text and nothing else, with a decimal point.
 std::optional<double> parse_number(const std::string& text);

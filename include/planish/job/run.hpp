@@ -25,8 +25,9 @@ struct RunResult {
 ///
 /// `input` is the path of a file, or its content: {"name": "plates.json", "content": {...}}, where
 /// `content` is the object itself, or a text of any file. Of a file given so, others that it names
-/// are sought in "folder". Errors: `invalid_input` for a request that breaks its schema (`where` is
-/// the JSON pointer), `bad_option`, those of the maker's input.
+/// are sought in "folder", which must then be given. Errors: `invalid_input` for a request that
+/// breaks its schema (`where` is the JSON pointer) or is nested more than 100 deep, `bad_option`
+/// (`where` is that of the option, "/options/bend_k/B99"), those of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
 
