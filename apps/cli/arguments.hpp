@@ -21,10 +21,13 @@ struct Arguments {
   bool check = false;  ///< nothing but the report is written
   bool quiet = false;
   bool all = false;                  ///< every body, of makers that take one of several
-  std::vector<std::string> formats;  ///< of what is written into a folder
+  std::vector<std::string> formats;  ///< of what is written into a folder, with commas between
   std::map<job::Role, std::vector<std::string>> outputs;
   job::OptionValues options;
 };
+
+/// The words of `--format`, one by one.
+std::vector<std::string> formats_asked(const Arguments& arguments);
 
 /// The option that asks for files of a role: "-o" for the folded part; of makers that take one of
 /// several bodies, for the flat pattern.

@@ -16,6 +16,8 @@ namespace {
 using job::Made;
 using job::UnfoldReport;
 
+constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid, or …
+
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
 /// Says on the terminal what was done, unless quiet; on standard error where standard output
@@ -37,10 +39,11 @@ int end_failed(const Arguments& arguments, const job::Request& request, const Er
   return status;
 }
 
-/// A command line that contradicts itself has no report; a side file that cannot be read has.
+/// A command line that contradicts itself has no report; a file that cannot be read or written has,
+/// unless it is the report.
 int end_unplanned(const Arguments& arguments, const Error& error) {
-  if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
-    return complain(error);
+  const bool of_report = error.code == ErrorCode::cannot_write && error.where == arguments.json;
+  if (exit_status(error.code) != kFileStatus || of_report) return complain(error);
   job::Request request;
   request.input = arguments.input;
   request.body = arguments.options.text("body");
@@ -52,8 +55,10 @@ int end_unplanned(const Arguments& arguments, const Error& error) {
   return end_failed(arguments, request, error);
 }
 
+/// The report of what was written was written with it.
 int end_reported(const Arguments& arguments, const Made& made) {
-  if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
+  if (made.report().refusal || arguments.json == "-")
+    if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
   if (made.report().refusal) return complain(*made.report().refusal);
   print_summary(arguments, made.text());
   return 0;
@@ -68,8 +73,8 @@ std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece
 
 /// All files, or the first reason why one cannot be written: what shows all pieces together first,
 /// then piece by piece.
-Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
-  std::vector<File> files;
+Result<std::vector<OutputFile>> files_of(const Made& made, const Plan& plan) {
+  std::vector<OutputFile> files;
   const int pieces = made.pieces();
   for (int piece = pieces > 1 ? -1 : 0; piece < pieces; ++piece)
     for (const Target& target : plan.targets) {
@@ -83,16 +88,25 @@ Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
   return files;
 }
 
-std::optional<Error> write_files(Made& made, const Plan& plan) {
-  const auto files = files_of(made, plan);
+void add_report(std::vector<OutputFile>& files, const std::string& json_option,
+                const std::string& text) {
+  for (const std::filesystem::path& file : files_named({json_option}))
+    files.push_back({file, text});
+}
+
+/// What was made, and the report that names its files.
+std::optional<Error> write_made(Made& made, const Arguments& arguments, const Plan& plan) {
+  auto files = files_of(made, plan);
   if (!files) return files.error();
   if (interrupted()) return stopped();
-  for (const File& file : *files)
+  for (const OutputFile& file : *files)
     if (file.path.has_parent_path())
       if (auto error = make_folder(file.path.parent_path())) return error;
-  if (auto error = write_all(*files, plan.inputs)) return error;
   append_names(made.report().files, *files);
-  return std::nullopt;
+  add_report(*files, arguments.json, made.json());
+  auto error = write_all(*files, plan.inputs);
+  if (error) made.report().files.clear();
+  return error;
 }
 
 Result<std::unique_ptr<Made>> make(const Arguments& arguments, const Plan& plan,
@@ -108,15 +122,17 @@ int run_one(const Arguments& arguments, const Plan& plan) {
   const auto made = make(arguments, plan, line);
   if (!made) return end_failed(arguments, plan.request, made.error());
   if (interrupted()) return complain(stopped());
-  if ((*made)->report().has_pattern()) (*made)->report().refusal = write_files(**made, plan);
+  if ((*made)->report().has_pattern())
+    (*made)->report().refusal = write_made(**made, arguments, plan);
   if (interrupted()) return complain(stopped());
   return end_reported(arguments, **made);
 }
 
 /// The patterns of every body that has one, into the folder, and the summary.
-std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan& plan) {
+std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Arguments& arguments,
+                                  const Plan& plan) {
   const std::vector<std::string> stems = job::stems(reports);
-  std::vector<File> all;
+  std::vector<OutputFile> all;
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (!reports[i].has_pattern()) continue;
     Plan own = plan;
@@ -129,18 +145,20 @@ std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan
       continue;
     }
     append_names(reports[i].files, *files);
-    for (File& file : *files)
+    for (OutputFile& file : *files)
       all.push_back(std::move(file));
   }
   if (auto error = make_folder(plan.folder)) return error;
   all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
   all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
+  add_report(all, arguments.json, job::summary_json(reports));
   return write_all(all, plan.inputs);
 }
 
 int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports) {
-  if (const auto error = write_report(arguments.json, job::summary_json(reports)))
-    return complain(*error);
+  if (arguments.check || arguments.json == "-")
+    if (const auto error = write_report(arguments.json, job::summary_json(reports)))
+      return complain(*error);
   print_summary(arguments, job::summary_text(reports));
   if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
     return 0;
@@ -158,7 +176,7 @@ int run_all(const Arguments& arguments, const Plan& plan) {
   if (!reports) return end_failed(arguments, plan.request, reports.error());
   if (interrupted()) return complain(stopped());
   if (!arguments.check)
-    if (const auto error = write_bodies(*reports, plan))
+    if (const auto error = write_bodies(*reports, arguments, plan))
       return end_failed(arguments, plan.request, *error);
   return end_all(arguments, *reports);
 }

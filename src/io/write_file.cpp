@@ -58,7 +58,7 @@ Result<void> write_directly(const fs::path& target, const std::string& content) 
 
 /// Where a target's bytes go.
 struct Place {
-  fs::path real;                          ///< behind symbolic links
+  fs::path real;                         ///< behind symbolic links
   std::optional<fs::perms> permissions;  ///< of the file that is there
   bool direct = false;                   ///< a device or pipe
 };
@@ -66,7 +66,7 @@ struct Place {
 Result<Place> place_of(const fs::path& target) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
-  if (!fs::exists(status)) return Place{target};
+  if (!fs::exists(status)) return Place{target, {}};
   if (!fs::is_regular_file(status) && !fs::is_directory(status)) return Place{target, {}, true};
   // Renaming would also replace a file that may not be written; opening it tells.
   if (!opened(target, "r+b")) return cannot_write(target, last_error());
