@@ -133,6 +133,9 @@ Result<void> check_writable(const Arguments& arguments, const Plan& plan,
 
 Result<void> check_files(const Arguments& arguments, const Plan& plan) {
   std::vector<fs::path> files = files_named({arguments.json});
+  // Before all else, because what fails has a report too.
+  for (const fs::path& file : files)
+    if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
   for (const fs::path& file : files)
     if (auto exists = folder_exists(file); !exists) return exists;
   for (const auto& [role, names] : arguments.outputs)

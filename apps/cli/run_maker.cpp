@@ -16,7 +16,7 @@ namespace {
 using job::Made;
 using job::UnfoldReport;
 
-constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid, or …
+constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid or not written
 
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
@@ -27,23 +27,22 @@ void print_summary(const Arguments& arguments, const std::string& text) {
 }
 
 /// Ends a request that failed as a whole: complains, and writes the report that says so, so that
-/// scripts find the reason in the same place.
+/// scripts find the reason in the same place; unless the report is what cannot be written.
 int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
   Error error = failure;
   if (error.code == ErrorCode::no_such_body && request.body.empty())
     error.message += "; or take all of them with --all -o FOLDER/";
   const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
+  const bool of_report = error.code == ErrorCode::cannot_write && error.where == arguments.json;
+  if (error.code == ErrorCode::cancelled || of_report) return status;
   const auto failed = arguments.maker->failed(request, error);
   if (const auto unwritten = write_report(arguments.json, failed->json())) complain(*unwritten);
   return status;
 }
 
-/// A command line that contradicts itself has no report; a file that cannot be read or written has,
-/// unless it is the report.
+/// A command line that contradicts itself has no report; a file that cannot be read or written has.
 int end_unplanned(const Arguments& arguments, const Error& error) {
-  const bool of_report = error.code == ErrorCode::cannot_write && error.where == arguments.json;
-  if (exit_status(error.code) != kFileStatus || of_report) return complain(error);
+  if (exit_status(error.code) != kFileStatus) return complain(error);
   job::Request request;
   request.input = arguments.input;
   request.body = arguments.options.text("body");

@@ -97,6 +97,10 @@ class WrongUsage(CliTest):
         self.angle()
         sentence = self.refused("connect", "part.step", status=3)
         self.assertIn("the plates file is not JSON: it is a STEP file", sentence)
+        before = (self.dir / "part.step").read_bytes()
+        for options in (["--json", "part.step"], ["--json", "part.step", "-o", "missing/a.step"]):
+            self.refused("connect", "part.step", *options, status=2)
+            self.assertEqual((self.dir / "part.step").read_bytes(), before)
         self.write("part.dxf", "0\nEOF\n")
         self.assertIn("[not_step]", self.refused("unfold", "part.dxf", status=3))
 
