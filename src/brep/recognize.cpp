@@ -130,6 +130,11 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
 }  // namespace
 
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options) {
+  for (const auto& [name, value] : {std::pair{"surface", options.surface_tolerance},
+                                    std::pair{"thickness", options.thickness_tolerance}})
+    if (!(value > 0.0 && value <= kFarthest))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("The {} tolerance is {}; it must be above 0.", name, value));
   return guarded(
       [&] {
         auto model = std::make_shared<const SolidModel>(

@@ -24,6 +24,7 @@ double narrowest_radius(const Face& face, const Box2& box) {
 }  // namespace
 
 Sheet with_open_seam(const Sheet& sheet) {
+  require_valid(sheet);
   Sheet open = sheet;
   for (Face& face : open.faces) {
     Box2 box;

@@ -1,5 +1,8 @@
 #include "planar.hpp"
 
+#include <planish/base/tolerance.hpp>
+
+#include <algorithm>
 #include <numbers>
 
 namespace planish {
@@ -28,7 +31,7 @@ std::vector<Vec2> arc_samples(const Arc& arc, double chord) {
 }
 
 std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
-  std::vector<Vec2> points{spline.poles.front()};
+  std::vector<Vec2> points{first_pole(spline)};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
     const Bezier b = span(spline, i);
     // A chord over a parameter step h misses the curve by at most h²/8 max|B''|, and B'' is
@@ -116,6 +119,30 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
 }
 
 }  // namespace
+
+bool is_regular(const Curve2& curve) {
+  struct Regular {
+    static bool in_reach(const Vec2& p) { return (p.array().abs() <= kFarthest).all(); }
+    bool operator()(const Segment& s) const { return in_reach(s.a) && in_reach(s.b); }
+    bool operator()(const Arc& a) const {
+      constexpr double kMostTurn = 2.0 * pi * (1.0 + tolerance::kComputed);
+      constexpr double kFarthestTurn = 1e6;  // radians
+      return (a.center.array().abs() <= kLargestRadius).all() && a.radius > 0.0 &&
+             a.radius <= kLargestRadius && std::abs(a.start) <= kFarthestTurn &&
+             std::abs(a.sweep) <= kMostTurn && in_reach(arc_point(a, a.start)) &&
+             in_reach(arc_point(a, a.start + a.sweep));
+    }
+    bool operator()(const CubicSpline& s) const {
+      return s.poles.size() >= 4 && s.poles.size() % 3 == 1 &&
+             std::ranges::all_of(s.poles, in_reach);
+    }
+  };
+  return std::visit(Regular{}, curve);
+}
+
+bool is_regular(const Loop& loop) {
+  return std::ranges::all_of(loop, [](const Curve2& curve) { return is_regular(curve); });
+}
 
 Vec2 point_at(const Curve2& curve, double t) {
   return std::visit(Overloaded{

@@ -262,7 +262,7 @@ Box2 bounds(const Curve2& curve) {
                         [](const Arc& a) { return arc_bounds(a); },
                         [](const CubicSpline& s) {
                           Box2 box;
-                          box.add(s.poles.front());
+                          box.add(first_pole(s));
                           for (std::size_t i = 0; i < span_count(s); ++i) {
                             const Bezier b = span(s, i);
                             box.add(b[3]);

@@ -40,6 +40,11 @@ inline std::size_t span_count(const CubicSpline& s) {
   PLANISH_ASSERT(s.poles.size() >= 4 && s.poles.size() % 3 == 1);
   return (s.poles.size() - 1) / 3;
 }
+/// The first pole; a spline without poles stops at an assertion.
+inline const Vec2& first_pole(const CubicSpline& s) {
+  PLANISH_ASSERT(span_count(s) > 0);
+  return s.poles.front();
+}
 inline Bezier span(const CubicSpline& s, std::size_t i) {
   return {s.poles[3 * i], s.poles[3 * i + 1], s.poles[3 * i + 2], s.poles[3 * i + 3]};
 }

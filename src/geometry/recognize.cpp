@@ -145,7 +145,7 @@ constexpr int kStationsPerSpan = 24;
 /// Stations at every end, and wherever a span turns back or is farthest out seen along `chord`:
 /// on them alone the test for a line is exact.
 std::vector<Station> extreme_stations(const CubicSpline& spline) {
-  const Vec2 chord = spline.poles.back() - spline.poles.front();
+  const Vec2 chord = spline.poles.back() - first_pole(spline);
   const Vec2 along = chord.isZero(0.0) ? Vec2(Vec2::UnitX()) : chord.stableNormalized();
   std::vector<Station> path{{spline.poles.front()}};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
@@ -181,7 +181,7 @@ std::vector<double> angular_extrema(const Bezier& b, const Vec2& center) {
 
 /// Evenly spaced stations, and where the spline turns back round the centre (if given).
 std::vector<Station> even_stations(const CubicSpline& spline, const std::optional<Vec2>& center) {
-  std::vector<Station> path{{spline.poles.front(), 0.0}};
+  std::vector<Station> path{{first_pole(spline), 0.0}};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
     const Bezier b = span(spline, i);
     std::vector<double> at;

@@ -185,6 +185,7 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
 
 std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
                                    const FlatPattern& pattern) {
+  require_valid(pattern);
   PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
   const double clearance = contact_clearance(pattern);
   const double chord = 0.25 *

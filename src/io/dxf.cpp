@@ -155,46 +155,13 @@ Result<void> checked(const DxfOptions& options) {
   return {};
 }
 
-bool is_finite(const Curve2& curve) {
-  if (const auto* s = std::get_if<Segment>(&curve)) return s->a.allFinite() && s->b.allFinite();
-  if (const auto* arc = std::get_if<Arc>(&curve)) {
-    return arc->center.allFinite() && std::isfinite(arc->radius) && std::isfinite(arc->start) &&
-           std::isfinite(arc->sweep);
-  }
-  return std::ranges::all_of(std::get<CubicSpline>(curve).poles,
-                             [](const Vec2& pole) { return pole.allFinite(); });
-}
-
-bool is_finite(const std::vector<Segment>& lines) {
-  return std::ranges::all_of(lines, [](const Segment& line) { return is_finite(Curve2(line)); });
-}
-
-bool is_contour(const Loop& loop) {
-  return !loop.empty() && std::ranges::all_of(loop, [](const Curve2& c) { return is_finite(c); });
-}
-
-/// Checked before anything is fitted to a curve.
-bool is_drawable(const FlatPattern& pattern) {
-  return is_contour(pattern.outer.loop) && is_finite(pattern.slits) &&
-         std::ranges::all_of(pattern.openings,
-                             [](const Contour& c) { return is_contour(c.loop); }) &&
-         std::ranges::all_of(pattern.features,
-                             [](const FlatFeature& feature) {
-                               return std::ranges::all_of(feature.outlines, is_contour);
-                             }) &&
-         std::ranges::all_of(pattern.bends, [](const FlatBend& bend) {
-           return is_finite(bend.lines) && is_finite(bend.tangent_lines);
-         });
-}
-
 }  // namespace
 
 Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options) {
   if (auto good = checked(options); !good) return tl::unexpected(good.error());
-  if (!is_drawable(pattern)) {
-    return fail(ErrorCode::internal,
-                "the pattern has a contour or a line that is empty or not finite");
-  }
+  if (auto sound = check(pattern); !sound) return tl::unexpected(sound.error());
+  if (pattern.outer.loop.empty())
+    return fail(ErrorCode::invalid_sheet, "The pattern has no outer contour.");
   const Drawing drawing(pattern, options);
   if (drawing.has_empty_outline()) {
     return fail(ErrorCode::internal, "the pattern has a contour without extent");

@@ -323,6 +323,7 @@ std::string page(const Box2& box, const std::string& content) {
 }  // namespace
 
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
+  require_valid(pattern);
   const Box2 part = part_box(pattern);
   const double font = font_for(part);
   const std::string path = contour_path(pattern);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr auto kFormat = "planish/slits";
 constexpr int kVersion = 1;
-constexpr int kMostSubdivisions = 6;
 
 constexpr int kMostStrips = 10000;
 

@@ -4,6 +4,8 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/certificate.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -234,7 +236,14 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   if (auto right = check(sheet); !right) return tl::unexpected(right.error());
   if (pattern.outer.loop.empty())
     return fail(ErrorCode::pattern_wrong, "The flat pattern has no outer contour.");
-  PLANISH_ASSERT(sheet.faces.has(pattern.root) && curve_tolerance > 0.0);
+  if (auto right = check(pattern); !right) return tl::unexpected(right.error());
+  if (!sheet.faces.has(pattern.root))
+    return fail(ErrorCode::pattern_wrong,
+                fmt::format("The root of the flat pattern, face {}, is not a face of the sheet.",
+                            index_of(pattern.root)));
+  if (!(curve_tolerance > 0.0 && curve_tolerance <= kFarthest))
+    return fail(ErrorCode::bad_option,
+                fmt::format("The curve tolerance is {} mm; it must be above 0.", curve_tolerance));
   const auto stated = stated_allowances(sheet, pattern);
   if (!stated) return tl::unexpected(stated.error());
   const auto laid = relaid(sheet, pattern, *stated);

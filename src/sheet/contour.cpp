@@ -3,6 +3,8 @@
 #include <planish/geometry/fit.hpp>
 #include <planish/sheet/topology.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace planish::sheet_detail {
@@ -60,6 +62,15 @@ std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contou
   return {};
 }
 
+/// Why there is no pattern where a feature reaches the outer contour: what its maker says.
+Error refusal_at_rim(const FormedFeature& feature) {
+  if (!feature.at_rim.message.empty()) return feature.at_rim;
+  return {ErrorCode::unsupported_shape,
+          fmt::format("A feature ({}) reaches the outer contour; a flat pattern cannot show it.",
+                      feature.kind),
+          {}};
+}
+
 }  // namespace
 
 Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
@@ -73,7 +84,7 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
     RawContour raw = walk(layout, topology, id, seen);
     const double area = signed_area(raw.loop);
     if (const auto feature = feature_of(sheet, raw)) {
-      if (area > outer_area) return tl::unexpected(sheet[*feature].at_rim);
+      if (area > outer_area) return tl::unexpected(refusal_at_rim(sheet[*feature]));
       contours.formed.emplace_back(*feature, merged(raw.loop, options.merge_tolerance).loop);
       continue;
     }

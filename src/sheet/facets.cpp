@@ -1,5 +1,6 @@
 #include "bend_facets.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/facets.hpp>
 #include <planish/sheet/topology.hpp>
@@ -259,7 +260,10 @@ int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
 }  // namespace
 
 Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& options) {
+  require_valid(sheet);
   PLANISH_ASSERT(layout.placement.size() == sheet.faces.size());
+  for (const int joint : layout.tree)
+    PLANISH_ASSERT(joint >= 0 && joint < std::ssize(sheet.joints));
   PLANISH_ASSERT(options.chord > 0.0 && options.most.radians() > 0.0);
   FacetTree tree(sheet, layout, options);
   const Topology& topology = tree.topology();
@@ -287,6 +291,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
 }
 
 std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share) {
+  PLANISH_ASSERT(std::isfinite(share));
   std::vector<Eigen::Isometry3d> placed;
   for (const Facet& facet : facets.facets) {
     if (!facet.parent) {

@@ -1,6 +1,7 @@
 #include "bend_development.hpp"
 #include "placement.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/sheet/layout.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -109,7 +110,10 @@ Result<double> closure_of(const Sheet& sheet, const Layout& layout, double toler
 }  // namespace
 
 const Curve2& Layout::image(const BorderRef& ref) const {
-  return images[ref.face].at(ref.loop).at(ref.border);
+  const std::vector<Loop>& loops = images[ref.face];
+  PLANISH_ASSERT(ref.loop >= 0 && ref.loop < std::ssize(loops) && ref.border >= 0 &&
+                 ref.border < std::ssize(loops[ref.loop]));
+  return loops[ref.loop][ref.border];
 }
 
 Region Layout::region(FaceId face) const {

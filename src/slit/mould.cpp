@@ -315,6 +315,7 @@ std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
 }  // namespace
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
+  if (auto sound = check(folded); !sound) return tl::unexpected(sound.error());
   const auto given = setting_of(folded, options);
   if (!given) return tl::unexpected(given.error());
   std::optional<Error> first_error;

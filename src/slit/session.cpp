@@ -6,6 +6,8 @@
 #include <planish/base/assert.hpp>
 #include <planish/slit/session.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -226,6 +228,9 @@ FoldedSlitSheet SlitSession::folded() const {
 
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
                                       const SlitSolveOptions& options, const Progress& progress) {
+  if (subdivisions < 0 || subdivisions > kMostSubdivisions)
+    return fail(ErrorCode::bad_option, fmt::format("subdivisions is {}; it must be from 0 to {}",
+                                                   subdivisions, kMostSubdivisions));
   auto session = SlitSession::start(std::move(design));
   if (!session) return session;
   for (int level = 0; level <= subdivisions; ++level) {

@@ -199,6 +199,7 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
 }  // namespace
 
 Sheet sheet_of(const FoldedSlitSheet& folded) {
+  require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
   std::vector<double> folds;
   for (const SharedBorder& border : joined.shared)
@@ -215,6 +216,7 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
 }
 
 Mesh mesh_of(const FoldedSlitSheet& folded) {
+  require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
   std::vector<std::vector<int>> shared_by(joined.all.size());  // by their first region
   for (std::size_t s = 0; s < joined.shared.size(); ++s)

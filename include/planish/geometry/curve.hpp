@@ -31,9 +31,21 @@ struct CubicSpline {
 
 using Curve2 = std::variant<Segment, Arc, CubicSpline>;
 
+/// The farthest out that points of a curve may lie, mm: beyond, doubles no longer place them to the
+/// micrometre that a chord is held to. Arcs that are nearly straight may have their centre
+/// `kLargestRadius` away.
+inline constexpr double kFarthest = 1e7, kLargestRadius = 1e15;
+
+/// Whether a curve is one: numbers finite and in reach, an arc with a radius above 0 and
+/// `|sweep| <= 2π`, a spline of 3n+1 poles. Every other function here takes that for granted.
+bool is_regular(const Curve2& curve);
+
 /// Consecutive curves, each starting where the one before ends, the last ending where the first
 /// starts. Outer loops run counter-clockwise, openings clockwise.
 using Loop = std::vector<Curve2>;
+
+/// Whether each curve is.
+bool is_regular(const Loop& loop);
 
 /// Point at `t` in [0, 1]; for a spline each span takes an equal share of t.
 Vec2 point_at(const Curve2& curve, double t);

@@ -15,7 +15,8 @@ namespace planish {
 std::string stl_binary(const Mesh& mesh, const std::string& name);
 
 /// Wavefront OBJ: points with 10 significant digits in the mesh's own units, triangles as faces,
-/// one object called `name` (line breaks and leading blanks removed).
+/// one object called `name` (line breaks and leading blanks removed). Requires: corner numbers
+/// within `points`.
 std::string obj_text(const Mesh& mesh, const std::string& name);
 
 }  // namespace planish

@@ -40,8 +40,9 @@ EdgeDistance border_distance(const Sheet& sheet);
 /// its root lies, and looks for every border among the contours and for every contour among the
 /// borders. What was lost or added on the way is therefore a deviation, and so is a face in the
 /// wrong place. Certify first, cut slits then. `curve_tolerance`: to which developed curves are
-/// fitted, mm. Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the
-/// sheet or has no outer contour), `not_a_sheet` (faces that no joint leads to).
+/// fitted, mm. Errors: those of `check`, `bad_option` (a tolerance of 0 or less),
+/// `pattern_wrong` (the pattern leaves out a bend of the sheet, has no outer contour or a root that
+/// is not of the sheet), `not_a_sheet` (faces that no joint leads to).
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
                             const EdgeDistance& distance, double curve_tolerance = kImageTolerance);
 

@@ -62,6 +62,14 @@ struct FlatPattern {
   Isometry2 root_placement = Isometry2::Identity();  ///< …and where its developed plane lies
 };
 
+/// Whether a pattern is one, be it empty: sizes are numbers in their range, contours and outlines
+/// have curves that are regular, each line of a bend has its angle. Error: `invalid_sheet`, with
+/// the rule that is broken; `where` names the row ("opening 3"). What writes or measures a pattern
+/// asks for that.
+Result<void> check(const FlatPattern& pattern);
+/// Stops at an assertion that names the rule and the row: for functions that return no `Result`.
+void require_valid(const FlatPattern& pattern);
+
 /// Sides of the smallest rectangle, in any direction, that the pattern is cut from, longer first,
 /// mm; zero for an empty pattern. Curves are measured to 1e-4 mm.
 Vec2 blank_size(const FlatPattern& pattern);

@@ -156,10 +156,13 @@ Vec3 skin_point(const Face& face, const Vec2& uv);
 Box2 parameter_box(const Face& face);
 
 /// Whether the sheet is one that everything here can rely on: sizes are numbers in their range,
-/// every id names a row, faces and their parts name each other, planes belong to flanges and
-/// developable surfaces to bends, no border is in two joints, a sharp joint names a bend without
-/// faces. Error: `invalid_sheet`, with the rule that is broken; `where` names the row ("face 3,
-/// loop 0, border 2"). O(borders).
+/// frames are right-handed, every id names a row, faces and their parts name each other, planes
+/// belong to flanges and surfaces of a bend's kind to bends, loops are closed to 0.1 mm, no border
+/// is in two joints, sharp joints and bends without faces name each other, press lines are rulings
+/// of their bend. Error: `invalid_sheet`, with the rule that is broken; `where` names the row
+/// ("face 3, loop 0, border 2"). O(borders).
 Result<void> check(const Sheet& sheet);
+/// Stops at an assertion that names the rule and the row: for functions that return no `Result`.
+void require_valid(const Sheet& sheet);
 
 }  // namespace planish

@@ -52,7 +52,7 @@ class Topology {
   int node_count() const { return static_cast<int>(joints_of_.size()); }
   PartId part_at(int node) const;
   /// Joints between a node and others; a sharp one joins the flanges or bends on both of its sides.
-  const std::vector<int>& joints_of(int node) const { return joints_of_[node]; }
+  const std::vector<int>& joints_of(int node) const;
   /// Whether joints lead from every face to every other.
   bool is_connected() const { return connected_; }
 

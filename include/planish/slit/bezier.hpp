@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/geometry/frame.hpp>
+#include <planish/geometry/curve.hpp>
 
 #include <vector>
 
@@ -11,6 +11,10 @@ struct BezierCurve {
   std::vector<Vec2> poles;
   friend bool operator==(const BezierCurve&, const BezierCurve&) = default;
 };
+
+/// Whether a curve has poles, all of them finite and within `kFarthest`. The functions here take
+/// that for granted.
+bool is_regular(const BezierCurve& curve);
 
 /// A point of a curve with its first two derivatives with respect to t.
 struct BezierPoint {

@@ -42,6 +42,13 @@ struct FoldedSlitSheet {
   std::vector<FoldedStrip> strips;
 };
 
+/// Whether a folded sheet is one: numbers finite, each strip with ridges and a quad between any
+/// two, each facet of the panel at a strip of the sheet or at none. Error: `invalid_sheet`, with
+/// the rule that is broken; `where` names the row ("strip 3").
+Result<void> check(const FoldedSlitSheet& folded);
+/// Stops at an assertion that names the rule and the row.
+void require_valid(const FoldedSlitSheet& folded);
+
 /// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face; ridges
 /// and the edges between the panel's facets are sharp bends where they fold by more than rounding,
 /// else their faces are one flange. The reference surface is the middle one, and hinges take no

@@ -106,7 +106,9 @@ class SlitSession {
   std::unique_ptr<Content> content_;
 };
 
-/// A design solved coarse to fine: `subdivisions` times subdivided and solved again.
+inline constexpr int kMostSubdivisions = 6;
+/// A design solved coarse to fine: `subdivisions` (0 to 6) times subdivided and solved again.
+/// Errors: `bad_option`, those of `SlitSession::start` and `solve`.
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
                                       const SlitSolveOptions& options = {},
                                       const Progress& progress = {});

@@ -39,6 +39,7 @@ struct SlitSheet {
   /// Width across, and the largest along.
   double width() const;
   double reach() const;
+  bool has_strip(int strip) const { return strip >= 0 && strip < std::ssize(strips); }
   /// Of strip i: across of its left side, start of both slits, end.
   double left_of(int strip) const;
   std::array<double, 2> start_of(int strip) const;
