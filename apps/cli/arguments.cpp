@@ -69,7 +69,7 @@ void add_option(CLI::App& app, const OptionUse& use, job::OptionValues& values) 
   };
   const auto set = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
-      (void)values.set_text(option, text);  // each was checked
+      (void)values.set_text(option, text);  // each was checked during parsing
   };
   auto* made = app.add_option_function<std::vector<std::string>>(name, set, said);
   made->allow_extra_args(false)->check(check)->type_name(type_name(option));
@@ -95,7 +95,7 @@ std::string suffixes(const std::vector<const job::Artifact*>& artifacts) {
   return text;
 }
 
-// What is written where no output is named.
+// What is written if no output is named.
 std::string default_words(const job::Catalogue& catalogue, const Maker& maker, Role role) {
   if (role == Role::mould) return {};
   const bool both = maker.makes(job::Source::folded_solid);
@@ -118,7 +118,7 @@ void add_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& ma
   }
 }
 
-// Of makers whose inputs may hold several bodies the pattern alone is written, also into folders.
+// Makers whose inputs may hold several bodies write only the pattern, also into folders.
 void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
                       Arguments& to) {
   app.add_flag("--all", to.all,

@@ -10,7 +10,7 @@
 namespace planish::cli {
 namespace {
 
-// A condition under which the command line makes no sense, and what to say then.
+// A condition under which the command line makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
   std::string sentence;
@@ -33,8 +33,8 @@ std::vector<Contradiction> of_outputs(const Arguments& a) {
   return all;
 }
 
-/// Whether the value of `-o` means a file: an existing one, or a name with the suffix of a pattern.
-/// With --all any other name is that of a folder to make.
+/// Whether the value of `-o` is a file: an existing one, or a name with the suffix of a pattern.
+/// With --all any other name is a folder to be created.
 bool names_a_file(const job::Catalogue& catalogue, const Arguments& a, const std::string& output) {
   if (is_folder(output)) return false;
   std::error_code ignored;

@@ -63,7 +63,7 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
                             n, body_list(file)),
                 "body");
   }
-  // A number first: a body can be called anything, but every body has a number.
+  // Numbers take precedence: a name can be anything, but every body has a number.
   if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {
     return *number - 1;
   }

@@ -73,7 +73,7 @@ Result<OptionValue> value_of(const Option& option, const std::string& text) {
   return OptionValue(text);
 }
 
-// A condition under which a request makes no sense, and what to say then.
+// A condition under which a request makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
   const char* sentence;

@@ -154,7 +154,7 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
   bend.length = place["length"].maybe_length();
 }
 
-// What cannot be meant together, whatever the plates are.
+// Properties that exclude each other, whatever the plates are.
 void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.inside_radius && bend.inside_radii)
     place["inside_radii"].mistake("stands beside inside_radius: give one of them");

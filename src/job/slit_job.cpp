@@ -15,7 +15,7 @@
 namespace planish::job {
 namespace {
 
-/// Hinges of plane pieces: their images are exact (mm).
+/// All borders are straight hinges or cuts, so their images are exact (mm).
 constexpr double kOutline = 1e-9;
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
@@ -23,8 +23,8 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : tl::unexpected(done.error());
 }
 
-/// Scans lie only roughly where the sheet is: the strips follow them there as far as they can, the
-/// scans are brought to the strips, and so on until both agree.
+/// Scans lie only roughly where the sheet is: the strips follow them as far as they can, then the
+/// scans move to the strips, and so on until both agree.
 Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
   constexpr int kRounds = 30;
   const double still = 1e-4 * session.design().sheet.reach();
@@ -61,7 +61,7 @@ void take_result(SlitReport& report, const SlitSession& session) {
   }
 }
 
-/// Strips that stay away from where they must end.
+/// A refusal if strips do not reach the place where they must end.
 std::optional<Error> out_of_reach(const SlitReport& report) {
   std::string which;
   int first = -1, count = 0;
@@ -101,7 +101,7 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
-/// What a designer should know of strips that are where they must be.
+/// Findings about strips that end where they must.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
     report.findings.push_back(
@@ -138,8 +138,8 @@ void add_findings(SlitReport& report) {
   }
 }
 
-/// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay
-/// them all.
+/// The flat coordinates of every facet are those of the sheet that was cut, so a single motion must
+/// map them all.
 double flat_deviation(const Sheet& sheet, const Layout& layout) {
   double largest = 0.0;
   for (const FaceId id : sheet.faces.ids())
@@ -168,7 +168,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
   options.curve_tolerance = options.merge_tolerance = kOutline;
-  options.root = FaceId{0};  // its coordinates are those of the whole flat sheet
+  options.root = FaceId{0};  // its coordinates are the whole flat sheet's
   options.keep_root = true;
   options.up = UpSide::reference;
   PatternChecks checks = request;

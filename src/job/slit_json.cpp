@@ -38,7 +38,7 @@ Schema strip_schema() {
                  optional("end", length().said("where it ends; half_length where left out"))});
 }
 
-/// A number of strips with one width, or a list of strips.
+/// A number of strips of equal width, or a list of strips.
 Schema sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
     strips.push_back(required("panel_height", length(kAboveZero).said("of what is not slit")));
@@ -177,7 +177,7 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   return ends;
 }
 
-/// A scan with its points, or with the name of the file that has them.
+/// A scan with its points, or with the name of a file that has them.
 struct ScanPlace {
   SlitScan scan;
   std::string file;
@@ -266,7 +266,7 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   return file;
 }
 
-// Whoever writes a file must spare these even where the slit file is wrong in other places.
+// These must not be overwritten, even if the slit file has mistakes elsewhere.
 std::vector<NamedFile> point_files_of(const std::string& json) {
   std::vector<NamedFile> files;
   const Json document = Json::parse(json, nullptr, false);

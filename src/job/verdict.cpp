@@ -15,7 +15,8 @@ std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
 }
 
-// "2 countersinks, 1 pocket": the usual reason why flat area times thickness misses the volume.
+// "2 countersinks, 1 pocket": the usual reason why flat area times thickness differs from the
+// volume.
 std::string features_text(const FlatPattern& flat) {
   std::map<std::string, int> count;
   for (const FlatFeature& feature : flat.features)
@@ -80,8 +81,7 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  // Without features what explains the volume is what a made sheet is known to lack or to hold
-  // more.
+  // Without features, a good explained ratio means that mitred corners account for the difference.
   const bool explained = flat.features.empty() &&
                          !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&

@@ -46,7 +46,8 @@ bool Access::is_own_origin(const std::string& origin) const {
 }
 
 std::optional<std::string> Access::host_refusal(const Caller& caller) const {
-  // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
+  // Another site's name may be made to resolve to this machine (DNS rebinding); Host then has that
+  // name.
   if (caller.hosts.size() != 1 || !is_own_host(caller.hosts.front()))
     return "this server answers 127.0.0.1 and localhost only";
   for (const std::string& origin : caller.origins)

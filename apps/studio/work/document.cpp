@@ -7,7 +7,7 @@
 namespace planish::studio {
 namespace {
 
-/// The report of the piece that is looked at; the whole where refusal left none.
+/// The report of the piece shown; the whole's if a refusal left no pieces.
 Result<const job::Report*> piece_of(const job::Made& made, int piece) {
   if (piece < made.pieces()) return &made.piece(piece);
   if (made.report().refusal) return &made.report();
