@@ -129,8 +129,7 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, c
 
 namespace {
 
-/// Each opening with its nearest neighbour, rather than every pair within reach as in a
-/// perforation.
+/// An opening's nearest neighbour: a perforation would have too many pairs within reach.
 struct Neighbour {
   Gap gap;
   size_t other = 0;
