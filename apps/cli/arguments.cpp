@@ -140,7 +140,7 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
     return fmt::format("must be one of {}, not \"{}\"", fmt::join(words, ", "), text);
   };
   add_repeatable(app, "--format", to.formats,
-                 fmt::format("what to write into a folder or without -o: {}, with commas between; "
+                 fmt::format("what to write into a folder or without -o: {}, separated by commas; "
                              "default {}",
                              fmt::join(words, ", "), words.front()))
       ->delimiter(',')
@@ -152,8 +152,7 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
 void add_report_options(CLI::App& app, Arguments& to) {
   add_text(app, "--json", to.json, "FILE", "the report as JSON; - writes it to standard output")
       ->group("Output");
-  app.add_flag("--check", to.check, "do the work and report, but write no other file")
-      ->group("Output");
+  app.add_flag("--check", to.check, "do the work and report; write no other file")->group("Output");
   app.add_flag("-q,--quiet", to.quiet, "no summary on the terminal")->group("Output");
 }
 
@@ -162,7 +161,7 @@ void add_print_rules(CLI::App& app) {
     fmt::print("{}", job::rules_json(Rules{}));
     throw CLI::Success();
   };
-  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and end")
+  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and exit")
       ->group("Checks");
 }
 

@@ -62,7 +62,7 @@ Result<std::vector<Target>> default_targets(const Planning& planning) {
   const job::Maker& maker = *planning.arguments.maker;
   if (planning.arguments.input == "-")
     return tl::unexpected(bad_option(fmt::format(
-        "standard input has no name to call the outputs by: say where with {} FILE, or --check "
+        "standard input has no name from which to name the outputs: give {} FILE, or --check "
         "for no output",
         output_option(maker, maker.makes(job::Source::folded_solid) ? Role::folded : Role::flat))));
   std::vector<Target> targets;

@@ -51,13 +51,13 @@ struct OtherArguments {
 };
 
 void set_up(CLI::App& app, const job::Catalogue& catalogue) {
-  app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version, and end");
+  app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version and exit");
   const auto print_formats = [&catalogue] {
     fmt::print("{}", formats_text(catalogue));
     throw CLI::Success();
   };
   app.add_flag_callback("--formats", print_formats,
-                        "print what is read and what is written, and end");
+                        "print what is read and what is written, and exit");
   app.require_subcommand(0, 1);  // an argument may have the name of another command
   app.footer(kExamples);
   app.formatter(help_format());  // before the commands, which inherit it

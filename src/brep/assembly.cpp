@@ -107,7 +107,7 @@ Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const Bord
   if (off > kCurved)
     return fail(ErrorCode::doubly_curved,
                 fmt::format("Faces {} and {} meet smoothly along a line that curves by {:.3g} mm; "
-                            "no flat blank bends into that shape.",
+                            "no flat blank can be bent into that shape.",
                             edge.faces[0] + 1, edge.faces[1] + 1, off),
                 fmt::format("faces {} and {}", edge.faces[0] + 1, edge.faces[1] + 1));
   for (const BorderRef& ref : {a, b})

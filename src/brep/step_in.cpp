@@ -212,7 +212,7 @@ Result<StepFile> check_bodies(StepFile file, const std::string& name) {
     return fail(
         ErrorCode::shell_not_solid,
         fmt::format(
-            "{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.",
+            "{} holds {} surface {} but no solid; knit the surfaces into a solid and export again.",
             name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
         name);
   return fail(ErrorCode::no_solid,

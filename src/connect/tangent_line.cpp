@@ -318,7 +318,7 @@ std::string radius_range(const FitTask& task, const PairChoice& choice) {
   std::string text;
   if (largest > 0.0) text = fmt::format("up to {:.4f} mm", largest);
   if (std::isfinite(smallest))
-    text += fmt::format("{}{:.4f} mm or more, round the back of the plates",
+    text += fmt::format("{}{:.4f} mm or more, around the back of the plates",
                         text.empty() ? "" : ", or ", std::max(smallest, 0.0));
   return text;
 }

@@ -77,7 +77,7 @@ void JsonReading::parse(const std::string& text) {
   }
   if (repeated.first()) {
     error_ = Error{ErrorCode::invalid_input,
-                   fmt::format("{}: the key \"{}\" stands twice in one object: leave one of them",
+                   fmt::format("{}: the key \"{}\" appears twice in one object: leave one of them",
                                what_, *repeated.first()),
                    name_};
   } else if (!document_.is_object()) {

@@ -70,12 +70,13 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
     if (strip.status != StripStatus::out_of_reach) continue;
     constexpr double kThere = 1e-6;  // mm
     if (strip.shortfall < kThere)
-      return Error{ErrorCode::out_of_reach,
-                   fmt::format("the end of strip {} is where it must be, but no folding was found "
-                               "in which it also points there: half a turn is missing; turn "
-                               "its direction or its ridge round, or leave one of them out",
-                               i),
-                   fmt::format("/ends/{}", i)};
+      return Error{
+          ErrorCode::out_of_reach,
+          fmt::format("the end of strip {} is where it must be, but no folding was found "
+                      "in which it also points the right way: half a turn is missing; turn "
+                      "its direction or its ridge around, or leave one of them out",
+                      i),
+          fmt::format("/ends/{}", i)};
     if (first < 0) first = static_cast<int>(i);
     constexpr int kMostNamed = 8;
     if (++count <= kMostNamed)
@@ -125,15 +126,14 @@ void add_findings(SlitReport& report) {
         strip.scan_distance > kFarOff * reach)
       add("scan_far",
           fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
-                      "units, their place and which strip they are of",
+                      "units, their position and the strip that they belong to",
                       i, strip.scan_distance),
           i, last);
     if (strip.crosses_plane)
       add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
     if (strip.status == StripStatus::open)
       add("not_converged",
-          fmt::format(
-              "strip {} is not at its best yet; it ends where it must, but could be smoother", i),
+          fmt::format("strip {} is not finished; it ends where it must, but could be smoother", i),
           i, last / 2);
   }
 }

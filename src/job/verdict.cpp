@@ -54,7 +54,7 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
     message += fmt::format("; without them it is {:.6f}", explained);
   }
   if (features.empty() || off(explained, bound)) {
-    message += "; cut edges that are not normal to the sheet, or a missed feature, do that";
+    message += "; cut edges that are not normal to the sheet, or a missed feature, cause this";
   }
   return {"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
 }
@@ -134,7 +134,7 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
     message += fmt::format(", and at {}",
                            counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
-  message += "; with `write_overlapping` the pattern is written all the same";
+  message += "; with `write_overlapping` the pattern is written anyway";
   return Error{ErrorCode::overlap, std::move(message),
                first.at.empty() ? std::string() : place_text(first.at.front())};
 }

@@ -42,11 +42,12 @@ Result<void> check_presses(const Ring& ring, const std::vector<std::vector<Patch
       if (patch.plane()) continue;
       if (const double lines = wanted_presses(patch, part.from, part.to, pressing);
           lines > kMostLines)
-        return fail(ErrorCode::invalid_input,
-                    fmt::format("a bend would be pressed on {:.4g} lines; {:.0f} are the most: "
-                                "give a smaller count, or a larger angle or chord",
-                                lines, kMostLines),
-                    "/press_lines");
+        return fail(
+            ErrorCode::invalid_input,
+            fmt::format("a bend would be pressed on {:.4g} lines; at most {:.0f} are possible: "
+                        "give a smaller count, or a larger angle or chord",
+                        lines, kMostLines),
+            "/press_lines");
     }
   return {};
 }

@@ -135,7 +135,7 @@ class Cutter {
     }
     if (edges && cuts.size() > 1) return cuts;
     return fail(ErrorCode::invalid_input,
-                "the first profile has no sides to make a piece of each: give 1 or 2 pieces",
+                "the first profile has no sides, so there is no piece for each: give 1 or 2 pieces",
                 "/pieces");
   }
 

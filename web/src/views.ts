@@ -158,7 +158,7 @@ export class Views {
     if (state.pick === 'root' || state.pick === 'up') {
       const face = part?.kind === 'flange' ? part.faces[0] : undefined;
       if (face === undefined && !(part && state.pick === 'up'))
-        return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
+        return this.ui.dispatch({ type: 'note', note: 'That is not a flange.' });
       this.ui.dispatch({ type: 'pick', pick: 'none' });
       return state.pick === 'up' ? this.ui.faceUp(upper) : this.ui.editOptions((o) => ({ ...o, root: face }));
     }

@@ -10,14 +10,14 @@
 namespace planish::studio {
 namespace {
 
-constexpr auto kOtherPages = "requests of other pages are not answered";
+constexpr auto kOtherPages = "requests from other pages are not answered";
 
 }  // namespace
 
 Result<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return fail(ErrorCode::internal, "the system gives no random numbers");
+    return fail(ErrorCode::internal, "the system supplies no random numbers");
   std::string token;
   for (const unsigned char byte : bytes)
     token += fmt::format("{:02x}", byte);

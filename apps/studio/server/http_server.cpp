@@ -86,7 +86,7 @@ tl::expected<std::string, Answer> body_of(const httplib::Request& request,
                                           const httplib::ContentReader& reader) {
   if (request.is_multipart_form_data()) {
     skip_body(request, reader);
-    return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
+    return tl::unexpected(failure(400, "bad_request", "forms are not supported"));
   }
   std::string body;
   bool fits = true;
@@ -169,7 +169,7 @@ Result<int> HttpServer::bind(int port) {
   if (taken > 0) return taken;
   return fail(
       ErrorCode::bad_option,
-      fmt::format("the port {} of {} cannot be had: another program has it, or it is reserved",
+      fmt::format("the port {} of {} is not available: another program uses it, or it is reserved",
                   port, kHost),
       "--port");
 }

@@ -136,7 +136,7 @@ Answer ServedDocument::worker_lost(WorkerEnd end) {
   if (end == WorkerEnd::late)
     return failure(
         409, "worker_timeout",
-        fmt::format("the request took longer than {} s and was given up", limit_.count()));
+        fmt::format("the request took longer than {} s and was stopped", limit_.count()));
   return failure(
       409, "worker_ended",
       "the worker that computed the request ended unexpectedly; the document is as it was");
@@ -173,7 +173,7 @@ Answer ServedDocument::attach(const std::string& name, const std::string& bytes)
   if (!known && std::distance(fs::directory_iterator(attachments(), ignored),
                               fs::directory_iterator()) >= kMost)
     return failure(422, "invalid_input",
-                   fmt::format("a document has {} attachments at the most", kMost), name);
+                   fmt::format("a document has at most {} attachments", kMost), name);
   if (auto written = write_file(attachments() / name, bytes); !written)
     return failure(written.error());
   // The worker's state was made without this file.

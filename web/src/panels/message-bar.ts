@@ -11,7 +11,7 @@ export function messageBar(ui: Ui) {
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
     <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}
       >${shown
-        ? html`${shown.message}${wantsScans(shown) ? '; drop the files of points on the page as well' : nothing}<small
+        ? html`${shown.message}${wantsScans(shown) ? '; drop its files of points on the page too' : nothing}<small
               >[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small
             >`
         : opening?.name
@@ -26,7 +26,7 @@ export function messageBar(ui: Ui) {
           : unfinished(ui.state)
             ? html`<button
                 data-testid="finish"
-                title="Verify it, look for findings, divide strips as finely as the file says"
+                title="Verify it, look for findings, subdivide strips as the file says"
                 @click=${ui.finish}
               >
                 Finish
@@ -75,8 +75,8 @@ const tone = (s: State) =>
   (({ ok: 'good', warning: 'warning', refused: 'error', error: 'error' }) as Record<string, string>)[statusOf(s)] ?? '';
 
 function hint(s: State): string {
-  if (s.pick === 'root') return 'Click the flange that stays where it is. Esc ends it.';
-  if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc ends it.';
+  if (s.pick === 'root') return 'Click the flange that should stay in place. Esc cancels.';
+  if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc cancels.';
   const edge = pickedEdgeText(s);
   if (edge) return edge;
   const count = s.result && !s.shapeIsDraft ? s.result.report.checks.length : 0;

@@ -173,7 +173,7 @@ function cornerRow(ui: Ui, spec: PlatesSpec, id: string, ring: number, corner: n
     ${field('u', 0)}${field('v', 1)}
     <button
       class="link"
-      title="One more after it"
+      title="Add a corner after it"
       aria-label="Add a corner after corner ${corner}"
       data-testid="corner-${ring}-${corner}-add"
       @click=${() => ui.edit<PlatesSpec>((s) => addCorner(s, id, ring, corner))}

@@ -58,7 +58,7 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
       })}`}
   ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
   ${lengthField(ui, {
-    label: 'Margin behind the last',
+    label: 'Margin after the last',
     testid: 'margin',
     value: spec.sheet.margin,
     from: spec.units,
