@@ -16,7 +16,7 @@ double wanted_presses(const RuledPatch& patch, double from, double to, const Pre
   const auto lines = [](double amount) { return std::max(1.0, std::ceil(amount - kExactly)); };
   if (const auto* count = std::get_if<PressCount>(&pressing)) {
     if (from == 0.0 && to == 1.0) return count->count;
-    // What a seam divides shares the lines.
+    // Parts divided by a seam share the lines.
     const double whole = patch.turn(0.0, 1.0);
     const auto up_to = [&](double at) {
       return std::round(count->count * patch.turn(0.0, at) / whole);
