@@ -64,7 +64,7 @@ export class Api {
       );
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
-    // What the program says of invalid input is an answer to the browser, which would note a failure on its console.
+    // A complaint about invalid input is an ordinary answer; for an error status the browser would log a failure.
     if (answer.headers.get('Content-Type')?.startsWith('application/problem+json'))
       throw new ApiError(await problemOf(answer), 422);
     return answer;

@@ -6,7 +6,7 @@ import type { ApiProblem, Request } from './types.ts';
 const settle = 120; // ms without an edit before the whole result is asked for
 export const patience = 500; // ms before a bar is shown
 export const poll = 250;
-const restart = 120; // ms that a worker takes to be there again after a cancelled request
+const restart = 120; // ms that a worker takes to restart after a cancelled request
 
 /**
  * Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and

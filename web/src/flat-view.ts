@@ -320,7 +320,7 @@ export class FlatView {
       if (!whose(i)) continue;
       const x = e[4 * i]!,
         y = e[4 * i + 1]!;
-      // What goes on where the last one ends is one line with it: ends cost more to draw than corners.
+      // A segment that starts where the last one ends continues its line: ends cost more to draw than corners.
       if (last !== i - 1 || x !== e[4 * i - 2] || y !== e[4 * i - 1]) c.moveTo(...this.at(x, y));
       c.lineTo(...this.at(e[4 * i + 2]!, e[4 * i + 3]!));
       last = i;
@@ -406,7 +406,7 @@ export class FlatView {
       lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort(
         (a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i),
       );
-    const ridges = shape.handles.ridges !== undefined; // too many to be named; strips are
+    const ridges = shape.handles.ridges !== undefined; // too many to name; strips are named
     for (const { part, i } of [...lines.filter((x) => x.part === selected), ...(ridges ? [] : lines)]) {
       if (written.has(part)) continue;
       const a = this.at(l[4 * i]!, l[4 * i + 1]!),

@@ -91,7 +91,7 @@ export class FoldedView {
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
   private radius = 100;
-  // While nobody has zoomed or panned; `set`: the zoom that stands.
+  // Until the user zooms or pans; `set`: the zoom that was set.
   private fitted: { target: Vector3; zoom: number; set: number } | null = null;
 
   private readonly box: HTMLElement;
@@ -265,7 +265,7 @@ export class FoldedView {
     canvas.addEventListener('pointerup', (e) => this.up(e));
     this.gizmo.addEventListener('change', () => {
       if (!this.gizmo.dragging) this.draw();
-    }); // else the geometry that follows does
+    }); // else the next geometry does
     this.gizmo.addEventListener('dragging-changed', (e) => {
       this.orbit.enabled = !e.value;
       if (e.value) this.gripStart.copy(this.grip.matrixWorld);

@@ -23,7 +23,7 @@ export class Views {
   private readonly dragged: (at: number) => void;
   private palette = readPalette();
   private shown: string | null = null;
-  private resultShown: string | null = null; // of sheets that are solved step by step the first draft may be far off
+  private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void) {

@@ -98,7 +98,7 @@ function freeId(spec: PlatesSpec, stem: string, from: number): string {
 export const newPlateId = (spec: PlatesSpec) => freeId(spec, 'P', 1);
 export const copyId = (spec: PlatesSpec, id: string) => freeId(spec, `${id.replace(/-\d+$/, '')}-`, 2);
 
-const room = 0.1; // between a plate that is new and what it stands beside, as a share of its size
+const room = 0.1; // between a new plate and the one beside it, as a share of its size
 
 /**
  * A rectangle of a size in the plane of plate `beside`, or else in that of x and y, where it covers nothing along u.

@@ -11,7 +11,7 @@ export interface Directions {
   v: Vec3;
 }
 
-const level = 1e-6; // sine of a slope that is none
+const level = 1e-6; // sine of a slope that counts as level
 
 export function directionsOf(outline: Vec3[]): Directions {
   const n = normalOf(outline),
@@ -105,7 +105,7 @@ function withEdges(spec: PlatesSpec, id: string, to: (edge: number) => number[])
   return { ...spec, bends };
 }
 
-const share = 1 / 6; // of the plate's extent, for a hole that is new
+const share = 1 / 6; // of the plate's extent, for a new hole
 
 /** A rectangle as near to the middle as keeps clear of the other holes. */
 export function addHole(spec: PlatesSpec, id: string): PlatesSpec {

@@ -16,7 +16,7 @@ function bezierAt(control: Vec2[], t: number): Vec2 {
   return [x[0] ?? 0, y[0] ?? 0];
 }
 
-const lengths = new WeakMap<Vec2[], number>(); // of curves that stand while another one is dragged
+const lengths = new WeakMap<Vec2[], number>(); // of curves that do not change while another one is dragged
 
 export function lengthOf(control: Vec2[]): number {
   const known = lengths.get(control);

@@ -12,8 +12,8 @@ export interface NumberOptions {
   digits?: number;
   min?: number;
   max?: number;
-  momentary?: boolean; // a step that is taken, not a value that stays
-  placeholder?: string; // an empty field is allowed where there is one: the program chooses
+  momentary?: boolean; // an action, not a lasting value
+  placeholder?: string; // with a placeholder the field may be empty: the program chooses
 }
 
 // what is beyond is no number of a workshop, in whatever unit, and beyond what its squares can be computed with
@@ -73,7 +73,7 @@ export interface SliderOptions {
   value: number;
   min: number;
   max: number;
-  least?: number; // of what is entered, which may leave the slider's range otherwise
+  least?: number; // smallest value that may be entered; otherwise entries may exceed the slider's range
   step: number;
   testid: string;
   unit?: string;

@@ -107,7 +107,7 @@ export function findingsOf(ui: Ui): Finding[] {
   return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
 }
 
-const least = 1e-3; // mm: what a certificate may be off by
+const least = 1e-3; // mm: the largest residual of a good certificate
 
 export function certificate(ui: Ui): TemplateResult {
   const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null,
