@@ -23,7 +23,7 @@ export interface FlatScene {
 
 /** What is picked: a line, a flange, or a finding by its place in the list. */
 export type PickedInFlat = PickedLine | { finding: number };
-/** `facet`: what lies under all marks and lines. */
+/** `facet`: the facet below all marks and lines. */
 export type PickInFlat = (picked: PickedInFlat | null, facet: number | null) => void;
 
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
@@ -86,14 +86,14 @@ export class FlatView {
     this.draw();
   }
 
-  /** Where a point of the pattern is seen, in client coordinates: for tests. */
+  /** Where a point of the pattern appears, in client coordinates; for tests. */
   project(at: Vec2) {
     const r = this.canvas.getBoundingClientRect(),
       [x, y] = this.at(at[0], at[1]);
     return { x: r.left + x, y: r.top + y };
   }
 
-  /** What must be in sight along an axis: corners of the pattern, and its dimension lines. */
+  /** What must be visible along an axis: corners of the pattern, and its dimension lines. */
   private reach(axis: 0 | 1): Reach[] {
     const { x0, y0, x1, y1 } = this.bounds,
       corners = axis ? [y0, y1] : [x0, x1];

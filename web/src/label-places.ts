@@ -10,7 +10,7 @@ export interface Place {
 
 const grid = 14;
 
-/** By flange a place in its largest facet that is far from every edge, openings too. */
+/** For each flange a place in its largest facet that is far from every edge, including those of openings. */
 export function labelPlaces(shape: Shape): Map<number, Place> {
   const out = new Map<number, Place>();
   if (shape.facet_part.length > 1500) return out;

@@ -26,8 +26,8 @@ const empty: Facets = {
 export const arrayNames = Object.keys(empty);
 
 /**
- * The shape of an answer of the server. Arrays are views into `data`; those left out are empty. Throws where it is
- * none.
+ * The shape in an answer of the server. Arrays are views into `data`; missing ones are empty. Throws if it is not a
+ * shape.
  */
 export function decodeShape(data: ArrayBuffer): Shape {
   const bytes = new DataView(data);
@@ -56,7 +56,7 @@ function view(data: ArrayBuffer, start: number, name: string, place: ArrayPlace)
   return place.type === 'i32' ? new Int32Array(data, at, place.count) : new Uint32Array(data, at, place.count);
 }
 
-/** The other way round, for tests and the stand-in for the server. */
+/** The inverse, for tests and the stand-in for the server. */
 export function encodeShape(header: Omit<ShapeHeader, 'arrays'>, arrays: Partial<Facets>): ArrayBuffer {
   const places: Record<string, ArrayPlace> = {};
   let at = 0;

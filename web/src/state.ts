@@ -208,8 +208,8 @@ export function reduce(state: State, action: Action): State {
 }
 
 /**
- * Whether what went wrong is the matter with what is shown. Else, say of a file that could not be opened, it is over
- * once it was read.
+ * Whether an error concerns what is shown. Others, such as a file that could not be opened, are done once they were
+ * read.
  */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
@@ -225,7 +225,7 @@ function opened(state: State, document: OpenDocument, spec: Spec | null): State 
   };
 }
 
-/** The page speaks the unit of the file. */
+/** The page uses the unit of the file. */
 const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
   spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm';
 
@@ -290,7 +290,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
 }
 
 /**
- * The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can.
+ * The last shape, with the plates of an input that cannot be computed, so that they can still be seen and dragged.
  */
 function withPlates({ shape, document, input }: State): Shape | null {
   if (!shape || document?.kind !== 'connect') return shape;

@@ -15,7 +15,7 @@ import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
 import type { Ui } from './ui.ts';
 import { millimetres } from './units.ts';
 
-/** Both views, told of what changed, and what is done in them made into edits. */
+/** Both views: tells them what changed, and turns actions in them into edits. */
 export class Views {
   readonly folded: FoldedView;
   readonly flat: FlatView;
@@ -130,7 +130,7 @@ export class Views {
     };
   }
 
-  /** Whoever sets a bend's edges sees which is which. */
+  /** Shows edge numbers while a bend's edges are being set. */
   private numbered(state: State): string[] {
     if (state.document?.kind !== 'connect') return [];
     return knownPiece(state)?.flat?.bends.find((b) => b.id === state.selection.part)?.between ?? [];

@@ -80,7 +80,7 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
     ${pointFields(ui, o, chosen)}`;
 }
 
-/** The point that is chosen, in numbers; the row is there without one too, so that nothing moves under a drag. */
+/** The chosen point, in numbers; the row is present without one too, so that nothing moves during a drag. */
 function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
   const p = chosen === null ? undefined : o.control[chosen];
   if (chosen === null || !p) return html`<p class="hint point">Drag a point, or click it to enter its coordinates.</p>`;

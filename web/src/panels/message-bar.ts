@@ -4,7 +4,7 @@ import type { State } from '../state.ts';
 import type { ApiProblem, Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
-/** One line that is always there, so that nothing moves when it has something to say. */
+/** A line that is always present, so that nothing moves when a message appears. */
 export function messageBar(ui: Ui) {
   const { problem, note, opening, busy, progress } = ui.state,
     shown = opening?.name ? null : problem;
@@ -35,7 +35,7 @@ export function messageBar(ui: Ui) {
     >`;
 }
 
-/** A draft whose result was given up. */
+/** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
 
 const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/points$/.test(p.where ?? '');
@@ -46,7 +46,7 @@ function bar(ui: Ui, progress: Progress | null, otherwise: string) {
     <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>`;
 }
 
-/** What says nothing of the input. */
+/** Errors that say nothing about the input. */
 const ofServer = new Set([
   'worker_ended',
   'worker_timeout',

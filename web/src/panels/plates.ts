@@ -27,7 +27,7 @@ import { convert } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { lengthField, numberField } from './fields.ts';
 
-/** Plates to choose from, what can be done with the one that is chosen, and new ones. */
+/** Plates to choose from, actions on the chosen one, and new plates. */
 export function platesPart(ui: Ui, spec: PlatesSpec, rows: BendRow[]) {
   const plate = spec.plates.find((p) => p.id === ui.state.selection.plate);
   return html`<div class="chips">

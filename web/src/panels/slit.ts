@@ -169,7 +169,7 @@ function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
   </div>`;
 }
 
-/** How far each strip is from what was asked for. */
+/** How far each strip is from its targets. */
 function stripTable(ui: Ui, spec: SlitSpec) {
   const strips = ui.state.shape?.report.slit?.strips ?? [],
     from = ui.state.shape?.report.units;
