@@ -76,10 +76,11 @@ void JsonReading::parse(const std::string& text) {
     return no_json(name_end == std::string::npos ? said : said.substr(name_end + 2), "");
   }
   if (repeated.first()) {
-    error_ = Error{ErrorCode::invalid_input,
-                   fmt::format("{}: the key \"{}\" appears twice in one object: leave one of them",
-                               what_, *repeated.first()),
-                   name_};
+    error_ = Error{
+        ErrorCode::invalid_input,
+        fmt::format("{}: the key \"{}\" appears twice in one object: keep only one of them", what_,
+                    *repeated.first()),
+        name_};
   } else if (!document_.is_object()) {
     error_ = Error{ErrorCode::invalid_input, fmt::format("the {} must hold one JSON object", what_),
                    name_};

@@ -25,8 +25,8 @@ export function seamPlaces(p: Profile, kind: SeamKind): number {
 }
 
 /**
- * Another profile at one end. If the first profile no longer has the seam's edge or corner, the seam returns to where it
- * is shortest.
+ * Another profile at one end. If the first profile no longer has the seam's edge or corner, the seam returns to where
+ * it is shortest.
  */
 export function withProfile(spec: TransitionSpec, end: 'from' | 'to', profile: Profile): TransitionSpec {
   const out = { ...spec, [end]: { ...spec[end], profile } };
