@@ -93,7 +93,7 @@ Result<void> check_whole(const PlateStructure& structure) {
                 "/thickness");
   if (structure.plates.empty() && structure.bends.size() != 1)
     return fail(ErrorCode::invalid_input,
-                "without plates there must be exactly one bend, a section of its own", "/plates");
+                "without plates there must be exactly one bend, a section by itself", "/plates");
   return {};
 }
 

@@ -49,7 +49,7 @@ std::string limits(const Corners& corners, EdgeKind kind) {
   const auto slopes = feasible_slopes(corners, kind);
   return slopes
              ? fmt::format("slopes from {:.6g} to {:.6g} are possible", slopes->low, slopes->high)
-             : "no slope at all is possible";
+             : "no slope is possible";
 }
 
 // The largest (sign +1) or smallest slope.

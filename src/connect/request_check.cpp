@@ -18,7 +18,7 @@ Result<int> row_of(const PlateStructure& structure, const std::string& id,
               fmt::format("there is no plate \"{}\"; the plates are {}", id, known), pointer);
 }
 
-// Keys of a JSON object stand in pointers with ~ and / escaped (RFC 6901).
+// In JSON pointers ~ and / in keys are escaped (RFC 6901).
 std::string escaped(const std::string& key) {
   std::string text;
   for (const char c : key)

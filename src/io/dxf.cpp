@@ -14,7 +14,7 @@ using namespace io_detail;
 
 namespace {
 
-/// No tool marks a shorter line.
+/// Shorter lines cannot be marked by any tool.
 constexpr double kShortestMark = 1e-6;  // mm
 
 struct Styles {
@@ -27,7 +27,7 @@ Styles styles_of(LayerProfile profile) {
                 .openings = {names.openings, 4},
                 .bend_up = {names.bend_up, 5, true},
                 .bend_down = {names.bend_down, 1, true},
-                // Not dashed: some shops bend along whatever is.
+                // Not dashed: some shops bend along every dashed line.
                 .bend_zone = {names.bend_zone, 8},
                 .features = {names.features, 3}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
@@ -39,7 +39,7 @@ struct Entity {
   std::variant<Segment, Outline> geometry;
 };
 
-/// Entities in the order in which they are to be worked.
+/// Entities in the order of work.
 class Drawing {
  public:
   Drawing(const FlatPattern& pattern, const DxfOptions& options)
@@ -63,7 +63,7 @@ class Drawing {
 
   const std::vector<Entity>& entities() const { return entities_; }
   const Box2& extents() const { return extents_; }
-  /// Whether a contour cannot be cut, so that the pattern is unsound.
+  /// Whether a contour cannot be cut, so the pattern is unsound.
   bool has_empty_outline() const { return has_empty_outline_; }
 
   /// The layers in use, once each.
@@ -111,7 +111,7 @@ class Drawing {
                                               .scale = scale_});
     const Box2 box = bounds(outline);
     if (box.empty() || box.size().minCoeff() <= 0.0) {
-      // A formed feature is only marked: one that has shrunk to nothing is left out.
+      // A formed feature is only marked: one without extent is left out.
       has_empty_outline_ |= style.layer != styles_.features.layer;
       return;
     }
@@ -127,7 +127,7 @@ class Drawing {
   bool has_empty_outline_ = false;
 };
 
-/// Two periods of dash and gap at least, so that a short bend line is seen to be dashed.
+/// At least two periods of dash and gap, so that a short bend line visibly is dashed.
 double dash_scale(const Segment& line, double unit) {
   const double periods = (line.b - line.a).norm() * unit / (kDash + kGap);
   return std::clamp(periods / 2.0, 0.01, 1.0);
@@ -168,7 +168,7 @@ Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& optio
   }
 
   DL_Dxf dxf;
-  // dxflib learns the version only where it opens a file; an empty name opens none.
+  // dxflib learns the version only on opening a file; an empty name opens none.
   const std::unique_ptr<DL_WriterA> unused(dxf.out("", dxflib_version(options.version)));
   DxfWriter writer(options.version);
   write_prolog(dxf, writer, {drawing.extents(), options.units, drawing.layers()});

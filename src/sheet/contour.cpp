@@ -55,7 +55,7 @@ Contour finished(RawContour raw, double tolerance) {
   return contour;
 }
 
-/// The formed feature that a contour outlines; none of a cut.
+/// The formed feature that a contour outlines; empty for a cut.
 std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contour) {
   for (const Origin& origin : contour.origins)
     if (const auto feature = sheet[origin.border].feature) return feature;
@@ -90,7 +90,7 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
     }
     Contour contour = finished(std::move(raw), options.merge_tolerance);
     if (area > outer_area) {
-      // What was taken for the outer contour before is an opening whose rim covers itself.
+      // The previous outer contour is then an opening whose rim covers itself.
       if (outer_area > 0) contours.openings.push_back(std::move(contours.outer));
       contours.outer = std::move(contour);
       outer_area = area;
