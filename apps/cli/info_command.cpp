@@ -50,7 +50,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
                     "it has none");
   add_text(*command, "--json", arguments.json, "FILE",
            "the same as JSON; - writes it to standard output");
-  add_option(*command, units, "unit of what is printed; default mm", type_name(units),
+  add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
              arguments.options);
   command->footer(kExamples);
   return command;

@@ -13,8 +13,8 @@ namespace planish::cli {
 /// How an option of a request is spelled on the command line: "--k-table" for "k_table".
 std::string flag_of(std::string_view option);
 
-/// Names of options between backquotes, as messages of the library have them, as they are spelled
-/// on the command line.
+/// A message of the library with its option names, which are in backquotes, spelled as on the
+/// command line.
 std::string spelled(const std::string& message);
 
 /// An option as its row says, of any kind but flags: what it is given is checked and entered in
@@ -40,7 +40,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
                             std::vector<std::string>& target, const std::string& description);
 
-/// A check for options: what is wrong with an empty value, "" for any other.
+/// A check for options: an error message for an empty value, "" for any other.
 std::string not_empty(const std::string& text);
 
 }  // namespace planish::cli

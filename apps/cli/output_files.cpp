@@ -107,7 +107,7 @@ std::optional<Error> make_folder(const fs::path& folder) {
 std::optional<Error> write_all(const std::vector<OutputFile>& files,
                                const std::vector<fs::path>& inputs) {
   for (const OutputFile& file : files) {
-    // Names made from bodies are not known when the command line is checked.
+    // File names made from bodies are not known when the command line is checked.
     if (auto spared = spare_inputs(file.path, inputs); !spared) return spared.error();
   }
   if (auto written = write_files(files); !written) return written.error();

@@ -20,14 +20,14 @@ constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invali
 
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
-/// Says on the terminal what was done, unless quiet; on standard error where standard output
-/// belongs to the JSON report.
+/// Prints what was done, unless quiet; on standard error if the JSON report goes to standard
+/// output.
 void print_summary(const Arguments& arguments, const std::string& text) {
   if (!arguments.quiet) fmt::print(arguments.json == "-" ? stderr : stdout, "{}", text);
 }
 
-/// Ends a request that failed as a whole: complains, and writes the report that says so, so that
-/// scripts find the reason in the same place; unless the report is what cannot be written.
+/// Ends a request that failed as a whole: prints the error and writes it as a report, so that
+/// scripts find the reason in one place; unless the report is what cannot be written.
 int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
   Error error = failure;
   if (error.code == ErrorCode::no_such_body && request.body.empty())
@@ -40,7 +40,7 @@ int end_failed(const Arguments& arguments, const job::Request& request, const Er
   return status;
 }
 
-/// A command line that contradicts itself has no report; a file that cannot be read or written has.
+/// A contradictory command line gives no report; a file that cannot be read or written does.
 int end_unplanned(const Arguments& arguments, const Error& error) {
   if (exit_status(error.code) != kFileStatus) return complain(error);
   job::Request request;
@@ -63,15 +63,15 @@ int end_reported(const Arguments& arguments, const Made& made) {
   return 0;
 }
 
-// net.dxf; of several pieces net-1.dxf, net-2.dxf, …
+// net.dxf; for several pieces net-1.dxf, net-2.dxf, …
 std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece, int pieces) {
   if (pieces == 1) return path;
   return path.parent_path() /
          fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
 }
 
-/// All files, or the first reason why one cannot be written: what shows all pieces together first,
-/// then piece by piece.
+/// All files, those of all pieces together first, then piece by piece; or the first reason why one
+/// cannot be written.
 Result<std::vector<OutputFile>> files_of(const Made& made, const Plan& plan) {
   std::vector<OutputFile> files;
   const int pieces = made.pieces();
@@ -127,7 +127,7 @@ int run_one(const Arguments& arguments, const Plan& plan) {
   return end_reported(arguments, **made);
 }
 
-/// The patterns of every body that has one, into the folder, and the summary.
+/// Writes the patterns of all bodies that have one into the folder, and the summary.
 std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Arguments& arguments,
                                   const Plan& plan) {
   const std::vector<std::string> stems = job::stems(reports);
@@ -161,7 +161,7 @@ int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports
   print_summary(arguments, job::summary_text(reports));
   if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
     return 0;
-  // The first reason stands for all; the table has every one.
+  // The first reason is returned; the table shows them all.
   Error none = *reports.front().refusal;
   if (reports.size() > 1)
     none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",

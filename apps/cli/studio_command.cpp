@@ -19,12 +19,12 @@ It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
 const job::Option kPort{.name = "port",
                         .kind = job::OptionKind::whole,
                         .group = "",
-                        .description = "port of the page's address; default: any that is free",
+                        .description = "port of the page's address; default: any free port",
                         .range = {"a whole number from 1 to 65535", 1, 65535}};
 const job::Option kTimeLimit{.name = "time_limit",
                              .kind = job::OptionKind::whole,
                              .group = "",
-                             .description = "longest time for what is asked once; default 120",
+                             .description = "longest time for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
 
 }  // namespace
@@ -36,7 +36,8 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
   add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
              arguments.options);
-  command->add_flag("--no-browser", arguments.no_browser, "print the address, open no browser");
+  command->add_flag("--no-browser", arguments.no_browser,
+                    "print the address, do not open a browser");
   command->footer(kStudioExamples);
   return command;
 }

@@ -19,7 +19,7 @@ constexpr int kRefusedStatus = 4;
 constexpr std::chrono::seconds kPatience(1);
 constexpr auto kClearLine = "\r\033[K";
 
-// A signal handler can reach nothing but a global.
+// A signal handler can only use a global.
 std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -36,7 +36,7 @@ std::string sentence(const Error& error) {
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == ErrorCode::internal) text += "internal error, please report it: ";
   text += spelled(error.message);
-  if (text.back() == '.') text.pop_back();  // the sentence goes on
+  if (text.back() == '.') text.pop_back();  // the sentence continues
   if (error.code == ErrorCode::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
   // Most messages name the place themselves.

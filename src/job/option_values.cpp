@@ -73,7 +73,7 @@ Result<OptionValue> value_of(const Option& option, const std::string& text) {
   return OptionValue(text);
 }
 
-// A condition under which a request makes no sense, and what to say then.
+// A condition under which a request makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
   const char* sentence;
@@ -161,7 +161,7 @@ Result<void> OptionValues::check_together() const {
            {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other",
             "no_rules"},
            {given("r12") && text("splines") == "keep",
-            "`splines` keep cannot go with `r12`, which has no splines", "splines"},
+            "`splines` keep does not go with `r12`, which has no splines", "splines"},
            {given("tick_length") && text("bend_marks") != "ticks",
             "`tick_length` goes with `bend_marks` ticks", "tick_length"},
        })

@@ -12,7 +12,7 @@ namespace {
 
 constexpr auto kOptions = "/options";
 
-/// A request, read.
+/// A parsed request.
 struct Asked {
   const Maker* maker = nullptr;
   Request request;

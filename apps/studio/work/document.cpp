@@ -53,8 +53,8 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
 Result<void> Document::take_spec(const Asked& asked) {
   if (maker_->format.empty()) return {};
   if (asked.spec.empty())
-    return fail(ErrorCode::bad_option,
-                "the request holds no spec, which this kind of document needs", "/spec");
+    return fail(ErrorCode::bad_option, "the request has no spec, which this kind of document needs",
+                "/spec");
   if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
     return there;
   return work_->edit({name_, asked.spec, attachments_});
