@@ -116,11 +116,11 @@ Result<void> check_input(const Arguments& arguments) {
 }
 
 /// Said before the work rather than after it.
-Result<void> check_writable(const Arguments& arguments, const Plan& plan,
-                            const std::vector<fs::path>& files) {
+Result<void> check_all_writable(const Arguments& arguments, const Plan& plan,
+                                const std::vector<fs::path>& files) {
   for (const fs::path& file : files)
     if (folder_exists(file))
-      if (auto writable = planish::check_writable(file); !writable) return writable;
+      if (auto writable = check_writable(file); !writable) return writable;
   std::vector<fs::path> folders;
   if (!plan.folder.empty()) folders.push_back(plan.folder);
   for (const auto& [role, names] : arguments.outputs)
@@ -151,7 +151,7 @@ Result<void> check_files(const Arguments& arguments, const Plan& plan) {
       return spared;
     }
   if (auto different = all_different(files); !different) return different;
-  return check_writable(arguments, plan, files);
+  return check_all_writable(arguments, plan, files);
 }
 
 std::vector<fs::path> inputs_of(const Arguments& arguments) {
