@@ -168,6 +168,7 @@ Result<Sheet> assemble_sheet(const Recognition& of) {
     if (!builder[bend].faces.empty()) builder[bend] = measured_bend(builder.sheet(), bend);
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
+  builder.set_genus(of.model.genus);
   return std::move(builder).build();
 }
 

@@ -1,6 +1,7 @@
 #include "features.hpp"
 
 #include "borders.hpp"
+#include "form_openings.hpp"
 #include "form_volume.hpp"
 
 #include <fmt/format.h>
@@ -42,6 +43,10 @@ void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& o
   const auto& loops = loops_here(of, row);
   FormedFeature feature = feature_of(kind, row.faces.front(), map.face_id.at(loops.front().face));
   feature.at_rim = std::move(at_rim);
+  if (const auto* plane = std::get_if<Frame>(&builder[feature.face].surface))
+    add_form_openings(feature, *plane, of, row);
+  else
+    feature.lost_openings = row.openings;
   const FeatureId id = builder.add_feature(std::move(feature));
   for (const LoopRef& ref : loops)
     for (const CoEdge& use : loop_of(of, ref)) {
@@ -178,6 +183,21 @@ void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recogni
   builder.add_feature(std::move(feature));
 }
 
+/// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
+void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part) {
+  FormedFeature feature = feature_of("formed", part.faces.front(), map.face_id.begin()->second);
+  feature.own_openings = part.openings;
+  builder.add_feature(std::move(feature));
+}
+
+/// Whether a recess in planes of the reference skin has more holes in its floor than outlines.
+bool has_several_holes(const Recognition& of, const RimPart& part) {
+  const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
+  const auto& here = loops_here(of, part);
+  return part.openings > std::ssize(here) && loops_there(of, part).size() > here.size() &&
+         std::all_of(here.begin(), here.end(), in_plane);
+}
+
 }  // namespace
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
@@ -193,11 +213,12 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       if (part.within || !formed_here(of, part))
         for (const LoopRef& ref : there)
           add_far_outline(builder, map, of, part, ref);
+      if (part.openings > 0) add_hidden_openings(builder, map, part);
       builder.add_form_volume(form_volume(of, part));
     } else if (!part.within) {
       add_marked(builder, map, of, p, "formed", part.refusal);
       builder.add_form_volume(form_volume(of, part));
-    } else if (there.empty()) {
+    } else if (there.empty() || has_several_holes(of, part)) {
       add_marked(builder, map, of, p, "pocket", recess_at_rim(part));
       builder.add_form_volume(form_volume(of, part));
     }

@@ -73,7 +73,9 @@ double volume_allowed(const Sheet& sheet) {
 /// Whether a sheet accounts for the solid it was seen in: it lies flat, it is wider than thick, and
 /// it has the solid's volume as closely as what was seen on it allows.
 Result<void> accounts_for_solid(const Sheet& sheet) {
-  const auto pattern = flatten(sheet, {.allowance = ConstantK{0.5, "recognition"}});
+  // Forms are measured with their holes filled (`forms_volume`).
+  const auto pattern = flatten(
+      sheet, {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline});
   if (!pattern) return tl::unexpected(pattern.error());
   constexpr double kNarrowest = 1.3;  // mean width by thickness; wires and bars of square section
                                       // have 1

@@ -2,7 +2,7 @@
 
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/sheet/allowance.hpp>
+#include <planish/sheet/layout.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -50,6 +50,7 @@ struct Request : PatternChecks {
   std::string root = "largest";                        ///< "largest" or a face number
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of a face that shall
                             ///< face up
+  ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: those of the file
   int piece = 0;                    ///< of several pieces the one that is shown, from 0
   DxfOptions dxf;                   ///< its units are not looked at: they are those of the report

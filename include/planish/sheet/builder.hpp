@@ -40,6 +40,7 @@ class SheetBuilder {
   /// Sizes that belong to the whole, see `Sheet`.
   void set_thickness_spread(double spread) { sheet_.thickness_spread = spread; }
   void set_volume(std::optional<double> volume) { sheet_.volume = volume; }
+  void set_genus(std::optional<int> genus) { sheet_.genus = genus; }
   /// What one more feature adds to the plain sheet; none: it cannot be measured.
   void add_form_volume(std::optional<double> volume);
   void add_mitre_volume(double volume) { sheet_.mitres_volume += volume; }

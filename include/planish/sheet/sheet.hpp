@@ -92,8 +92,16 @@ struct Bend {
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
+/// A hole through a formed feature (an extruded hole, a hole in an emboss), in the (u, v) of the
+/// feature's face; both loops run clockwise (math.md#pilot-holes).
+struct FormedOpening {
+  BorderLoop pilot;    ///< what is cut before it is formed: `through`, or a smaller hole within
+  BorderLoop through;  ///< the smallest section of its passage, projected
+};
+
 /// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
 /// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
+/// What is cut within them stands in `openings` and `slits`.
 struct FormedFeature {
   /// "countersink", "slanted cut", "pocket", "chamfer", or "formed" (emboss, louvre, lance, burr,
   /// boss).
@@ -102,6 +110,11 @@ struct FormedFeature {
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
   Error at_rim;  ///< why there is no flat pattern when it reaches the outer contour
+  std::vector<FormedOpening> openings = {};
+  std::vector<BorderLoop> slits = {};  ///< free edges (of louvres, bridges): chains, not closed
+  /// Openings of the solid that are the form's alone (the eye of a handle): no cut makes them.
+  int own_openings = 0;
+  int lost_openings = 0;  ///< openings of the solid there for which no cut was found
 };
 
 /// The name of a point of a face, for drawings and templates.
@@ -123,6 +136,7 @@ struct Sheet {
   double reference_depth = 0.0;   ///< mm, 0 to the thickness
   double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
   std::optional<double> volume;   ///< of the solid, mm³; none: not measured, or there is no solid
+  std::optional<int> genus;       ///< of the solid: its openings; none: not known, or no solid
   IdVector<FaceId, Face> faces;
   std::vector<Joint> joints;
   IdVector<FlangeId, Flange> flanges;
