@@ -158,6 +158,14 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
 
 }  // namespace
 
+const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
+  return of.skin == Skin::first ? part.first : part.second;
+}
+
+const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
+  return of.skin == Skin::first ? part.second : part.first;
+}
+
 Result<Sheet> assemble_sheet(const Recognition& of) {
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);

@@ -3,6 +3,7 @@
 #include "borders.hpp"
 #include "form_openings.hpp"
 #include "form_volume.hpp"
+#include "genus.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +12,6 @@
 
 namespace planish::brep {
 namespace {
-
-/// Loops that a part touches on the reference skin, and on the other one.
-const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.first : part.second;
-}
-const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.second : part.first;
-}
 
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
   return of.model.faces[ref.face].loops[ref.loop];
@@ -198,6 +191,28 @@ bool has_several_holes(const Recognition& of, const RimPart& part) {
          std::all_of(here.begin(), here.end(), in_plane);
 }
 
+/// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
+/// touch, so that the solid has an opening there which no cut makes. All contours along such walls
+/// are cut, and the other skin has no more of them, so none has been lost.
+void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  for (const RimPart& part : of.rim.parts) {
+    if (!part.within || part.openings <= 1 || has_several_holes(of, part)) continue;
+    const auto contours_on = [&](Skin skin) {
+      return closed_borders(of.model, part.faces, [&](int edge) {
+        const auto& faces = of.model.edges[edge].faces;
+        return std::any_of(faces.begin(), faces.end(),
+                           [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
+      });
+    };
+    const Skin other = of.skin == Skin::first ? Skin::second : Skin::first;
+    const int cut = contours_on(of.skin);
+    if (cut == 0 || contours_on(other) > cut || part.openings <= cut) continue;
+    FormedFeature feature = feature_of("contact", part.faces.front(), map.face_id.begin()->second);
+    feature.own_openings = part.openings - cut;
+    builder.add_feature(std::move(feature));
+  }
+}
+
 }  // namespace
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
@@ -223,6 +238,7 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       builder.add_form_volume(form_volume(of, part));
     }
   }
+  add_contacts(builder, map, of);
   for (const LoopRef& ref : widened)
     add_chamfered_rim(builder, map, of, ref);
 }

@@ -56,16 +56,8 @@ bool is_wider(const Section& section, double share, double thickness) {
   return 2 * section.area > share * thickness * section.perimeter;
 }
 
-/// The loops of the skins that the part touches, the reference skin's first.
-const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.first : part.second;
-}
-const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.second : part.first;
-}
-
-std::vector<std::vector<Vec2>> outlines_of(const Recognition& of, const std::vector<LoopRef>& loops,
-                                           const Frame& plane) {
+std::vector<std::vector<Vec2>> rings_of(const Recognition& of, const std::vector<LoopRef>& loops,
+                                        const Frame& plane) {
   std::vector<std::vector<Vec2>> rings;
   for (const LoopRef& ref : loops) {
     const auto& loop = of.model.faces[ref.face].loops[ref.loop];
@@ -134,7 +126,7 @@ Loop shrunk(const Section& section, double area, double chord) {
   return loop;
 }
 
-BorderLoop borders_of(const Loop& loop) {
+BorderLoop as_borders(const Loop& loop) {
   BorderLoop borders;
   for (const Curve2& curve : loop)
     borders.push_back({curve});
@@ -242,7 +234,7 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
                          std::all_of(there.begin(), there.end(),
                                      [&](const LoopRef& ref) { return opening_in_plane(of, ref); });
   if (!in_planes) return;
-  const auto outlines = outlines_of(of, here, plane);
+  const auto outlines = rings_of(of, here, plane);
   auto free = free_edges(of, part);
   for (const auto& chain : passages(of, part, plane)) {
     const Section section = section_of(of, chain, plane);
@@ -255,7 +247,7 @@ void add_form_openings(FormedFeature& feature, const Frame& plane, const Recogni
     } else if (is_wider(section, kNarrowest, of.skins.thickness) &&
                lies_inside(section.loop, outlines, kOutside)) {
       feature.openings.push_back(
-          {borders_of(pilot_of(of, part, section)), borders_of(section.loop)});
+          {as_borders(pilot_of(of, part, section)), as_borders(section.loop)});
       --feature.lost_openings;
     }
   }

@@ -29,14 +29,14 @@ class Patch {
   /// V − E + Σ (2 − loops of the face).
   int euler() const { return euler_; }
 
-  /// Closed borders: outer edges chained at their corners.
-  int borders() {
+  /// Closed borders with an edge that is wanted: outer edges chained at their corners.
+  int borders(const std::function<bool(int edge)>& wanted) {
     UnionFind chains(2 * count());
     std::vector<int> roots;
     for (int e = 0; e < count(); ++e)
       if (uses_[e] == 1) {
         chains.unite(corners_.root(2 * e), corners_.root(2 * e + 1));
-        roots.push_back(corners_.root(2 * e));
+        if (wanted(edges_[e])) roots.push_back(corners_.root(2 * e));
       }
     for (int& root : roots)
       root = chains.root(root);
@@ -102,7 +102,12 @@ std::optional<int> genus_of(const SolidModel& model) {
 
 int openings_through(const SolidModel& model, const std::vector<int>& faces) {
   Patch patch(model, faces);
-  return (patch.borders() - patch.euler()) / 2;
+  return (patch.borders([](int) { return true; }) - patch.euler()) / 2;
+}
+
+int closed_borders(const SolidModel& model, const std::vector<int>& faces,
+                   const std::function<bool(int edge)>& wanted) {
+  return Patch(model, faces).borders(wanted);
 }
 
 }  // namespace planish::brep

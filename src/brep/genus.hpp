@@ -2,6 +2,7 @@
 
 #include "solid_model.hpp"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,5 +18,9 @@ std::optional<int> genus_of(const SolidModel& model);
 /// (b − χ) / 2 for b closed borders. The wall of a hole has one, so has the outer rim of a sheet, a
 /// pocket or a boss none, an emboss with three holes three.
 int openings_through(const SolidModel& model, const std::vector<int>& faces);
+
+/// How many closed borders of the faces have an edge that is wanted.
+int closed_borders(const SolidModel& model, const std::vector<int>& faces,
+                   const std::function<bool(int edge)>& wanted);
 
 }  // namespace planish::brep

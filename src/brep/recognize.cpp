@@ -64,9 +64,10 @@ double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
   if (sheet.forms_volume) return kMeasured;
-  const bool formed = std::any_of(
-      sheet.features.begin(), sheet.features.end(),
-      [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
+  const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
+                                  [](const FormedFeature& feature) {
+                                    return feature.kind != "chamfer" && feature.kind != "contact";
+                                  });
   return formed ? kFormed : kChamfered;
 }
 

@@ -266,7 +266,9 @@ std::vector<Note> notes_of(const FlatPattern& pattern, const Box2& part, double 
   };
   if (has(BendDirection::up)) notes.push_back({"bend up", 3.0 * font, kUpColor, true});
   if (has(BendDirection::down)) notes.push_back({"bend down", 3.0 * font, kDownColor, true});
-  if (!pattern.features.empty()) notes.push_back({"formed feature", 2.0 * font, kFeatureColor});
+  if (std::ranges::any_of(pattern.features,
+                          [](const FlatFeature& feature) { return !feature.outlines.empty(); }))
+    notes.push_back({"formed feature", 2.0 * font, kFeatureColor});
   return notes;
 }
 

@@ -19,7 +19,7 @@ std::string place_text(const Vec2& p) {
 std::string features_text(const FlatPattern& flat) {
   std::map<std::string, int> count;
   for (const FlatFeature& feature : flat.features)
-    ++count[feature.kind];
+    if (feature.kind != "contact") ++count[feature.kind];
   std::string text;
   for (const auto& [kind, n] : count) {
     text += text.empty() ? "" : ", ";
@@ -109,7 +109,8 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
                      pilots});
   if (count > 0)
     found.push_back({"uncut_opening", Severity::info,
-                     fmt::format("{} within formed features {} outlined and not cut",
+                     fmt::format("{} of the solid, within formed features or between edges that "
+                                 "touch, {} not cut",
                                  counted(count, "opening"), count == 1 ? "is" : "are"),
                      uncut});
 }

@@ -58,7 +58,7 @@ class Solid:
         vertices, edges, euler = set(), collections.Counter(), 0
         for face in self.entities[shell][1]:
             bounds = [b for b in self.entities[face][1]
-                      if self.entities[b][0] in ("FACE_BOUND", "FACE_OUTER_BOUND")]
+                      if self.entities.get(b, ("",))[0] in ("FACE_BOUND", "FACE_OUTER_BOUND")]
             euler += 2 - len(bounds)
             for bound in bounds:
                 loop = self.entities[bound][1][0]

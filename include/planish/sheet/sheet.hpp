@@ -103,8 +103,8 @@ struct FormedOpening {
 /// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
 /// What is cut within them stands in `openings` and `slits`.
 struct FormedFeature {
-  /// "countersink", "slanted cut", "pocket", "chamfer", or "formed" (emboss, louvre, lance, burr,
-  /// boss).
+  /// "countersink", "slanted cut", "pocket", "chamfer", "contact" (cut edges that touch in the
+  /// solid), or "formed" (emboss, louvre, lance, burr, boss).
   std::string kind;
   FaceId face{};                        ///< face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
