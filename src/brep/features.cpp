@@ -187,8 +187,11 @@ void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPa
 bool has_several_holes(const Recognition& of, const RimPart& part) {
   const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
   const auto& here = loops_here(of, part);
-  return part.openings > std::ssize(here) && loops_there(of, part).size() > here.size() &&
-         std::all_of(here.begin(), here.end(), in_plane);
+  const auto& there = loops_there(of, part);
+  // A loop that is no opening is the outline of a face cut off from its skin.
+  return part.openings > std::ssize(here) && there.size() > here.size() &&
+         std::all_of(here.begin(), here.end(), in_plane) &&
+         std::all_of(there.begin(), there.end(), in_plane);
 }
 
 /// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
