@@ -1,5 +1,7 @@
 #pragma once
 
+#include <planish/job/options.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -11,9 +13,23 @@ namespace planish::cli {
 /// How an option of a request is spelled on the command line: "--k-table" for "k_table".
 std::string flag_of(std::string_view option);
 
-/// Names of options between backquotes, as messages of the library have them, as they are spelled
-/// on the command line.
+/// A message of the library with its option names, which are in backquotes, spelled as on the
+/// command line.
 std::string spelled(const std::string& message);
+
+/// An option as its row says, of any kind but flags: what it is given is checked and entered in
+/// `values`, which must outlive `app`, as must the row. `type` stands for the value in the help.
+CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
+                        const std::string& type, job::OptionValues& values);
+
+/// What stands for an option's value in the help: "N", "mm|inch|m".
+std::string type_name(const job::Option& option);
+
+/// "dxf", "" and "svg" of "dxf,,svg".
+std::vector<std::string> between_commas(const std::string& text);
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& words);
 
 /// An option whose value may be any text but the empty one; `type` stands for it in the help.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
@@ -24,7 +40,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
                             std::vector<std::string>& target, const std::string& description);
 
-/// A check for options: what is wrong with an empty value, "" for any other.
+/// A check for options: an error message for an empty value, "" for any other.
 std::string not_empty(const std::string& text);
 
 }  // namespace planish::cli

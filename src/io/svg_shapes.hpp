@@ -9,7 +9,7 @@
 
 namespace planish::io_detail {
 
-/// At most `decimals` digits behind the point, without trailing zeros or a negative zero.
+/// At most `decimals` digits after the point, without trailing zeros or a negative zero.
 std::string svg_number(double value, int decimals = 5);
 
 /// Text between tags or in an attribute, without control characters, which XML 1.0 cannot hold.
@@ -23,8 +23,8 @@ std::string svg_path(const Loop& loop);
 /// The same of a curve that is not closed.
 std::string svg_open_path(const Curve2& curve);
 
-/// The strips of material that a bend turns: quadrilaterals between the tangent lines on its two
-/// sides, corner by corner. May cover openings; clip with the contours.
+/// The bend zone as quadrilaterals between the tangent lines on its two sides, corner by corner.
+/// May cover openings; clip with the contours.
 std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend);
 
 }  // namespace planish::io_detail

@@ -63,19 +63,22 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
                             n, body_list(file)),
                 "body");
   }
-  // A number first: a body can be called anything, but every body has a number.
+  // Numbers take precedence: a name can be anything, but every body has a number.
   if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {
     return *number - 1;
   }
   const std::vector<int> named = bodies_named(file, wanted);
   if (named.size() == 1) return named.front();
   if (named.empty()) {
-    return fail(ErrorCode::no_such_body, fmt::format("there is no body \"{}\"; there {} {}", wanted,
-                                                     n == 1 ? "is" : "are", body_list(file)));
+    return fail(ErrorCode::no_such_body,
+                fmt::format("there is no body \"{}\"; there {} {}", wanted, n == 1 ? "is" : "are",
+                            body_list(file)),
+                "body");
   }
   return fail(ErrorCode::no_such_body,
-              fmt::format("{} bodies are named \"{}\", take one by its number; there are {}",
-                          named.size(), wanted, body_list(file)));
+              fmt::format("{} bodies are named \"{}\", choose one by its number; there are {}",
+                          named.size(), wanted, body_list(file)),
+              "body");
 }
 
 }  // namespace planish::job

@@ -45,7 +45,7 @@ bool is_of_type(const Schema& schema, const Json& value) {
   return value.is_null();
 }
 
-/// Looks for the first mistake; the keys on the way to the value at hand are its pointer.
+/// Looks for the first mistake; the keys on the way to the current value form its pointer.
 class Check {
  public:
   explicit Check(double millimetres) : millimetres_(millimetres) {}
@@ -85,7 +85,7 @@ class Check {
     if (!value.is_number()) return false;
     const double x = value.get<double>();
     const double scale = schema.quantity == Quantity::length ? millimetres_ : 1.0;
-    if (!std::isfinite(x * scale) || !schema.range.holds(x)) return false;
+    if (!std::isfinite(x * scale) || !schema.range.holds(x * scale)) return false;
     return schema.kind == Kind::number || std::floor(x) == x;
   }
 
@@ -95,8 +95,12 @@ class Check {
   }
 
   bool list_passes(const Schema& schema, const Json& value) {
-    if (!value.is_array()) return must_be(schema, value);
-    if (schema.kind == Kind::tuple && value.size() != schema.count)
+    const bool tuple = schema.kind == Kind::tuple;
+    if (!value.is_array())
+      return tuple ? must_be(schema, value)
+                   : wrong(fmt::format("must be a list, not {}", shown(value)));
+    if (tuple ? value.size() != schema.count
+              : value.size() < schema.least || value.size() > schema.most)
       return wrong(fmt::format("must be {}, not a list of {}", schema.words, value.size()));
     for (std::size_t i = 0; i < value.size(); ++i)
       if (!child_passes(std::to_string(i), schema.parts.front(), value[i])) return false;
@@ -110,7 +114,7 @@ class Check {
     return true;
   }
 
-  // A key that is misspelt first: it is the reason why another is missing.
+  // Unknown keys first: a misspelt key is why another is missing.
   bool object_passes(const Schema& schema, const Json& value) {
     if (!value.is_object()) return must_be(schema, value);
     for (const auto& [key, one] : value.items())
@@ -127,7 +131,7 @@ class Check {
 
   static std::vector<std::string> keys(const Schema& schema) {
     std::vector<std::string> all;
-    for (const bool required : {true, false})  // what must be there is said first
+    for (const bool required : {true, false})  // required keys are reported first
       for (const Field& field : schema.fields)
         if (field.required == required) all.push_back(field.key);
     return all;
