@@ -158,6 +158,14 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
 
 }  // namespace
 
+const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
+  return of.skin == Skin::first ? part.first : part.second;
+}
+
+const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
+  return of.skin == Skin::first ? part.second : part.first;
+}
+
 Result<Sheet> assemble_sheet(const Recognition& of) {
   SheetBuilder builder(of.skins.thickness);
   builder.set_thickness_spread(of.skins.spread);
@@ -168,6 +176,7 @@ Result<Sheet> assemble_sheet(const Recognition& of) {
     if (!builder[bend].faces.empty()) builder[bend] = measured_bend(builder.sheet(), bend);
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
+  builder.set_genus(of.model.genus);
   return std::move(builder).build();
 }
 

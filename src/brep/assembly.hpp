@@ -18,6 +18,10 @@ struct Recognition {
   double tolerance;  ///< to which borders are read, mm
 };
 
+/// Loops that a part touches on the reference skin, and on the other one.
+const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part);
+const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part);
+
 /// Builds the Sheet: faces, joints, flanges, bends, features. Errors: `doubly_curved` when two
 /// faces meet tangentially along a curve (no development keeps both), those of `check`.
 Result<Sheet> assemble_sheet(const Recognition& of);

@@ -1,7 +1,9 @@
 #include "features.hpp"
 
 #include "borders.hpp"
+#include "form_openings.hpp"
 #include "form_volume.hpp"
+#include "genus.hpp"
 
 #include <fmt/format.h>
 
@@ -10,14 +12,6 @@
 
 namespace planish::brep {
 namespace {
-
-/// Loops that a part touches on the reference skin, and on the other one.
-const std::vector<LoopRef>& loops_here(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.first : part.second;
-}
-const std::vector<LoopRef>& loops_there(const Recognition& of, const RimPart& part) {
-  return of.skin == Skin::first ? part.second : part.first;
-}
 
 const std::vector<CoEdge>& loop_of(const Recognition& of, const LoopRef& ref) {
   return of.model.faces[ref.face].loops[ref.loop];
@@ -42,6 +36,10 @@ void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& o
   const auto& loops = loops_here(of, row);
   FormedFeature feature = feature_of(kind, row.faces.front(), map.face_id.at(loops.front().face));
   feature.at_rim = std::move(at_rim);
+  if (const auto* plane = std::get_if<Frame>(&builder[feature.face].surface))
+    add_form_openings(feature, *plane, of, row);
+  else
+    feature.lost_openings = row.openings;
   const FeatureId id = builder.add_feature(std::move(feature));
   for (const LoopRef& ref : loops)
     for (const CoEdge& use : loop_of(of, ref)) {
@@ -179,6 +177,46 @@ void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recogni
   builder.add_feature(std::move(feature));
 }
 
+/// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
+void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part) {
+  FormedFeature feature = feature_of("formed", part.faces.front(), map.face_id.begin()->second);
+  feature.own_openings = part.openings;
+  builder.add_feature(std::move(feature));
+}
+
+/// Whether a recess in planes of the reference skin has more holes in its floor than outlines.
+bool has_several_holes(const Recognition& of, const RimPart& part) {
+  const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
+  const auto& here = loops_here(of, part);
+  const auto& there = loops_there(of, part);
+  // A loop that is no opening is the outline of a face cut off from its skin.
+  return part.openings > std::ssize(here) && there.size() > here.size() &&
+         std::all_of(here.begin(), here.end(), in_plane) &&
+         std::all_of(there.begin(), there.end(), in_plane);
+}
+
+/// Walls of cuts that hang together although the sheet is cut between them: edges of the sheet that
+/// touch, so that the solid has an opening there which no cut makes. All contours along such walls
+/// are cut, and the other skin has no more of them, so none has been lost.
+void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  for (const RimPart& part : of.rim.parts) {
+    if (!part.within || part.openings <= 1 || has_several_holes(of, part)) continue;
+    const auto contours_on = [&](Skin skin) {
+      return closed_borders(of.model, part.faces, [&](int edge) {
+        const auto& faces = of.model.edges[edge].faces;
+        return std::any_of(faces.begin(), faces.end(),
+                           [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
+      });
+    };
+    const Skin other = of.skin == Skin::first ? Skin::second : Skin::first;
+    const int cut = contours_on(of.skin);
+    if (cut == 0 || contours_on(other) > cut || part.openings <= cut) continue;
+    FormedFeature feature = feature_of("contact", part.faces.front(), map.face_id.begin()->second);
+    feature.own_openings = part.openings - cut;
+    builder.add_feature(std::move(feature));
+  }
+}
+
 }  // namespace
 
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
@@ -194,15 +232,17 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
       if (part.within || !formed_here(of, part))
         for (const LoopRef& ref : there)
           add_far_outline(builder, map, of, part, ref);
+      if (part.openings > 0) add_hidden_openings(builder, map, part);
       builder.add_form_volume(form_volume(of, part));
     } else if (!part.within) {
       add_marked(builder, map, of, p, "formed", part.refusal);
       builder.add_form_volume(form_volume(of, part));
-    } else if (there.empty()) {
+    } else if (there.empty() || has_several_holes(of, part)) {
       add_marked(builder, map, of, p, "pocket", recess_at_rim(part));
       builder.add_form_volume(form_volume(of, part));
     }
   }
+  add_contacts(builder, map, of);
   for (const LoopRef& ref : widened)
     add_chamfered_rim(builder, map, of, ref);
 }

@@ -64,16 +64,19 @@ double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
   if (sheet.forms_volume) return kMeasured;
-  const bool formed = std::any_of(
-      sheet.features.begin(), sheet.features.end(),
-      [](const FormedFeature& feature) { return feature.kind != "chamfer"; });
+  const bool formed = std::any_of(sheet.features.begin(), sheet.features.end(),
+                                  [](const FormedFeature& feature) {
+                                    return feature.kind != "chamfer" && feature.kind != "contact";
+                                  });
   return formed ? kFormed : kChamfered;
 }
 
 /// Whether a sheet accounts for the solid in which it was found: it lies flat, it is wider than
 /// thick, and it has the solid's volume within what its features allow.
 Result<void> accounts_for_solid(const Sheet& sheet) {
-  const auto pattern = flatten(sheet, {.allowance = ConstantK{0.5, "recognition"}});
+  // Forms are measured with their holes filled (`forms_volume`).
+  const auto pattern = flatten(
+      sheet, {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline});
   if (!pattern) return tl::unexpected(pattern.error());
   constexpr double kNarrowest = 1.3;  // mean width over thickness; wires and bars of square section
                                       // have 1

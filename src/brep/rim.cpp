@@ -1,5 +1,6 @@
 #include "rim.hpp"
 
+#include "genus.hpp"
 #include "rim_refusal.hpp"
 
 #include <algorithm>
@@ -137,6 +138,7 @@ Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, cons
     part.within = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
       return between(model, outlines, skins, touched, p);
     });
+    part.openings = openings_through(model, part.faces);
     if (!part.within) part.refusal = rim_refusal(model, edges, skins, part);
   }
   return rim;

@@ -16,6 +16,7 @@ struct RimPart {
   std::vector<int> faces;
   std::vector<LoopRef> first, second;  ///< loops it touches on either skin
   bool within = true;  ///< stays between the skins: walls, chamfers, fillets, pockets
+  int openings = 0;    ///< how many openings of the solid pass through it; the outer rim counts one
   Error refusal;       ///< why the body has no flat pattern if this part is at its outer contour
 };
 

@@ -71,6 +71,7 @@ struct SolidModel {
   std::vector<SolidEdge> edges;
   double size = 0.0;           ///< diagonal of the bounding box, mm
   Vec3 centre = Vec3::Zero();  ///< of the bounding box: where volumes are measured from
+  std::optional<int> genus;    ///< of the solid as it was read, before healing (genus.hpp)
 };
 
 /// Numbers of the edges of each face, ascending.

@@ -2,6 +2,7 @@
 
 #include "exact_curve.hpp"
 #include "face_volume.hpp"
+#include "genus.hpp"
 #include "heal.hpp"
 #include "kernel_points.hpp"
 #include "loop_order.hpp"
@@ -176,6 +177,7 @@ SolidModel read_model(const TopoDS_Solid& solid, double surface_tolerance) {
   model.edges = with_neighbours(std::move(model.edges), model.faces);
   for (SolidFace& face : model.faces)
     if (has_border_volume(face)) face.volume = volume_under(face, model);
+  model.genus = genus_of(model);
   return healed(std::move(model));
 }
 

@@ -54,8 +54,8 @@ class Drawing {
       for (const Loop& loop : feature.outlines)
         add_outline(styles_.features, loop);
     }
-    for (const Segment& slit : pattern.slits)
-      add_line(styles_.openings, slit.a, slit.b);
+    for (const Curve2& slit : pattern.slits)
+      add_slit(slit);
     for (const Contour& opening : pattern.openings)
       add_outline(styles_.openings, opening.loop);
     add_outline(styles_.outer, pattern.outer.loop);
@@ -77,11 +77,29 @@ class Drawing {
   }
 
  private:
+  OutlineOptions outline_options() const {
+    const bool keep = options_.splines == Splines::keep && options_.version != DxfVersion::r12;
+    return {.splines = keep ? Splines::keep : Splines::arcs,
+            .arc_tolerance = options_.arc_tolerance,
+            .scale = scale_};
+  }
+
   void add_line(const EntityStyle& style, const Vec2& a, const Vec2& b) {
     if ((b - a).norm() < kShortestMark) return;
     const Segment line{a * scale_, b * scale_};
     extents_.add(bounds(Curve2(line)));
     entities_.push_back({style, line});
+  }
+
+  void add_slit(const Curve2& slit) {
+    for (const Curve2& curve : curves_of_slit(slit, outline_options())) {
+      if (const auto* line = std::get_if<Segment>(&curve)) {
+        add_line(styles_.openings, line->a, line->b);
+      } else {
+        extents_.add(bounds(curve));
+        entities_.push_back({styles_.openings, Outline(Loop{curve})});
+      }
+    }
   }
 
   void add_bend(const FlatBend& bend) {
@@ -105,10 +123,7 @@ class Drawing {
   }
 
   void add_outline(const EntityStyle& style, const Loop& loop) {
-    const bool keep = options_.splines == Splines::keep && options_.version != DxfVersion::r12;
-    const Outline outline = outline_of(loop, {.splines = keep ? Splines::keep : Splines::arcs,
-                                              .arc_tolerance = options_.arc_tolerance,
-                                              .scale = scale_});
+    const Outline outline = outline_of(loop, outline_options());
     const Box2 box = bounds(outline);
     if (box.empty() || box.size().minCoeff() <= 0.0) {
       // A formed feature is only marked: one without extent is left out.

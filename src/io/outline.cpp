@@ -162,6 +162,14 @@ Outline outline_of(const Loop& loop, const OutlineOptions& options) {
   return polyline_of(curves);
 }
 
+Loop curves_of_slit(const Curve2& slit, const OutlineOptions& options) {
+  Loop curves = options.splines == Splines::keep ? Loop{slit}
+                                                 : to_arcs(slit, options.arc_tolerance);
+  for (Curve2& curve : curves)
+    curve = scaled(curve, options.scale);
+  return with_short_arcs(curves);
+}
+
 Box2 bounds(const Outline& outline) {
   Box2 box;
   if (const auto* circle = std::get_if<Circle>(&outline)) {

@@ -36,6 +36,9 @@ struct OutlineOptions {
 /// The loop (mm) as a circle, a closed polyline without doubled vertices, or a chain, scaled.
 Outline outline_of(const Loop& loop, const OutlineOptions& options);
 
+/// A cut that is not closed: its curves, scaled, arcs turning by half a turn at most.
+Loop curves_of_slit(const Curve2& slit, const OutlineOptions& options);
+
 /// The arc (or segment, when the bulge is below 1e-12) from `a` to `b`.
 Curve2 bulge_curve(const Vec2& a, const Vec2& b, double bulge);
 

@@ -120,8 +120,8 @@ std::string slits(const FlatPattern& pattern, double font) {
   std::string text = fmt::format(
       "<g class=\"slits\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kOutlineColor,
       svg_number(line_width(font)));
-  for (const Segment& slit : pattern.slits)
-    text += line_element(slit);
+  for (const Curve2& slit : pattern.slits)
+    text += fmt::format("<path d=\"{}\"/>\n", svg_open_path(slit));
   return text + "</g>\n";
 }
 
@@ -145,7 +145,11 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
     std::ranges::for_each(feature.outlines, add_loop);
   for (const FlatBend& bend : pattern.bends)
     segments.insert(segments.end(), bend.lines.begin(), bend.lines.end());
-  segments.insert(segments.end(), pattern.slits.begin(), pattern.slits.end());
+  for (const Curve2& slit : pattern.slits) {
+    const std::vector<Vec2> points = sampled(slit, 0.1 * font);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+      segments.push_back({points[i], points[i + 1]});
+  }
   return segments;
 }
 
@@ -262,7 +266,9 @@ std::vector<Note> notes_of(const FlatPattern& pattern, const Box2& part, double 
   };
   if (has(BendDirection::up)) notes.push_back({"bend up", 3.0 * font, kUpColor, true});
   if (has(BendDirection::down)) notes.push_back({"bend down", 3.0 * font, kDownColor, true});
-  if (!pattern.features.empty()) notes.push_back({"formed feature", 2.0 * font, kFeatureColor});
+  if (std::ranges::any_of(pattern.features,
+                          [](const FlatFeature& feature) { return !feature.outlines.empty(); }))
+    notes.push_back({"formed feature", 2.0 * font, kFeatureColor});
   return notes;
 }
 

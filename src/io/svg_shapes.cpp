@@ -117,6 +117,11 @@ std::string svg_path(const Loop& loop) {
   return text + "Z";
 }
 
+std::string svg_open_path(const Curve2& curve) {
+  return "M" + svg_point(start_of(curve)) +
+         std::visit([](const auto& c) { return path_piece(c); }, curve);
+}
+
 std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend) {
   if (bend.lines.empty()) return {};
   const Vec2 origin = bend.lines.front().a;

@@ -20,6 +20,8 @@ std::string svg_point(const Vec2& p);
 
 /// Path data ("M … Z") of a closed loop: lines, arcs (a full circle as two) and cubics as they are.
 std::string svg_path(const Loop& loop);
+/// The same of a curve that is not closed.
+std::string svg_open_path(const Curve2& curve);
 
 /// The bend zone as quadrilaterals between the tangent lines on its two sides, corner by corner.
 /// May cover openings; clip with the contours.

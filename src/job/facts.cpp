@@ -59,9 +59,7 @@ double inner_cutting_length(const FlatPattern& flat) {
   double sum = 0.0;
   for (const Contour& opening : flat.openings)
     sum += length(opening.loop);
-  for (const Segment& slit : flat.slits)
-    sum += length_of(slit);
-  return sum;
+  return sum + length(flat.slits);
 }
 
 std::optional<Segment> longest_line(const FlatBend& bend) {

@@ -39,6 +39,14 @@ Done set_profile(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_extruded(Request& to, const OptionValue& value) {
+  const std::string& word = text_of(value);
+  to.extruded = word == "through"   ? ExtrudedHoles::through
+                : word == "outline" ? ExtrudedHoles::outline
+                                    : ExtrudedHoles::pilot;
+  return {};
+}
+
 Done set_units(Request& to, const OptionValue& value) {
   to.units = text_of(value) == "inch" ? LengthUnit::inch
              : text_of(value) == "m"  ? LengthUnit::m
@@ -103,6 +111,20 @@ const std::vector<Option>& bend_options() {
          to.up = text_of(value);
          return {};
        }},
+  };
+  return table;
+}
+
+const std::vector<Option>& form_options() {
+  static const std::vector<Option> table{
+      {.name = "extruded",
+       .kind = OptionKind::word,
+       .group = "Formed features",
+       .description = "cut of holes through them: the pilot hole that is pierced before forming, "
+                      "the hole as it will be, or nothing, free edges included",
+       .otherwise = "pilot",
+       .words = {"pilot", "through", "outline"},
+       .set = set_extruded},
   };
   return table;
 }
@@ -250,7 +272,7 @@ std::span<const Option> options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> joined;
     for (const auto* group :
-         {&general_options(), &bend_options(), &dxf_options(), &check_options()})
+         {&general_options(), &bend_options(), &form_options(), &dxf_options(), &check_options()})
       joined.insert(joined.end(), group->begin(), group->end());
     return joined;
   }();

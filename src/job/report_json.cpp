@@ -56,6 +56,7 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   json["kind"] = feature.kind;
   json["at"] = box.empty() ? Json(nullptr) : point_json(0.5 * (box.lo + box.hi), units);
   json["size"] = box.empty() ? Json(nullptr) : point_json(box.size(), units);
+  json["openings"] = feature.uncut_openings;
   return json;
 }
 
@@ -91,6 +92,15 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   return json;
 }
 
+Json openings_json(const OpeningCount& openings) {
+  Json json;
+  if (openings.solid) json["solid"] = *openings.solid;
+  json["pattern"] = openings.pattern;
+  json["features"] = openings.features;
+  if (openings.loops > 0) json["loops"] = openings.loops;
+  return json;
+}
+
 Json verification_json(const Report& report, const Units& units) {
   if (!certificate_known(report)) return nullptr;
   const Certificate& certificate = report.certificate;
@@ -101,6 +111,7 @@ Json verification_json(const Report& report, const Units& units) {
   json["refold_deviation"] = number_json(units.length(or_nan(certificate.refold_deviation)));
   json["closure"] = number_json(units.length(report.flat.closure));
   json["area_at_half"] = number_json(units.area(certificate.flat_area_half));
+  json["openings"] = openings_json(certificate.openings);
   json["places"]["length_error"] = point_json(certificate.length_error_at, units);
   json["places"]["refold_deviation"] = point_json(certificate.refold_at, units);
   return json;

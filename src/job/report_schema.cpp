@@ -36,7 +36,8 @@ Schema bend_schema(const std::vector<Field>& details) {
 
 Schema flat_schema(const std::vector<Field>& bend_details) {
   const Schema feature = object({required("kind", text()), required("at", report_point().or_null()),
-                                 required("size", report_point().or_null())});
+                                 required("size", report_point().or_null()),
+                                 required("openings", whole().said("that are not cut"))});
   const Schema label = object({required("text", any_text()), required("at", report_point())});
   return object({required("area", measured_area()), required("perimeter", measured_length()),
                  required("size", report_point()), required("openings", whole()),
@@ -51,6 +52,8 @@ Schema verification_schema() {
       {required("volume_ratio", measured_number()), required("explained_ratio", measured_number()),
        required("length_error", measured_length()), required("refold_deviation", measured_length()),
        required("closure", measured_length()), required("area_at_half", measured_area()),
+       required("openings", object({optional("solid", whole()), required("pattern", whole()),
+                                    required("features", whole()), optional("loops", whole(1))})),
        required("places", object({required("length_error", report_point()),
                                   required("refold_deviation", report_point())}))});
 }

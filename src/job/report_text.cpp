@@ -77,6 +77,13 @@ std::string residual(double mm, const Units& units) {
   return fmt::format("within {} {}", units.tiny_text(mm), units.symbol());
 }
 
+std::string openings_text(const OpeningCount& openings) {
+  if (!openings.solid) return {};
+  std::string text = fmt::format(", openings {} of {}", openings.pattern, *openings.solid);
+  if (openings.features > 0) text += fmt::format(", {} in features", openings.features);
+  return text;
+}
+
 std::string certificate_line(const Report& report, const Units& units) {
   if (!certificate_known(report)) return {};
   const Certificate& certificate = report.certificate;
@@ -87,9 +94,10 @@ std::string certificate_line(const Report& report, const Units& units) {
   constexpr double kShown = 5e-7;  // half of the last digit printed
   if (std::isfinite(explained) && std::abs(explained - or_nan(certificate.volume_ratio)) > kShown)
     volume += fmt::format(", {:.6f} without formed features and mitres", explained);
-  return fmt::format("certificate: volume {}, edge lengths {}, refold {}\n", volume,
+  return fmt::format("certificate: volume {}, edge lengths {}, refold {}{}\n", volume,
                      residual(certificate.length_error, units),
-                     residual(or_nan(certificate.refold_deviation), units));
+                     residual(or_nan(certificate.refold_deviation), units),
+                     openings_text(certificate.openings));
 }
 
 std::string place_text(const Finding& finding, const Units& units) {

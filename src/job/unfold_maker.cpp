@@ -121,6 +121,7 @@ Maker unfold_maker() {
                                        {"bend_k"},
                                        {"root"},
                                        {"up"},
+                                       {"extruded"},
                                        {"rules"},
                                        {"no_rules"}}),
       .report_details = unfold_report_details,

@@ -20,7 +20,7 @@ std::string place_text(const Vec2& p) {
 std::string features_text(const FlatPattern& flat) {
   std::map<std::string, int> count;
   for (const FlatFeature& feature : flat.features)
-    ++count[feature.kind];
+    if (feature.kind != "contact") ++count[feature.kind];
   std::string text;
   for (const auto& [kind, n] : count) {
     text += text.empty() ? "" : ", ";
@@ -76,11 +76,52 @@ Error wrong(const std::string& what, const Vec2& at) {
           place_text(at)};
 }
 
+std::optional<Finding> opening_doubt(const OpeningCount& openings) {
+  const int lost = openings.lost().value_or(0);
+  if (lost == 0) return std::nullopt;
+  const std::string counts = fmt::format("the solid has {}, the pattern {}",
+                                         counted(*openings.solid, "opening"),
+                                         *openings.solid - lost);
+  if (lost < 0)
+    return Finding{
+        "extra_opening", Severity::error, fmt::format("{}: {} too many", counts, -lost), {}};
+  return Finding{
+      "lost_opening", Severity::error,
+      fmt::format("{}: {} lost", counts, lost == 1 ? "one is" : fmt::format("{} are", lost)),
+      openings.missing};
+}
+
+void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
+  std::vector<Vec2> pilots, uncut;
+  int count = 0;
+  for (const FlatFeature& feature : flat.features) {
+    pilots.insert(pilots.end(), feature.pilots.begin(), feature.pilots.end());
+    if (feature.uncut_openings == 0) continue;
+    count += feature.uncut_openings;
+    if (feature.outlines.empty()) continue;
+    const Box2 box = bounds(feature.outlines.front());
+    uncut.push_back(0.5 * (box.lo + box.hi));
+  }
+  if (!pilots.empty())
+    found.push_back({"pilot_hole", Severity::info,
+                     fmt::format("{} cut smaller than in the solid, from which the form is drawn",
+                                 counted(static_cast<int>(pilots.size()), "hole") +
+                                     (pilots.size() == 1 ? " is" : " are")),
+                     pilots});
+  if (count > 0)
+    found.push_back({"uncut_opening", Severity::info,
+                     fmt::format("{} of the solid, within formed features or between edges that "
+                                 "touch, {} not cut",
+                                 counted(count, "opening"), count == 1 ? "is" : "are"),
+                     uncut});
+}
+
 }  // namespace
 
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
+  if (auto doubt = opening_doubt(certificate.openings)) found.push_back(std::move(*doubt));
   // Without features, a good explained ratio means that mitred corners account for the difference.
   const bool explained = flat.features.empty() &&
                          !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
@@ -97,6 +138,7 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
     found.push_back(residual_doubt("refold", kRefoldText, or_nan(certificate.refold_deviation),
                                    bounds.refold_warning, certificate.refold_at));
   }
+  add_form_notes(found, flat);
   return found;
 }
 

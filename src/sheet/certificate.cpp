@@ -1,4 +1,5 @@
 #include "curve_index.hpp"
+#include "opening_count.hpp"
 #include "relaid.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -131,13 +132,12 @@ std::vector<Curve2> written_curves(const FlatPattern& pattern) {
   std::vector<Curve2> curves = pattern.outer.loop;
   for (const Contour& opening : pattern.openings)
     curves.insert(curves.end(), opening.loop.begin(), opening.loop.end());
+  curves.insert(curves.end(), pattern.slits.begin(), pattern.slits.end());
   return curves;
 }
 
 std::vector<Curve2> drawn_curves(const FlatPattern& pattern) {
   std::vector<Curve2> curves = written_curves(pattern);
-  for (const Segment& slit : pattern.slits)
-    curves.emplace_back(slit);
   for (const FlatFeature& feature : pattern.features)
     for (const Loop& outline : feature.outlines)
       curves.insert(curves.end(), outline.begin(), outline.end());
@@ -209,6 +209,10 @@ Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid
     if (!topology.is_free(id)) continue;
     borders.push_back(image_of(sheet, laid, topology[id], tolerance));
   }
+  for (const FormedFeature& feature : sheet.features)
+    for (const BorderLoop* cut : cuts_of(feature))
+      for (const Curve2& image : image_of_cut(laid, feature.face, *cut))
+        borders.push_back(image);
   std::vector<HingeBand> bands;
   for (const Joint& joint : sheet.joints)
     if (joint.sharp)
@@ -256,8 +260,10 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   if (sheet.volume) certificate.volume_ratio = area * sheet.thickness / *sheet.volume;
   if (sheet.volume && sheet.forms_volume) {
     const double plain = *sheet.volume - *sheet.forms_volume - sheet.mitres_volume;
-    if (plain > 0.0) certificate.explained_ratio = area * sheet.thickness / plain;
+    const double uncut = area + area_cut_in_forms(sheet, pattern, *laid);
+    if (plain > 0.0) certificate.explained_ratio = uncut * sheet.thickness / plain;
   }
+  certificate.openings = counted_openings(sheet, pattern, *laid);
   const Worst length = worst_length(sheet, *laid, curve_tolerance);
   certificate.length_error = length.distance;
   certificate.length_error_at = length.at;

@@ -210,16 +210,36 @@ Fault fault_of_joints(const Sheet& sheet) {
   return {};
 }
 
-Fault fault_of_marks(const Sheet& sheet) {
+bool drawable(const BorderLoop& borders) {
+  return !borders.empty() && std::all_of(borders.begin(), borders.end(), [](const Border& border) {
+    return is_regular(border.curve);
+  });
+}
+
+Fault fault_of_features(const Sheet& sheet) {
   for (const FeatureId id : sheet.features.ids()) {
+    const FormedFeature& feature = sheet[id];
     const std::string where = fmt::format("feature {}", index_of(id));
-    if (!sheet.faces.has(sheet[id].face))
-      return fault("A feature names a face of its sheet.", where);
-    for (const BorderLoop& loop : sheet[id].outlines)
+    if (!sheet.faces.has(feature.face)) return fault("A feature names a face of its sheet.", where);
+    const bool cuts_drawable = std::all_of(feature.openings.begin(), feature.openings.end(),
+                                           [](const FormedOpening& opening) {
+                                             return drawable(opening.pilot) &&
+                                                    drawable(opening.through);
+                                           }) &&
+                               std::all_of(feature.slits.begin(), feature.slits.end(), drawable);
+    for (const BorderLoop& loop : feature.outlines)
       for (const Border& border : loop)
         if (!is_regular(border.curve))
           return fault("An outline is made of lines, arcs and splines of finite size.", where);
+    if (!cuts_drawable) return fault("What is cut in a feature has finite borders.", where);
+    if (feature.own_openings < 0 || feature.lost_openings < 0)
+      return fault("A feature counts its openings from 0.", where);
   }
+  return {};
+}
+
+Fault fault_of_marks(const Sheet& sheet) {
+  if (auto found = fault_of_features(sheet)) return found;
   for (size_t i = 0; i < sheet.labels.size(); ++i)
     if (!sheet.faces.has(sheet.labels[i].face) || !sheet.labels[i].at.allFinite())
       return fault("A label names a point on a face of its sheet.", fmt::format("label {}", i));

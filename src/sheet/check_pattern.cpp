@@ -51,7 +51,8 @@ PatternFault fault_of(const FlatPattern& pattern) {
   for (std::size_t i = 0; i < pattern.openings.size(); ++i)
     if (auto found = fault_of_loop(pattern.openings[i].loop, fmt::format("opening {}", i)))
       return found;
-  if (!are_regular(pattern.slits)) return pattern_fault("Slits have ends of finite size.", "slits");
+  if (!std::ranges::all_of(pattern.slits, [](const Curve2& slit) { return is_regular(slit); }))
+    return pattern_fault("Slits are lines, arcs and splines of finite size.", "slits");
   for (const FlatBend& bend : pattern.bends)
     if (auto found = fault_of_bend(bend)) return found;
   for (std::size_t f = 0; f < pattern.features.size(); ++f)

@@ -9,28 +9,84 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace planish {
 namespace {
 
 using namespace sheet_detail;
 
-std::vector<FlatFeature> flat_features(const Sheet& sheet, const Layout& layout,
-                                       const Contours& contours, double tolerance) {
-  std::vector<FlatFeature> features;
-  for (const FeatureId id : sheet.features.ids()) {
-    const FormedFeature& feature = sheet[id];
-    FlatFeature& flat = features.emplace_back(FlatFeature{feature.kind, {}});
-    for (const auto& [formed, outline] : contours.formed)
-      if (formed == id) flat.outlines.push_back(outline);
-    for (const BorderLoop& outline : feature.outlines) {
-      Loop loop;
-      for (const Border& border : outline)
-        loop.push_back(transformed(border.curve, layout.placement[feature.face]));
-      flat.outlines.push_back(merged(loop, tolerance).loop);
+Loop placed(const BorderLoop& borders, const Isometry2& placement) {
+  Loop loop;
+  for (const Border& border : borders)
+    loop.push_back(transformed(border.curve, placement));
+  return loop;
+}
+
+Contour as_opening(Loop loop) {
+  const size_t count = loop.size();
+  return {std::move(loop), std::vector<std::vector<Origin>>(count)};
+}
+
+/// Whether the pilot hole is another than the hole that is drawn out of it.
+bool is_smaller(const FormedOpening& opening) {
+  constexpr double kSmaller = 1.0 - tolerance::kAside;
+  const auto area = [](const BorderLoop& borders) {
+    double sum = 0.0;
+    for (const Border& border : borders)
+      sum += green_area(border.curve);
+    return std::abs(sum);
+  };
+  return area(opening.pilot) < kSmaller * area(opening.through);
+}
+
+/// What is cut within a feature, entered in the pattern.
+void cut_feature(FlatPattern& pattern, FlatFeature& flat, const FormedFeature& feature,
+                 const Isometry2& placement, const FlattenOptions& options) {
+  flat.uncut_openings = feature.own_openings;
+  for (const FormedOpening& opening : feature.openings) {
+    const Loop through = merged(placed(opening.through, placement), options.merge_tolerance).loop;
+    switch (options.extruded) {
+      case ExtrudedHoles::outline:
+        flat.outlines.push_back(through);
+        ++flat.uncut_openings;
+        break;
+      case ExtrudedHoles::through:
+        pattern.openings.push_back(as_opening(through));
+        break;
+      case ExtrudedHoles::pilot:
+        if (is_smaller(opening)) {
+          const Box2 box = bounds(through);
+          flat.pilots.emplace_back((box.lo + box.hi) / 2);
+        }
+        pattern.openings.push_back(
+            as_opening(merged(placed(opening.pilot, placement), options.merge_tolerance).loop));
+        break;
     }
   }
-  return features;
+  for (const BorderLoop& slit : feature.slits) {
+    const Loop chain = placed(slit, placement);
+    if (options.extruded == ExtrudedHoles::outline)
+      ++flat.uncut_openings;
+    else
+      pattern.slits.insert(pattern.slits.end(), chain.begin(), chain.end());
+  }
+}
+
+/// The features with their outlines, and what is cut within them.
+void add_features(FlatPattern& pattern, const Sheet& sheet, const Layout& layout,
+                  const Contours& contours, const FlattenOptions& options) {
+  for (const FeatureId id : sheet.features.ids()) {
+    const FormedFeature& feature = sheet[id];
+    const Isometry2& placement = layout.placement[feature.face];
+    FlatFeature flat{feature.kind, {}};
+    for (const auto& [formed, outline] : contours.formed)
+      if (formed == id) flat.outlines.push_back(outline);
+    for (const BorderLoop& outline : feature.outlines)
+      flat.outlines.push_back(merged(placed(outline, placement), options.merge_tolerance).loop);
+    cut_feature(pattern, flat, feature, placement, options);
+    pattern.features.push_back(std::move(flat));
+  }
 }
 
 void transform(Segment& segment, const Isometry2& motion) {
@@ -52,8 +108,7 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
   transform(pattern.outer, motion);
   for (Contour& opening : pattern.openings)
     transform(opening, motion);
-  for (Segment& slit : pattern.slits)
-    transform(slit, motion);
+  pattern.slits = transformed(pattern.slits, motion);
   for (FlatBend& bend : pattern.bends) {
     for (Segment& line : bend.lines)
       transform(line, motion);
@@ -63,9 +118,12 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
       bend.direction = bend.direction == BendDirection::up ? BendDirection::down
                                                            : BendDirection::up;
   }
-  for (FlatFeature& feature : pattern.features)
+  for (FlatFeature& feature : pattern.features) {
     for (Loop& outline : feature.outlines)
       outline = transformed(outline, motion);
+    for (Vec2& pilot : feature.pilots)
+      pilot = motion * pilot;
+  }
   for (FlatLabel& label : pattern.labels)
     label.at = motion * label.at;
   pattern.root_placement = motion * pattern.root_placement;
@@ -127,9 +185,11 @@ Result<FlatPattern> pattern_of(const Sheet& sheet, const Layout& layout,
   if (!contours) return tl::unexpected(contours.error());
   FlatPattern pattern;
   pattern.thickness = sheet.thickness;
-  pattern.features = flat_features(sheet, layout, *contours, options.merge_tolerance);
+  add_features(pattern, sheet, layout, *contours, options);
   pattern.outer = std::move(contours->outer);
-  pattern.openings = std::move(contours->openings);
+  pattern.openings.insert(pattern.openings.begin(),
+                          std::make_move_iterator(contours->openings.begin()),
+                          std::make_move_iterator(contours->openings.end()));
   pattern.bends = flat_bends(sheet, layout);
   for (const PointLabel& label : sheet.labels)
     pattern.labels.push_back({layout.develop(sheet, label.face, label.at), label.text});

@@ -9,8 +9,7 @@ void measure(FlatPattern& pattern) {
     pattern.area += signed_area(opening.loop);
     pattern.perimeter += length(opening.loop);
   }
-  for (const Segment& slit : pattern.slits)
-    pattern.perimeter += length(Curve2(slit));
+  pattern.perimeter += length(pattern.slits);
 }
 
 }  // namespace planish::sheet_detail

@@ -47,16 +47,28 @@ auto contours_of(Pattern& pattern) {
 }
 
 /// Takes the slits out of the contours; contours that are only slits vanish.
-void take_slits(FlatPattern& pattern, double tolerance) {
+std::vector<Segment> taken_slits(FlatPattern& pattern, double tolerance) {
+  std::vector<Segment> slits;
   const auto take = [&](Contour& contour) {
     WithoutSpurs left = without_spurs(contour, tolerance);
-    pattern.slits.insert(pattern.slits.end(), left.slits.begin(), left.slits.end());
+    slits.insert(slits.end(), left.slits.begin(), left.slits.end());
     contour = std::move(left.contour);
   };
   take(pattern.outer);
   for (Contour& opening : pattern.openings)
     take(opening);
   std::erase_if(pattern.openings, [](const Contour& contour) { return contour.loop.empty(); });
+  return slits;
+}
+
+/// The straight ones of the slits that the pattern had before; taken out of it.
+std::vector<Segment> straight_slits(FlatPattern& pattern) {
+  std::vector<Segment> straight;
+  for (const Curve2& slit : pattern.slits)
+    if (const auto* segment = std::get_if<Segment>(&slit)) straight.push_back(*segment);
+  std::erase_if(pattern.slits,
+                [](const Curve2& slit) { return std::holds_alternative<Segment>(slit); });
+  return straight;
 }
 
 std::vector<Corner> corners_at(const FlatPattern& pattern, const Vec2& p, double tolerance) {
@@ -70,9 +82,10 @@ std::vector<Corner> corners_at(const FlatPattern& pattern, const Vec2& p, double
 }
 
 /// Slits run from a corner of a contour, or from inside the material.
-Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const SlotOptions& options) {
+Result<std::vector<Slot>> slots_of(const FlatPattern& pattern, const std::vector<Segment>& slits,
+                                   const SlotOptions& options) {
   std::vector<Slot> slots;
-  for (const Segment& slit : pattern.slits) {
+  for (const Segment& slit : slits) {
     const auto a = corners_at(pattern, slit.a, options.tolerance),
                b = corners_at(pattern, slit.b, options.tolerance);
     if (a.size() + b.size() > 1)
@@ -167,14 +180,14 @@ void add_closed_slots(FlatPattern& pattern, const std::vector<Slot>& slots) {
 
 /// Lines from hole to hole, and the holes.
 Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) {
-  pattern.slits.clear();
   for (const Slot& slot : slots) {
     const Vec2 along = (slot.axis.b - slot.axis.a).normalized();
     const double room = (slot.axis.b - slot.axis.a).norm() -
                         slot.hole * static_cast<double>(slot.holes().size());
     if (!(room > 0.0)) return too_wide(slot, room);
-    pattern.slits.push_back({slot.opens_at ? slot.axis.a : Vec2(slot.axis.a + slot.hole * along),
-                             slot.axis.b - slot.hole * along});
+    pattern.slits.push_back(
+        Segment{slot.opens_at ? slot.axis.a : Vec2(slot.axis.a + slot.hole * along),
+                slot.axis.b - slot.hole * along});
     if (slot.hole > 0.0)
       for (const Vec2& hole : slot.holes())
         pattern.openings.push_back({{Arc{hole, slot.hole, 0.0, -2.0 * std::numbers::pi}}, {{}}});
@@ -231,16 +244,17 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
   if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
   for (Contour* contour : contours_of(pattern))
     contour->origins.resize(contour->loop.size());
-  take_slits(pattern, options.tolerance);
-  if (pattern.slits.empty()) return pattern;
-  auto slots = slots_of(pattern, options);
+  std::vector<Segment> slits = straight_slits(pattern);
+  for (const Segment& slit : taken_slits(pattern, options.tolerance))
+    slits.push_back(slit);
+  if (slits.empty()) return pattern;
+  auto slots = slots_of(pattern, slits, options);
   if (!slots) return tl::unexpected(slots.error());
   if (auto room = check_room_between(*slots); !room) return tl::unexpected(room.error());
   for (const Slot& slot : *slots)
     if (auto room = check_room_to_contours(pattern, slot); !room)
       return tl::unexpected(room.error());
   if (options.kerf > 0.0) {
-    pattern.slits.clear();
     if (auto opened = open_slots(pattern, *slots, options.tolerance); !opened)
       return tl::unexpected(opened.error());
     add_closed_slots(pattern, *slots);

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace planish {
 namespace {
@@ -63,13 +64,22 @@ TEST(Dxf, MarksFirstThenOpeningsAndTheOuterContourLast) {
 
 TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {
   FlatPattern pattern = bracket();
-  pattern.slits = {{{70, 60}, {140, 60}}, {{70, 80}, {200, 80}}};
+  pattern.slits = {Segment{{70, 60}, {140, 60}}, Segment{{70, 80}, {200, 80}}};
   EXPECT_THAT(kinds_and_layers(dxf(pattern)),
               ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE INTERIOR_PROFILES",
                           "LINE INTERIOR_PROFILES", "CIRCLE INTERIOR_PROFILES",
                           "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
-  pattern.slits.front().a.x() = std::numeric_limits<double>::quiet_NaN();
+  std::get<Segment>(pattern.slits.front()).a.x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(dxf_text(pattern));
+}
+
+TEST(Dxf, CutsCurvedSlitsAsArcs) {
+  FlatPattern pattern = bracket();
+  pattern.slits = {Arc{{100, 60}, 10.0, 0.0, 1.5 * std::numbers::pi}};
+  EXPECT_THAT(kinds_and_layers(dxf(pattern)),
+              ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "ARC INTERIOR_PROFILES",
+                          "ARC INTERIOR_PROFILES", "CIRCLE INTERIOR_PROFILES",
+                          "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
 }
 
 TEST(Dxf, KeepsCirclesAndClosesPolylinesWithBulges) {

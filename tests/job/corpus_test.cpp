@@ -85,6 +85,11 @@ class Corpus : public ::testing::Test {
       EXPECT_NEAR(report.summary.thickness, row["thickness"].get<double>(),
                   0.02 * row["thickness"].get<double>());
     }
+    const OpeningCount& openings = report.certificate.openings;
+    EXPECT_TRUE(openings.solid) << "the genus of the solid is not known";
+    EXPECT_EQ(openings.lost().value_or(0), 0)
+        << "solid " << openings.solid.value_or(-1) << ", pattern " << openings.pattern
+        << ", features " << openings.features << ", loops " << openings.loops;
     EXPECT_LE(report.certificate.length_error, 0.01);
     EXPECT_LE(report.certificate.refold_deviation, 0.02);
     write_dxf(id, report.flat);

@@ -48,6 +48,35 @@ TEST(Verdict, WarnsAboveEachBoundWithThePlace) {
   EXPECT_FALSE(disbelief(certificate, kVolume, {}).has_value());
 }
 
+TEST(Verdict, CallsALostOpeningAnErrorWithItsPlace) {
+  Certificate certificate = perfect();
+  certificate.openings = {.solid = 3, .pattern = 1, .features = 1, .loops = 0, .missing = {{7, 8}}};
+  const auto found = doubts_of(certificate);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, "lost_opening");
+  EXPECT_EQ(found[0].severity, Severity::error);
+  EXPECT_EQ(found[0].at, std::vector<Vec2>{Vec2(7, 8)});
+  EXPECT_THAT(found[0].message, HasSubstr("the solid has 3 openings, the pattern 2: one is lost"));
+  certificate.openings.pattern = 4;
+  EXPECT_EQ(doubts_of(certificate).at(0).code, "extra_opening");
+  certificate.openings.pattern = 2;
+  EXPECT_TRUE(doubts_of(certificate).empty());
+}
+
+TEST(Verdict, NotesPilotHolesAndWhatIsNotCut) {
+  FlatPattern flat = test::sample_pattern();
+  flat.features = {{"formed", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}, 0, {{20, 30}}},
+                   {"formed", {{Arc{{50, 30}, 4.0, 0.0, 6.28}}}, 2, {}}};
+  const auto found = doubts(perfect(), flat, kVolume, {});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].code, "pilot_hole");
+  EXPECT_EQ(found[1].code, "uncut_opening");
+  for (const Finding& finding : found) {
+    EXPECT_EQ(finding.severity, Severity::info);
+    EXPECT_EQ(finding.at.size(), 1u);
+  }
+}
+
 TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
   Certificate certificate = perfect();
   certificate.volume_ratio = 1.004;

@@ -37,7 +37,7 @@ std::vector<PatternDamage> pattern_damages() {
        }},
       {"Slits", "slits",
        [=](FlatPattern& p) {
-         p.slits.push_back({{0, nan}, {1, 1}});
+         p.slits.push_back(Segment{{0, nan}, {1, 1}});
        }},
       {"lines of a bend", "bend B1", [=](FlatPattern& p) { p.bends[0].lines[0].a.x() = nan; }},
       {"has its angle", "bend B1", [](FlatPattern& p) { p.bends[0].line_angles.resize(7); }},

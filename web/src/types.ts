@@ -67,6 +67,7 @@ export interface Options {
   density?: number;
   piece?: number;
   units?: LengthUnit;
+  extruded?: 'pilot' | 'through' | 'outline';
   profile?: string;
   r12?: boolean;
   splines?: 'arcs' | 'keep';
@@ -237,6 +238,7 @@ export interface Verification {
   refold_deviation?: number | null;
   closure?: number | null;
   area_at_half?: number | null;
+  openings?: { solid?: number; pattern: number; features: number; loops?: number };
   places?: Record<'length_error' | 'refold_deviation', Vec2 | null>;
 }
 
@@ -259,7 +261,7 @@ export interface FlatRow {
   cutting?: { outer: number; inner: number };
   bends: BendRow[];
   labels?: { text: string; at: Vec2 }[];
-  features?: { kind: string; at: Vec2 | null; size: Vec2 | null }[];
+  features?: { kind: string; at: Vec2 | null; size: Vec2 | null; openings?: number }[];
 }
 
 export interface StripRow {

@@ -14,7 +14,8 @@ enum class Severity { info, warning, error };
 
 /// One observation about a flat pattern. Codes: "overlap", and one for each rule: "flange_height",
 /// "bend_relief", "inside_radius", "hem", "k_factor", "opening_to_bend", "opening_in_bend",
-/// "opening_to_edge", "opening_to_opening", "smallest_opening".
+/// "opening_to_edge", "opening_to_opening", "smallest_opening"; `job` adds those of certificates
+/// (formats.md#checks).
 struct Finding {
   std::string code;
   Severity severity = Severity::warning;

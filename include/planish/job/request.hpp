@@ -2,7 +2,7 @@
 
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
-#include <planish/sheet/allowance.hpp>
+#include <planish/sheet/layout.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -47,6 +47,7 @@ struct Request : PatternChecks {
                                                        ///< overrides `allowance`
   std::string root = "largest";                        ///< "largest" or a face number
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
+  ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: the file's
   int piece = 0;                    ///< which of several pieces is shown, from 0
   DxfOptions dxf;                   ///< its units are ignored: the report's are used

@@ -43,6 +43,7 @@ class SheetBuilder {
   /// Measures of the whole sheet, see `Sheet`.
   void set_thickness_spread(double spread) { sheet_.thickness_spread = spread; }
   void set_volume(std::optional<double> volume) { sheet_.volume = volume; }
+  void set_genus(std::optional<int> genus) { sheet_.genus = genus; }
   /// What another feature adds to the plain sheet, mm³; empty if it cannot be measured.
   void add_form_volume(std::optional<double> volume);
   void add_mitre_volume(double volume) { sheet_.mitres_volume += volume; }

@@ -7,6 +7,24 @@
 
 namespace planish {
 
+/// The openings of a pattern against those of the solid (math.md#openings-and-genus): a sheet with
+/// h openings bounds, however it is folded, a solid of genus h.
+struct OpeningCount {
+  std::optional<int> solid;  ///< genus of the solid; none: there is no solid, or it is not known
+  int pattern = 0;           ///< openings as written, and slits with both ends in the material
+  int features = 0;  ///< within formed features, where the pattern lists but does not cut them
+  int loops = 0;     ///< handles of the sheet itself: joints that close and lie flat
+  /// Where openings were looked for and not found among what is written.
+  std::vector<Vec2> missing;
+
+  /// How many openings of the solid the pattern does not account for; below 0: it has more. None
+  /// where the solid's are not known.
+  std::optional<int> lost() const {
+    if (!solid) return std::nullopt;
+    return *solid - pattern - features - loops;
+  }
+};
+
 /// The residuals that show a flat pattern right; empty where they could not be measured.
 struct Certificate {
   double flat_area_half = 0.0;  ///< flat area at K = ½, mm²
@@ -23,6 +41,7 @@ struct Certificate {
   /// edge, mm.
   std::optional<double> refold_deviation = {};
   Vec2 refold_at = Vec2::Zero();
+  OpeningCount openings;
 };
 
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.

@@ -36,10 +36,13 @@ struct FlatBend {
                         ///< their mean
 };
 
-/// A formed feature in the flat pattern: outlines only.
+/// A formed feature in the flat pattern: outlines. What is cut within them stands among the
+/// pattern's openings and slits.
 struct FlatFeature {
   std::string kind;
   std::vector<Loop> outlines;
+  int uncut_openings = 0;         ///< openings of the solid within it that the pattern does not cut
+  std::vector<Vec2> pilots = {};  ///< middles of openings that are cut smaller than they will be
 };
 
 /// A named point of the flat pattern.
@@ -53,7 +56,7 @@ struct FlatPattern {
   double thickness = 0.0;
   Contour outer;
   std::vector<Contour> openings;
-  std::vector<Segment> slits;  ///< cuts without width, each once; see `cut_slits` in slots.hpp
+  std::vector<Curve2> slits;  ///< cuts without width, each once; see `cut_slits` in slots.hpp
   std::vector<FlatBend> bends;
   std::vector<FlatFeature> features;
   std::vector<FlatLabel> labels;

@@ -12,6 +12,10 @@ namespace planish {
 
 enum class UpSide { automatic, reference, other };
 
+/// What is cut of holes through formed features: the hole that is pierced before forming, the one
+/// that is there afterwards, or nothing, free edges of the forms included.
+enum class ExtrudedHoles { pilot, through, outline };
+
 /// Fitting tolerance for images of borders that are neither lines nor arcs, mm.
 inline constexpr double kImageTolerance = 1e-4;
 
@@ -24,6 +28,7 @@ struct FlattenOptions {
   /// along x and the pattern's lower left corner at the origin.
   bool keep_root = false;
   UpSide up = UpSide::automatic;  ///< automatic: the side seen from which more bends go up
+  ExtrudedHoles extruded = ExtrudedHoles::pilot;
   double curve_tolerance = kImageTolerance;
   double merge_tolerance = 1e-5;    ///< mm: recognition of lines, arcs, circles
   double closure_tolerance = 0.01;  ///< mm: a cycle of joints that closes within this can lie flat

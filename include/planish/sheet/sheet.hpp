@@ -93,17 +93,30 @@ struct Bend {
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
+/// A hole through a formed feature (an extruded hole, a hole in an emboss), in the (u, v) of the
+/// feature's face; both loops run clockwise (math.md#pilot-holes).
+struct FormedOpening {
+  BorderLoop pilot;    ///< what is cut before it is formed: `through`, or a smaller hole within
+  BorderLoop through;  ///< the smallest section of its passage, projected
+};
+
 /// A feature that a flat pattern only outlines. Contours made of borders marked with the feature
 /// are drawn, not cut; `outlines` adds loops that are not borders of the material (a countersink's
 /// rim).
+/// What is cut within them stands in `openings` and `slits`.
 struct FormedFeature {
-  /// "countersink", "slanted cut", "pocket", "chamfer", or "formed" (emboss, louvre, lance, burr,
-  /// boss).
+  /// "countersink", "slanted cut", "pocket", "chamfer", "contact" (cut edges that touch in the
+  /// solid), or "formed" (emboss, louvre, lance, burr, boss).
   std::string kind;
   FaceId face{};                        ///< the face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
   Error at_rim;                         ///< the refusal if it reaches the outer contour
+  std::vector<FormedOpening> openings = {};
+  std::vector<BorderLoop> slits = {};  ///< free edges (of louvres, bridges): chains, not closed
+  /// Openings of the solid that are the form's alone (the eye of a handle): no cut makes them.
+  int own_openings = 0;
+  int lost_openings = 0;  ///< openings of the solid there for which no cut was found
 };
 
 /// The name of a point of a face, for drawings and templates.
@@ -125,6 +138,7 @@ struct Sheet {
   double reference_depth = 0.0;   ///< mm, 0 to the thickness
   double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
   std::optional<double> volume;   ///< of the solid, mm³; empty: not measured, or no solid
+  std::optional<int> genus;       ///< of the solid: its openings; empty: not known, or no solid
   IdVector<FaceId, Face> faces;
   std::vector<Joint> joints;
   IdVector<FlangeId, Flange> flanges;

@@ -153,6 +153,17 @@ export function certificate(ui: Ui): TemplateResult {
       'Where faces meet again around a hole or a corner.',
       small(v.closure),
     ]);
+  if (v.openings?.solid !== undefined) {
+    const { solid, pattern, features, loops } = v.openings,
+      found = pattern + features + (loops ?? 0);
+    said.push([
+      found === solid
+        ? `All openings of the solid are there: ${solid}.`
+        : `The solid has ${solid} openings, the pattern ${found}.`,
+      'Counted in the solid by Euler’s formula, and in the pattern as it is written.',
+      found === solid,
+    ]);
+  }
   return html`<ul class="certificate ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="certificate">
       ${said.map(
         ([text, why, good]) => html`<li class=${good ? 'good' : 'bad'}><b>${text}</b><small>${why}</small></li>`,

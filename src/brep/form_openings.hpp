@@ -1,0 +1,14 @@
+#pragma once
+
+#include "assembly.hpp"
+
+namespace planish::brep {
+
+/// Enters what is cut within a formed feature that shows on the plane reference face
+/// `feature.face`, whose frame is `plane`: its holes, with the pilot holes from which an extruded
+/// hole is drawn (math.md#pilot-holes), its free edges as slits, and how many openings of the solid
+/// that leaves without a cut.
+void add_form_openings(FormedFeature& feature, const Frame& plane, const Recognition& of,
+                       const RimPart& part);
+
+}  // namespace planish::brep
