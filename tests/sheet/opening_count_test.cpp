@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-FlatPattern laid(const Sheet& sheet, const FlattenOptions& options = {}) {
+FlatPattern laid_out(const Sheet& sheet, const FlattenOptions& options = {}) {
   auto pattern = flatten(sheet, options);
   EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
   return std::move(*pattern);
@@ -49,7 +49,7 @@ Sheet formed_plate() {
 
 TEST(CountedOpenings, AreThoseOfThePatternAndOfItsForms) {
   const Sheet sheet = formed_plate();
-  const FlatPattern pattern = laid(sheet);
+  const FlatPattern pattern = laid_out(sheet);
   EXPECT_EQ(pattern.openings.size(), 4u);
   EXPECT_EQ(pattern.slits.size(), 2u);
   const OpeningCount count = counted(sheet, pattern);
@@ -60,7 +60,7 @@ TEST(CountedOpenings, AreThoseOfThePatternAndOfItsForms) {
 
 TEST(CountedOpenings, AreListedWhereNothingIsCutOfForms) {
   const Sheet sheet = formed_plate();
-  const OpeningCount count = counted(sheet, laid(sheet, {.extruded = ExtrudedHoles::outline}));
+  const OpeningCount count = counted(sheet, laid_out(sheet, {.extruded = ExtrudedHoles::outline}));
   EXPECT_EQ(count.pattern, 3);
   EXPECT_EQ(count.features, 2);
   EXPECT_EQ(count.lost(), 0);
@@ -68,7 +68,7 @@ TEST(CountedOpenings, AreListedWhereNothingIsCutOfForms) {
 
 TEST(CountedOpenings, MissesWhatWasLostWithItsPlace) {
   const Sheet sheet = formed_plate();
-  const FlatPattern whole = laid(sheet, {.keep_root = true, .up = UpSide::reference});
+  const FlatPattern whole = laid_out(sheet, {.keep_root = true, .up = UpSide::reference});
   FlatPattern pattern = whole;
   pattern.openings.pop_back();  // the pilot hole
   OpeningCount count = counted(sheet, pattern);
@@ -93,13 +93,13 @@ TEST(CountedOpenings, MissesWhatWasLostWithItsPlace) {
 
 TEST(CountedOpenings, AreTooManyWhereOneWasAdded) {
   const Sheet sheet = formed_plate();
-  FlatPattern pattern = laid(sheet);
+  FlatPattern pattern = laid_out(sheet);
   pattern.openings.push_back(pattern.openings.front());
   EXPECT_EQ(counted(sheet, pattern).lost(), -1);
 }
 
 TEST(CountedOpenings, HaveNothingToBeComparedWithWithoutASolid) {
-  const OpeningCount count = counted(plate_with_holes(), laid(plate_with_holes()));
+  const OpeningCount count = counted(plate_with_holes(), laid_out(plate_with_holes()));
   EXPECT_FALSE(count.solid);
   EXPECT_FALSE(count.lost());
   EXPECT_EQ(count.pattern, 3);
@@ -107,7 +107,7 @@ TEST(CountedOpenings, HaveNothingToBeComparedWithWithoutASolid) {
 
 TEST(CountedOpenings, LeaveOutSlitsThatReachAContour) {
   const Sheet sheet = plate_with_holes();
-  FlatPattern pattern = laid(sheet, {.keep_root = true, .up = UpSide::reference});
+  FlatPattern pattern = laid_out(sheet, {.keep_root = true, .up = UpSide::reference});
   pattern.slits = {Segment{{0, 50}, {10, 50}}};
   EXPECT_EQ(counted(sheet, pattern).pattern, 3);
   pattern.slits.push_back(Segment{{15, 50}, {30, 50}});
@@ -117,13 +117,13 @@ TEST(CountedOpenings, LeaveOutSlitsThatReachAContour) {
 TEST(CountedOpenings, HaveNoLoopsInSheetsThatLieFlat) {
   for (const Sheet& sheet : {plate_with_holes(), l_bracket(), box(), slot_across_bend(),
                              ring(20, 10, 2), staircase(4), lofted_corner({})})
-    EXPECT_EQ(counted(sheet, laid(sheet)).loops, 0);
+    EXPECT_EQ(counted(sheet, laid_out(sheet)).loops, 0);
 }
 
 TEST(CountedOpenings, AreInThePatternOfEverySide) {
   const Sheet sheet = formed_plate();
   for (const UpSide up : {UpSide::reference, UpSide::other}) {
-    const FlatPattern pattern = laid(sheet, {.up = up});
+    const FlatPattern pattern = laid_out(sheet, {.up = up});
     const double area = 6000 - pi * (25 + 3.3 * 3.3 + 16 + 9) - 12 * 8;
     EXPECT_NEAR(pattern.area, area, 1e-6);
     EXPECT_EQ(counted(sheet, pattern).lost(), 0);
