@@ -1,7 +1,5 @@
 #include "planar.hpp"
 
-#include <planish/base/tolerance.hpp>
-
 #include <algorithm>
 #include <numbers>
 
@@ -125,11 +123,8 @@ bool is_regular(const Curve2& curve) {
     static bool in_reach(const Vec2& p) { return (p.array().abs() <= kFarthest).all(); }
     bool operator()(const Segment& s) const { return in_reach(s.a) && in_reach(s.b); }
     bool operator()(const Arc& a) const {
-      constexpr double kMostTurn = 2.0 * pi * (1.0 + tolerance::kComputed);
-      constexpr double kFarthestTurn = 1e6;  // radians
       return (a.center.array().abs() <= kLargestRadius).all() && a.radius > 0.0 &&
-             a.radius <= kLargestRadius && std::abs(a.start) <= kFarthestTurn &&
-             std::abs(a.sweep) <= kMostTurn && in_reach(arc_point(a, a.start)) &&
+             a.radius <= kLargestRadius && is_turn(a) && in_reach(arc_point(a, a.start)) &&
              in_reach(arc_point(a, a.start + a.sweep));
     }
     bool operator()(const CubicSpline& s) const {

@@ -100,6 +100,7 @@ double green_area_about(const Curve2& curve, const Vec2& o) {
 }
 
 Box2 arc_bounds(const Arc& arc) {
+  PLANISH_ASSERT(is_turn(arc));
   Box2 box;
   box.add(start_of(arc));
   box.add(end_of(arc));

@@ -3,6 +3,7 @@
 // Vectors, Bézier spans and Bernstein polynomials for the sources of geometry.
 
 #include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/geometry/curve.hpp>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -40,6 +42,13 @@ inline std::size_t span_count(const CubicSpline& s) {
   PLANISH_ASSERT(s.poles.size() >= 4 && s.poles.size() % 3 == 1);
   return (s.poles.size() - 1) / 3;
 }
+/// Whether start and sweep are angles: not beyond a full turn, and not where doubles are coarse.
+inline bool is_turn(const Arc& arc) {
+  constexpr double kMostTurn = 2.0 * std::numbers::pi * (1.0 + tolerance::kComputed);
+  constexpr double kFarthestStart = 1e6;  // radians
+  return std::abs(arc.start) <= kFarthestStart && std::abs(arc.sweep) <= kMostTurn;
+}
+
 /// The first pole; a spline without poles stops at an assertion.
 inline const Vec2& first_pole(const CubicSpline& s) {
   PLANISH_ASSERT(span_count(s) > 0);

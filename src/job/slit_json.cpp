@@ -3,6 +3,7 @@
 
 #include <planish/job/slit_json.hpp>
 #include <planish/job/text_file.hpp>
+#include <planish/slit/session.hpp>
 
 #include <fmt/format.h>
 

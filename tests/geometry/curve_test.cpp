@@ -203,6 +203,12 @@ TEST(IsRegular, HoldsOfCurvesThatEveryFunctionCanTake) {
   EXPECT_FALSE(is_regular(Loop{Segment{{0, 0}, {1, 0}}, CubicSpline{}}));
 }
 
+TEST(AnArcThatTurnsWithoutEnd, StopsAtAnAssertion) {
+  for (const Arc& arc : {Arc{{0, 0}, 1.0, 1e300, 1.0}, Arc{{0, 0}, 1.0, 0.0, 1e9},
+                         Arc{{0, 0}, 1.0, 0.0, std::nan("")}})
+    EXPECT_DEATH((void)bounds(Curve2(arc)), "is_turn");
+}
+
 TEST(ASplineWithoutPoles, StopsAtAnAssertion) {
   const Curve2 none = CubicSpline{};
   EXPECT_DEATH((void)bounds(none), "poles");

@@ -15,7 +15,7 @@ const flows = { ...unfold, ...connect, ...transition, ...slit, ...page, ...serve
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
 async function letGo(open) {
-  const end = performance.now() + 20000;
+  const end = performance.now() + 60000;
   for (;;) {
     const now = await documentsOf(address);
     if (now.join() === open.join()) return;
