@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks DXF files of flat patterns by the rules of a cutting shop, with ezdxf's eyes.
 
-    check_dxf.py [--area A [--tol R]] [--no-audit] file.dxf ...
+    check_dxf.py [--area A [--tol R]] [--slits L] [--no-audit] file.dxf ...
     check_dxf.py --list files.tsv
 
 Prints one JSON object per file, in one list when there are several or with --list, and exits with
@@ -10,7 +10,9 @@ Prints one JSON object per file, in one list when there are several or with --li
 Areas are in mm² for --area, --list and "area_mm2", in square units of the file for "area": exact
 for lines, arcs, circles, bulges and splines (Green's theorem; splines by a quadrature that is exact
 for cubics). --tol is relative to the expected area. A list has a line for each file:
-path <tab> area [<tab> tol]; empty area: not compared; # starts a comment.
+path <tab> area [<tab> tol [<tab> slits]]; empty area: not compared; # starts a comment.
+--slits is the length of all slits in mm, within 1e-6 of itself: cuts on the layer of the openings that
+do not close. None are expected unless it is given.
 """
 
 import argparse
@@ -53,6 +55,17 @@ def sort_out(contours, errors):
             if other is not opening and other.holds(opening.some_points(1)[0]):
                 errors.append(f"an opening at {opening.origin} inside another")
     return outer, openings
+
+
+def check_slits(slits, outer, length, expected, errors):
+    if abs(length - expected) > 1e-6 * max(expected, 1.0):
+        errors.append(f"the slits are {length!r} mm long, expected {expected!r}")
+    for piece in (p for slit in slits for p in slit):
+        (ax, ay), (bx, by) = piece.ends
+        points = piece.points()
+        middle = points[len(points) // 2] if len(points) > 1 else ((ax + bx) / 2, (ay + by) / 2)
+        if outer and not outer.holds(middle):
+            errors.append(f"a slit at {middle} where there is no material")
 
 
 def check_bend_line(doc, line, outer, openings, errors):
@@ -138,7 +151,7 @@ def audit(doc, errors):
     errors += [f"audit, fixed: {e.message}" for e in auditor.fixes if "owner handle" not in e.message]
 
 
-def check(path, expected, tolerance, auditing=True):
+def check(path, expected, tolerance, slit_length=0.0, auditing=True):
     errors = []
     report = {"path": path, "ok": False, "errors": errors}
     try:
@@ -163,7 +176,9 @@ def check(path, expected, tolerance, auditing=True):
             errors.append(f"layer {layer} is not in the table of layers")
     errors += [f"unknown layer {layer}" for layer in layers if layer not in KNOWN]
 
-    contours = contours_of([e for e in entities if e.dxf.layer in OUTER | OPENINGS], errors)
+    slits = []
+    cuts = [e for e in entities if e.dxf.layer in OUTER | OPENINGS]
+    contours = contours_of(cuts, errors, slits, OPENINGS)
     outer, openings = sort_out(contours, errors)
     bends = [e for e in entities if e.dxf.layer in BEND_UP | BEND_DOWN]
     if bends:
@@ -178,6 +193,8 @@ def check(path, expected, tolerance, auditing=True):
     area_mm2 = area * MILLIMETRES.get(units, 1.0) ** 2
     if expected is not None and not abs(area_mm2 - expected) <= tolerance * abs(expected):
         errors.append(f"the area is {area_mm2!r} mm², expected {expected!r} within {tolerance}")
+    slits_mm = sum(p.length() for slit in slits for p in slit) * MILLIMETRES.get(units, 1.0)
+    check_slits(slits, outer, slits_mm, slit_length, errors)
     if auditing:
         audit(doc, errors)
 
@@ -187,14 +204,14 @@ def check(path, expected, tolerance, auditing=True):
         circles=sum(c.circle for c in contours), bend_lines=len(bends),
         bend_up=sum(e.dxf.layer in BEND_UP for e in bends),
         bend_down=sum(e.dxf.layer in BEND_DOWN for e in bends),
-        splines=count("SPLINE"), features=sum(n for l, n in layers.items() if l in FEATURES),
+        slits=len(slits), slits_mm=slits_mm, splines=count("SPLINE"), features=sum(n for l, n in layers.items() if l in FEATURES),
         extents=extents, dxfversion=doc.dxfversion if version != "R12" else "AC1009",
         insunits=units, layers=layers)
     return report
 
 
 def jobs_of(arguments):
-    jobs = [(path, arguments.area, arguments.tol) for path in arguments.files]
+    jobs = [(path, arguments.area, arguments.tol, arguments.slits) for path in arguments.files]
     if arguments.list:
         for number, line in enumerate(open(arguments.list, encoding="utf-8"), 1):
             fields = line.rstrip("\n").split("\t")
@@ -203,9 +220,10 @@ def jobs_of(arguments):
             try:
                 area = float(fields[1]) if len(fields) > 1 and fields[1] else None
                 tol = float(fields[2]) if len(fields) > 2 and fields[2] else arguments.tol
+                slits = float(fields[3]) if len(fields) > 3 and fields[3] else arguments.slits
             except ValueError as problem:
                 sys.exit(f"check_dxf: {arguments.list}, line {number}: {problem}")
-            jobs.append((fields[0], area, tol))
+            jobs.append((fields[0], area, tol, slits))
     return jobs
 
 
@@ -215,6 +233,7 @@ def main():
     parser.add_argument("--list", help="tab-separated: path, area in mm², tolerance")
     parser.add_argument("--area", type=float, help="expected area, mm²")
     parser.add_argument("--tol", type=float, default=1e-9, help="of the area, relative")
+    parser.add_argument("--slits", type=float, default=0.0, help="length of all slits, mm")
     parser.add_argument("--no-audit", action="store_true", help="leave out ezdxf's audit")
     arguments = parser.parse_args()
     jobs = jobs_of(arguments)

@@ -31,6 +31,9 @@ class Line:
         a, b = self.ends
         return ((a[0] - o[0]) * (b[1] - o[1]) - (b[0] - o[0]) * (a[1] - o[1])) / 2
 
+    def length(self):
+        return distance(*self.ends)
+
     def points(self):
         return [self.ends[0]]
 
@@ -52,6 +55,9 @@ class Arc:
         s = self.sweep
         segment = s ** 3 / 6 if abs(s) < 1e-3 else s - math.sin(s)
         return Line(*self.ends).green(o) + self.radius ** 2 * segment / 2
+
+    def length(self):
+        return self.radius * abs(self.sweep)
 
     def points(self):
         n = max(2, math.ceil(abs(self.sweep) / 0.05))
@@ -83,6 +89,11 @@ class Spline:
                 total += weight * (t1 - t0) / 4 * ((p.x - o[0]) * d.y - (p.y - o[1]) * d.x)
         return total
 
+    def length(self):
+        spans = len(set(self.knots)) - 1
+        points = [(p.x, p.y) for p in self.tool.approximate(max(256 * spans, 256))]
+        return sum(map(distance, points, points[1:]))
+
     def points(self):
         spans = len(set(self.knots)) - 1
         return [(p.x, p.y) for p in self.tool.approximate(max(8 * spans, 8))][:-1]
@@ -99,6 +110,9 @@ class Reversed:
 
     def green(self, o):
         return -self.piece.green(o)
+
+    def length(self):
+        return self.piece.length()
 
     def points(self):
         points = self.piece.points()[1:]
@@ -153,28 +167,39 @@ def chain_piece(entity):
     return Spline(entity)
 
 
-def chained(pieces, layer, errors):
-    """Contours out of loose pieces, each joined to the one whose end lies where it ends."""
+def next_piece(pieces, at):
+    """The loose piece that begins or ends at a point, turned to begin there; taken out of pieces."""
+    for i, piece in enumerate(pieces):
+        if distance(piece.ends[0], at) <= JOINT:
+            return pieces.pop(i)
+        if distance(piece.ends[1], at) <= JOINT:
+            return Reversed(pieces.pop(i))
+    return None
+
+
+def chained(pieces, layer, errors, slits):
+    """Contours out of loose pieces, each joined to the one whose end lies where it ends.
+
+    Chains with two ends are slits, where there is a list for them, and errors elsewhere.
+    """
     contours = []
     while pieces:
-        chain = [pieces.pop(0)]
+        chain, turned = [pieces.pop(0)], False
         while distance(chain[-1].ends[1], chain[0].ends[0]) > JOINT:
-            at = chain[-1].ends[1]
-            found = None
-            for i, piece in enumerate(pieces):
-                if distance(piece.ends[0], at) <= JOINT:
-                    found = piece
-                elif distance(piece.ends[1], at) <= JOINT:
-                    found = Reversed(piece)
-                if found:
-                    del pieces[i]
-                    break
-            if not found:
-                errors.append(f"layer {layer}: an open end at {at}")
+            found = next_piece(pieces, chain[-1].ends[1])
+            if found:
+                chain.append(found)
+            elif not turned:
+                chain, turned = [Reversed(p) for p in reversed(chain)], True
+            else:
                 break
-            chain.append(found)
         else:
             contours.append(Contour(chain, layer))
+            continue
+        if slits is None:
+            errors.append(f"layer {layer}: an open end at {chain[-1].ends[1]}")
+        else:
+            slits.append(chain)
     return contours
 
 
@@ -198,7 +223,8 @@ def polyline_contour(entity, errors):
     return Contour(pieces, layer)
 
 
-def contours_of(entities, errors):
+def contours_of(entities, errors, slits=None, slit_layers=()):
+    """Closed contours of the entities; open chains on the layers for slits go to their list."""
     contours, loose = [], {}
     for entity in entities:
         kind, layer = entity.dxftype(), entity.dxf.layer
@@ -215,5 +241,5 @@ def contours_of(entities, errors):
         else:
             errors.append(f"layer {layer}: {kind} is not a contour")
     for layer, pieces in loose.items():
-        contours += chained(pieces, layer, errors)
+        contours += chained(pieces, layer, errors, slits if layer in slit_layers else None)
     return contours

@@ -101,7 +101,8 @@ class Corpus : public ::testing::Test {
     const fs::path path = folder_ / (id + ".dxf");
     ASSERT_TRUE(write_file(path, *text));
     std::ofstream(folder_ / "list.tsv", std::ios::app)
-        << path.string() << '\t' << std::setprecision(17) << flat.area << "\t1e-4\n";
+        << path.string() << '\t' << std::setprecision(17) << flat.area << "\t1e-4\t"
+        << length(flat.slits) << '\n';
   }
 
   void check_refusal(const Json& row, const Error& refusal) {
