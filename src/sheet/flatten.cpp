@@ -17,12 +17,13 @@ using namespace sheet_detail;
 
 std::vector<FlatFeature> flat_features(const Sheet& sheet, const Layout& layout,
                                        const Contours& contours, double tolerance) {
+  IdVector<FeatureId, std::vector<Loop>> formed(sheet.features.size());
+  for (const auto& [id, outline] : contours.formed)
+    formed[id].push_back(outline);
   std::vector<FlatFeature> features;
   for (const FeatureId id : sheet.features.ids()) {
     const FormedFeature& feature = sheet[id];
-    FlatFeature& flat = features.emplace_back(FlatFeature{feature.kind, {}});
-    for (const auto& [formed, outline] : contours.formed)
-      if (formed == id) flat.outlines.push_back(outline);
+    FlatFeature& flat = features.emplace_back(FlatFeature{feature.kind, std::move(formed[id])});
     for (const BorderLoop& outline : feature.outlines) {
       Loop loop;
       for (const Border& border : outline)
