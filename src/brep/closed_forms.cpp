@@ -74,7 +74,7 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
   for (int g = 0; g < std::ssize(groups.rows); ++g) {
     if (!groups.rows[g].flange) continue;
     for (const int f : groups.rows[g].faces) {
-      const int outer = outer_loop(outlines[f]);
+      const int outer = outlines[f].outer;
       for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
         if (l != outer) look_inside(g, model.faces[f].loops[l]);
     }

@@ -2,7 +2,10 @@
 
 #include "mend_where_needed.hpp"
 
+#include <IFSelect_WorkLibrary.hxx>
+#include <Interface_HGraph.hxx>
 #include <Interface_InterfaceModel.hxx>
+#include <Interface_Protocol.hxx>
 #include <Message_ProgressIndicator.hxx>
 #include <NCollection_DataMap.hxx>
 #include <STEPConstruct_ExternRefs.hxx>
@@ -65,7 +68,7 @@ std::string utf8(const Handle(TCollection_HAsciiString) & text) {
 }
 
 bool says_something(const Handle(TCollection_HAsciiString) & text) {
-  return !text.IsNull() && text->UsefulLength() > 0;
+  return !text.IsNull() && text->UsefullLength() > 0;
 }
 
 std::string name_of(const Handle(StepBasic_ProductDefinition) & definition) {
@@ -92,13 +95,36 @@ std::string kind_name(const TopoDS_Shape& shape) {
   }
 }
 
+/// A session of the kernel that takes a text as it is. Of itself the kernel checks every entity
+/// against the standard as soon as it has them, for which it lists all that an edge loop shares
+/// once for each of its edges; nobody asks for what it finds.
+class UncheckedSession : public XSControl_WorkSession {
+ public:
+  /// False when the text is not STEP.
+  bool read(std::istream& text, const fs::path& path) {
+    const Handle(Interface_Protocol) protocol = Protocol();
+    Handle(Interface_InterfaceModel) model;
+    if (WorkLibrary()->ReadStream(path.c_str(), text, model, protocol) != 0 || model.IsNull())
+      return false;
+    // Without a protocol no graph is made, and it is with a graph that checking begins.
+    SetProtocol({});
+    SetModel(model);
+    thegraph = new Interface_HGraph(model);
+    SetProtocol(protocol);
+    SetLoadedFile(path.c_str());
+    InitTransferReader(kWhatHasBeenRead);
+    return true;
+  }
+
+ private:
+  static constexpr int kWhatHasBeenRead = 4;
+};
+
 /// A file translated to shapes, with what it says of them.
 class Content {
  public:
   /// False when the text is not STEP.
-  bool parse(std::istream& text, const fs::path& path) {
-    return reader_.ReadStream(path.c_str(), text) == IFSelect_RetDone;
-  }
+  bool parse(std::istream& text, const fs::path& path) { return session_->read(text, path); }
 
   /// False when it holds nothing that is a shape.
   bool translate(const Message_ProgressRange& range) {
@@ -186,7 +212,8 @@ class Content {
   template <typename T>
   using ByShape = NCollection_DataMap<TopoDS_Shape, T, TopTools_ShapeMapHasher>;
 
-  STEPControl_Reader reader_;
+  Handle(UncheckedSession) session_ = new UncheckedSession;
+  STEPControl_Reader reader_{session_, false};
   TopTools_MapOfShape parts_;        // shapes of products and representations
   ByShape<std::string> names_;       // of products
   ByShape<std::string> references_;  // to other files
