@@ -18,14 +18,14 @@ using job::UnfoldReport;
 
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
-/// Says on the terminal what was done, unless quiet; on standard error where standard output
-/// belongs to the JSON report.
+/// Prints what was done, unless quiet; on standard error if the JSON report goes to standard
+/// output.
 void print_summary(const Arguments& arguments, const std::string& text) {
   if (!arguments.quiet) fmt::print(arguments.json == "-" ? stderr : stdout, "{}", text);
 }
 
-/// Ends a request that failed as a whole: complains, and writes the report that says so, so that
-/// scripts find the reason in the same place.
+/// Ends a request that failed as a whole: prints the error and writes it as a report, so that
+/// scripts find the reason in one place.
 int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
   Error error = failure;
   if (error.code == ErrorCode::no_such_body && request.body.empty())
@@ -37,7 +37,7 @@ int end_failed(const Arguments& arguments, const job::Request& request, const Er
   return status;
 }
 
-/// A command line that contradicts itself has no report; a side file that cannot be read has.
+/// A contradictory command line gives no report; a side file that cannot be read does.
 int end_unplanned(const Arguments& arguments, const Error& error) {
   if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
     return complain(error);
@@ -59,15 +59,15 @@ int end_reported(const Arguments& arguments, const Made& made) {
   return 0;
 }
 
-// net.dxf; of several pieces net-1.dxf, net-2.dxf, …
+// net.dxf; for several pieces net-1.dxf, net-2.dxf, …
 std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece, int pieces) {
   if (pieces == 1) return path;
   return path.parent_path() /
          fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
 }
 
-/// All files, or the first reason why one cannot be written: what shows all pieces together first,
-/// then piece by piece.
+/// All files, those of all pieces together first, then piece by piece; or the first reason why one
+/// cannot be written.
 Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
   std::vector<File> files;
   const int pieces = made.pieces();
@@ -113,7 +113,7 @@ int run_one(const Arguments& arguments, const Plan& plan) {
   return end_reported(arguments, **made);
 }
 
-/// The patterns of every body that has one, into the folder, and the summary.
+/// Writes the patterns of all bodies that have one into the folder, and the summary.
 std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan& plan) {
   const std::vector<std::string> stems = job::stems(reports);
   std::vector<File> all;
@@ -144,7 +144,7 @@ int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports
   print_summary(arguments, job::summary_text(reports));
   if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
     return 0;
-  // The first reason stands for all; the table has every one.
+  // The first reason is returned; the table shows them all.
   Error none = *reports.front().refusal;
   if (reports.size() > 1)
     none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",

@@ -11,11 +11,11 @@
 
 namespace planish::brep {
 
-/// Takes the kernel's printers off its messenger, once per process: a library does not write to
+/// Removes the kernel's printers from its messenger, once per process: a library must not write to
 /// the console. `guarded` calls it.
 void silence_kernel();
 
-/// The error that stands for a foreign exception: `internal`, `what` with the message, `where`.
+/// The error for a foreign exception: `internal`, `what` with the message, `where`.
 Error foreign_error(const std::string& kind, const char* message, std::string where);
 
 template <typename T>
@@ -27,10 +27,9 @@ struct ResultOf<Result<T>> {
   using type = Result<T>;
 };
 
-/// Runs `f` and hands back its result; whatever it throws becomes an `internal` error that holds
-/// the exception's message. `f` may return a Result or a plain value. The kernel's Standard_Failure
-/// is not a std::exception, so it is caught first. Every call from outside into kernel code goes
-/// through here.
+/// Runs `f` and returns its result; an exception becomes an `internal` error with its message. `f`
+/// may return a Result or a plain value. The kernel's Standard_Failure is not a std::exception, so
+/// it is caught first. Every call from outside into kernel code goes through here.
 template <typename F>
 typename ResultOf<std::invoke_result_t<F>>::type guarded(F&& f, std::string where = {}) {
   silence_kernel();

@@ -40,10 +40,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Shares of the time that reading takes, of parts of 2 to 4 MB.
+// Shares of the reading time, for parts of 2 to 4 MB.
 constexpr double kParsed = 0.3, kTranslated = 0.9;
 
-/// Tells the caller how far the kernel is with translating, and the kernel that it should stop.
+/// Tells the caller the progress of the kernel's translation, and the kernel when to stop.
 class Translating : public Message_ProgressIndicator {
  public:
   explicit Translating(const Progress& progress) : progress_(progress) {}

@@ -55,7 +55,7 @@ std::vector<Turn> turns_between(const SolidModel& model, const std::vector<bool>
 
 /// Whether an edge lies where the other side of a fold would, seen from the first.
 bool beside(const SpaceCurve& a, const SpaceCurve& b, double thickness) {
-  // The mitre's length grows with the angle; 150° of bend is 4 thicknesses.
+  // The mitre's length grows with the angle; it is 4 thicknesses at a bend of 150°.
   constexpr double kLongestMitre = 4.0;
   const Vec3 middle = (b.start + b.end) / 2;
   const Vec3 along = (a.end - a.start).normalized();

@@ -87,7 +87,7 @@ std::string unit_name(const std::string& in_file) {
   return in_file;
 }
 
-/// `path` is where the file lies: others that it refers to are looked for beside it.
+/// `path` is the file's path: files that it refers to are sought beside it.
 Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
                           const Progress& progress) {
   return guarded(
@@ -113,7 +113,7 @@ Result<StepFile> check_bodies(StepFile file, const std::string& name) {
     return fail(
         ErrorCode::shell_not_solid,
         fmt::format(
-            "{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.",
+            "{} holds {} surface {} but no solid; knit the surfaces into a solid and export again.",
             name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
         name);
   return fail(ErrorCode::no_solid,

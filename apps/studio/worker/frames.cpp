@@ -15,9 +15,9 @@ namespace planish::studio {
 namespace {
 
 constexpr std::size_t kHead = 5;
-constexpr std::uint32_t kLongest = 1U << 30;  // bytes; no answer comes near it
+constexpr std::uint32_t kLongest = 1U << 30;  // bytes; far more than any answer
 
-/// Milliseconds left, rounded up; −1 for ever.
+/// Milliseconds left, rounded up; −1: no limit.
 int patience(std::optional<Moment> until) {
   if (!until) return -1;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(*until -
@@ -28,7 +28,7 @@ int patience(std::optional<Moment> until) {
 
 using Done = tl::expected<void, FrameFailure>;
 
-/// Until the socket is ready for `event`.
+/// Waits until the socket is ready for `event`.
 Done wait_for(int socket, short event, std::optional<Moment> until) {
   for (;;) {
     pollfd ready{socket, event, 0};
@@ -63,7 +63,7 @@ Done receive_bytes(int socket, char* bytes, std::size_t count, std::optional<Mom
   return {};
 }
 
-/// Lines before a content of any bytes.
+/// Two lines, followed by content of any bytes.
 std::string with_lines(std::string_view first, std::string_view second, std::string_view content) {
   std::string text;
   text.reserve(first.size() + second.size() + content.size() + 2);

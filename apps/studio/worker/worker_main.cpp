@@ -20,21 +20,21 @@ void limit(int resource, rlim_t most) {
   setrlimit(static_cast<__rlimit_resource>(resource), &value);
 }
 
-/// Whether the server that started this worker is still there; it ends with it.
+/// Makes this worker end with the server that started it; false if the server has already ended.
 bool bound_to_server(long server) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  return getppid() == server;  // it may have ended before the line above
+  return getppid() == server;  // the server may have ended before the line above
 }
 
-/// What one draft gives back the next one takes again. If the system had it in between, each page
-/// of it would be a fault.
+/// Memory that one draft frees the next one needs again. If it went back to the system in between,
+/// each page would fault.
 void keep_memory() {
   constexpr int kMost = 256 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that is allowed
   mallopt(M_TRIM_THRESHOLD, kMost);
 }
 
-/// Stages go to the server, but not more of them than anybody reads.
+/// Sends stages to the server, but no more often than anyone can read.
 Progress reported_to(int socket) {
   static constexpr std::chrono::milliseconds kPace(50);
   Progress progress;

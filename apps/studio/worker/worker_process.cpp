@@ -25,7 +25,7 @@ Error not_started(int reason) {
           {}};
 }
 
-/// What posix_spawn is told, given back at the end.
+/// Settings for posix_spawn, released at the end.
 class SpawnPlan {
  public:
   SpawnPlan(const std::filesystem::path& folder, int socket) {
@@ -50,7 +50,7 @@ class SpawnPlan {
     posix_spawnattr_destroy(&attributes_);
   }
 
-  /// 0, or the reason why not.
+  /// 0, or the error number.
   int spawn(pid_t& process) const {
     std::string name = "planish", command = "studio-worker", server = std::to_string(getpid());
     std::array<char*, 4> arguments{name.data(), command.data(), server.data(), nullptr};

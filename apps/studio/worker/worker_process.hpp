@@ -14,8 +14,8 @@ namespace planish::studio {
 /// Why a worker gave no answer.
 enum class WorkerEnd { died, late };
 
-/// A process that works for one document: this program again, as `planish studio-worker`. It ends
-/// with this object, or with the server, whichever is first.
+/// A process that works on one document: this program again, as `planish studio-worker`. It ends
+/// with this object or with the server, whichever comes first.
 class WorkerProcess {
  public:
   /// Its working directory is `folder`. Error: `internal` with the reason of the system.
@@ -24,8 +24,8 @@ class WorkerProcess {
   WorkerProcess& operator=(const WorkerProcess&) = delete;
   ~WorkerProcess();
 
-  /// Sends a task and waits for its answer, for `limit` at the most. After `died` or `late` there
-  /// is no more worker behind this object.
+  /// Sends a task and waits for its answer, for at most `limit`. After `died` or `late` the worker
+  /// is gone.
   tl::expected<Answer, WorkerEnd> ask(const Task& task, std::chrono::seconds limit,
                                       const std::function<void(Stage)>& report);
 
