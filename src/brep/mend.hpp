@@ -4,11 +4,10 @@
 
 namespace planish::brep {
 
-/// How closely a file says that what belongs together meets, and how far mending may open up
-/// tolerances, mm.
+/// How closely the shapes of a file fit.
 struct Fit {
-  double precision = 1e-7;
-  double largest_tolerance = 1.0;
+  double precision = 1e-7;         ///< mm: what belongs together meets within this, says the file
+  double largest_tolerance = 1.0;  ///< mm: how far mending may open up a tolerance
 };
 
 /// A shape as it is read, and what had to be done to it.
