@@ -28,59 +28,28 @@ constexpr RoleWords kRoles[] = {{Role::folded, "-o,--output", "folded part"},
                                 {Role::flat, "--flat", "flat pattern"},
                                 {Role::mould, "--mould", "mould that the sheet is laid on"}};
 
-std::string type_name(const Option& option) {
-  switch (option.kind) {
-    case OptionKind::word:
-      return fmt::format("{}", fmt::join(option.words, "|"));
-    case OptionKind::face:
-      return fmt::format("{}|FACE", fmt::join(option.words, "|"));
-    case OptionKind::name:
-      return "N|NAME";
-    case OptionKind::file:
-      return std::string(option.file_type);
-    case OptionKind::by_bend:
-      return "BEND=K";
-    case OptionKind::whole:
-      return "N";
-    default:
-      return "NUMBER";
-  }
-}
-
 std::string description(const Option& option, const OptionUse& use) {
   const auto otherwise = use.otherwise.empty() ? option.otherwise : use.otherwise;
   if (otherwise.empty()) return std::string(option.description);
   return fmt::format("{}; default {}", option.description, otherwise);
 }
 
-void add_option(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
+void add_used(CLI::App& app, const OptionUse& use, job::OptionValues& values) {
   const Option& option = job::option(use.name);
   if (!option.on_command_line) return;
-  const std::string name = flag_of(use.name), said = description(option, use);
+  const std::string said = description(option, use);
   if (option.kind == OptionKind::flag) {
     app.add_flag_callback(
-           name, [&] { values.set(option, true); }, said)
+           flag_of(use.name), [&] { values.set(option, true); }, said)
         ->group(std::string(option.group));
     return;
   }
-  const auto check = [&option](const std::string& text) -> std::string {
-    const auto fine = job::OptionValues().set_text(option, text);
-    return fine ? std::string() : fine.error().message;
-  };
-  const auto set = [&](const std::vector<std::string>& texts) {
-    for (const std::string& text : texts)
-      (void)values.set_text(option, text);  // each was checked during parsing
-  };
-  auto* made = app.add_option_function<std::vector<std::string>>(name, set, said);
-  made->allow_extra_args(false)->check(check)->type_name(type_name(option));
-  if (option.kind != OptionKind::by_bend)
-    made->multi_option_policy(CLI::MultiOptionPolicy::Throw)->expected(1);
-  made->group(std::string(option.group));
+  add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
 }
 
 void add_options(CLI::App& app, const Maker& maker, job::OptionValues& values, bool of_input) {
   for (const OptionUse& use : maker.options)
-    if ((job::option(use.name).group == "Input") == of_input) add_option(app, use, values);
+    if ((job::option(use.name).group == "Input") == of_input) add_used(app, use, values);
 }
 
 // ".dxf, .svg or .step"
@@ -136,14 +105,16 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
   for (const job::Artifact* artifact : written)
     words.emplace_back(artifact->suffix.substr(1));
   const auto check = [words](const std::string& text) -> std::string {
-    if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    return fmt::format("must be one of {}, not \"{}\"", fmt::join(words, ", "), text);
+    for (const std::string& word : between_commas(text))
+      if (std::find(words.begin(), words.end(), word) == words.end())
+        return fmt::format("must be one of {}, not \"{}\"{}", fmt::join(words, ", "), word,
+                           word == text ? "" : fmt::format(", in \"{}\"", text));
+    return {};
   };
   add_repeatable(app, "--format", to.formats,
                  fmt::format("what to write into a folder or without -o: {}, separated by commas; "
                              "default {}",
                              fmt::join(words, ", "), words.front()))
-      ->delimiter(',')
       ->type_name("FORMATS")
       ->check(check)
       ->group("Output");
@@ -166,6 +137,14 @@ void add_print_rules(CLI::App& app) {
 }
 
 }  // namespace
+
+std::vector<std::string> formats_asked(const Arguments& arguments) {
+  std::vector<std::string> all;
+  for (const std::string& text : arguments.formats)
+    for (std::string& word : between_commas(text))
+      all.push_back(std::move(word));
+  return all;
+}
 
 std::string_view output_option(const Maker& maker, Role role) {
   if (maker.takes("body")) return "-o";

@@ -21,10 +21,13 @@ struct Arguments {
   bool check = false;  ///< only the report is written
   bool quiet = false;
   bool all = false;                  ///< every body, for makers that take one of several
-  std::vector<std::string> formats;  ///< of the files written into a folder
+  std::vector<std::string> formats;  ///< of the files written into a folder, separated by commas
   std::map<job::Role, std::vector<std::string>> outputs;
   job::OptionValues options;
 };
+
+/// The words of `--format`, one by one.
+std::vector<std::string> formats_asked(const Arguments& arguments);
 
 /// The option that asks for files of a role: "-o" for the folded part; for makers that take one of
 /// several bodies, for the flat pattern.

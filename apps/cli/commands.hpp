@@ -2,11 +2,8 @@
 
 #include "arguments.hpp"
 
-#include <planish/io/flat_writers.hpp>
-
 #include <CLI/CLI.hpp>
 
-#include <optional>
 #include <string>
 
 namespace planish::cli {
@@ -15,10 +12,10 @@ namespace planish::cli {
 int run_maker(const job::Catalogue& catalogue, const Arguments& arguments);
 
 struct InfoArguments {
-  std::string input, body;
+  std::string input;
   std::string json;  ///< file, or "-"; empty: none
   bool sheets = false;
-  LengthUnit units = LengthUnit::mm;
+  job::OptionValues options;  ///< body, units
 };
 
 /// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.
@@ -35,9 +32,8 @@ int run_schema(const job::Catalogue& catalogue, const std::string& name);
 std::string formats_text(const job::Catalogue& catalogue);
 
 struct StudioArguments {
-  std::string input;              ///< empty: none
-  int port = 0;                   ///< 0: any that is free
-  std::optional<int> time_limit;  ///< s
+  std::string input;          ///< empty: none
+  job::OptionValues options;  ///< port, time_limit (s)
   bool no_browser = false;
 };
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace planish::cli {
 namespace {
@@ -42,6 +43,15 @@ bool names_a_file(const job::Catalogue& catalogue, const Arguments& a, const std
          std::filesystem::exists(output, ignored);
 }
 
+std::vector<Contradiction> of_formats(const Arguments& a) {
+  std::vector<Contradiction> all;
+  std::set<std::string> seen;
+  for (const std::string& format : formats_asked(a))
+    all.push_back({!seen.insert(format).second,
+                   fmt::format("--format names {} twice: leave one of them out", format)});
+  return all;
+}
+
 std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, const Arguments& a) {
   const auto& outputs = a.outputs.at(job::Role::flat);
   if (!a.all) {
@@ -70,6 +80,8 @@ std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, co
 std::optional<std::string> contradiction_in(const job::Catalogue& catalogue,
                                             const Arguments& arguments) {
   std::vector<Contradiction> all = of_outputs(arguments);
+  for (Contradiction& one : of_formats(arguments))
+    all.push_back(std::move(one));
   if (arguments.maker->takes("body"))
     for (Contradiction& one : of_several_bodies(catalogue, arguments))
       all.push_back(std::move(one));

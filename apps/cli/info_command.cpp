@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <map>
-
 namespace planish::cli {
 namespace {
 
@@ -19,13 +17,19 @@ constexpr auto kExamples = R"(Examples:
 
 More in docs/cli.md.)";
 
+job::InfoRequest request_of(const InfoArguments& arguments) {
+  job::Request asked;
+  (void)arguments.options.enter(asked);  // each was checked
+  return {arguments.input, asked.body, arguments.sheets, asked.units.value_or(LengthUnit::mm)};
+}
+
 int end_failed(const InfoArguments& arguments, const Error& error) {
   const int status = complain(error);
   if (error.code == ErrorCode::cancelled) return status;
   job::InfoReport failed;
   failed.input = arguments.input;
   failed.refusal = error;
-  failed.units = arguments.units;
+  failed.units = request_of(arguments).units;
   if (const auto unwritten = write_report(arguments.json, job::info_json(failed))) {
     complain(*unwritten);
   }
@@ -38,17 +42,16 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App* command = app.add_subcommand("info", "say what is in a STEP file");
   add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
       ->required();
-  add_text(*command, "--body", arguments.body, "N|NAME", "only this body: its number or name");
+  const job::Option &body = job::option("body"), &units = job::option("units");
+  add_option(*command, body, "only this body: its number or name", type_name(body),
+             arguments.options);
   command->add_flag("--sheets", arguments.sheets,
                     "look for the sheet in each body: thickness, bends, faces for --root, or why "
                     "it has none");
   add_text(*command, "--json", arguments.json, "FILE",
            "the same as JSON; - writes it to standard output");
-  const std::map<std::string, LengthUnit> units{
-      {"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}};
-  command->add_option("--units", arguments.units, "unit of the lengths printed; default mm")
-      ->transform(CLI::Transformer(units))
-      ->type_name("mm|inch|m");
+  add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
+             arguments.options);
   command->footer(kExamples);
   return command;
 }
@@ -58,9 +61,12 @@ int run_info(const InfoArguments& arguments) {
     const auto spared = spare_inputs(arguments.json, {arguments.input});
     if (!spared) return complain(spared.error());
   }
+  for (const auto& file : files_named({arguments.json})) {
+    if (const auto exists = folder_exists(file); !exists) return complain(exists.error());
+    if (const auto fine = check_writable(file); !fine) return complain(fine.error());
+  }
   ProgressLine line(true);
-  const auto report = job::info(
-      {arguments.input, arguments.body, arguments.sheets, arguments.units}, line.progress());
+  const auto report = job::info(request_of(arguments), line.progress());
   if (!report) return end_failed(arguments, report.error());
   if (const auto error = write_report(arguments.json, job::info_json(*report))) {
     return complain(*error);

@@ -1,6 +1,7 @@
 #include "option_parts.hpp"
 
-#include <planish/job/options.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -20,6 +21,60 @@ std::string spelled(const std::string& message) {
       text.replace(at, quoted.size(), flag_of(option.name));
   }
   return text;
+}
+
+std::string type_name(const job::Option& option) {
+  using job::OptionKind;
+  switch (option.kind) {
+    case OptionKind::word:
+      return fmt::format("{}", fmt::join(option.words, "|"));
+    case OptionKind::face:
+      return fmt::format("{}|FACE", fmt::join(option.words, "|"));
+    case OptionKind::name:
+      return "N|NAME";
+    case OptionKind::file:
+      return std::string(option.file_type);
+    case OptionKind::by_bend:
+      return "BEND=K";
+    case OptionKind::whole:
+      return "N";
+    default:
+      return "NUMBER";
+  }
+}
+
+CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
+                        const std::string& type, job::OptionValues& values) {
+  const auto check = [&option](const std::string& text) -> std::string {
+    const auto fine = job::OptionValues().set_text(option, text);
+    return fine ? std::string() : fine.error().message;
+  };
+  const auto set = [&](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts)
+      (void)values.set_text(option, text);  // each was checked
+  };
+  auto* made = app.add_option_function<std::vector<std::string>>(flag_of(option.name), set,
+                                                                 description);
+  made->allow_extra_args(false)->check(check)->type_name(type);
+  if (option.kind != job::OptionKind::by_bend)
+    made->multi_option_policy(CLI::MultiOptionPolicy::Throw)->expected(1);
+  return made;
+}
+
+std::vector<std::string> between_commas(const std::string& text) {
+  std::vector<std::string> words(1);
+  for (const char c : text)
+    if (c == ',')
+      words.emplace_back();
+    else
+      words.back() += c;
+  return words;
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  if (words.size() < 2) return words.empty() ? "" : words.front();
+  const std::vector<std::string> but_last(words.begin(), words.end() - 1);
+  return fmt::format("{} and {}", fmt::join(but_last, ", "), words.back());
 }
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <planish/job/options.hpp>
+
 #include <CLI/CLI.hpp>
 
 #include <string>
@@ -15,7 +17,21 @@ std::string flag_of(std::string_view option);
 /// command line.
 std::string spelled(const std::string& message);
 
-/// An option whose value may be any text that is not empty; `type` stands for it in the help.
+/// An option as its row says, of any kind but flags: what it is given is checked and entered in
+/// `values`, which must outlive `app`, as must the row. `type` stands for the value in the help.
+CLI::Option* add_option(CLI::App& app, const job::Option& option, const std::string& description,
+                        const std::string& type, job::OptionValues& values);
+
+/// What stands for an option's value in the help: "N", "mm|inch|m".
+std::string type_name(const job::Option& option);
+
+/// "dxf", "" and "svg" of "dxf,,svg".
+std::vector<std::string> between_commas(const std::string& text);
+
+/// "a, b and c"
+std::string listed(const std::vector<std::string>& words);
+
+/// An option whose value may be any text but the empty one; `type` stands for it in the help.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& type, const std::string& description);
 

@@ -4,6 +4,7 @@
 #include <planish/io/mesh_writers.hpp>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -79,6 +80,21 @@ Result<void> all_different(const std::vector<fs::path>& outputs) {
   return {};
 }
 
+Result<void> check_folder(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path there = fs::absolute(folder, ignored);
+  while (!fs::exists(there, ignored) && there.has_relative_path())
+    there = there.parent_path();
+  const char* why = !fs::is_directory(there, ignored)        ? "is not a folder"
+                    : access(there.c_str(), W_OK | X_OK) < 0 ? "may not be written"
+                                                             : nullptr;
+  if (!why) return {};
+  return fail(
+      ErrorCode::cannot_write,
+      fmt::format("cannot write into the folder {}: {} {}", folder.string(), there.string(), why),
+      folder.string());
+}
+
 std::optional<Error> make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -88,20 +104,18 @@ std::optional<Error> make_folder(const fs::path& folder) {
                folder.string()};
 }
 
-std::optional<Error> write_all(const std::vector<File>& files,
+std::optional<Error> write_all(const std::vector<OutputFile>& files,
                                const std::vector<fs::path>& inputs) {
-  for (const File& file : files) {
+  for (const OutputFile& file : files) {
     // File names made from bodies are not known when the command line is checked.
     if (auto spared = spare_inputs(file.path, inputs); !spared) return spared.error();
   }
-  for (const File& file : files) {
-    if (auto written = write_file(file.path, file.content); !written) return written.error();
-  }
+  if (auto written = write_files(files); !written) return written.error();
   return std::nullopt;
 }
 
-void append_names(std::vector<std::string>& names, const std::vector<File>& files) {
-  for (const File& file : files)
+void append_names(std::vector<std::string>& names, const std::vector<OutputFile>& files) {
+  for (const OutputFile& file : files)
     names.push_back(file.path.string());
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
-#include <planish/geometry/mesh.hpp>
+#include <planish/io/flat_writers.hpp>
 #include <planish/job/artifact.hpp>
 
 #include <filesystem>
@@ -10,12 +10,6 @@
 #include <vector>
 
 namespace planish::cli {
-
-/// A file to write, with its content.
-struct File {
-  std::filesystem::path path;
-  std::string content;
-};
 
 Error bad_option(std::string message);
 
@@ -46,14 +40,17 @@ Result<void> folder_exists(const std::filesystem::path& file);
 /// `bad_option` for two outputs with one name, of which only the last would remain.
 Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
 
+/// `cannot_write` where a folder is not there and cannot be made, or takes no files.
+Result<void> check_folder(const std::filesystem::path& folder);
+
 std::optional<Error> make_folder(const std::filesystem::path& folder);
 
-/// Writes all of them, each whole or not at all, none over one of `inputs`.
-std::optional<Error> write_all(const std::vector<File>& files,
+/// Writes all of them or none, none over one of `inputs`.
+std::optional<Error> write_all(const std::vector<OutputFile>& files,
                                const std::vector<std::filesystem::path>& inputs);
 
 /// Adds the paths as reports name them.
-void append_names(std::vector<std::string>& names, const std::vector<File>& files);
+void append_names(std::vector<std::string>& names, const std::vector<OutputFile>& files);
 
 /// Writes a report to a file, or to standard output for "-"; nothing for "".
 std::optional<Error> write_report(const std::string& json_option, const std::string& text);

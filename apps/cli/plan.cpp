@@ -48,12 +48,9 @@ tl::unexpected<Error> says_nothing(std::string_view option, const std::string& n
 std::vector<const Artifact*> formats_of(const Planning& planning) {
   const auto written = planning.written(Role::flat);
   std::vector<const Artifact*> formats;
-  for (const std::string& word : planning.arguments.formats) {
+  for (const std::string& word : formats_asked(planning.arguments))
     for (const Artifact* artifact : written)
-      if (artifact->suffix == "." + word &&
-          std::find(formats.begin(), formats.end(), artifact) == formats.end())
-        formats.push_back(artifact);
-  }
+      if (artifact->suffix == "." + word) formats.push_back(artifact);
   if (formats.empty()) formats.push_back(written.front());
   return formats;
 }
@@ -109,8 +106,36 @@ Result<std::vector<Target>> all_targets(const Planning& planning) {
   return targets;
 }
 
+/// What is no input of the command at all would not be lost: that is what is wrong then.
+Result<void> check_input(const Arguments& arguments) {
+  if (arguments.input == "-") return {};
+  job::Request request;
+  request.input = arguments.input;
+  const auto opened = job::open_input(*arguments.maker, request, {});
+  return opened ? Result<void>() : tl::unexpected(opened.error());
+}
+
+/// Said before the work rather than after it.
+Result<void> check_all_writable(const Arguments& arguments, const Plan& plan,
+                                const std::vector<fs::path>& files) {
+  for (const fs::path& file : files)
+    if (folder_exists(file))
+      if (auto writable = check_writable(file); !writable) return writable;
+  std::vector<fs::path> folders;
+  if (!plan.folder.empty()) folders.push_back(plan.folder);
+  for (const auto& [role, names] : arguments.outputs)
+    for (const std::string& name : names)
+      if (arguments.maker->takes("body") && is_folder(name)) folders.emplace_back(name);
+  for (const fs::path& folder : folders)
+    if (auto fine = check_folder(folder); !fine) return fine;
+  return {};
+}
+
 Result<void> check_files(const Arguments& arguments, const Plan& plan) {
   std::vector<fs::path> files = files_named({arguments.json});
+  // Before all else, because what fails has a report too.
+  for (const fs::path& file : files)
+    if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
   for (const fs::path& file : files)
     if (auto exists = folder_exists(file); !exists) return exists;
   for (const auto& [role, names] : arguments.outputs)
@@ -121,8 +146,12 @@ Result<void> check_files(const Arguments& arguments, const Plan& plan) {
   for (const Target& target : plan.targets)
     files.push_back(target.path);
   for (const fs::path& file : files)
-    if (auto spared = spare_inputs(file, plan.inputs); !spared) return spared;
-  return all_different(files);
+    if (auto spared = spare_inputs(file, plan.inputs); !spared) {
+      if (auto sound = check_input(arguments); !sound) return sound;
+      return spared;
+    }
+  if (auto different = all_different(files); !different) return different;
+  return check_all_writable(arguments, plan, files);
 }
 
 std::vector<fs::path> inputs_of(const Arguments& arguments) {

@@ -3,6 +3,9 @@
 #include "commands.hpp"
 #include "help_format.hpp"
 #include "terminal.hpp"
+#include "usage.hpp"
+
+#include <planish/job/printable.hpp>
 
 #include <fmt/format.h>
 
@@ -26,13 +29,8 @@ constexpr auto kExamples = R"(Examples:
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
 
-// CLI11's texts may have several lines; one sentence and a pointer to the help are enough.
 int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
-  std::string text = error.what();
-  text = text.substr(0, text.find('\n'));
-  const auto chosen = app.get_subcommands();
-  fmt::print(stderr, "planish: {} (see `planish {}--help`)\n", text,
-             chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  fmt::print(stderr, "planish: {}\n", job::printable(usage_sentence(error, app)));
   return kWrongUsage;
 }
 

@@ -16,6 +16,8 @@ namespace {
 using job::Made;
 using job::UnfoldReport;
 
+constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid or not written
+
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
 
 /// Prints what was done, unless quiet; on standard error if the JSON report goes to standard
@@ -25,22 +27,22 @@ void print_summary(const Arguments& arguments, const std::string& text) {
 }
 
 /// Ends a request that failed as a whole: prints the error and writes it as a report, so that
-/// scripts find the reason in one place.
+/// scripts find the reason in one place; unless the report is what cannot be written.
 int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
   Error error = failure;
   if (error.code == ErrorCode::no_such_body && request.body.empty())
     error.message += "; or take all of them with --all -o FOLDER/";
   const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
+  const bool of_report = error.code == ErrorCode::cannot_write && error.where == arguments.json;
+  if (error.code == ErrorCode::cancelled || of_report) return status;
   const auto failed = arguments.maker->failed(request, error);
   if (const auto unwritten = write_report(arguments.json, failed->json())) complain(*unwritten);
   return status;
 }
 
-/// A contradictory command line gives no report; a side file that cannot be read does.
+/// A contradictory command line gives no report; a file that cannot be read or written does.
 int end_unplanned(const Arguments& arguments, const Error& error) {
-  if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
-    return complain(error);
+  if (exit_status(error.code) != kFileStatus) return complain(error);
   job::Request request;
   request.input = arguments.input;
   request.body = arguments.options.text("body");
@@ -52,8 +54,10 @@ int end_unplanned(const Arguments& arguments, const Error& error) {
   return end_failed(arguments, request, error);
 }
 
+/// The report of what was written was written with it.
 int end_reported(const Arguments& arguments, const Made& made) {
-  if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
+  if (made.report().refusal || arguments.json == "-")
+    if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
   if (made.report().refusal) return complain(*made.report().refusal);
   print_summary(arguments, made.text());
   return 0;
@@ -68,8 +72,8 @@ std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece
 
 /// All files, those of all pieces together first, then piece by piece; or the first reason why one
 /// cannot be written.
-Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
-  std::vector<File> files;
+Result<std::vector<OutputFile>> files_of(const Made& made, const Plan& plan) {
+  std::vector<OutputFile> files;
   const int pieces = made.pieces();
   for (int piece = pieces > 1 ? -1 : 0; piece < pieces; ++piece)
     for (const Target& target : plan.targets) {
@@ -83,16 +87,25 @@ Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
   return files;
 }
 
-std::optional<Error> write_files(Made& made, const Plan& plan) {
-  const auto files = files_of(made, plan);
+void add_report(std::vector<OutputFile>& files, const std::string& json_option,
+                const std::string& text) {
+  for (const std::filesystem::path& file : files_named({json_option}))
+    files.push_back({file, text});
+}
+
+/// What was made, and the report that names its files.
+std::optional<Error> write_made(Made& made, const Arguments& arguments, const Plan& plan) {
+  auto files = files_of(made, plan);
   if (!files) return files.error();
   if (interrupted()) return stopped();
-  for (const File& file : *files)
+  for (const OutputFile& file : *files)
     if (file.path.has_parent_path())
       if (auto error = make_folder(file.path.parent_path())) return error;
-  if (auto error = write_all(*files, plan.inputs)) return error;
   append_names(made.report().files, *files);
-  return std::nullopt;
+  add_report(*files, arguments.json, made.json());
+  auto error = write_all(*files, plan.inputs);
+  if (error) made.report().files.clear();
+  return error;
 }
 
 Result<std::unique_ptr<Made>> make(const Arguments& arguments, const Plan& plan,
@@ -108,15 +121,17 @@ int run_one(const Arguments& arguments, const Plan& plan) {
   const auto made = make(arguments, plan, line);
   if (!made) return end_failed(arguments, plan.request, made.error());
   if (interrupted()) return complain(stopped());
-  if ((*made)->report().has_pattern()) (*made)->report().refusal = write_files(**made, plan);
+  if ((*made)->report().has_pattern())
+    (*made)->report().refusal = write_made(**made, arguments, plan);
   if (interrupted()) return complain(stopped());
   return end_reported(arguments, **made);
 }
 
 /// Writes the patterns of all bodies that have one into the folder, and the summary.
-std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan& plan) {
+std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Arguments& arguments,
+                                  const Plan& plan) {
   const std::vector<std::string> stems = job::stems(reports);
-  std::vector<File> all;
+  std::vector<OutputFile> all;
   for (std::size_t i = 0; i < reports.size(); ++i) {
     if (!reports[i].has_pattern()) continue;
     Plan own = plan;
@@ -129,18 +144,20 @@ std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan
       continue;
     }
     append_names(reports[i].files, *files);
-    for (File& file : *files)
+    for (OutputFile& file : *files)
       all.push_back(std::move(file));
   }
   if (auto error = make_folder(plan.folder)) return error;
   all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
   all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
+  add_report(all, arguments.json, job::summary_json(reports));
   return write_all(all, plan.inputs);
 }
 
 int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports) {
-  if (const auto error = write_report(arguments.json, job::summary_json(reports)))
-    return complain(*error);
+  if (arguments.check || arguments.json == "-")
+    if (const auto error = write_report(arguments.json, job::summary_json(reports)))
+      return complain(*error);
   print_summary(arguments, job::summary_text(reports));
   if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
     return 0;
@@ -158,7 +175,7 @@ int run_all(const Arguments& arguments, const Plan& plan) {
   if (!reports) return end_failed(arguments, plan.request, reports.error());
   if (interrupted()) return complain(stopped());
   if (!arguments.check)
-    if (const auto error = write_bodies(*reports, plan))
+    if (const auto error = write_bodies(*reports, arguments, plan))
       return end_failed(arguments, plan.request, *error);
   return end_all(arguments, *reports);
 }

@@ -16,23 +16,26 @@ constexpr auto kStudioExamples = R"(Examples:
 
 It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
 
+const job::Option kPort{.name = "port",
+                        .kind = job::OptionKind::whole,
+                        .group = "",
+                        .description = "port of the page's address; default: any free port",
+                        .range = {"a whole number from 1 to 65535", 1, 65535}};
+const job::Option kTimeLimit{.name = "time_limit",
+                             .kind = job::OptionKind::whole,
+                             .group = "",
+                             .description = "longest time for one request; default 120",
+                             .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
+
 }  // namespace
 
 CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   CLI::App* command = app.add_subcommand("studio", "see and change parts in a browser");
   add_text(*command, "input", arguments.input, "FILE",
            "file to open: STEP, plates, transition or slit file");
-  constexpr int kLastPort = 65535;
-  command
-      ->add_option("--port", arguments.port, "port of the page's address; default: any free port")
-      ->check(CLI::Range(1, kLastPort))
-      ->type_name("N");
-  constexpr int kDay = 86400;
-  command
-      ->add_option("--time-limit", arguments.time_limit,
-                   "longest time for one request; default 120")
-      ->check(CLI::Range(1, kDay))
-      ->type_name("SECONDS");
+  add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
+  add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
+             arguments.options);
   command->add_flag("--no-browser", arguments.no_browser,
                     "print the address, do not open a browser");
   command->footer(kStudioExamples);
@@ -50,8 +53,9 @@ CLI::App* add_studio_worker(CLI::App& app, std::string& server) {
 int run_studio(const StudioArguments& arguments) {
   studio::StudioOptions options;
   if (!arguments.input.empty()) options.file = arguments.input;
-  options.port = arguments.port;
-  if (arguments.time_limit) options.time_limit = std::chrono::seconds(*arguments.time_limit);
+  options.port = static_cast<int>(arguments.options.number("port").value_or(0));
+  if (const auto limit = arguments.options.number("time_limit"))
+    options.time_limit = std::chrono::seconds(static_cast<int>(*limit));
   options.open_browser = !arguments.no_browser;
   const auto done = studio::run_studio(options);
   return done ? 0 : complain(done.error());

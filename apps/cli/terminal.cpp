@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -26,12 +25,10 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void ask_to_stop(int) { stop_asked = true; }
 
-/// If a place is the name of an option, spells it as on the command line.
+/// A place within an option is that option on the command line.
 std::string spelled_place(const std::string& where) {
-  const auto all = job::options();
-  const bool option = std::any_of(all.begin(), all.end(),
-                                  [&](const job::Option& one) { return one.name == where; });
-  return option ? flag_of(where) : where;
+  const job::Option* option = job::option_at(where);
+  return option ? flag_of(option->name) : where;
 }
 
 std::string sentence(const Error& error) {

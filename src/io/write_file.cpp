@@ -1,6 +1,7 @@
 #include <planish/io/flat_writers.hpp>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -9,6 +10,8 @@
 #include <memory>
 #include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 namespace planish {
 namespace {
@@ -53,34 +56,105 @@ Result<void> write_directly(const fs::path& target, const std::string& content) 
   return {};
 }
 
-Result<void> write_beside(const fs::path& target, const fs::path& real, const std::string& content,
-                          std::optional<fs::perms> permissions) {
-  const fs::path part = name_beside(real);
-  File file = opened(part, "wbx");
-  if (!file) return cannot_write(target, last_error());
-  std::error_code reason = put(std::move(file), content);
-  if (!reason && permissions) fs::permissions(part, *permissions, reason);
-  if (!reason) fs::rename(part, real, reason);
-  if (!reason) return {};
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  return cannot_write(target, reason);
-}
+/// Where a target's bytes go.
+struct Place {
+  fs::path real;                         ///< behind symbolic links
+  std::optional<fs::perms> permissions;  ///< of the file that is there
+  bool direct = false;                   ///< a device or pipe
+};
 
-}  // namespace
-
-Result<void> write_file(const fs::path& target, const std::string& content) {
+Result<Place> place_of(const fs::path& target) {
   std::error_code error;
   const fs::file_status status = fs::status(target, error);
-  if (!fs::exists(status)) return write_beside(target, target, content, std::nullopt);
-  if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
-    return write_directly(target, content);
-  }
+  if (!fs::exists(status)) return Place{target, {}};
+  if (!fs::is_regular_file(status) && !fs::is_directory(status)) return Place{target, {}, true};
   // Renaming would also replace a write-protected file; opening it shows that.
   if (!opened(target, "r+b")) return cannot_write(target, last_error());
   const fs::path real = fs::canonical(target, error);
   if (error) return cannot_write(target, error);
-  return write_beside(target, real, content, status.permissions());
+  return Place{real, status.permissions()};
+}
+
+/// A file that stands beside its target until it takes its place, and goes with this if it never
+/// does.
+class Part {
+ public:
+  Part(fs::path target, Place place)
+      : target_(std::move(target)), place_(std::move(place)), part_(name_beside(place_.real)) {}
+  Part(Part&& other) noexcept
+      : target_(std::move(other.target_)),
+        place_(std::move(other.place_)),
+        part_(std::exchange(other.part_, {})) {}
+  Part& operator=(Part&&) = delete;
+  ~Part() {
+    std::error_code ignored;
+    if (!part_.empty()) fs::remove(part_, ignored);
+  }
+
+  Result<void> write(const std::string& content) {
+    File file = opened(part_, "wbx");
+    if (!file) {
+      part_.clear();
+      return cannot_write(target_, last_error());
+    }
+    std::error_code reason = put(std::move(file), content);
+    if (!reason && place_.permissions) fs::permissions(part_, *place_.permissions, reason);
+    if (reason) return cannot_write(target_, reason);
+    return {};
+  }
+
+  Result<void> take_place() {
+    std::error_code reason;
+    fs::rename(part_, place_.real, reason);
+    if (reason) return cannot_write(target_, reason);
+    part_.clear();
+    return {};
+  }
+
+ private:
+  fs::path target_;
+  Place place_;
+  fs::path part_;
+};
+
+}  // namespace
+
+Result<void> write_file(const fs::path& target, const std::string& content) {
+  auto place = place_of(target);
+  if (!place) return tl::unexpected(place.error());
+  if (place->direct) return write_directly(target, content);
+  Part part(target, std::move(*place));
+  if (auto written = part.write(content); !written) return written;
+  return part.take_place();
+}
+
+Result<void> write_files(const std::vector<OutputFile>& files) {
+  std::vector<Part> parts;
+  std::vector<const OutputFile*> direct;
+  for (const OutputFile& file : files) {
+    auto place = place_of(file.path);
+    if (!place) return tl::unexpected(place.error());
+    if (place->direct) {
+      direct.push_back(&file);
+      continue;
+    }
+    parts.emplace_back(file.path, std::move(*place));
+    if (auto written = parts.back().write(file.content); !written) return written;
+  }
+  for (const OutputFile* file : direct)
+    if (auto written = write_directly(file->path, file->content); !written) return written;
+  for (Part& part : parts)
+    if (auto taken = part.take_place(); !taken) return taken;
+  return {};
+}
+
+Result<void> check_writable(const fs::path& target) {
+  const auto place = place_of(target);
+  if (!place) return tl::unexpected(place.error());
+  const fs::path folder = place->real.has_parent_path() ? place->real.parent_path() : ".";
+  const char* needed = place->direct ? target.c_str() : folder.c_str();
+  if (access(needed, W_OK) != 0) return cannot_write(target, last_error());
+  return {};
 }
 
 }  // namespace planish

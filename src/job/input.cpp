@@ -70,12 +70,15 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
   const std::vector<int> named = bodies_named(file, wanted);
   if (named.size() == 1) return named.front();
   if (named.empty()) {
-    return fail(ErrorCode::no_such_body, fmt::format("there is no body \"{}\"; there {} {}", wanted,
-                                                     n == 1 ? "is" : "are", body_list(file)));
+    return fail(ErrorCode::no_such_body,
+                fmt::format("there is no body \"{}\"; there {} {}", wanted, n == 1 ? "is" : "are",
+                            body_list(file)),
+                "body");
   }
   return fail(ErrorCode::no_such_body,
               fmt::format("{} bodies are named \"{}\", choose one by its number; there are {}",
-                          named.size(), wanted, body_list(file)));
+                          named.size(), wanted, body_list(file)),
+              "body");
 }
 
 }  // namespace planish::job

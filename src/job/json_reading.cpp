@@ -1,24 +1,18 @@
 #include "json_reading.hpp"
 
+#include "json_depth.hpp"
+
 #include <planish/base/assert.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace planish::job {
 namespace {
 
-// Line and column, 1-based, of a byte offset.
-std::string position(const std::string& text, std::size_t byte) {
-  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  const auto line = 1 + std::count(text.begin(), end, '\n');
-  const auto last_break = std::find(std::make_reverse_iterator(end), text.rend(), '\n').base();
-  return fmt::format("{}:{}", line, std::max<std::ptrdiff_t>(1, end - last_break));
-}
+constexpr auto kStepMark = "ISO-10303-21;";  // with which every STEP file begins
 
 // Finds a repeated key, of which the parser would silently keep one value.
 class RepeatedKeys {
@@ -62,12 +56,19 @@ void JsonReading::parse(const std::string& text) {
     error_ = Error{ErrorCode::invalid_input, fmt::format("the {} is not JSON: {}", what_, why),
                    name_ + place};
   };
+  if (const auto byte = too_deep_at(text)) {
+    error_ = Error{ErrorCode::invalid_input,
+                   fmt::format("the {} {}", what_, too_deep_sentence(text, *byte)),
+                   name_ + ":" + line_and_column(text, *byte)};
+    return;
+  }
+  if (text.starts_with(kStepMark)) return no_json("it is a STEP file", "");
   RepeatedKeys repeated;
   try {
     document_ = Json::parse(
         text, [&](int, Json::parse_event_t event, Json& value) { return repeated(event, value); });
   } catch (const Json::parse_error& error) {
-    const std::string place = position(text, error.byte);
+    const std::string place = line_and_column(text, error.byte);
     return no_json(fmt::format("mistake at line:column {}", place), ":" + place);
   } catch (const Json::exception& error) {
     // The text after the name that the parser gives its error.

@@ -43,8 +43,8 @@ class JsonReading {
   JsonReading(const JsonReading&) = delete;
   JsonReading& operator=(const JsonReading&) = delete;
 
-  /// `invalid_input`: `where` is name:line:column for text that is not JSON, else name and JSON
-  /// pointer. Empty if there is no mistake.
+  /// `invalid_input`: `where` is name:line:column for text that is not JSON or nested too deep,
+  /// else name and JSON pointer. Empty if there is no mistake.
   const std::optional<Error>& error() const { return error_; }
 
   const Json& document() const { return document_; }

@@ -1,4 +1,5 @@
 #include "folded.hpp"
+#include "json_depth.hpp"
 #include "json_parts.hpp"
 
 #include <planish/job/artifact.hpp>
@@ -36,6 +37,14 @@ std::string listed(const std::vector<Maker>& makers, const Text& text) {
 Result<std::string> Made::folded_solid(int) const { return not_made("a folded solid"); }
 Result<Mesh> Made::folded_mesh() const { return not_made("a folded mesh"); }
 Result<Mesh> Made::mould_mesh() const { return not_made("a mould"); }
+
+Result<const Report*> piece_of(const Made& made, int piece) {
+  if (piece < made.pieces()) return &made.piece(piece);
+  if (made.report().refusal) return &made.report();
+  return fail(ErrorCode::bad_option,
+              fmt::format("there is no piece {}; the last is {}", piece, made.pieces() - 1),
+              "piece");
+}
 
 Result<void> Work::edit(const InputFile&) {
   return fail(ErrorCode::bad_option, "this kind of input cannot be edited", "/spec");
@@ -79,6 +88,10 @@ const Maker* Catalogue::maker(std::string_view name) const {
 Result<const Maker*> Catalogue::maker_for(const std::string& name,
                                           const std::string& content) const {
   const bool json = looks_like_json(content);
+  if (const auto byte = json ? too_deep_at(content) : std::nullopt)
+    return fail(ErrorCode::invalid_input,
+                fmt::format("{} {}", name, too_deep_sentence(content, *byte)),
+                name + ":" + line_and_column(content, *byte));
   const Json document = json ? Json::parse(content, nullptr, false) : Json();
   if (document.is_discarded())
     return fail(ErrorCode::invalid_input, fmt::format("{} is not JSON", name), name);

@@ -77,7 +77,35 @@ Result<OptionValue> value_of(const Option& option, const std::string& text) {
 struct Contradiction {
   bool holds;
   const char* sentence;
+  const char* option;
 };
+
+/// Content that has no file of its own is a part of the request.
+Error within_content(Error error, const Option& option, const OptionFile& file) {
+  const bool pointer = error.where.starts_with(file.name + "/");
+  error.where = fmt::format("{}/content{}", option.name,
+                            pointer ? error.where.substr(file.name.size()) : "");
+  return error;
+}
+
+Result<OptionValue> read_file(const Option& option, const std::string& path) {
+  auto text = read_text(path, option.name == "k_table" ? "bend table" : "rules file");
+  if (!text) return tl::unexpected(text.error());
+  return OptionValue(OptionFile{path, std::move(*text)});
+}
+
+Result<void> enter_one(const Option& option, const OptionValue& value, Request& request) {
+  const auto* path = std::get_if<std::string>(&value);
+  if (option.kind == OptionKind::file && path) {
+    const auto content = read_file(option, *path);
+    if (!content) return tl::unexpected(content.error());
+    return option.set(request, *content);
+  }
+  auto done = option.set(request, value);
+  const auto* file = std::get_if<OptionFile>(&value);
+  if (!done && file) return tl::unexpected(within_content(done.error(), option, *file));
+  return done;
+}
 
 }  // namespace
 
@@ -115,35 +143,53 @@ std::string OptionValues::text(std::string_view name) const {
   return {};
 }
 
+std::optional<double> OptionValues::number(std::string_view name) const {
+  for (const auto& [option, value] : values_)
+    if (option->name == name)
+      if (const auto* number = std::get_if<double>(&value)) return *number;
+  return std::nullopt;
+}
+
 Result<void> OptionValues::check_together() const {
   const int k_rules = given("k") + given("k_table") + given("din6935");
+  const char* last_k_rule = given("din6935") ? "din6935" : "k_table";
   for (const Contradiction& one : {
            Contradiction{k_rules > 1,
                          "`k`, `k_table` and `din6935` each say where K comes from: "
-                         "give only one of them"},
-           {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other"},
+                         "give only one of them",
+                         last_k_rule},
+           {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other",
+            "no_rules"},
            {given("r12") && text("splines") == "keep",
-            "`splines` keep does not go with `r12`, which has no splines"},
+            "`splines` keep does not go with `r12`, which has no splines", "splines"},
            {given("tick_length") && text("bend_marks") != "ticks",
-            "`tick_length` goes with `bend_marks` ticks"},
+            "`tick_length` goes with `bend_marks` ticks", "tick_length"},
        })
-    if (one.holds) return fail(ErrorCode::bad_option, one.sentence);
+    if (one.holds) return fail(ErrorCode::bad_option, one.sentence, one.option);
   return {};
 }
 
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
-  for (const auto& [option, value] : values_) {
-    OptionValue content = value;
-    const auto* path = std::get_if<std::string>(&value);
-    if (option->kind == OptionKind::file && path) {
-      auto text = read_text(*path, option->name == "k_table" ? "bend table" : "rules file");
-      if (!text) return tl::unexpected(text.error());
-      content = OptionFile{*path, std::move(*text)};
-    }
-    if (auto done = option->set(request, content); !done) return done;
-  }
+  for (const auto& [option, value] : values_)
+    if (auto done = enter_one(*option, value, request); !done) return done;
   return {};
+}
+
+const Option* option_at(std::string_view where) {
+  const std::string_view name = where.substr(0, where.find('/'));
+  const auto all = options();
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Option& one) { return one.name == name; });
+  if (found == all.end()) return nullptr;
+  // Behind any other name stands a file that happens to be called so.
+  const bool has_places = found->kind == OptionKind::by_bend || found->kind == OptionKind::file;
+  return name == where || has_places ? &*found : nullptr;
+}
+
+Error at_pointer(Error error, const std::string& options) {
+  if (option_at(error.where)) error.where = options + "/" + error.where;
+  return error;
 }
 
 std::optional<double> parse_number(const std::string& text) {

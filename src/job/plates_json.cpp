@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace planish::job {
 namespace {
@@ -33,11 +34,17 @@ Schema plate_schema() {
                  optional("holes", list(polygon()).said("corners of each hole"))});
 }
 
+Schema edges_schema() {
+  return list(whole()).of_length(1, std::numeric_limits<std::size_t>::max(),
+                                 "a list of at least 1 edge (leave the plate out to have its edges "
+                                 "chosen)");
+}
+
 Schema bend_schema() {
   return object(
       {required("between", list(text()).said("ids of the plates: two, one (the other end is free) "
                                              "or none (a section by itself)")),
-       optional("edges", map(list(whole()))
+       optional("edges", map(edges_schema())
                              .said("consecutive edges that the bend uses, by plate "
                                    "id; edge i runs from corner i to i + 1")),
        optional("surface", words(kSurfaces).defaulting("auto").said("of the bend")),
@@ -128,7 +135,6 @@ std::vector<int> edges_at(const JsonPlace& place) {
       item.mistake(fmt::format("is {}, which is already in the list", edge));
     edges.push_back(edge);
   }
-  if (edges.empty()) place.mistake("is empty: leave the plate out to have its edges chosen");
   return edges;
 }
 

@@ -1,3 +1,4 @@
+#include "json_depth.hpp"
 #include "json_reading.hpp"
 #include "request_schema.hpp"
 
@@ -8,6 +9,8 @@
 
 namespace planish::job {
 namespace {
+
+constexpr auto kOptions = "/options";
 
 /// A parsed request.
 struct Asked {
@@ -32,22 +35,37 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
   return values_of(options);
 }
 
-void read_input(Asked& asked, const Json& input) {
+/// Files that an input names are left unread where nobody says where they are.
+Result<void> check_folder(const Maker& maker, const InputFile& file) {
+  if (file.folder || !maker.named_files) return {};
+  const auto named = maker.named_files(file.content);
+  if (named.empty()) return {};
+  return fail(ErrorCode::invalid_input,
+              fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
+                          "in which folder it is",
+                          maker.input_kind(), named.front().file, named.front().pointer),
+              "/input/folder");
+}
+
+Result<void> read_input(Asked& asked, const Json& input) {
   if (input.is_string()) {
     asked.request.input = input.get<std::string>();
-    return;
+    return {};
   }
   const Json& content = input["content"];
   InputFile file;
   file.name = input.value("name", std::string("input"));
   file.content = content.is_string() ? content.get<std::string>() : content.dump();
-  file.folder = input.value("folder", std::string());
+  if (input.contains("folder")) file.folder = input["folder"].get<std::string>();
+  if (auto found = check_folder(*asked.maker, file); !found) return found;
   asked.request.input = file.name;
   asked.content = std::move(file);
+  return {};
 }
 
 Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& catalogue) {
-  for (const Json& name : names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Json& name = names[i];
     const Artifact* artifact = catalogue.artifact(*asked.maker, name.get<std::string>());
     if (!artifact) {
       std::vector<std::string_view> known;
@@ -56,7 +74,7 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
       return fail(ErrorCode::bad_option,
                   fmt::format("{} cannot write \"{}\"; it writes {}", asked.maker->name,
                               name.get<std::string>(), fmt::join(known, ", ")),
-                  "/artifacts");
+                  fmt::format("/artifacts/{}", i));
     }
     asked.artifacts.push_back(artifact);
   }
@@ -70,13 +88,13 @@ Result<Asked> read_request(const std::string& text, const Catalogue& catalogue) 
   const Json& json = reading.document();
   Asked asked;
   asked.maker = catalogue.maker(json["maker"].get<std::string>());
-  read_input(asked, json["input"]);
+  if (auto read = read_input(asked, json["input"]); !read) return tl::unexpected(read.error());
   if (json.contains("options")) {
     const auto values = checked_options(json["options"], *asked.maker, OptionFiles::path_or_content,
-                                        "/options");
+                                        kOptions);
     if (!values) return tl::unexpected(values.error());
     if (auto entered = values->enter(asked.request); !entered)
-      return tl::unexpected(entered.error());
+      return tl::unexpected(at_pointer(entered.error(), kOptions));
   }
   if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
   if (json.contains("artifacts"))
@@ -89,13 +107,19 @@ Result<std::unique_ptr<Made>> make(const Asked& asked, const Progress& progress)
   const auto work = asked.content ? asked.maker->open(*asked.content, progress)
                                   : open_input(*asked.maker, asked.request, progress);
   if (!work) return tl::unexpected(work.error());
-  return (*work)->make(asked.request, progress);
+  auto made = (*work)->make(asked.request, progress);
+  if (!made) return made;
+  if (auto shown = piece_of(**made, asked.request.piece); !shown)
+    return tl::unexpected(shown.error());
+  return made;
 }
 
 }  // namespace
 
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
                                   const std::string& pointer) {
+  if (const auto byte = too_deep_at(json))
+    return fail(ErrorCode::invalid_input, "the options " + too_deep_sentence(json, *byte), pointer);
   const Json options = Json::parse(json, nullptr, false);
   if (options.is_discarded())
     return fail(ErrorCode::invalid_input, "the options are not JSON", pointer);
@@ -107,7 +131,7 @@ Result<RunResult> run(const std::string& request, const Progress& progress,
   const auto asked = read_request(request, catalogue);
   if (!asked) return tl::unexpected(asked.error());
   const auto made = make(*asked, progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return tl::unexpected(at_pointer(made.error(), kOptions));
   RunResult result;
   Report& report = (*made)->report();
   const std::string stem = report.body;

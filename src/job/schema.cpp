@@ -41,6 +41,14 @@ Schema Schema::or_null() const {
   return either;
 }
 
+Schema Schema::of_length(std::size_t fewest, std::size_t longest, std::string said_as) const {
+  Schema copy = *this;
+  copy.least = fewest;
+  copy.most = longest;
+  copy.words = std::move(said_as);
+  return copy;
+}
+
 const Field* Schema::field(std::string_view name) const {
   const auto found = std::find_if(fields.begin(), fields.end(),
                                   [&](const Field& field) { return field.key == name; });
@@ -139,9 +147,9 @@ Schema any_of(std::vector<Schema> parts, std::string said_as) {
 
 Schema anything() { return of_kind(Schema::Kind::anything, "anything"); }
 
-Schema space_point() { return tuple(3, length(), "a point [x, y, z]"); }
+Schema space_point(const Range& each) { return tuple(3, length(each), "a point [x, y, z]"); }
 Schema space_direction() { return tuple(3, number(), "a direction [x, y, z]"); }
-Schema plane_point() { return tuple(2, length(), "a point [x, y]"); }
+Schema plane_point(const Range& each) { return tuple(2, length(each), "a point [x, y]"); }
 
 Schema units() {
   return words({"mm", "inch", "m"}).defaulting("mm").said("what all lengths are given in");

@@ -26,7 +26,7 @@ struct Schema {
     text,     ///< not empty, unless `may_be_empty`
     flag,     ///< true or false
     value,    ///< one of `values`
-    list,     ///< any number of `parts[0]`
+    list,     ///< of `parts[0]`, `least` to `most`
     tuple,    ///< exactly `count` of `parts[0]`
     object,   ///< `fields` and no others
     one_key,  ///< an object with exactly one of `fields`
@@ -36,21 +36,24 @@ struct Schema {
     null,
   };
   Kind kind = Kind::anything;
-  std::string words;        ///< what it must be, as messages say it: "a point [x, y, z]"
-  std::string description;  ///< for people; empty: none
-  Json otherwise;           ///< the default; null: none
-  Range range = kAnyNumber;
+  std::string words;         ///< what it must be, as messages say it: "a point [x, y, z]"
+  std::string description;   ///< for people; empty: none
+  Json otherwise;            ///< the default; null: none
+  Range range = kAnyNumber;  ///< of lengths in mm, whatever the document's unit
   Quantity quantity = Quantity::plain;
   bool may_be_empty = false;
   std::size_t count = 0;
+  std::size_t least = 0, most = std::numeric_limits<std::size_t>::max();
   std::string key;
   std::vector<Json> values;
   std::vector<Schema> parts;
   std::vector<Field> fields;
 
-  Schema said(std::string text) const;              ///< with a description
-  Schema defaulting(Json value) const;              ///< with a default
-  Schema or_null() const;                           ///< this, or null
+  Schema said(std::string text) const;  ///< with a description
+  Schema defaulting(Json value) const;  ///< with a default
+  Schema or_null() const;               ///< this, or null
+  /// A list that is not of any length; `said_as`: "a list of 2 to 64 poles".
+  Schema of_length(std::size_t least, std::size_t most, std::string said_as) const;
   const Field* field(std::string_view name) const;  ///< null if there is none
 };
 
@@ -82,9 +85,9 @@ Schema map(Schema value);
 Schema by_key(std::string key, Schema with, Schema without);
 Schema any_of(std::vector<Schema> parts, std::string said_as);
 Schema anything();
-Schema space_point();      ///< [x, y, z], lengths
-Schema space_direction();  ///< [x, y, z], numbers
-Schema plane_point();      ///< [x, y], lengths
+Schema space_point(const Range& each = kAnyNumber);  ///< [x, y, z], lengths
+Schema space_direction();                            ///< [x, y, z], numbers
+Schema plane_point(const Range& each = kAnyNumber);  ///< [x, y], lengths
 
 /// "format" and "version", with which every Planish file may begin, and "units".
 std::vector<Field> header_fields(const std::string& format, int version);

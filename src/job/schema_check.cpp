@@ -85,7 +85,7 @@ class Check {
     if (!value.is_number()) return false;
     const double x = value.get<double>();
     const double scale = schema.quantity == Quantity::length ? millimetres_ : 1.0;
-    if (!std::isfinite(x * scale) || !schema.range.holds(x)) return false;
+    if (!std::isfinite(x * scale) || !schema.range.holds(x * scale)) return false;
     return schema.kind == Kind::number || std::floor(x) == x;
   }
 
@@ -95,8 +95,12 @@ class Check {
   }
 
   bool list_passes(const Schema& schema, const Json& value) {
-    if (!value.is_array()) return must_be(schema, value);
-    if (schema.kind == Kind::tuple && value.size() != schema.count)
+    const bool tuple = schema.kind == Kind::tuple;
+    if (!value.is_array())
+      return tuple ? must_be(schema, value)
+                   : wrong(fmt::format("must be a list, not {}", shown(value)));
+    if (tuple ? value.size() != schema.count
+              : value.size() < schema.least || value.size() > schema.most)
       return wrong(fmt::format("must be {}, not a list of {}", schema.words, value.size()));
     for (std::size_t i = 0; i < value.size(); ++i)
       if (!child_passes(std::to_string(i), schema.parts.front(), value[i])) return false;

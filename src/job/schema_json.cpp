@@ -67,6 +67,8 @@ void add_list(Json& json, const Schema& schema) {
   json["type"] = "array";
   json["items"] = schema_value(schema.parts.front());
   if (schema.kind == Kind::tuple) json["minItems"] = json["maxItems"] = schema.count;
+  if (schema.least > 0) json["minItems"] = schema.least;
+  if (schema.most < std::numeric_limits<std::size_t>::max()) json["maxItems"] = schema.most;
 }
 
 void add_kind(Json& json, const Schema& schema) {

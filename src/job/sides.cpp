@@ -1,5 +1,7 @@
 #include "sides.hpp"
 
+#include "schema.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -56,7 +58,7 @@ Result<std::optional<FaceId>> root_face(const Sheet& sheet, const std::string& r
       fmt::format("face {} is not a flange of the skin that is unfolded; the faces that can be "
                   "the root are {}",
                   *number, fmt::join(numbers(sheet, is_flange_face), ", ")),
-      fmt::format("face {}", *number));
+      "root");
 }
 
 Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
@@ -71,7 +73,7 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
               fmt::format("face {} is not on the reference skin, which has the faces {}; "
                           "`up` other makes the opposite skin face up",
                           *number, fmt::join(numbers(sheet, any), ", ")),
-              fmt::format("face {}", *number));
+              "up");
 }
 
 Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
@@ -87,7 +89,7 @@ Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
                   count == 0
                       ? fmt::format("there is no bend \"{}\": the sheet has none", id)
                       : fmt::format("there is no bend \"{}\"; the bends are B1 to B{}", id, count),
-                  id);
+                  "bend_k/" + escaped_token(id));
     rows.emplace_back(BendId{number}, k);
   }
   return rows;

@@ -14,7 +14,14 @@ namespace {
 constexpr auto kFormat = "planish/slits";
 constexpr int kVersion = 1;
 
-constexpr int kMostStrips = 10000;
+// What the library takes.
+constexpr int kMostStrips = 10000, kFewestRidges = 3, kMostRidges = 1000;
+constexpr std::size_t kMostPoles = 64;
+constexpr double kLargest = 1e7;  // mm
+constexpr Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, false};
+constexpr Range kGap{"a length from 0 to 1e7 mm", 0.0, kLargest};
+constexpr Range kCoordinate{"a length from -1e7 to 1e7 mm", -kLargest, kLargest};
+constexpr Range kWeight{"a number from 0 to 10000", 0.0, 1e4};
 
 const Words<StripEdge> kSides{{"left", StripEdge::left}, {"right", StripEdge::right}};
 const Words<EndAngle> kEndAngles{
@@ -25,65 +32,67 @@ const Words<double SlitWeights::*> kWeights{
     {"spread", &SlitWeights::spread},   {"scan", &SlitWeights::scan}};
 
 Schema curve_schema(std::string description) {
-  return object({required("bezier", list(tuple(2, length(), "a pole [a, b]")).said("its poles"))})
-      .said(std::move(description));
+  const Schema poles = list(tuple(2, length(kCoordinate), "a pole [a, b]"))
+                           .of_length(2, kMostPoles, "a list of 2 to 64 poles");
+  return object({required("bezier", poles.said("its poles"))}).said(std::move(description));
 }
 
 Schema strip_schema() {
   return object(
-      {required("width", length(kAboveZero)),
-       optional("gap", length(kAtLeastZero)
-                           .defaulting(0)
-                           .said("to the strip before it, or to the sheet's left edge")),
-       optional("left_start", length().said("where its left slit begins")),
-       optional("right_start", length().said("where its right slit begins")),
-       optional("end",
-                length().said("where it ends, along; panel_height + half_length if left out"))});
+      {required("width", length(kLength)),
+       optional("gap", length(kGap).defaulting(0).said(
+                           "to the strip before it, or to the sheet's left edge")),
+       optional("left_start", length(kLength).said("where its left slit begins")),
+       optional("right_start", length(kLength).said("where its right slit begins")),
+       optional("end", length(kLength).said(
+                           "where it ends, along; panel_height + half_length if left out"))});
 }
 
 /// A number of strips of equal width, or a list of strips.
 Schema sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
     strips.push_back(
-        required("panel_height", length(kAboveZero).said("of the uncut part of the sheet")));
-    strips.push_back(
-        required("half_length", length(kAboveZero)
-                                    .said("of the strips, from the panel to the symmetry "
-                                          "plane or to the free end")));
-    strips.push_back(
-        optional("margin", length(kAtLeastZero)
-                               .defaulting(0)
-                               .said("between the last strip and the sheet's right edge")));
+        required("panel_height", length(kLength).said("of the uncut part of the sheet")));
+    strips.push_back(required("half_length",
+                              length(kLength).said("of the strips, from the panel to the symmetry "
+                                                   "plane or to the free end")));
+    strips.push_back(optional("margin", length(kGap).defaulting(0).said(
+                                            "between the last strip and the sheet's right edge")));
     return object(std::move(strips));
   };
-  return by_key("strip_width",
-                with({required("strips", whole(1, kMostStrips).said("how many")),
-                      required("strip_width", length(kAboveZero).said("of each"))}),
-                with({required("strips", list(strip_schema()))}));
+  return by_key(
+      "strip_width",
+      with({required("strips", whole(1, kMostStrips).said("how many")),
+            required("strip_width", length(kLength).said("of each"))}),
+      with({required(
+          "strips",
+          list(strip_schema()).of_length(1, kMostStrips, "a list of 1 to 10000 strips"))}));
 }
 
 Schema anchor_schema() {
   return object(
       {required("strip", whole()), required("ridge", whole()),
-       required("at", space_point().said("place that the end of the ridge should be near")),
+       required("at",
+                space_point(kCoordinate).said("place that the end of the ridge should be near")),
        optional("side", words(kSides).defaulting("left").said("which end of the ridge"))});
 }
 
 Schema end_schema() {
-  return object({required("strip", whole()), optional("position", space_point()),
+  return object({required("strip", whole()), optional("position", space_point(kCoordinate)),
                  optional("direction", space_direction()), optional("across", space_direction())});
 }
 
 Schema scan_schema() {
   return object({required("strip", whole()),
-                 required("points", any_of({list(space_point()), text()},
+                 required("points", any_of({list(space_point(kCoordinate)), text()},
                                            "a list of points [x, y, z] or the name of a file"))});
 }
 
 Schema weights_schema() {
   std::vector<Field> fields;
   for (const auto& [name, weight] : kWeights)
-    fields.push_back(optional(std::string(name), number().defaulting(SlitWeights{}.*weight)));
+    fields.push_back(
+        optional(std::string(name), number(kWeight).defaulting(SlitWeights{}.*weight)));
   return object(std::move(fields)).said("of the terms of the objective");
 }
 
@@ -93,15 +102,15 @@ Schema make_schema() {
   const auto add = [&](Field field) { fields.push_back(std::move(field)); };
   add(optional("units", units()));
   add(required("sheet", sheet_schema()));
-  add(required("thickness", length(kAboveZero).said("of the sheet")));
+  add(required("thickness", length(kLength).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
-               length(kAtLeastZero).defaulting(0).said("to which the material may be bent")));
+               length(kGap).defaulting(0).said("to which the material may be bent")));
   add(required("leg_curve", curve_schema("in the ground plane; the panel stands on it")));
   add(optional("seat_curve", curve_schema("in the symmetry plane; the strips are drawn to it")));
-  add(optional(
-      "ridges",
-      whole().defaulting(usual.ridges).said("number of quads in each strip at the start")));
+  add(optional("ridges", whole(kFewestRidges, kMostRidges)
+                             .defaulting(usual.ridges)
+                             .said("number of quads in each strip at the start")));
   add(optional(
       "end_angle",
       words(kEndAngles).defaulting("right_angle").said("how strips meet the symmetry plane")));
@@ -113,9 +122,9 @@ Schema make_schema() {
       "subdivisions",
       whole(0, kMostSubdivisions).defaulting(0).said("how many times the quads are halved")));
   add(optional("align_scan", flag().defaulting(false).said("first move the scans to the strips")));
-  add(optional("kerf", length(kAtLeastZero).defaulting(0).said("width of the slits; 0: lines")));
+  add(optional("kerf", length(kGap).defaulting(0).said("width of the slits; 0: lines")));
   add(optional("stop_hole",
-               length(kAtLeastZero).defaulting(0).said("diameter at the ends of slits; 0: none")));
+               length(kGap).defaulting(0).said("diameter at the ends of slits; 0: none")));
   return object(std::move(fields)).said("A sheet with slits whose strips are bent into a form");
 }
 

@@ -1,3 +1,4 @@
+#include "folded.hpp"
 #include "input_schemas.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
@@ -123,9 +124,9 @@ class SlitWork : public Work {
   /// continues.
   Result<SlitReport> draft(const Request& request, const Progress& progress) {
     if (auto followed = drafts_.follow(file_, progress); !followed) {
-      if (exit_status(followed.error().code) != kErrorOfForm)
-        return tl::unexpected(followed.error());
-      return failed_report<SlitReport>(request, followed.error());
+      const Error error = placed(followed.error(), place_name(request.input.string()));
+      if (exit_status(error.code) != kErrorOfForm) return tl::unexpected(error);
+      return failed_report<SlitReport>(request, error);
     }
     auto report = slit_solved(drafts_.now(), file_, request, progress);
     if (report) report->scan_motion = drafts_.scan_motion();

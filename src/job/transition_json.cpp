@@ -15,6 +15,7 @@ constexpr auto kFormat = "planish/transition";
 constexpr int kVersion = 1;
 constexpr Range kPressAngle{"an angle above 0 and up to 360 degrees", 0.0, 360.0, false};
 constexpr double kDefaultK = 0.5;
+constexpr int kMostPressLines = 2000;
 
 const Words<SizesAre> kSizes{
     {"inside", SizesAre::inside}, {"mid", SizesAre::mid}, {"outside", SizesAre::outside}};
@@ -48,9 +49,10 @@ Schema seam_schema() {
 }
 
 Schema press_lines_schema() {
-  return one_key({optional("count", whole(1).said("number of lines in each curved patch")),
-                  optional("max_angle", angle(kPressAngle).said("largest angle of a line")),
-                  optional("chord", length(kAboveZero).said("largest distance between lines"))});
+  return one_key(
+      {optional("count", whole(1, kMostPressLines).said("number of lines in each curved patch")),
+       optional("max_angle", angle(kPressAngle).said("largest angle of a line")),
+       optional("chord", length(kAboveZero).said("largest distance between lines"))});
 }
 
 Schema make_schema() {

@@ -98,6 +98,23 @@ class UnwritableOutput(CliTest):
         self.refused("unfold", "part.step", "--json", "missing/a.json", status=3)
         self.assertEqual(self.names(), ["part.step"])
 
+    def test_folder_where_a_file_should_be(self):
+        self.angle()
+        (self.dir / "old").mkdir()
+        for options in (["--json", "."], ["--json", "old"], ["-o", "a.dxf", "--json", "old"]):
+            sentence = self.refused("unfold", "part.step", *options, status=3)
+            self.assertIn("Is a directory [cannot_write]", sentence)
+        self.refused("unfold", "part.step", "--all", "-o", "flat/", "--json", ".", status=3)
+        self.refused("info", "part.step", "--json", "old", status=3)
+        self.assertEqual(self.names(), ["part.step"])
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full here")
+    def test_all_files_are_written_or_none(self):
+        self.angle()
+        self.refused("unfold", "part.step", "--json", "/dev/full", status=3)
+        self.refused("unfold", "part.step", "--all", "-o", "flat/", "--json", "/dev/full", status=3)
+        self.assertEqual(self.names(), ["part.step"])
+
     def test_file_where_a_folder_should_be(self):
         self.angle()
         self.write("flat.txt", "")

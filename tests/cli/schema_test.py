@@ -98,6 +98,26 @@ class Inputs(SchemaTest):
                 self.assertTrue(any(done["where"].startswith(p) for p in pointers), (pointers, done))
         self.assertGreater(refused, 30)
 
+    def test_limits_of_the_parser_are_in_them(self):
+        """What is refused as invalid input, by the schema too."""
+        for command, example, pointer, wrong in (
+                ("slit", "chair", ["ridges"], 2), ("slit", "chair", ["ridges"], 1001),
+                ("slit", "chair", ["leg_curve", "bezier"], [[1, 0]]), ("slit", "chair", ["thickness"], 2e7),
+                ("slit", "chair", ["leg_curve", "bezier"], [[360, 0], [360, 2e7]]),
+                ("transition", "a_square_to_round", ["press_lines"], {"count": 2001}),
+                ("connect", "a_folded", ["bends"], [{"between": ["A", "B"], "edges": {"A": []}}])):
+            document = json.loads((EXAMPLES / command / f"{example}.json").read_text())
+            parent = document
+            for key in pointer[:-1]:
+                parent = parent[key]
+            parent[pointer[-1]] = wrong
+            self.assertFalse(self.validator(INPUTS[command]).is_valid(document), (pointer, wrong))
+            self.write("part.json", json.dumps(document))
+            done = self.run_anyhow(command, "part.json")
+            self.assertEqual(done["code"], "invalid_input")
+            self.assertIn("must be ", done["message"])
+            self.assertTrue(done["where"].startswith("part.json/" + "/".join(pointer)), done)
+
     def run_anyhow(self, command, file):
         """The reason in the report, whatever comes of it."""
         import subprocess

@@ -51,6 +51,59 @@ class WrongUsage(CliTest):
         self.wrong("unfold")
         self.wrong("info")
 
+    def test_an_option_of_another_command_says_which_have_it(self):
+        for arguments, words in (
+                (["unfold", "part.step", "--flat", "x.dxf"],
+                 "`unfold` has no option --flat; connect, transition and slit have it"),
+                (["unfold", "part.step", "--flat=x.dxf"], "`unfold` has no option --flat; connect"),
+                (["connect", "p.json", "--bend-k", "B1=0.4"], "`connect` has no option --bend-k; unfold has it"),
+                (["slit", "s.json", "--k", "0.4"], "`slit` has no option --k; unfold, connect and transition have it"),
+                (["unfold", "part.step", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
+                (["unfold", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
+                (["--k", "0.4", "unfold", "part.step"], "`planish` has no option --k; unfold, "),
+                (["unfold", "part.step", "other.step"], "`unfold` takes one FILE: leave \"other.step\" out"),
+                (["fold", "part.step", "--k", "1"],
+                 "there is no command \"fold\"; there are unfold, connect, transition, slit, info, schema and studio")):
+            self.assertIn(words, self.wrong(*arguments))
+
+    def test_an_option_takes_one_value(self):
+        for option in ("--k", "--json", "--root"):
+            self.assertIn(f"{option} is given 2 times: give it once",
+                          self.wrong("unfold", "part.step", option, "1", option, "1"))
+        self.assertIn("--k needs a value: --k NUMBER", self.wrong("unfold", "part.step", "--k"))
+
+    def test_all_commands_say_alike_what_a_value_must_be(self):
+        self.assertIn("--units: must be one of mm, inch, m, not \"cm\"", self.wrong("info", "part.step", "--units", "cm"))
+        self.assertIn("--port: must be a whole number from 1 to 65535, not \"x\"", self.wrong("studio", "--port", "x"))
+        self.assertIn("--time-limit: must be a whole number from 1 to 86400, not \"0\"",
+                      self.wrong("studio", "--time-limit", "0"))
+        self.assertRegex(self.run_cli("info", "--help")[0], r"--units mm\|inch\|m +unit")
+        self.assertRegex(self.run_cli("studio", "--help")[0], r"--port N +port")
+        self.assertRegex(self.run_cli("studio", "--help")[0], r"--time-limit SECONDS +")
+
+    def test_formats_are_named_once_and_none_is_empty(self):
+        for text in ("dxf,", ",dxf", "dxf,,svg"):
+            self.assertIn(f"--format: must be one of dxf, svg, step, not \"\", in \"{text}\"",
+                          self.wrong("unfold", "part.step", "--format", text))
+        for formats in (["dxf,dxf"], ["dxf", "--format", "svg,dxf"]):
+            self.assertIn("--format names dxf twice", self.wrong("unfold", "part.step", "--format", *formats))
+
+    def test_what_the_part_does_not_have_names_the_option(self):
+        for option, value in (("--bend-k", "B99=0.4"), ("--root", "99"), ("--up", "99"), ("--body", "99"),
+                              ("--body", "door")):
+            self.assertIn(f"({option})", self.wrong("unfold", "part.step", option, value))
+
+    def test_an_input_of_another_kind_is_told_before_what_would_be_lost(self):
+        self.angle()
+        sentence = self.refused("connect", "part.step", status=3)
+        self.assertIn("the plates file is not JSON: it is a STEP file", sentence)
+        before = (self.dir / "part.step").read_bytes()
+        for options in (["--json", "part.step"], ["--json", "part.step", "-o", "missing/a.step"]):
+            self.refused("connect", "part.step", *options, status=2)
+            self.assertEqual((self.dir / "part.step").read_bytes(), before)
+        self.write("part.dxf", "0\nEOF\n")
+        self.assertIn("[not_step]", self.refused("unfold", "part.dxf", status=3))
+
     def test_values_out_of_range(self):
         for option, value in (("--k", "1.5"), ("--k", "-0.1"), ("--k", "nan"), ("--k", "0,44"),
                               ("--k", "0.4x"), ("--k", ""), ("--density", "0"),

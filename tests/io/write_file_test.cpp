@@ -98,6 +98,36 @@ TEST_F(WriteFile, TellsAFullDevice) {
   EXPECT_THAT(written.error().message, HasSubstr("No space left on device"));
 }
 
+TEST_F(WriteFile, WritesAllFilesOrNone) {
+  ASSERT_TRUE(write_file(in("a.dxf"), "old"));
+  fs::create_directory(in("folder"));
+  const auto written = write_files(
+      {{in("a.dxf"), "new"}, {in("b.svg"), "new"}, {in("folder"), ""}});
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().where, in("folder").string());
+  EXPECT_EQ(content(in("a.dxf")), "old");
+  EXPECT_EQ(files(), 2U);
+  ASSERT_TRUE(write_files({{in("a.dxf"), "new"}, {in("b.svg"), "svg"}}));
+  EXPECT_EQ(content(in("a.dxf")), "new");
+  EXPECT_EQ(content(in("b.svg")), "svg");
+  EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(WriteFile, WritesNothingBesideAFullDevice) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+  EXPECT_FALSE(write_files({{in("a.dxf"), "new"}, {"/dev/full", "x"}}));
+  EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(WriteFile, SaysBeforehandWhatCannotBeWritten) {
+  fs::create_directory(in("folder"));
+  EXPECT_THAT(check_writable(in("folder")).error().message, HasSubstr("Is a directory"));
+  EXPECT_THAT(check_writable(in("none") / "a.dxf").error().message, HasSubstr("No such file"));
+  EXPECT_TRUE(check_writable(in("a.dxf")));
+  EXPECT_TRUE(check_writable("/dev/null"));
+  EXPECT_EQ(files(), 1U);
+}
+
 TEST_F(WriteFile, LeavesAFileAloneThatMayNotBeWritten) {
   ASSERT_TRUE(write_file(in("part.dxf"), "old"));
   fs::permissions(in("part.dxf"), fs::perms::owner_read);

@@ -262,7 +262,7 @@ TEST(PlatesJson, RefusesBendsAndEdgesThatCannotBeMeant) {
   expect_mistake("/bends/0/between", {"A", "A"}, "names \"A\" twice");
   expect_mistake("/bends/0/between", {"A", "B", "C"}, "names 3 plates");
   expect_mistake("/bends/0/edges/C", {1}, "is not a plate of this bend, which has A and B");
-  expect_mistake("/bends/0/edges/A", json::array(), "is empty");
+  expect_mistake("/bends/0/edges/A", json::array(), "must be a list of at least 1 edge (leave");
   expect_mistake("/bends/0/edges/A/1", 2, "is 2, which is already in the list");
   expect_mistake("/plates/1/id", "A", "is \"A\", as is that of plate 0");
 }
@@ -295,9 +295,12 @@ TEST(PlatesJson, EscapesKeysInPointersAndKeepsMessagesShort) {
   EXPECT_EQ(error_of(with("/bends/0/edges", {{"a/b~c", {1}}})).where,
             "p.json/bends/0/edges/a~1b~0c");
   EXPECT_LT(error_of(with("/thickness", std::string(100000, 'x'))).message.size(), 200u);
-  const std::string deep = std::string(200000, '[') + std::string(200000, ']');
-  EXPECT_THAT(error_of("{\"plates\": [], \"thickness\": " + deep + "}").message,
-              HasSubstr("not a list"));
+  const auto error_of_nested = [](int depth) {
+    return error_of("{\"plates\": [], \"thickness\": " + std::string(depth, '[') +
+                    std::string(depth, ']') + "}");
+  };
+  EXPECT_THAT(error_of_nested(90).message, HasSubstr("not a list"));
+  EXPECT_THAT(error_of_nested(200000).message, HasSubstr("nested more than 100 deep"));
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 namespace planish::job {
@@ -137,6 +139,123 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   asked["artifacts"] = {"mould.stl"};
   EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, step, stl"));
   EXPECT_EQ(run("[]").error().code, ErrorCode::invalid_input);
+}
+
+// {"a": {"a": ... 1}}
+std::string nested(int depth) {
+  std::string text;
+  for (int i = 0; i < depth; ++i)
+    text += R"({"a":)";
+  return text + "1" + std::string(depth, '}');
+}
+
+TEST(Run, RefusesWhatIsNestedDeeperThanAHundred) {
+  const auto asked = [](const std::string& before, const std::string& inside, const char* after) {
+    return run(R"({"maker": "connect", "input": )" + before + inside + after);
+  };
+  for (const int depth : {101, 80000}) {
+    for (const auto& result :
+         {asked(R"({"content": )", nested(depth), "}}"),
+          asked(R"("x", "options": {"rules": {"content": )", nested(depth), "}}}"),
+          asked(R"({"name": "p.json", "content": )", json(nested(depth)).dump(), "}}")}) {
+      ASSERT_FALSE(result.has_value());
+      EXPECT_EQ(result.error().code, ErrorCode::invalid_input);
+      EXPECT_THAT(result.error().message, HasSubstr("nested more than 100 deep at line:column 1:"));
+    }
+  }
+  EXPECT_THAT(asked(R"({"content": )", nested(90), "}}").error().message,
+              HasSubstr("/a is not a known key"));
+  const auto options = read_options(nested(80000), *built_in().maker("connect"),
+                                    OptionFiles::content, "/options");
+  EXPECT_EQ(options.error().where, "/options");
+  EXPECT_THAT(built_in().maker_for("a.json", nested(80000)).error().message,
+              HasSubstr("a.json is nested more than 100 deep"));
+}
+
+TEST(Run, ReadsFilesThatAnInputNamesFromItsFolderAlone) {
+  const std::string folder = kExamples + "slit";
+  json asked = request("slit", "");
+  asked["effort"] = "draft";
+  asked["input"] = {{"name", "s.json"},
+                    {"content", json::parse(text_of_file(folder + "/scanned_chair.json"))}};
+  const auto before = std::filesystem::current_path();
+  std::filesystem::current_path(folder);  // where they would be found by chance
+  const Error error = refused(asked);
+  std::filesystem::current_path(before);
+  EXPECT_EQ(error.where, "/input/folder");
+  EXPECT_THAT(error.message, HasSubstr("/input/folder is missing: the slit file names the file "));
+  asked["input"]["folder"] = folder;
+  EXPECT_NE(done(asked).status, Status::refused);
+}
+
+TEST(Run, ShowsNoPieceThatThereIsNot) {
+  json spec = json::parse(text_of_file(kExamples + "transition/a_square_to_round.json"));
+  spec["pieces"] = 2;
+  json asked = request("transition", "");
+  asked["effort"] = "draft";
+  asked["input"] = {{"content", spec}};
+  asked["options"] = {{"piece", 1}};
+  EXPECT_EQ(done(asked).status, Status::ok);
+  asked["options"] = {{"piece", 99}};
+  EXPECT_EQ(refused(asked).code, ErrorCode::bad_option);
+  EXPECT_EQ(refused(asked).where, "/options/piece");
+  EXPECT_EQ(refused(asked).message, "there is no piece 99; the last is 1");
+}
+
+TEST(Run, NamesThePlaceOfEveryWrongOption) {
+  const json rules{{"content", {{"k_low", 0.9}}}};
+  const json table{{"name", "steel.csv"}, {"content", "r/t, k\n1, 5\n"}};
+  struct Wrong {
+    const char* maker;
+    json options;
+    const char* where;
+  };
+  for (const Wrong& wrong : std::initializer_list<Wrong>{
+           {"connect", {{"k", 0.4}, {"din6935", true}}, "/options/din6935"},
+           {"connect", {{"k", 0.4}, {"k_table", table}}, "/options/k_table"},
+           {"connect",
+            {{"rules", {{"content", json::object()}}}, {"no_rules", true}},
+            "/options/no_rules"},
+           {"connect", {{"splines", "keep"}, {"r12", true}}, "/options/splines"},
+           {"connect", {{"tick_length", 3}}, "/options/tick_length"},
+           {"connect", {{"rules", rules}}, "/options/rules/content/k_low"},
+           {"connect", {{"k_table", table}}, "/options/k_table/content"},
+           {"unfold", {{"bend_k", {{"B99", 0.4}}}}, "/options/bend_k/B99"},
+           {"unfold", {{"bend_k", {{"a/b", 0.4}}}}, "/options/bend_k/a~1b"},
+           {"unfold", {{"bend_k", {{"", 0.4}}}}, "/options/bend_k/"},
+           {"unfold", {{"root", 99}}, "/options/root"},
+           {"unfold", {{"up", 99}}, "/options/up"},
+           {"unfold", {{"body", "x"}}, "/options/body"},
+           {"unfold", {{"body", 99}}, "/options/body"},
+       }) {
+    const bool part = wrong.maker == std::string("unfold");
+    json asked = request(wrong.maker, part ? kExamples + "bracket.step" : kPlates);
+    asked["options"] = wrong.options;
+    asked["effort"] = "draft";
+    EXPECT_EQ(refused(asked).where, wrong.where) << wrong.options;
+  }
+}
+
+TEST(Run, NamesThePlaceOfAnArtifactThatCannotBeWritten) {
+  json asked = request("connect", kPlates);
+  asked["artifacts"] = {"dxf", "mould.stl"};
+  EXPECT_EQ(refused(asked).where, "/artifacts/1");
+}
+
+TEST(Run, NamesTheInputOfAWrongSlitFile) {
+  json slit = json::parse(text_of_file(kExamples + "slit/chair.json"));
+  slit["sheet"]["strips"] = 1;
+  slit["sheet"]["strip_width"] = 1e6;
+  json asked = request("slit", "");
+  asked["input"] = {{"name", "i.json"}, {"content", slit}};
+  std::vector<std::string> places;
+  for (const char* effort : {"draft", "full"}) {
+    asked["effort"] = effort;
+    const auto result = run(asked.dump());
+    places.push_back(result ? json::parse(result->report)["reason"].value("where", "")
+                            : result.error().where);
+  }
+  EXPECT_THAT(places, ElementsAre("i.json/leg_curve", "i.json/leg_curve"));
 }
 
 TEST(Catalogue, HasWhatEveryRowNeeds) {

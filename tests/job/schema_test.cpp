@@ -56,6 +56,41 @@ TEST(Schema, SaysWhichChoicesThereAre) {
   EXPECT_EQ(sentence(keyed, R"({"n": 1, "width": 2})"), "");
 }
 
+TEST(Schema, CountsWhatAListHolds) {
+  const Schema pair = list(number()).of_length(1, 2, "a list of 1 or 2 numbers");
+  EXPECT_EQ(sentence(pair, "[1]"), "");
+  EXPECT_EQ(sentence(pair, "[1, 2]"), "");
+  EXPECT_EQ(sentence(pair, "[]"), " must be a list of 1 or 2 numbers, not a list of 0");
+  EXPECT_EQ(sentence(pair, "[1, 2, 3]"), " must be a list of 1 or 2 numbers, not a list of 3");
+  EXPECT_EQ(sentence(list(number()), "[]"), "");
+  EXPECT_EQ(json_schema(pair, "", "")["minItems"], 1);
+  EXPECT_EQ(json_schema(pair, "", "")["maxItems"], 2);
+}
+
+TEST(Schema, MeasuresLengthsInMillimetres) {
+  const Schema most = length({"a length of at most 1000 mm", 0.0, 1000.0});
+  EXPECT_FALSE(first_mistake(most, 999.0));
+  EXPECT_TRUE(first_mistake(most, 1001.0));
+  EXPECT_FALSE(first_mistake(most, 1.0, 1000.0)) << "one metre";
+  EXPECT_TRUE(first_mistake(most, 1.1, 1000.0));
+}
+
+// What the parsers refuse, JSON Schema has to say too.
+TEST(Schemas, HaveTheLimitsOfTheParsers) {
+  const auto schema = [](const char* name) { return Json::parse(schema_text(name))["properties"]; };
+  const Json slits = schema("slits");
+  EXPECT_EQ(slits["ridges"]["minimum"], 3);
+  EXPECT_EQ(slits["ridges"]["maximum"], 1000);
+  EXPECT_EQ(slits["thickness"]["maximum"], 10000000);
+  const Json poles = slits["leg_curve"]["properties"]["bezier"];
+  EXPECT_EQ(poles["minItems"], 2);
+  EXPECT_EQ(poles["items"]["items"]["minimum"], -10000000);
+  EXPECT_EQ(poles["items"]["items"]["maximum"], 10000000);
+  EXPECT_EQ(schema("transition")["press_lines"]["properties"]["count"]["maximum"], 2000);
+  const Json bend = schema("plates")["bends"]["items"]["properties"];
+  EXPECT_EQ(bend["edges"]["additionalProperties"]["minItems"], 1);
+}
+
 TEST(Schema, IsPrintedAsJsonSchema) {
   const Json schema = json_schema(object({required("r", length(kAboveZero).said("radius")),
                                           optional("n", whole(0, 6).defaulting(2))}),
@@ -80,6 +115,27 @@ TEST(JsonReading, GivesTheSchemasDefaultsForWhatIsLeftOut) {
   EXPECT_TRUE(place["on"].yes());
   EXPECT_EQ(place["inner"]["n"].whole(), 7);
   EXPECT_FALSE(place["gap"].maybe_length().has_value());
+}
+
+TEST(JsonReading, RefusesWhatIsNestedTooDeep) {
+  const Schema schema = object({optional("a", anything())});
+  const auto error_of = [&](const std::string& text) {
+    return JsonReading(text, "disc file", "f", schema).error();
+  };
+  const auto nested = [](int depth) {
+    return "{\n\"a\": " + std::string(depth - 1, '[') + std::string(depth - 1, ']') + "}";
+  };
+  EXPECT_FALSE(error_of(nested(100)));
+  EXPECT_EQ(error_of(nested(101))->where, "f:2:105");
+  EXPECT_THAT(error_of(nested(300000))->message,
+              HasSubstr("the disc file is nested more than 100 deep at line:column 2:105"));
+  EXPECT_FALSE(error_of(R"({"a": ")" + std::string(200, '[') + R"(\"[\\"})")) << "in a text";
+}
+
+TEST(JsonReading, KnowsAStepFileWhenItSeesOne) {
+  const Schema schema = object({});
+  EXPECT_EQ(JsonReading("ISO-10303-21;\n", "disc file", "f", schema).error()->message,
+            "the disc file is not JSON: it is a STEP file");
 }
 
 TEST(JsonReadingDeathTest, ReadsNoKeyThatTheSchemaDoesNotDescribe) {

@@ -60,6 +60,7 @@ TEST(Sides, FindTheBendsThatHaveAKOfTheirOwn) {
     ASSERT_FALSE(refused.has_value()) << wrong;
     EXPECT_EQ(refused.error().code, ErrorCode::bad_option);
     EXPECT_THAT(refused.error().message, HasSubstr("B1 to B12"));
+    EXPECT_EQ(refused.error().where, std::string("bend_k/") + wrong);
   }
 }
 
@@ -70,6 +71,7 @@ TEST(Sides, ListTheFacesThatCanBeTheRoot) {
     ASSERT_FALSE(options.has_value()) << wrong;
     EXPECT_EQ(options.error().code, ErrorCode::no_such_face);
     EXPECT_THAT(options.error().message, HasSubstr("7, 12"));
+    EXPECT_EQ(options.error().where, "root");
   }
 }
 

@@ -7,13 +7,11 @@
 namespace planish::studio {
 namespace {
 
-/// The report of the piece shown; the whole's if a refusal left no pieces.
-Result<const job::Report*> piece_of(const job::Made& made, int piece) {
-  if (piece < made.pieces()) return &made.piece(piece);
-  if (made.report().refusal) return &made.report();
-  return fail(ErrorCode::bad_option,
-              fmt::format("there is no piece {}; the last is {}", piece, made.pieces() - 1),
-              "/options/piece");
+/// The report of the piece that is looked at.
+Result<const job::Report*> shown_piece(const job::Made& made, const Asked& asked) {
+  auto piece = job::piece_of(made, asked.request.piece);
+  if (!piece) return tl::unexpected(job::at_pointer(piece.error(), kOptions));
+  return piece;
 }
 
 void add_flange_names(Shape& shape, const job::Made& made) {
@@ -68,7 +66,7 @@ Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort eff
   if (whole && last_ && last_->first == asked.key) return last_->second;
   if (auto taken = take_spec(asked); !taken) return tl::unexpected(taken.error());
   auto made = work_->make(request_of(asked, effort), progress);
-  if (!made) return tl::unexpected(made.error());
+  if (!made) return tl::unexpected(job::at_pointer(made.error(), kOptions));
   MadePointer shared(std::move(*made));
   if (whole) last_ = {asked.key, shared};
   return shared;
@@ -77,7 +75,7 @@ Result<Document::MadePointer> Document::make(const Asked& asked, job::Effort eff
 Result<Shape> Document::shape(const Asked& asked, job::Effort effort, const Progress& progress) {
   const auto made = make(asked, effort, progress);
   if (!made) return tl::unexpected(made.error());
-  const auto piece = piece_of(**made, asked.request.piece);
+  const auto piece = shown_piece(**made, asked);
   if (!piece) return tl::unexpected(piece.error());
   Shape shape;
   shape.report = (*made)->json();
@@ -101,7 +99,7 @@ Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::strin
   if (!made) return tl::unexpected(made.error());
   if ((*made)->report().refusal && artifact->role != job::Role::report)
     return tl::unexpected(*(*made)->report().refusal);
-  const auto piece = piece_of(**made, asked.request.piece);
+  const auto piece = shown_piece(**made, asked);
   if (!piece) return tl::unexpected(piece.error());
   auto bytes = artifact->write(**made, asked.request.piece, request_of(asked, job::Effort::full));
   if (!bytes) return tl::unexpected(bytes.error());

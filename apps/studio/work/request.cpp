@@ -13,9 +13,11 @@ tl::unexpected<Error> mistake(const std::string& message, const std::string& whe
 
 Result<void> read_options(const Json& options, const job::Maker& maker, job::Request& request) {
   const auto values = job::read_options(json_text(options), maker, job::OptionFiles::content,
-                                        "/options");
+                                        kOptions);
   if (!values) return tl::unexpected(values.error());
-  return values->enter(request);
+  if (auto entered = values->enter(request); !entered)
+    return tl::unexpected(job::at_pointer(entered.error(), kOptions));
+  return {};
 }
 
 }  // namespace

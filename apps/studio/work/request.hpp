@@ -7,6 +7,8 @@
 
 namespace planish::studio {
 
+inline constexpr auto kOptions = "/options";  ///< where they are in a request
+
 /// A parsed request of docs/studio-api.md.
 struct Asked {
   std::string key;   ///< the whole request as text: equal requests have equal keys

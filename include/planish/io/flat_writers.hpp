@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace planish {
 
@@ -58,6 +59,20 @@ std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {})
 /// A symbolic link is followed and its target replaced; a device or pipe is written directly.
 /// Errors: `cannot_write` with the system's reason; the target is then unchanged.
 Result<void> write_file(const std::filesystem::path& target, const std::string& content);
+
+/// A file to write, its content ready.
+struct OutputFile {
+  std::filesystem::path path;
+  std::string content;
+};
+/// Writes all of them or none: each beside its target, then devices and pipes, and only when all
+/// of that is done are the files renamed, which hardly ever fails.
+/// Errors: those of `write_file`, of the first that cannot be written.
+Result<void> write_files(const std::vector<OutputFile>& files);
+
+/// `cannot_write` where `write_file` would fail for what can be known beforehand: the target is a
+/// folder or write-protected, or its folder is missing or write-protected.
+Result<void> check_writable(const std::filesystem::path& target);
 
 /// Layer names of a profile. `bend_zone` is empty where the profile has none. Inventor names a
 /// layer for formed features; the other profiles get a similar one, with neither BEND nor TANGENT

@@ -61,6 +61,10 @@ class Made {
   virtual std::optional<Mesh> refused_solid() const { return std::nullopt; }
 };
 
+/// The report of the piece that a request shows, from 0; the whole's if a refusal left no pieces.
+/// Errors: `bad_option` if there is no such piece; `where` is the option's name.
+Result<const Report*> piece_of(const Made& made, int piece);
+
 /// An input file: its bytes, its name in messages, and the folder of the files that it refers to.
 /// Without a folder these are not read.
 struct InputFile {
@@ -86,7 +90,7 @@ class Work {
   virtual Result<void> edit(const InputFile& input);
   /// An error means that the input or the request is invalid; what cannot be made gives a report
   /// with `refusal`. `where` of both is the input's name, followed by the JSON pointer of the
-  /// cause, or the name of an option.
+  /// cause, or the name of an option, followed by the pointer within its value.
   virtual Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
   /// What the input holds, as JSON text; "null" if there is nothing to add to the input itself.
   virtual std::string info(const Progress&) const { return "null"; }

@@ -73,17 +73,26 @@ class OptionValues {
   bool given(std::string_view name) const;
   /// The text of a word, face, name or path; empty if not given.
   std::string text(std::string_view name) const;
+  std::optional<double> number(std::string_view name) const;
 
   /// Checks options that are each valid but may contradict one another. Errors: `bad_option`,
-  /// option names in backquotes.
+  /// option names in backquotes; `where` is the name of one.
   Result<void> check_together() const;
   /// Stores all values in a request and reads the files whose paths were given. Errors: those of
-  /// `check_together`, `cannot_read`, `invalid_input`.
+  /// `check_together`; `cannot_read`, `invalid_input` with the place in the file, or for content
+  /// given inline with the place in the option, "rules/content/k_low".
   Result<void> enter(Request& request) const;
 
  private:
   std::vector<std::pair<const Option*, OptionValue>> values_;
 };
+
+/// The option that a place belongs to, "bend_k" of "bend_k/B99"; null if it belongs to none.
+const Option* option_at(std::string_view where);
+
+/// The error of a request whose options are at a JSON pointer: the place "bend_k/B99" becomes
+/// "/options/bend_k/B99"; places that belong to no option stay.
+Error at_pointer(Error error, const std::string& options);
 
 /// The finite number that the whole text spells, with a decimal point; empty otherwise.
 std::optional<double> parse_number(const std::string& text);

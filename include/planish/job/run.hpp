@@ -25,8 +25,9 @@ struct RunResult {
 ///
 /// `input` is the path of a file, or its content: {"name": "plates.json", "content": {...}}, where
 /// `content` is the object itself or the text of any file. Other files that it refers to are then
-/// sought in "folder". Errors: `invalid_input` for a request that breaks its schema (`where` is the
-/// JSON pointer), `bad_option`, those of the maker's input.
+/// sought in "folder", which must be given. Errors: `invalid_input` for a request that breaks its
+/// schema (`where` is the JSON pointer) or is nested more than 100 deep, `bad_option` (`where` is
+/// that of the option, "/options/bend_k/B99"), those of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
 
