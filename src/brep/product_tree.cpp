@@ -109,8 +109,8 @@ class UncheckedSession : public XSControl_WorkSession {
     // Without a protocol no graph is made, and it is with a graph that checking begins.
     SetProtocol({});
     SetModel(model);
-    thegraph = new Interface_HGraph(model);
     SetProtocol(protocol);
+    thegraph = new Interface_HGraph(model);
     SetLoadedFile(path.c_str());
     InitTransferReader(kWhatHasBeenRead);
     return true;
