@@ -11,9 +11,7 @@ set(_occt_toolkits
   # algorithms: primitives, booleans, fillets, offsets, healing, meshing
   TKGeomAlgo TKTopAlgo TKPrim TKBO TKBool TKFillet TKOffset TKShHealing TKMesh
   # STEP and STL
-  TKXSBase TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKSTL
-  # documents: assemblies, names, colours
-  TKCDF TKCAF TKLCAF TKVCAF TKXCAF TKXDESTEP)
+  TKXSBase TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKSTL)
 
 find_path(Occt_INCLUDE_DIR Standard_Version.hxx PATH_SUFFIXES opencascade occt)
 mark_as_advanced(Occt_INCLUDE_DIR)

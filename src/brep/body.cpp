@@ -2,6 +2,7 @@
 
 #include "guarded.hpp"
 #include "kernel_points.hpp"
+#include "mend.hpp"
 #include "patch_volume.hpp"
 
 #include <planish/base/assert.hpp>
@@ -32,7 +33,8 @@ double Body::volume() const {
     constexpr double kAccuracy = 1e-11;  // of the cube about the body, for each border
     const double error = kAccuracy * std::pow((high - low).norm(), 3);
     double sum = 0.0;
-    for (TopExp_Explorer faces(shape_->solid, TopAbs_FACE); faces.More(); faces.Next())
+    const TopoDS_Shape solid = brep::with_parameter_curves(shape_->solid);
+    for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
       sum += brep::patch_volume(TopoDS::Face(faces.Current()), 0.5 * (low + high), error);
     return std::abs(sum);
   });

@@ -48,12 +48,11 @@ std::set<int> reached_from(const std::set<int>& seeds, const Neighbours& neighbo
 }
 
 /// A tree of n groups and the flange has n joints; more form a ring.
-bool makes_ring(const Groups& groups, const std::set<int>& inside, int flange) {
+bool makes_ring(const Neighbours& neighbours, const std::set<int>& inside, int flange) {
   std::set<std::pair<int, int>> links;
-  const auto in = [&](int g) { return g == flange || inside.count(g) > 0; };
-  for (const GroupJoint& joint : groups.joints)
-    if (joint.a != joint.b && in(joint.a) && in(joint.b))
-      links.insert(std::minmax(joint.a, joint.b));
+  for (const int g : inside)
+    for (const int other : neighbours[g])
+      if (other == flange || inside.count(other) > 0) links.insert(std::minmax(g, other));
   return links.size() > inside.size();
 }
 
@@ -70,12 +69,12 @@ std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline
     const std::set<int> seeds = joined_along(loop, joint_at, flange);
     if (seeds.empty()) return;
     const std::set<int> inside = reached_from(seeds, neighbours, flange);
-    if (makes_ring(groups, inside, flange)) taken.insert(inside.begin(), inside.end());
+    if (makes_ring(neighbours, inside, flange)) taken.insert(inside.begin(), inside.end());
   };
   for (int g = 0; g < std::ssize(groups.rows); ++g) {
     if (!groups.rows[g].flange) continue;
     for (const int f : groups.rows[g].faces) {
-      const int outer = outer_loop(outlines[f]);
+      const int outer = outlines[f].outer;
       for (int l = 0; l < std::ssize(model.faces[f].loops); ++l)
         if (l != outer) look_inside(g, model.faces[f].loops[l]);
     }

@@ -102,7 +102,7 @@ Face empty_face(const SolidModel& model, int f, int leader) {
 
 ReadFace read_face(const Recognition& of, int f, int leader) {
   const SolidSurface& surface = of.model.faces[leader].surface;
-  const int outer = outer_loop(of.outlines[f]);
+  const int outer = of.outlines[f].outer;
   ReadFace result;
   result.face = empty_face(of.model, f, leader);
   result.loops.resize(of.model.faces[f].loops.size());

@@ -1,6 +1,7 @@
 #include "body.hpp"
 #include "guarded.hpp"
 #include "kernel_points.hpp"
+#include "mend.hpp"
 #include "thicken.hpp"
 
 #include <planish/base/angle.hpp>
@@ -156,7 +157,8 @@ Result<Mesh> body_mesh(const Body& body, double chord) {
   if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
   return brep::guarded([&]() -> Result<Mesh> {
     // The kernel stores triangles in the shape itself, so mesh a copy.
-    Mesh mesh = triangulated(BRepBuilderAPI_Copy(body.shape().solid).Shape(), chord);
+    const TopoDS_Shape measurable = brep::with_parameter_curves(body.shape().solid);
+    Mesh mesh = triangulated(BRepBuilderAPI_Copy(measurable).Shape(), chord);
     if (mesh.triangles.empty())
       return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
     return mesh;

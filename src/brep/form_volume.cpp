@@ -37,7 +37,7 @@ double loop_area(const BorderLoop& borders) {
 
 bool opening_in_plane(const Recognition& of, const LoopRef& ref) {
   return std::holds_alternative<Frame>(of.model.faces[ref.face].surface) &&
-         outer_loop(of.outlines[ref.face]) != ref.loop;
+         of.outlines[ref.face].outer != ref.loop;
 }
 
 std::optional<double> form_volume(const Recognition& of, const RimPart& part) {

@@ -66,6 +66,7 @@ Outline outline_of(const SolidModel& model, const SolidFace& face) {
     u_near = (outline.box.lo.x() + outline.box.hi.x()) / 2;
   }
   outline.area = std::abs(outline.area);
+  outline.outer = outer_loop(outline);
   outline.u_middle = u_near / outline.u_scale;
   outline.inner_point = outline.rings.front().front();
   outline.inner_normal = outward_normal_at(face, outline.inner_point);
@@ -147,6 +148,18 @@ Vec3 outward_normal_at(const SolidFace& face, const Vec3& point) {
   if (const auto* plane = std::get_if<Frame>(&face.surface)) return plane->z;
   const auto& surface = std::get<Developable>(face.surface);
   return face.sense * normal_on(surface, parameters_of(surface, point, 0.0).x());
+}
+
+int outer_loop(const Outline& outline) {
+  int best = 0;
+  double best_area = -1.0;
+  for (int l = 0; l < std::ssize(outline.flat); ++l) {
+    const double area = std::abs(ring_area(outline.flat[l]));
+    if (area <= best_area) continue;
+    best_area = area;
+    best = l;
+  }
+  return best;
 }
 
 std::vector<Outline> outlines_of(const SolidModel& model) {

@@ -15,6 +15,7 @@ struct Outline {
   double u_middle = 0.0;
   double area = 0.0;
   Box2 box;                                   ///< of `flat`
+  int outer = 0;                              ///< the loop with the largest area
   Vec3 lo = Vec3::Zero(), hi = Vec3::Zero();  ///< box in space
   Vec3 inner_point = Vec3::Zero();            ///< a border point, and the outward normal there
   Vec3 inner_normal = Vec3::UnitZ();
@@ -36,6 +37,9 @@ std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outl
 /// Outward unit normal of a plane or developable face at the point of its surface nearest to
 /// `point`.
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
+
+/// Index of a face's outer loop: the one with the largest area.
+int outer_loop(const Outline& outline);
 
 /// Area inside a closed polygon, positive when it runs counter-clockwise.
 double ring_area(const std::vector<Vec2>& ring);

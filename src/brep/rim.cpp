@@ -144,16 +144,4 @@ Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, cons
   return rim;
 }
 
-int outer_loop(const Outline& outline) {
-  int best = 0;
-  double best_area = -1.0;
-  for (int l = 0; l < std::ssize(outline.flat); ++l) {
-    const double area = std::abs(ring_area(outline.flat[l]));
-    if (area <= best_area) continue;
-    best_area = area;
-    best = l;
-  }
-  return best;
-}
-
 }  // namespace planish::brep

@@ -27,7 +27,4 @@ struct Rim {
 
 Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins);
 
-/// Index of a face's outer loop: the one with the largest area.
-int outer_loop(const Outline& outline);
-
 }  // namespace planish::brep

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace planish::brep {
 namespace {
@@ -28,6 +30,18 @@ struct Turn {
   double angle = 0.0;
 };
 
+/// Edges by the two faces that they lie between, the smaller number first.
+using TurnsByFaces = std::map<std::pair<int, int>, std::vector<Turn>>;
+
+TurnsByFaces by_faces(const SolidModel& model, const std::vector<Turn>& turns) {
+  TurnsByFaces rows;
+  for (const Turn& turn : turns) {
+    const auto& [f, g] = model.edges[turn.edge].faces;
+    rows[std::minmax(f, g)].push_back(turn);
+  }
+  return rows;
+}
+
 std::vector<Turn> turns_between(const SolidModel& model, const std::vector<bool>& candidates) {
   std::vector<Turn> turns;
   for (int e = 0; e < std::ssize(model.edges); ++e) {
@@ -39,23 +53,31 @@ std::vector<Turn> turns_between(const SolidModel& model, const std::vector<bool>
   return turns;
 }
 
-/// Whether two edges are the two sides of one fold.
-bool opposite_edges(const SolidModel& model, const std::vector<std::vector<int>>& partners, int e,
-                    int other, double thickness) {
-  const auto partnered = [&](int a, int b) {
-    return std::find(partners[a].begin(), partners[a].end(), b) != partners[a].end();
-  };
-  const auto& [f, g] = model.edges[e].faces;
-  const auto& [p, q] = model.edges[other].faces;
-  if (!(partnered(f, p) && partnered(g, q)) && !(partnered(f, q) && partnered(g, p))) return false;
-  const SpaceCurve& a = model.edges[e].curve;
-  const SpaceCurve& b = model.edges[other].curve;
+/// Whether an edge lies where the other side of a fold would, seen from the first.
+bool beside(const SpaceCurve& a, const SpaceCurve& b, double thickness) {
   // The mitre's length grows with the angle; it is 4 thicknesses at a bend of 150°.
   constexpr double kLongestMitre = 4.0;
   const Vec3 middle = (b.start + b.end) / 2;
   const Vec3 along = (a.end - a.start).normalized();
   const Vec3 d = middle - a.start;
   return (d - d.dot(along) * along).norm() < kLongestMitre * thickness;
+}
+
+/// Whether the partners of an edge's faces meet sharply too, the other way round: the other side of
+/// its fold.
+bool is_mirrored(const SolidModel& model, const std::vector<std::vector<int>>& partners,
+                 const TurnsByFaces& turns, const Turn& turn, double thickness) {
+  const SolidEdge& edge = model.edges[turn.edge];
+  for (const int p : partners[edge.faces[0]])
+    for (const int q : partners[edge.faces[1]]) {
+      const auto between = turns.find(std::minmax(p, q));
+      if (between == turns.end()) continue;
+      for (const Turn& other : between->second)
+        if (other.edge != turn.edge && other.angle * turn.angle < 0 &&
+            beside(edge.curve, model.edges[other.edge].curve, thickness))
+          return true;
+    }
+  return false;
 }
 
 }  // namespace
@@ -84,16 +106,15 @@ std::vector<SharpEdge> find_sharp_edges(const SolidModel& model,
                                         const std::vector<RoundedOutside>& rounded,
                                         double thickness) {
   const std::vector<Turn> turns = turns_between(model, candidates);
+  const TurnsByFaces rows = by_faces(model, turns);
+  std::set<int> rounded_edges;
+  for (const RoundedOutside& outside : rounded)
+    rounded_edges.insert(outside.edge);
   std::vector<SharpEdge> sharp;
   for (const Turn& turn : turns) {
-    const bool is_rounded = std::any_of(
-        rounded.begin(), rounded.end(),
-        [&](const RoundedOutside& outside) { return outside.edge == turn.edge; });
-    const bool is_mirrored = std::any_of(turns.begin(), turns.end(), [&](const Turn& other) {
-      return other.edge != turn.edge && other.angle * turn.angle < 0 &&
-             opposite_edges(model, partners, turn.edge, other.edge, thickness);
-    });
-    if (is_rounded || is_mirrored) sharp.push_back({turn.edge, turn.angle < 0, is_rounded});
+    const bool is_rounded = rounded_edges.count(turn.edge) > 0;
+    if (is_rounded || is_mirrored(model, partners, rows, turn, thickness))
+      sharp.push_back({turn.edge, turn.angle < 0, is_rounded});
   }
   return sharp;
 }

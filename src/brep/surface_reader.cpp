@@ -2,8 +2,13 @@
 
 #include "fit_surface.hpp"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <ElSLib.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
@@ -75,6 +80,23 @@ Cone towards(Cone cone, const Vec3& point) {
   if ((point - cone.frame.origin).dot(cone.frame.z) < 0)
     cone.frame = frame_from_axes(cone.frame.origin, -cone.frame.z, cone.frame.x);
   return cone;
+}
+
+/// The point of the face's border that is farthest from the apex: there the nappe is certain.
+SurfaceSample sample_of_cone(const Patch& patch, const TopoDS_Face& face) {
+  const gp_Cone cone = patch.surface.Cone();
+  gp_Pnt farthest = cone.Apex();
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current()))) continue;
+    const BRepAdaptor_Curve curve(TopoDS::Edge(edges.Current()));
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const gp_Pnt p = curve.Value(std::lerp(curve.FirstParameter(), curve.LastParameter(), share));
+      if (p.Distance(cone.Apex()) > farthest.Distance(cone.Apex())) farthest = p;
+    }
+  }
+  double u = 0.0, v = 0.0;
+  ElSLib::Parameters(cone, farthest, u, v);
+  return {vec(patch.surface.Value(u, v).XYZ()), vec(patch.normal(u, v).Normalized().XYZ())};
 }
 
 /// A parameter direction along which the patch is straight, with its rulings.
@@ -245,12 +267,11 @@ SolidFace read_surface(const TopoDS_Face& face, double tolerance) {
     result.surface = Developable(Cylinder{frame_of(cylinder.Position()), cylinder.Radius()});
     return result;
   }
-  BRepTools::UVBounds(face, patch.domain.u0, patch.domain.u1, patch.domain.v0, patch.domain.v1);
-  if (type != GeomAbs_Cone) return fitted_face(patch, tolerance);
-  const double u = (patch.domain.u0 + patch.domain.u1) / 2;
-  const double v = (patch.domain.v0 + patch.domain.v1) / 2;
-  const SurfaceSample sample{vec(patch.surface.Value(u, v).XYZ()),
-                             vec(patch.normal(u, v).Normalized().XYZ())};
+  if (type != GeomAbs_Cone) {
+    BRepTools::UVBounds(face, patch.domain.u0, patch.domain.u1, patch.domain.v0, patch.domain.v1);
+    return fitted_face(patch, tolerance);
+  }
+  const SurfaceSample sample = sample_of_cone(patch, face);
   Developable developable = towards(cone_of(patch.surface.Cone()), sample.point);
   result.sense = sense_of(developable, sample);
   result.surface = std::move(developable);

@@ -41,8 +41,8 @@ struct Limits {
 std::vector<ZoneCorner> corners_towards(const Workpiece& workpiece, size_t bend,
                                         const Vec2& direction) {
   std::vector<ZoneCorner> corners;
-  for (const BendSide& side : workpiece.sides) {
-    if (side.bend != bend || side.length() <= 0.0) continue;
+  for (const BendSide& side : workpiece.sides_of(bend)) {
+    if (side.length() <= 0.0) continue;
     const Vec2 along = (side.end - side.start) / side.length();
     const bool forward = along.dot(direction) > 0.0;
     corners.push_back(

@@ -51,8 +51,7 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   const double least_return = rules.hem_return_t * workpiece.thickness;
   const double outside = bend.inside_radius + workpiece.thickness;
   FlatLength shortest{std::numeric_limits<double>::infinity(), Vec2::Zero(), std::nullopt};
-  for (const BendSide& side : workpiece.sides) {
-    if (side.bend != b) continue;
+  for (const BendSide& side : workpiece.sides_of(b)) {
     const FlatLength flat = shortest_flat(workpiece, side, std::max(0.0, least_return - outside),
                                           least_return);
     if (flat.length < shortest.length) shortest = flat;

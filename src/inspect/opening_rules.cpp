@@ -17,8 +17,7 @@ std::string wanted_text(double limit, double factor) {
 Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b) {
   const FlatBend& bend = workpiece.pattern.bends[b];
   int limits_cut = 0;
-  for (const BendSide& side : workpiece.sides) {
-    if (side.bend != b) continue;
+  for (const BendSide& side : workpiece.sides_of(b)) {
     const auto ends_at_opening = [&](const Segment& s) {
       return gap_between(opening.boxed, Segment{s.a, s.a}, 2.0 * kDrawn).distance <= kDrawn ||
              gap_between(opening.boxed, Segment{s.b, s.b}, 2.0 * kDrawn).distance <= kDrawn;

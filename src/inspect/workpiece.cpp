@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -73,7 +74,7 @@ std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
 }
 
 /// The two limits of a bend zone, as far as they exist.
-std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
+std::vector<BendSide> limits_of(const FlatBend& bend, size_t id) {
   if (bend.lines.empty()) return {};
   std::vector<Segment> lines = bend.tangent_lines;
   if (lines.empty()) lines = supposed_tangent_lines(bend);
@@ -155,13 +156,12 @@ Opening opening_of(const Contour& contour, SizeTeller& size_text) {
 void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
             const Workpiece& workpiece) {
   const std::set<BendId> cut = bends_cut(sheet, contour);
-  for (size_t b = 0; b < workpiece.pattern.bends.size(); ++b) {
+  workpiece.zone_index.visit(widened(opening.boxed.box, kDrawn), [&](size_t b) {
     const FlatBend& bend = workpiece.pattern.bends[b];
-    if (!workpiece.spans[b] || box_distance(workpiece.zones[b], opening.boxed.box) > kDrawn)
-      continue;
+    if (!workpiece.spans[b] || box_distance(workpiece.zones[b], opening.boxed.box) > kDrawn) return;
     if (at_loop(opening, workpiece.spans[b]->start) || at_loop(opening, workpiece.spans[b]->end)) {
       opening.bounds.insert(b);
-      continue;
+      return;
     }
     const auto ends_there = [&](const Segment& s) {
       return at_loop(opening, s.a) || at_loop(opening, s.b);
@@ -169,13 +169,13 @@ void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
     if (cut.contains(bend.bend) || std::any_of(bend.lines.begin(), bend.lines.end(), ends_there) ||
         std::any_of(bend.tangent_lines.begin(), bend.tangent_lines.end(), ends_there))
       opening.reaches_in.insert(b);
-  }
+  });
 }
 
 }  // namespace
 
 Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
-    : pattern(flat), thickness(flat.thickness), contours({}), tangent_index({}) {
+    : pattern(flat), thickness(flat.thickness), contours({}), tangent_index({}), zone_index({}) {
   for (size_t b = 0; b < flat.bends.size(); ++b) {
     const FlatBend& bend = flat.bends[b];
     Box2& zone = zones.emplace_back();
@@ -183,7 +183,7 @@ Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
       for (const Segment& line : *lines)
         zone.add(bounds(line));
     spans.push_back(bend.lines.empty() ? std::nullopt : std::optional(span_of(bend.lines)));
-    for (BendSide& side : sides_of(bend, b))
+    for (BendSide& side : limits_of(bend, b))
       sides.push_back(std::move(side));
   }
   std::vector<Box2> boxes;
@@ -194,12 +194,18 @@ Workpiece::Workpiece(const Sheet& sheet, const FlatPattern& flat)
     }
   }
   tangent_index = BoxTree(std::move(boxes));
+  zone_index = BoxTree(zones);
   SizeTeller size_text;
   for (const Contour& contour : flat.openings) {
     openings.push_back(opening_of(contour, size_text));
     relate(openings.back(), sheet, contour, *this);
   }
   contours = RingIndex(contour_rings(flat, openings));
+}
+
+std::span<const BendSide> Workpiece::sides_of(size_t bend) const {
+  const auto [first, last] = std::ranges::equal_range(sides, bend, {}, &BendSide::bend);
+  return {first, last};
 }
 
 bool Workpiece::joined_by_material(const Vec2& a, const Vec2& b) const {

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,8 +58,11 @@ struct Workpiece {
   std::vector<Box2> zones;                     ///< by bend: box of its lines
   std::vector<TangentSegment> tangent_lines;   ///< the segments of all sides
   BoxTree tangent_index;                       ///< index of their boxes
+  BoxTree zone_index;                          ///< index of `zones`
   std::vector<Opening> openings;
 
+  /// The sides of one bend.
+  std::span<const BendSide> sides_of(size_t bend) const;
   bool material(const Vec2& p) const { return contours.odd(p); }
   /// Whether the straight line from a to b, both on contours or tangent lines, is all material.
   bool joined_by_material(const Vec2& a, const Vec2& b) const;

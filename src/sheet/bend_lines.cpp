@@ -94,9 +94,18 @@ std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, cons
   return lines;
 }
 
-void add_sharp_lines(const Sheet& sheet, const Layout& layout, BendId id, FlatBend& flat) {
-  for (const Joint& joint : sheet.joints) {
-    if (joint.sharp != id) continue;
+/// By bend: the joints that a sharp one folds.
+IdVector<BendId, std::vector<int>> sharp_joints(const Sheet& sheet) {
+  IdVector<BendId, std::vector<int>> joints(sheet.bends.size());
+  for (int j = 0; j < std::ssize(sheet.joints); ++j)
+    if (const auto& sharp = sheet.joints[j].sharp) joints[*sharp].push_back(j);
+  return joints;
+}
+
+void add_sharp_lines(const Sheet& sheet, const Layout& layout, const std::vector<int>& joints,
+                     FlatBend& flat) {
+  for (const int j : joints) {
+    const Joint& joint = sheet.joints[j];
     const Curve2& a = sheet[joint.a].curve;
     const Curve2& b = sheet[joint.b].curve;
     const Vec2 a0 = layout.develop(sheet, joint.a.face, start_of(a));
@@ -135,6 +144,7 @@ double length_of(const Bend& bend, const std::vector<Segment>& lines) {
 
 std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
   std::vector<FlatBend> result;
+  const auto sharp = sharp_joints(sheet);
   for (const BendId id : sheet.bends.ids()) {
     const Bend& bend = sheet[id];
     FlatBend flat;
@@ -146,7 +156,7 @@ std::vector<FlatBend> flat_bends(const Sheet& sheet, const Layout& layout) {
     flat.allowance = layout.allowance[id];
     flat.direction = bend.reference_inside ? BendDirection::up : BendDirection::down;
     if (bend.faces.empty()) {
-      add_sharp_lines(sheet, layout, id, flat);
+      add_sharp_lines(sheet, layout, sharp[id], flat);
     } else {
       const Range range = u_range(sheet, bend);
       add_press_lines(sheet, layout, bend, range, flat);

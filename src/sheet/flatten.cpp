@@ -76,12 +76,13 @@ void cut_feature(FlatPattern& pattern, FlatFeature& flat, const FormedFeature& f
 /// The features with their outlines, and what is cut within them.
 void add_features(FlatPattern& pattern, const Sheet& sheet, const Layout& layout,
                   const Contours& contours, const FlattenOptions& options) {
+  IdVector<FeatureId, std::vector<Loop>> formed(sheet.features.size());
+  for (const auto& [id, outline] : contours.formed)
+    formed[id].push_back(outline);
   for (const FeatureId id : sheet.features.ids()) {
     const FormedFeature& feature = sheet[id];
     const Isometry2& placement = layout.placement[feature.face];
-    FlatFeature flat{feature.kind, {}};
-    for (const auto& [formed, outline] : contours.formed)
-      if (formed == id) flat.outlines.push_back(outline);
+    FlatFeature flat{feature.kind, std::move(formed[id])};
     for (const BorderLoop& outline : feature.outlines)
       flat.outlines.push_back(merged(placed(outline, placement), options.merge_tolerance).loop);
     cut_feature(pattern, flat, feature, placement, options);

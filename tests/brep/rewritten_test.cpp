@@ -1,5 +1,6 @@
 #include "body.hpp"
 #include "guarded.hpp"
+#include "mend.hpp"
 #include "step_out.hpp"
 #include "support/real_parts.hpp"
 
@@ -46,8 +47,9 @@ Result<Laid> lay(const Body& body) {
 }
 
 Result<Laid> lay_rewritten(const Body& body, const Rewrite& rewrite) {
-  const auto text = brep::guarded(
-      [&] { return brep::step_text(rewrite(body.shape().solid), "rewritten"); });
+  const auto text = brep::guarded([&] {
+    return brep::step_text(rewrite(brep::with_parameter_curves(body.shape().solid)), "rewritten");
+  });
   if (!text) return tl::unexpected(text.error());
   const auto file = read_step_text(*text, "rewritten.step");
   if (!file) return tl::unexpected(file.error());

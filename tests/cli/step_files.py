@@ -184,3 +184,47 @@ def two_angles_and_a_block():
     file.product("door, \"left\"", file.prism(*angle_profile(40.0, 1.5, 3.0), 25.0, at=(300, 0, 0)))
     file.product("block", file.prism(*rectangle_profile(30.0, 30.0), 30.0, at=(500, 0, 0)))
     return file.text()
+
+
+def assembly_of_file(part, uses=2):
+    """An assembly of one product whose shape is in another file, `uses` times 100 mm apart."""
+    file = StepFile()
+    context = file.add(f"PRODUCT_CONTEXT('',{file.application},'mechanical')")
+    design = file.add(
+        f"PRODUCT_DEFINITION_CONTEXT('part definition',{file.application},'design')")
+
+    def product(name):
+        product = file.add(f"PRODUCT('{name}','{name}','',({context}))")
+        formation = file.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
+        return file.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
+
+    def shape(name, definition, placements):
+        representation = file.add(
+            f"SHAPE_REPRESENTATION('{name}',({','.join(placements)}),{file.context})")
+        of = file.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+        file.add(f"SHAPE_DEFINITION_REPRESENTATION({of},{representation})")
+        return representation
+
+    def placement(x):
+        return file.placement((x, 0, 0), (0, 0, 1), (1, 0, 0))
+
+    whole, child = product("assembly"), product("child")
+    places = [placement(100.0 * i) for i in range(uses)]
+    origin = placement(0.0)
+    whole_shape = shape("assembly", whole, places)
+    child_shape = shape("child", child, [origin])
+    kind = file.add("DOCUMENT_TYPE('')")
+    document = file.add(f"DOCUMENT_FILE('{part}','','',{kind},'',$)")
+    role = file.add("IDENTIFICATION_ROLE('external document id and location',$)")
+    source = file.add("EXTERNAL_SOURCE(IDENTIFIER(''))")
+    file.add(f"APPLIED_DOCUMENT_REFERENCE({document},'',({child}))")
+    file.add(f"APPLIED_EXTERNAL_IDENTIFICATION_ASSIGNMENT('{part}',{role},{source},({document}))")
+    for i, place in enumerate(places):
+        use = file.add(f"NEXT_ASSEMBLY_USAGE_OCCURRENCE('{i}','use {i}','',{whole},{child},$)")
+        of = file.add(f"PRODUCT_DEFINITION_SHAPE('','',{use})")
+        there = file.add(f"ITEM_DEFINED_TRANSFORMATION('','',{origin},{place})")
+        relation = file.add(f"(REPRESENTATION_RELATIONSHIP('','',{child_shape},{whole_shape})"
+                            f"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({there})"
+                            "SHAPE_REPRESENTATION_RELATIONSHIP())")
+        file.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{of})")
+    return file.text()

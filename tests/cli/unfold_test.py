@@ -244,6 +244,30 @@ class SeveralBodies(CliTest):
         self.assertEqual(self.json("r.json")["reason"]["code"], "cannot_read")
 
 
+class OtherFiles(CliTest):
+    """An assembly whose parts are in files of their own."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("assembly.step", step_files.assembly_of_file("part.step"))
+
+    def test_parts_are_found_beside_it(self):
+        self.angle()
+        self.run_cli("info", "assembly.step", "--json", "info.json")
+        bodies = self.json("info.json")["bodies"]
+        self.assertEqual([(body["name"], body["quantity"]) for body in bodies], [("child", 2)])
+        self.run_cli("unfold", "assembly.step", "-o", "flat.dxf", "--quiet")
+        self.assertIn("flat.dxf", self.names())
+
+    def test_a_missing_part_leaves_nothing(self):
+        sentence = self.refused("unfold", "assembly.step", status=3)
+        self.assertIn("[no_solid]", sentence)
+
+    def test_a_file_that_is_part_of_itself_ends(self):
+        self.write("loop.step", step_files.assembly_of_file("loop.step"))
+        self.refused("unfold", "loop.step", status=3)
+
+
 class Info(CliTest):
     def test_says_what_is_in_a_file(self):
         self.write("cabinet.step", step_files.two_angles_and_a_block())

@@ -1,0 +1,323 @@
+#include "product_tree.hpp"
+
+#include "mend_where_needed.hpp"
+
+#include <IFSelect_WorkLibrary.hxx>
+#include <Interface_HGraph.hxx>
+#include <Interface_InterfaceModel.hxx>
+#include <Interface_Protocol.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <NCollection_DataMap.hxx>
+#include <STEPConstruct_ExternRefs.hxx>
+#include <STEPControl_Reader.hxx>
+#include <StepBasic_Product.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_AsciiString.hxx>
+#include <TCollection_ExtendedString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopTools_MapOfShape.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace planish::brep {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Shares of the reading time, for parts of 2 to 4 MB.
+constexpr double kParsed = 0.3, kTranslated = 0.9;
+
+/// Tells the caller the progress of the kernel's translation, and the kernel when to stop.
+class Translating : public Message_ProgressIndicator {
+ public:
+  explicit Translating(const Progress& progress) : progress_(progress) {}
+  Standard_Boolean UserBreak() override { return progress_.should_stop(); }
+
+ private:
+  void Show(const Message_ProgressScope&, Standard_Boolean) override {
+    progress_.at("translating", std::lerp(kParsed, kTranslated, GetPosition()));
+  }
+  const Progress& progress_;
+};
+
+TopoDS_Shape unplaced(const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location()); }
+
+/// As UTF-8, with the bytes that are none replaced.
+std::string utf8(const Handle(TCollection_HAsciiString) & text) {
+  const TCollection_ExtendedString wide(text->ToCString(), true);
+  std::string name(static_cast<size_t>(wide.LengthOfCString()), '\0');
+  Standard_PCharacter raw = name.data();
+  wide.ToUTF8CString(raw);
+  return name;
+}
+
+bool says_something(const Handle(TCollection_HAsciiString) & text) {
+  return !text.IsNull() && text->UsefullLength() > 0;
+}
+
+std::string name_of(const Handle(StepBasic_ProductDefinition) & definition) {
+  if (definition->Formation().IsNull() || definition->Formation()->OfProduct().IsNull()) return {};
+  const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
+  if (says_something(product->Name())) return utf8(product->Name());
+  if (says_something(product->Id())) return utf8(product->Id());
+  return {};
+}
+
+/// The kind of shape, for bodies that belong to no product.
+std::string kind_name(const TopoDS_Shape& shape) {
+  switch (shape.ShapeType()) {
+    case TopAbs_COMPOUND:
+      return "COMPOUND";
+    case TopAbs_COMPSOLID:
+      return "COMPSOLID";
+    case TopAbs_SOLID:
+      return "SOLID";
+    case TopAbs_SHELL:
+      return "SHELL";
+    default:
+      return {};
+  }
+}
+
+/// A session of the kernel that takes a text as it is. Of itself the kernel checks every entity
+/// against the standard as soon as it has them, for which it lists all that an edge loop shares
+/// once for each of its edges; nobody asks for what it finds.
+class UncheckedSession : public XSControl_WorkSession {
+ public:
+  /// False when the text is not STEP.
+  bool read(std::istream& text, const fs::path& path) {
+    const Handle(Interface_Protocol) protocol = Protocol();
+    Handle(Interface_InterfaceModel) model;
+    if (WorkLibrary()->ReadStream(path.c_str(), text, model, protocol) != 0 || model.IsNull())
+      return false;
+    // Without a protocol no graph is made, and it is with a graph that checking begins.
+    SetProtocol({});
+    SetModel(model);
+    SetProtocol(protocol);
+    thegraph = new Interface_HGraph(model);
+    SetLoadedFile(path.c_str());
+    InitTransferReader(kWhatHasBeenRead);
+    return true;
+  }
+
+ private:
+  static constexpr int kWhatHasBeenRead = 4;
+};
+
+/// A file translated to shapes, with what it says of them.
+class Content {
+ public:
+  /// False when the text is not STEP.
+  bool parse(std::istream& text, const fs::path& path) { return session_->read(text, path); }
+
+  /// False when it holds nothing that is a shape.
+  bool translate(const Message_ProgressRange& range) {
+    const MendWhereNeeded mending;
+    reader_.ClearShapes();
+    const int count = reader_.NbRootsForTransfer();
+    Message_ProgressScope scope(range, "", count);
+    for (int i = 1; i <= count && scope.More(); ++i)
+      reader_.TransferOneRoot(i, scope.Next());
+    if (!scope.More() || reader_.NbShapes() == 0) return false;
+    collect_products();
+    collect_references();
+    return true;
+  }
+
+  std::string unit() {
+    TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+    reader_.FileUnits(lengths, angles, solid_angles);
+    return lengths.IsEmpty() ? std::string() : lengths.First().ToCString();
+  }
+
+  std::vector<TopoDS_Shape> roots() const {
+    std::vector<TopoDS_Shape> shapes;
+    for (int i = 1; i <= reader_.NbShapes(); ++i)
+      shapes.push_back(reader_.Shape(i));
+    return shapes;
+  }
+
+  /// Whether the shape is made of products or representations, not of bodies alone.
+  bool is_assembly(const TopoDS_Shape& shape) const {
+    if (shape.ShapeType() != TopAbs_COMPOUND) return false;
+    for (TopoDS_Iterator part(shape); part.More(); part.Next())
+      if (parts_.Contains(unplaced(part.Value()))) return true;
+    return false;
+  }
+
+  std::string name(const TopoDS_Shape& shape) const {
+    const std::string* known = names_.Seek(shape);
+    return known != nullptr ? *known : kind_name(shape);
+  }
+
+  /// The file that stands for an empty shape.
+  std::optional<std::string> reference(const TopoDS_Shape& shape) const {
+    const std::string* known = references_.Seek(shape);
+    if (known == nullptr || shape.NbChildren() > 0) return {};
+    return *known;
+  }
+
+ private:
+  Handle(Transfer_TransientProcess) process() const {
+    return reader_.WS()->TransferReader()->TransientProcess();
+  }
+
+  void collect_products() {
+    const Handle(Interface_InterfaceModel) model = reader_.Model();
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+      const Handle(Standard_Transient) entity = model->Value(i);
+      const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
+      if (product.IsNull() && !entity->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation)))
+        continue;
+      if (process()->MapIndex(entity) == 0) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process(), entity);
+      if (shape.IsNull()) continue;
+      parts_.Add(shape);
+      if (!product.IsNull()) names_.Bind(shape, name_of(product));
+    }
+  }
+
+  void collect_references() {
+    STEPConstruct_ExternRefs files(reader_.WS());
+    files.LoadExternRefs();
+    for (int i = 1; i <= files.NbExternRefs(); ++i) {
+      const Handle(TCollection_HAsciiString) format = files.Format(i);
+      if (!format.IsNull() && !format->String().IsEqual("STEP AP203") &&
+          !format->String().IsEqual("STEP AP214"))
+        continue;
+      const Standard_CString file = files.FileName(i);
+      const Handle(StepBasic_ProductDefinition) product = files.ProdDef(i);
+      if (file == nullptr || *file == '\0' || product.IsNull()) continue;
+      const TopoDS_Shape shape = TransferBRep::ShapeResult(process(), product);
+      if (!shape.IsNull()) references_.Bind(shape, file);
+    }
+  }
+
+  template <typename T>
+  using ByShape = NCollection_DataMap<TopoDS_Shape, T, TopTools_ShapeMapHasher>;
+
+  Handle(UncheckedSession) session_ = new UncheckedSession;
+  STEPControl_Reader reader_{session_, false};
+  TopTools_MapOfShape parts_;        // shapes of products and representations
+  ByShape<std::string> names_;       // of products
+  ByShape<std::string> references_;  // to other files
+};
+
+/// Walks down the assemblies of a file, and of those that it refers to.
+class Walk {
+ public:
+  Walk(const Content& content, fs::path folder, std::set<fs::path> open, ProductTree& tree)
+      : content_(content), folder_(std::move(folder)), open_(std::move(open)), tree_(tree) {}
+
+  /// Everything in the file. What an assembly of it uses is found there alone.
+  void add_all() {
+    const std::vector<TopoDS_Shape> roots = content_.roots();
+    for (const TopoDS_Shape& root : roots)
+      note_used(root);
+    TopTools_MapOfShape seen;
+    for (const TopoDS_Shape& root : roots)
+      if (!used_.Contains(root) && seen.Add(root)) add(root, TopLoc_Location(), {});
+  }
+
+  /// What stands for the whole file; solids right in it get the other name.
+  void add_first(const TopLoc_Location& place, const std::string& name) {
+    const std::vector<TopoDS_Shape> roots = content_.roots();
+    if (!roots.empty()) add(roots.front(), place, name);
+  }
+
+ private:
+  void note_used(const TopoDS_Shape& shape) {
+    const TopoDS_Shape definition = unplaced(shape);
+    if (!shape.Location().IsIdentity()) used_.Add(definition);
+    if (!content_.is_assembly(definition)) return;
+    for (TopoDS_Iterator part(definition); part.More(); part.Next())
+      if (used_.Add(unplaced(part.Value()))) note_used(unplaced(part.Value()));
+  }
+
+  void add(const TopoDS_Shape& shape, const TopLoc_Location& place,
+           const std::optional<std::string>& other_name) {
+    const TopoDS_Shape definition = unplaced(shape);
+    const TopLoc_Location here = place * shape.Location();
+    if (content_.is_assembly(definition)) {
+      for (TopoDS_Iterator part(definition); part.More(); part.Next())
+        add(part.Value(), here, {});
+      return;
+    }
+    const std::string name = other_name.value_or(content_.name(definition));
+    if (const auto file = content_.reference(definition))
+      add_file(folder_ / *file, here, name);
+    else
+      add_bodies(definition.Moved(here), name);
+  }
+
+  void add_bodies(const TopoDS_Shape& shape, const std::string& name) {
+    for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
+      tree_.solids.push_back({TopoDS::Solid(solids.Current()), name});
+    for (TopExp_Explorer shells(shape, TopAbs_SHELL, TopAbs_SOLID); shells.More(); shells.Next())
+      ++tree_.surface_bodies;
+    for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+      ++tree_.surface_bodies;
+  }
+
+  /// A file that is missing, broken or that refers back to one that is being read holds nothing.
+  void add_file(const fs::path& path, const TopLoc_Location& place, const std::string& name) {
+    std::set<fs::path> open = open_;
+    if (!open.insert(path.lexically_normal()).second) return;
+    std::ifstream text(path, std::ios::binary);
+    Content content;
+    if (!text || !content.parse(text, path) || !content.translate({})) return;
+    Walk(content, path.parent_path(), std::move(open), tree_).add_first(place, name);
+  }
+
+  const Content& content_;
+  fs::path folder_;
+  std::set<fs::path> open_;
+  ProductTree& tree_;
+  TopTools_MapOfShape used_;
+};
+
+}  // namespace
+
+Result<ProductTree> read_products(std::istream& text, const fs::path& path, const std::string& name,
+                                  const Progress& progress) {
+  const auto stopped = [&] {
+    return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
+  };
+  progress.at("reading", 0.0);
+  Content content;
+  if (!content.parse(text, path))
+    return fail(ErrorCode::invalid_input,
+                fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
+                name);
+  if (progress.should_stop()) return stopped();
+  progress.at("translating", kParsed);
+  const Handle(Translating) translating = new Translating(progress);
+  const bool whole = content.translate(translating->Start());
+  if (progress.should_stop()) return stopped();
+  if (!whole)
+    return fail(ErrorCode::no_solid,
+                fmt::format("{} holds no shape that can be read; export a solid body.", name),
+                name);
+  ProductTree tree;
+  tree.unit = content.unit();
+  Walk(content, path.parent_path(), {path.lexically_normal()}, tree).add_all();
+  return tree;
+}
+
+}  // namespace planish::brep
