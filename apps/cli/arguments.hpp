@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
+#include <planish/job/child_process.hpp>
 #include <planish/job/options.hpp>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +25,7 @@ struct Arguments {
   std::vector<std::string> formats;  ///< of what is written into a folder
   std::map<job::Role, std::vector<std::string>> outputs;
   job::OptionValues options;
+  job::Limits limits;
 };
 
 /// The option that asks for files of a role: "-o" for the folded part; of makers that take one of

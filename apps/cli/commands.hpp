@@ -19,6 +19,7 @@ struct InfoArguments {
   std::string json;  ///< file, or "-"; empty: none
   bool sheets = false;
   LengthUnit units = LengthUnit::mm;
+  job::Limits limits;
 };
 
 /// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.

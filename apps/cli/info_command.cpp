@@ -1,7 +1,6 @@
+#include "apart.hpp"
 #include "commands.hpp"
 #include "option_parts.hpp"
-#include "output_files.hpp"
-#include "terminal.hpp"
 
 #include <planish/job/info.hpp>
 
@@ -19,18 +18,35 @@ constexpr auto kExamples = R"(Examples:
 
 More in docs/cli.md.)";
 
-int end_failed(const InfoArguments& arguments, const Error& error) {
-  const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
+Ending end_failed(const InfoArguments& arguments, const Error& error) {
   job::InfoReport failed;
   failed.input = arguments.input;
   failed.refusal = error;
   failed.units = arguments.units;
-  if (const auto unwritten = write_report(arguments.json, job::info_json(failed))) {
-    complain(*unwritten);
-  }
-  return status;
+  return {job::info_json(failed), {}, {}, error};
 }
+
+class Info : public Command {
+ public:
+  explicit Info(const InfoArguments& arguments) : arguments_(arguments) {}
+
+  std::variant<Products, Ending> make(const job::Parent& parent) override {
+    if (arguments_.input != "-" && !arguments_.json.empty()) {
+      const auto spared = spare_inputs(arguments_.json, {arguments_.input});
+      if (!spared) return Ending{{}, {}, {}, spared.error()};
+    }
+    const auto report = job::info(
+        {arguments_.input, arguments_.body, arguments_.sheets, arguments_.units}, parent.progress);
+    if (!report) return end_failed(arguments_, report.error());
+    const bool printed = arguments_.json != "-";
+    return Ending{job::info_json(*report), printed ? job::info_text(*report) : "", {}, {}};
+  }
+
+  Ending lost(const Error& error) const override { return end_failed(arguments_, error); }
+
+ private:
+  const InfoArguments& arguments_;
+};
 
 }  // namespace
 
@@ -49,24 +65,14 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   command->add_option("--units", arguments.units, "unit of what is printed; default mm")
       ->transform(CLI::Transformer(units))
       ->type_name("mm|inch|m");
+  add_limits(*command, arguments.limits);
   command->footer(kExamples);
   return command;
 }
 
 int run_info(const InfoArguments& arguments) {
-  if (arguments.input != "-" && !arguments.json.empty()) {
-    const auto spared = spare_inputs(arguments.json, {arguments.input});
-    if (!spared) return complain(spared.error());
-  }
-  ProgressLine line(true);
-  const auto report = job::info(
-      {arguments.input, arguments.body, arguments.sheets, arguments.units}, line.progress());
-  if (!report) return end_failed(arguments, report.error());
-  if (const auto error = write_report(arguments.json, job::info_json(*report))) {
-    return complain(*error);
-  }
-  if (arguments.json != "-") fmt::print("{}", job::info_text(*report));
-  return 0;
+  Info info(arguments);
+  return run_apart(info, {arguments.input, arguments.json, false, arguments.limits});
 }
 
 }  // namespace planish::cli

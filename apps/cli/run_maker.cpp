@@ -1,7 +1,6 @@
+#include "apart.hpp"
 #include "commands.hpp"
-#include "output_files.hpp"
 #include "plan.hpp"
-#include "terminal.hpp"
 
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
@@ -9,6 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <memory>
+#include <utility>
 
 namespace planish::cli {
 namespace {
@@ -16,31 +19,8 @@ namespace {
 using job::Made;
 using job::UnfoldReport;
 
-Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
-
-/// Says on the terminal what was done, unless quiet; on standard error where standard output
-/// belongs to the JSON report.
-void print_summary(const Arguments& arguments, const std::string& text) {
-  if (!arguments.quiet) fmt::print(arguments.json == "-" ? stderr : stdout, "{}", text);
-}
-
-/// Ends a request that failed as a whole: complains, and writes the report that says so, so that
-/// scripts find the reason in the same place.
-int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
-  Error error = failure;
-  if (error.code == ErrorCode::no_such_body && request.body.empty())
-    error.message += "; or take all of them with --all -o FOLDER/";
-  const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
-  const auto failed = arguments.maker->failed(request, error);
-  if (const auto unwritten = write_report(arguments.json, failed->json())) complain(*unwritten);
-  return status;
-}
-
-/// A command line that contradicts itself has no report; a side file that cannot be read has.
-int end_unplanned(const Arguments& arguments, const Error& error) {
-  if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
-    return complain(error);
+/// What is known of a request before it is understood.
+job::Request begun(const Arguments& arguments) {
   job::Request request;
   request.input = arguments.input;
   request.body = arguments.options.text("body");
@@ -49,14 +29,49 @@ int end_unplanned(const Arguments& arguments, const Error& error) {
     request.units = units == "inch" ? LengthUnit::inch
                     : units == "m"  ? LengthUnit::m
                                     : LengthUnit::mm;
-  return end_failed(arguments, request, error);
+  return request;
 }
 
-int end_reported(const Arguments& arguments, const Made& made) {
-  if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
-  if (made.report().refusal) return complain(*made.report().refusal);
-  print_summary(arguments, made.text());
-  return 0;
+/// The end of a request that failed as a whole: its sentence, and the report that says so, so that
+/// scripts find the reason in the same place.
+Ending end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
+  Error error = failure;
+  if (error.code == ErrorCode::no_such_body && request.body.empty())
+    error.message += "; or take all of them with --all -o FOLDER/";
+  return {arguments.maker->failed(request, error)->json(), {}, {}, error};
+}
+
+/// A command line that contradicts itself has no report; a side file that cannot be read has.
+Ending end_unplanned(const Arguments& arguments, const Error& error) {
+  if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
+    return {{}, {}, {}, error};
+  return end_failed(arguments, begun(arguments), error);
+}
+
+/// The summary goes to the terminal, unless quiet; aside where standard output belongs to the
+/// report.
+Ending end_done(const Arguments& arguments, std::string json, std::string summary) {
+  Ending ending{std::move(json), {}, {}, std::nullopt};
+  if (!arguments.quiet) (arguments.json == "-" ? ending.aside : ending.output) = std::move(summary);
+  return ending;
+}
+
+Ending end_reported(const Arguments& arguments, const Made& made) {
+  if (made.report().refusal) return {made.json(), {}, {}, made.report().refusal};
+  return end_done(arguments, made.json(), made.text());
+}
+
+Ending end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports) {
+  Ending ending = end_done(arguments, job::summary_json(reports), job::summary_text(reports));
+  if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
+    return ending;
+  // The first reason stands for all; the table has every one.
+  Error none = *reports.front().refusal;
+  if (reports.size() > 1)
+    none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
+                               reports.size(), none.message);
+  ending.error = none;
+  return ending;
 }
 
 // net.dxf; of several pieces net-1.dxf, net-2.dxf, …
@@ -83,92 +98,129 @@ Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
   return files;
 }
 
-std::optional<Error> write_files(Made& made, const Plan& plan) {
-  const auto files = files_of(made, plan);
-  if (!files) return files.error();
-  if (interrupted()) return stopped();
-  for (const File& file : *files)
-    if (file.path.has_parent_path())
-      if (auto error = make_folder(file.path.parent_path())) return error;
-  if (auto error = write_all(*files, plan.inputs)) return error;
-  append_names(made.report().files, *files);
-  return std::nullopt;
-}
+/// One part, and its files.
+class OnePart : public Command {
+ public:
+  OnePart(const job::Catalogue& catalogue, const Arguments& arguments)
+      : catalogue_(catalogue), arguments_(arguments) {}
 
-Result<std::unique_ptr<Made>> make(const Arguments& arguments, const Plan& plan,
-                                   ProgressLine& line) {
-  const Progress progress = line.progress();
-  const auto work = job::open_input(*arguments.maker, plan.request, progress);
-  if (!work) return tl::unexpected(work.error());
-  return (*work)->make(plan.request, progress);
-}
-
-int run_one(const Arguments& arguments, const Plan& plan) {
-  ProgressLine line(!arguments.quiet);
-  const auto made = make(arguments, plan, line);
-  if (!made) return end_failed(arguments, plan.request, made.error());
-  if (interrupted()) return complain(stopped());
-  if ((*made)->report().has_pattern()) (*made)->report().refusal = write_files(**made, plan);
-  if (interrupted()) return complain(stopped());
-  return end_reported(arguments, **made);
-}
-
-/// The patterns of every body that has one, into the folder, and the summary.
-std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Plan& plan) {
-  const std::vector<std::string> stems = job::stems(reports);
-  std::vector<File> all;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    if (!reports[i].has_pattern()) continue;
-    Plan own = plan;
-    for (const job::Artifact* format : plan.formats)
-      own.targets.push_back({plan.folder / (stems[i] + std::string(format->file_end)), format});
-    auto files = files_of(*job::made_of(reports[i]), own);
-    // A body whose pattern cannot be written must not stop the others.
-    if (!files) {
-      reports[i].refusal = files.error();
-      continue;
-    }
-    append_names(reports[i].files, *files);
-    for (File& file : *files)
-      all.push_back(std::move(file));
+  std::variant<Products, Ending> make(const job::Parent& parent) override {
+    const auto plan = planned(catalogue_, arguments_);
+    if (!plan) return end_unplanned(arguments_, plan.error());
+    auto made = made_of(plan->request, parent.progress);
+    if (!made) return end_failed(arguments_, plan->request, made.error());
+    made_ = std::move(*made);
+    if (!made_->report().has_pattern()) return end_reported(arguments_, *made_);
+    auto files = files_of(*made_, *plan);
+    if (!files) return conclude(files.error());
+    append_names(names_, *files);
+    return Products{std::move(*files), plan->inputs};
   }
-  if (auto error = make_folder(plan.folder)) return error;
-  all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
-  all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
-  return write_all(all, plan.inputs);
-}
 
-int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports) {
-  if (const auto error = write_report(arguments.json, job::summary_json(reports)))
-    return complain(*error);
-  print_summary(arguments, job::summary_text(reports));
-  if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
-    return 0;
-  // The first reason stands for all; the table has every one.
-  Error none = *reports.front().refusal;
-  if (reports.size() > 1)
-    none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
-                               reports.size(), none.message);
-  return complain(none);
-}
+  Ending conclude(const std::optional<Error>& unwritten) override {
+    made_->report().refusal = unwritten;
+    if (!unwritten) made_->report().files = names_;
+    return end_reported(arguments_, *made_);
+  }
 
-int run_all(const Arguments& arguments, const Plan& plan) {
-  ProgressLine line(!arguments.quiet);
-  auto reports = job::unfold_all(plan.request, line.progress());
-  if (!reports) return end_failed(arguments, plan.request, reports.error());
-  if (interrupted()) return complain(stopped());
-  if (!arguments.check)
-    if (const auto error = write_bodies(*reports, plan))
-      return end_failed(arguments, plan.request, *error);
-  return end_all(arguments, *reports);
-}
+  Ending lost(const Error& error) const override {
+    return end_failed(arguments_, begun(arguments_), error);
+  }
+
+ private:
+  Result<std::unique_ptr<Made>> made_of(const job::Request& request,
+                                        const Progress& progress) const {
+    const auto work = job::open_input(*arguments_.maker, request, progress);
+    if (!work) return tl::unexpected(work.error());
+    return (*work)->make(request, progress);
+  }
+
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+  std::unique_ptr<Made> made_;
+  std::vector<std::string> names_;
+};
+
+/// Every body of a file. One that crashes the process is left out of the next.
+class AllParts : public Command {
+ public:
+  AllParts(const job::Catalogue& catalogue, const Arguments& arguments)
+      : catalogue_(catalogue), arguments_(arguments) {}
+
+  std::variant<Products, Ending> make(const job::Parent& parent) override {
+    auto plan = planned(catalogue_, arguments_);
+    if (!plan) return end_unplanned(arguments_, plan.error());
+    request_ = plan->request;
+    all_.begins = [&](int body) { parent.note({std::to_string(body)}); };
+    auto reports = job::unfold_all(request_, parent.progress, all_);
+    if (!reports) return end_failed(arguments_, request_, reports.error());
+    reports_ = std::move(*reports);
+    if (arguments_.check) return end_all(arguments_, reports_);
+    Products products{files_of_bodies(*plan), plan->inputs};
+    parent.note({});
+    products.files.push_back({plan->folder / "summary.csv", job::summary_csv(reports_)});
+    products.files.push_back({plan->folder / "summary.json", job::summary_json(reports_)});
+    return products;
+  }
+
+  Ending conclude(const std::optional<Error>& unwritten) override {
+    if (unwritten) return end_failed(arguments_, request_, *unwritten);
+    return end_all(arguments_, reports_);
+  }
+
+  Ending lost(const Error& error) const override {
+    return end_failed(arguments_, begun(arguments_), error);
+  }
+
+  void hear(const job::Texts& note) override {
+    body_ = note.empty() ? std::nullopt : std::optional(std::atoi(note.front().c_str()));
+  }
+
+  bool leaves_out(const Error& crash) override {
+    return body_ && all_.given_up.emplace(*std::exchange(body_, std::nullopt), crash).second;
+  }
+
+ private:
+  /// The patterns of every body that has one.
+  std::vector<File> files_of_bodies(const Plan& plan) {
+    const std::vector<std::string> stems = job::stems(reports_);
+    std::vector<File> all;
+    for (std::size_t i = 0; i < reports_.size(); ++i) {
+      if (!reports_[i].has_pattern()) continue;
+      all_.begins(static_cast<int>(i));
+      Plan own = plan;
+      for (const job::Artifact* format : plan.formats)
+        own.targets.push_back({plan.folder / (stems[i] + std::string(format->file_end)), format});
+      auto files = files_of(*job::made_of(reports_[i]), own);
+      // A body whose pattern cannot be written must not stop the others.
+      if (!files) {
+        reports_[i].refusal = files.error();
+        continue;
+      }
+      append_names(reports_[i].files, *files);
+      std::move(files->begin(), files->end(), std::back_inserter(all));
+    }
+    return all;
+  }
+
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+  job::AllBodies all_;
+  job::Request request_;
+  std::vector<UnfoldReport> reports_;
+  std::optional<int> body_;  ///< that is being tried, from 0
+};
 
 }  // namespace
 
 int run_maker(const job::Catalogue& catalogue, const Arguments& arguments) {
-  const auto plan = planned(catalogue, arguments);
-  if (!plan) return end_unplanned(arguments, plan.error());
-  return arguments.all ? run_all(arguments, *plan) : run_one(arguments, *plan);
+  const Running running{arguments.input, arguments.json, arguments.quiet, arguments.limits};
+  if (arguments.all) {
+    AllParts parts(catalogue, arguments);
+    return run_apart(parts, running);
+  }
+  OnePart part(catalogue, arguments);
+  return run_apart(part, running);
 }
 
 }  // namespace planish::cli

@@ -1,4 +1,5 @@
 #include "body.hpp"
+#include "coordinate_bound.hpp"
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
 #include "identical.hpp"
@@ -7,6 +8,7 @@
 #include <Message_ProgressIndicator.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <STEPControl_Reader.hxx>
+#include <StepData_StepModel.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
@@ -161,6 +163,12 @@ std::string file_unit(STEPControl_Reader& reader) {
   return name;
 }
 
+double millimetres_in(const std::string& unit) {
+  constexpr double kMetre = 1000.0, kInch = 25.4;
+  if (unit == "mm") return 1.0;
+  return unit == "m" ? kMetre : kInch;  // others are in between
+}
+
 /// `path` is where the file lies: others that it refers to are looked for beside it.
 Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
                           const Progress& progress) {
@@ -181,6 +189,10 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
               ErrorCode::invalid_input,
               fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
               name);
+        if (auto error = brep::point_too_far_away(*reader.Reader().StepModel(),
+                                                  millimetres_in(file_unit(reader.ChangeReader())),
+                                                  name))
+          return tl::unexpected(std::move(*error));
         const auto stopped = [&] {
           return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
         };

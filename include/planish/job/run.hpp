@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
+#include <planish/job/child_process.hpp>
 
 #include <string>
 #include <vector>
@@ -29,6 +30,14 @@ struct RunResult {
 /// the JSON pointer), `bad_option`, those of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
+
+/// The same in a process of its own, a copy of this one (`ChildProcess::copy`, which says when one
+/// may be made): what a file does to the CAD kernel ends that process and not this one. What it
+/// takes is limited; a request that `progress` cancels is ended at once. Costs some milliseconds
+/// more. Errors beyond those of `run`: `crashed`, `out_of_time`, `out_of_memory`, each with the
+/// stage at which it came, and `internal` where the system starts no process.
+Result<RunResult> run_apart(const std::string& request, const Progress& progress = {},
+                            const Limits& limits = {}, const Catalogue& catalogue = built_in());
 
 /// Values of options from the text of a JSON object, as the "options" of a request. With
 /// `OptionFiles::content` files are given by content alone: {"name": "steel.csv", "content": ...}.

@@ -5,6 +5,8 @@
 #include <planish/job/report.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -29,9 +31,16 @@ struct UnfoldReport : Report {
 /// `no_such_body` (also for several bodies of which none is chosen), `no_such_face`, `bad_option`.
 Result<UnfoldReport> unfold(const Request& request, const Progress& progress = {});
 
+/// What whoever unfolds all bodies knows and wants to know; bodies count from 0.
+struct AllBodies {
+  std::map<int, Error> given_up;    ///< not tried: the reason is the refusal
+  std::function<void(int)> begins;  ///< hears of each body before it is tried
+};
+
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. Whatever
 /// goes wrong with one body is the refusal in its report; the others go on.
-Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {});
+Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {},
+                                             const AllBodies& all = {});
 
 /// The part of both that begins with a body already read (`request.input` and `request.body` are
 /// not looked at; `input`, `number`, `bodies_in_file` and `read_seconds` of the report not set).
