@@ -171,10 +171,12 @@ Error error_of(const ChildEnd& end, const std::string& input, const Limits& limi
     case Cause::crashed:
       break;
   }
+  const bool ours = end.reason.starts_with("assertion failed");
   return {ErrorCode::crashed,
-          fmt::format("the work on {} crashed{} ({}), as damaged files can make the CAD kernel do: "
-                      "check it in a CAD program and export it again",
-                      input, during, end.reason),
+          fmt::format("the work on {} crashed{} ({}): {}", input, during, end.reason,
+                      ours ? "a defect of Planish, please report it with the file"
+                           : "damaged files make the CAD kernel do that, so check the file in a "
+                             "CAD program and export it again"),
           input};
 }
 

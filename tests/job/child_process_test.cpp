@@ -9,7 +9,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -123,6 +122,17 @@ TEST(ChildProcess, ThatHangsIsOutOfTime) {
   EXPECT_EQ(end.cause, Cause::out_of_time);
   EXPECT_GE(steady_clock::now() - begun, 200ms);
   EXPECT_LT(steady_clock::now() - begun, 20s);
+}
+
+TEST(ChildProcess, ThatTellsWithoutEndIsOutOfTime) {
+  const auto process = child([](const Texts&, const Parent& parent) {
+    for (int i = 0;; ++i)
+      parent.note({std::to_string(i)});
+    return Texts{};
+  });
+  const auto answer = process->ask({}, 200ms);
+  ASSERT_FALSE(answer);
+  EXPECT_EQ(answer.error().cause, Cause::out_of_time);
 }
 
 TEST(ChildProcess, ThatAllocatesWithoutEndIsOutOfMemory) {
@@ -242,15 +252,13 @@ TEST(ChildProcess, IsStartedWhereStandardOutputIsClosed) {
 }
 
 TEST(ChildProcess, KeepsNoOtherDescriptors) {
-  std::array<int, 2> other{};
-  ASSERT_EQ(pipe(other.data()), 0);
+  const int other = fcntl(STDIN_FILENO, F_DUPFD, 2 * kSocket);
+  ASSERT_GE(other, 0);
   const auto process = child([&](const Texts&, const Parent&) {
-    const bool closed = fcntl(other[0], F_GETFD) < 0 && fcntl(other[1], F_GETFD) < 0;
-    return Texts{closed ? "closed" : "open"};
+    return Texts{fcntl(other, F_GETFD) < 0 ? "closed" : "open"};
   });
   EXPECT_THAT(process->ask({}, 60s).value(), ElementsAre("closed"));
-  close(other[0]);
-  close(other[1]);
+  close(other);
 }
 
 TEST(ErrorOfAChild, NamesInputStageAndLimit) {
