@@ -70,7 +70,7 @@ void add_option(CLI::App& app, const OptionUse& use, job::OptionValues& values) 
   };
   const auto set = [&](const std::vector<std::string>& texts) {
     for (const std::string& text : texts)
-      (void)values.set_text(option, text);  // each was checked
+      (void)values.set_text(option, text);  // each was checked during parsing
   };
   auto* made = app.add_option_function<std::vector<std::string>>(name, set, said);
   made->allow_extra_args(false)->check(check)->type_name(type_name(option));
@@ -96,7 +96,7 @@ std::string suffixes(const std::vector<const job::Artifact*>& artifacts) {
   return text;
 }
 
-// What is written where no output is named.
+// What is written if no output is named.
 std::string default_words(const job::Catalogue& catalogue, const Maker& maker, Role role) {
   if (role == Role::mould) return {};
   const bool both = maker.makes(job::Source::folded_solid);
@@ -119,7 +119,7 @@ void add_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& ma
   }
 }
 
-// Of makers whose inputs may hold several bodies the pattern alone is written, also into folders.
+// Makers whose inputs may hold several bodies write only the pattern, also into folders.
 void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Maker& maker,
                       Arguments& to) {
   app.add_flag("--all", to.all,
@@ -141,7 +141,7 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
     return fmt::format("must be one of {}, not \"{}\"", fmt::join(words, ", "), text);
   };
   add_repeatable(app, "--format", to.formats,
-                 fmt::format("what to write into a folder or without -o: {}, with commas between; "
+                 fmt::format("what to write into a folder or without -o: {}, separated by commas; "
                              "default {}",
                              fmt::join(words, ", "), words.front()))
       ->delimiter(',')
@@ -153,8 +153,7 @@ void add_body_outputs(CLI::App& app, const job::Catalogue& catalogue, const Make
 void add_report_options(CLI::App& app, Arguments& to) {
   add_text(app, "--json", to.json, "FILE", "the report as JSON; - writes it to standard output")
       ->group("Output");
-  app.add_flag("--check", to.check, "do the work and report, but write no other file")
-      ->group("Output");
+  app.add_flag("--check", to.check, "do the work and report; write no other file")->group("Output");
   app.add_flag("-q,--quiet", to.quiet, "no summary on the terminal")->group("Output");
 }
 
@@ -163,7 +162,7 @@ void add_print_rules(CLI::App& app) {
     fmt::print("{}", job::rules_json(Rules{}));
     throw CLI::Success();
   };
-  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and end")
+  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and exit")
       ->group("Checks");
 }
 

@@ -13,22 +13,22 @@
 
 namespace planish::cli {
 
-/// What stands on the command line of a maker's command, each value checked by itself; what they
-/// mean together is settled in `planned`.
+/// The command line of a maker's command, each value checked by itself; `planned` works out what
+/// they mean together.
 struct Arguments {
   const job::Maker* maker = nullptr;
   std::string input;
   std::string json;    ///< file, or "-"; empty: none
-  bool check = false;  ///< nothing but the report is written
+  bool check = false;  ///< only the report is written
   bool quiet = false;
-  bool all = false;                  ///< every body, of makers that take one of several
-  std::vector<std::string> formats;  ///< of what is written into a folder
+  bool all = false;                  ///< every body, for makers that take one of several
+  std::vector<std::string> formats;  ///< of the files written into a folder
   std::map<job::Role, std::vector<std::string>> outputs;
   job::OptionValues options;
   job::Limits limits;
 };
 
-/// The option that asks for files of a role: "-o" for the folded part; of makers that take one of
+/// The option that asks for files of a role: "-o" for the folded part; for makers that take one of
 /// several bodies, for the flat pattern.
 std::string_view output_option(const job::Maker& maker, job::Role role);
 

@@ -47,7 +47,8 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments);
 /// `planish studio`; returns the exit status.
 int run_studio(const StudioArguments& arguments);
 
-/// Defines the subcommand `studio-worker`, which the studio starts for itself, without help.
+/// Defines the subcommand `studio-worker`, which the studio starts for itself, and which the help
+/// does not list.
 CLI::App* add_studio_worker(CLI::App& app, std::string& server);
 int run_studio_worker(const std::string& server);
 

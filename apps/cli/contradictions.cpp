@@ -10,7 +10,7 @@
 namespace planish::cli {
 namespace {
 
-// A condition under which the command line makes no sense, and what to say then.
+// A condition under which the command line makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
   std::string sentence;
@@ -33,8 +33,8 @@ std::vector<Contradiction> of_outputs(const Arguments& a) {
   return all;
 }
 
-/// Whether the value of `-o` means a file: an existing one, or a name with the suffix of a pattern.
-/// With --all any other name is that of a folder to make.
+/// Whether the value of `-o` is a file: an existing one, or a name with the suffix of a pattern.
+/// With --all any other name is a folder to be created.
 bool names_a_file(const job::Catalogue& catalogue, const Arguments& a, const std::string& output) {
   if (is_folder(output)) return false;
   std::error_code ignored;
@@ -46,17 +46,18 @@ std::vector<Contradiction> of_several_bodies(const job::Catalogue& catalogue, co
   const auto& outputs = a.outputs.at(job::Role::flat);
   if (!a.all) {
     const bool folder = outputs.empty() || std::any_of(outputs.begin(), outputs.end(), is_folder);
-    return {{!folder && !a.formats.empty(),
-             "--format goes with a folder or without -o: a file's name says its format itself"}};
+    return {
+        {!folder && !a.formats.empty(),
+         "--format goes with a folder or without -o: the name of a file already sets its format"}};
   }
   const std::string up = a.options.text("up"), root = a.options.text("root");
   const bool faces = (!root.empty() && root != "largest") ||
                      (!up.empty() && up != "auto" && up != "reference" && up != "other");
   return {
       {a.options.given("body"), "--all and --body contradict each other"},
-      {faces, "--root and --up cannot name a face with --all: every body counts its own faces"},
+      {faces, "--root and --up cannot name a face with --all: every body numbers its own faces"},
       {outputs.empty() && !a.check,
-       "--all writes several files: say into which folder with -o FOLDER/"},
+       "--all writes several files: name their folder with -o FOLDER/"},
       {std::any_of(outputs.begin(), outputs.end(),
                    [&](const auto& name) { return names_a_file(catalogue, a, name); }),
        "--all writes several files: -o must be a folder, not a file"},

@@ -7,8 +7,8 @@
 
 namespace planish::cli {
 
-/// What is wrong with arguments that are each right by themselves, in one sentence; empty where
-/// nothing is. What options of a request say together is left to `OptionValues`.
+/// What contradicts in arguments that are each valid, in one sentence; empty if nothing does.
+/// Options of a request are checked by `OptionValues`.
 std::optional<std::string> contradiction_in(const job::Catalogue& catalogue,
                                             const Arguments& arguments);
 

@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kLeft = 28;
 constexpr std::size_t kRight = 52;
 
-// CLI11 indents what follows a line break, but breaks no lines itself.
+// CLI11 indents text after a line break, but does not wrap lines.
 std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string lines, word;
@@ -31,7 +31,7 @@ class Format : public CLI::Formatter {
     return wrapped(CLI::Formatter::make_option_desc(option));
   }
 
-  // A vector's "..." would promise several values behind one option.
+  // A vector's "..." would suggest several values after one option.
   std::string make_option_opts(const CLI::Option* option) const override {
     if (option->get_type_size() == 0) return {};
     return " " + option->get_type_name();

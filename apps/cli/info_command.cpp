@@ -62,7 +62,7 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
            "the same as JSON; - writes it to standard output");
   const std::map<std::string, LengthUnit> units{
       {"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"m", LengthUnit::m}};
-  command->add_option("--units", arguments.units, "unit of what is printed; default mm")
+  command->add_option("--units", arguments.units, "unit of the lengths printed; default mm")
       ->transform(CLI::Transformer(units))
       ->type_name("mm|inch|m");
   add_limits(*command, arguments.limits);

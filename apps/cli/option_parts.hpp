@@ -11,11 +11,11 @@ namespace planish::cli {
 /// How an option of a request is spelled on the command line: "--k-table" for "k_table".
 std::string flag_of(std::string_view option);
 
-/// Names of options between backquotes, as messages of the library have them, as they are spelled
-/// on the command line.
+/// A message of the library with its option names, which are in backquotes, spelled as on the
+/// command line.
 std::string spelled(const std::string& message);
 
-/// An option whose value may be any text but the empty one; `type` stands for it in the help.
+/// An option whose value may be any text that is not empty; `type` stands for it in the help.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& type, const std::string& description);
 
@@ -24,7 +24,7 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
 CLI::Option* add_repeatable(CLI::App& app, const std::string& name,
                             std::vector<std::string>& target, const std::string& description);
 
-/// A check for options: what is wrong with an empty value, "" for any other.
+/// A check for options: an error message for an empty value, "" for any other.
 std::string not_empty(const std::string& text);
 
 }  // namespace planish::cli

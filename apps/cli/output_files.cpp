@@ -91,7 +91,7 @@ std::optional<Error> make_folder(const fs::path& folder) {
 std::optional<Error> write_all(const std::vector<File>& files,
                                const std::vector<fs::path>& inputs) {
   for (const File& file : files) {
-    // Names made from bodies are not known when the command line is checked.
+    // File names made from bodies are not known when the command line is checked.
     if (auto spared = spare_inputs(file.path, inputs); !spared) return spared.error();
   }
   for (const File& file : files) {

@@ -11,7 +11,7 @@
 
 namespace planish::cli {
 
-/// A file to write, its content ready.
+/// A file to write, with its content.
 struct File {
   std::filesystem::path path;
   std::string content;
@@ -22,14 +22,14 @@ Error bad_option(std::string message);
 /// A name's last suffix in small letters, ".dxf"; "" for none.
 std::string suffix_of(const std::filesystem::path& path);
 
-/// The artifact whose files have a name's suffix (.stp is .step); null where there is none.
+/// The artifact whose files have a name's suffix (.stp is .step); null if there is none.
 const job::Artifact* by_suffix(const std::vector<const job::Artifact*>& artifacts,
                                const std::filesystem::path& path);
 
-/// "part" for part.step; what comes from standard input has no name of its own: "stdin".
+/// "part" for part.step; "stdin" for standard input.
 std::string stem_of(const std::filesystem::path& input);
 
-/// Whether the value of `-o` means a folder: an existing one, or a name that ends in "/".
+/// Whether the value of `-o` is a folder: an existing one, or a name that ends in "/".
 bool is_folder(const std::string& output);
 
 /// The files among the values of options: neither empty nor "-".
@@ -39,11 +39,11 @@ std::vector<std::filesystem::path> files_named(const std::vector<std::string>& v
 Result<void> spare_inputs(const std::filesystem::path& output,
                           const std::vector<std::filesystem::path>& inputs);
 
-/// `cannot_write` where the folder of the file does not exist: said before the work rather than
+/// `cannot_write` if the folder of the file does not exist: reported before the work rather than
 /// after it.
 Result<void> folder_exists(const std::filesystem::path& file);
 
-/// `bad_option` for two outputs under one name, of which only the last would be left.
+/// `bad_option` for two outputs with one name, of which only the last would remain.
 Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
 
 std::optional<Error> make_folder(const std::filesystem::path& folder);
@@ -52,7 +52,7 @@ std::optional<Error> make_folder(const std::filesystem::path& folder);
 std::optional<Error> write_all(const std::vector<File>& files,
                                const std::vector<std::filesystem::path>& inputs);
 
-/// The paths as reports name them.
+/// Adds the paths as reports name them.
 void append_names(std::vector<std::string>& names, const std::vector<File>& files);
 
 /// Writes a report to a file, or to standard output for "-"; nothing for "".

@@ -62,7 +62,7 @@ Result<std::vector<Target>> default_targets(const Planning& planning) {
   const job::Maker& maker = *planning.arguments.maker;
   if (planning.arguments.input == "-")
     return tl::unexpected(bad_option(fmt::format(
-        "standard input has no name to call the outputs by: say where with {} FILE, or --check "
+        "standard input has no name from which to name the outputs: give {} FILE, or --check "
         "for no output",
         output_option(maker, maker.makes(job::Source::folded_solid) ? Role::folded : Role::flat))));
   std::vector<Target> targets;
@@ -75,7 +75,7 @@ Result<std::vector<Target>> default_targets(const Planning& planning) {
   return targets;
 }
 
-/// The files that one value of an output option means; a folder takes those of --format.
+/// The files for one value of an output option; a folder gets those of --format.
 Result<std::vector<Target>> targets_of(const Planning& planning, Role role,
                                        const std::string& name) {
   const bool folders = planning.arguments.maker->takes("body");
@@ -115,7 +115,7 @@ Result<void> check_files(const Arguments& arguments, const Plan& plan) {
     if (auto exists = folder_exists(file); !exists) return exists;
   for (const auto& [role, names] : arguments.outputs)
     for (const std::string& name : names)
-      // A folder to write into is made when needed.
+      // A folder to write into is created when needed.
       if (!(arguments.maker->takes("body") && is_folder(name)) && !arguments.all)
         if (auto exists = folder_exists(name); !exists) return exists;
   for (const Target& target : plan.targets)
@@ -132,7 +132,7 @@ std::vector<fs::path> inputs_of(const Arguments& arguments) {
       names.push_back(arguments.options.text(use.name));
   std::vector<fs::path> inputs = files_named(names);
   if (!arguments.maker->named_files || arguments.input == "-") return inputs;
-  // The maker will say what is wrong with a file that cannot be read.
+  // If a file cannot be read, the maker will report it.
   if (const auto input = job::read_input_file(arguments.input, arguments.maker->input_kind()))
     for (const job::NamedFile& named : arguments.maker->named_files(input->content))
       inputs.push_back(*input->folder / named.file);

@@ -16,7 +16,7 @@ struct Target {
   const job::Artifact* artifact;
 };
 
-/// What a command line means, options checked against each other and side files read.
+/// What a command line means: options checked against each other, side files read.
 struct Plan {
   job::Request request;
   std::vector<Target> targets;

@@ -26,7 +26,7 @@ constexpr auto kExamples = R"(Examples:
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
 
-// CLI11's texts may have several lines; one sentence is enough, and where to read on.
+// CLI11's texts may have several lines; one sentence and a pointer to the help are enough.
 int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
   std::string text = error.what();
   text = text.substr(0, text.find('\n'));
@@ -36,14 +36,14 @@ int wrong_usage(const CLI::ParseError& error, const CLI::App& app) {
   return kWrongUsage;
 }
 
-// Text that did not reach its reader (a full disk behind `>`) must not end as success.
+// Output that could not be written (a full disk behind `>`) must not end as success.
 int flushed(int status) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return status;
   const int failed = complain({ErrorCode::cannot_write, "cannot write to standard output", {}});
   return status == 0 ? failed : status;
 }
 
-/// What the commands that are not makers fill.
+/// Arguments of the commands that are not makers.
 struct OtherArguments {
   InfoArguments info;
   std::string schema, studio_server;
@@ -51,14 +51,14 @@ struct OtherArguments {
 };
 
 void set_up(CLI::App& app, const job::Catalogue& catalogue) {
-  app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version, and end");
+  app.set_version_flag("--version", "planish " PLANISH_VERSION, "print the version and exit");
   const auto print_formats = [&catalogue] {
     fmt::print("{}", formats_text(catalogue));
     throw CLI::Success();
   };
   app.add_flag_callback("--formats", print_formats,
-                        "print what is read and what is written, and end");
-  app.require_subcommand(0, 1);  // what follows a command may be called like another one
+                        "print what is read and what is written, and exit");
+  app.require_subcommand(0, 1);  // an argument may have the name of another command
   app.footer(kExamples);
   app.formatter(help_format());  // before the commands, which inherit it
 }

@@ -5,7 +5,7 @@
 namespace planish::cli {
 
 /// The program `planish` with the makers and artifacts of a catalogue; returns the exit status.
-/// What is thrown becomes an internal error.
+/// An exception becomes an internal error.
 int run_program(int argc, const char* const* argv, const job::Catalogue& catalogue);
 
 }  // namespace planish::cli

@@ -32,8 +32,8 @@ job::Request begun(const Arguments& arguments) {
   return request;
 }
 
-/// The end of a request that failed as a whole: its sentence, and the report that says so, so that
-/// scripts find the reason in the same place.
+/// The end of a request that failed as a whole: the error, also as a report, so that scripts find
+/// the reason in one place.
 Ending end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
   Error error = failure;
   if (error.code == ErrorCode::no_such_body && request.body.empty())
@@ -41,15 +41,15 @@ Ending end_failed(const Arguments& arguments, const job::Request& request, const
   return {arguments.maker->failed(request, error)->json(), {}, {}, error};
 }
 
-/// A command line that contradicts itself has no report; a side file that cannot be read has.
+/// A contradictory command line gives no report; a side file that cannot be read does.
 Ending end_unplanned(const Arguments& arguments, const Error& error) {
   if (error.code != ErrorCode::cannot_read && error.code != ErrorCode::invalid_input)
     return {{}, {}, {}, error};
   return end_failed(arguments, begun(arguments), error);
 }
 
-/// The summary goes to the terminal, unless quiet; aside where standard output belongs to the
-/// report.
+/// Prints what was done, unless quiet; on standard error if the JSON report goes to standard
+/// output.
 Ending end_done(const Arguments& arguments, std::string json, std::string summary) {
   Ending ending{std::move(json), {}, {}, std::nullopt};
   if (!arguments.quiet) (arguments.json == "-" ? ending.aside : ending.output) = std::move(summary);
@@ -65,7 +65,7 @@ Ending end_all(const Arguments& arguments, const std::vector<UnfoldReport>& repo
   Ending ending = end_done(arguments, job::summary_json(reports), job::summary_text(reports));
   if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
     return ending;
-  // The first reason stands for all; the table has every one.
+  // The first reason is returned; the table shows them all.
   Error none = *reports.front().refusal;
   if (reports.size() > 1)
     none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
@@ -74,15 +74,15 @@ Ending end_all(const Arguments& arguments, const std::vector<UnfoldReport>& repo
   return ending;
 }
 
-// net.dxf; of several pieces net-1.dxf, net-2.dxf, …
+// net.dxf; for several pieces net-1.dxf, net-2.dxf, …
 std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece, int pieces) {
   if (pieces == 1) return path;
   return path.parent_path() /
          fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
 }
 
-/// All files, or the first reason why one cannot be written: what shows all pieces together first,
-/// then piece by piece.
+/// All files, those of all pieces together first, then piece by piece; or the first reason why one
+/// cannot be written.
 Result<std::vector<File>> files_of(const Made& made, const Plan& plan) {
   std::vector<File> files;
   const int pieces = made.pieces();
@@ -181,7 +181,7 @@ class AllParts : public Command {
   }
 
  private:
-  /// The patterns of every body that has one.
+  /// The files of all bodies that have a pattern.
   std::vector<File> files_of_bodies(const Plan& plan) {
     const std::vector<std::string> stems = job::stems(reports_);
     std::vector<File> all;

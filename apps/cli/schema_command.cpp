@@ -29,7 +29,7 @@ std::string names_of(const std::vector<const job::Artifact*>& artifacts) {
 CLI::App* add_schema(CLI::App& app, std::string& name) {
   CLI::App* command = app.add_subcommand("schema",
                                          "print the JSON Schema of an input or of a report");
-  add_text(*command, "name", name, "NAME", "which one; without, their names are printed");
+  add_text(*command, "name", name, "NAME", "which one; if left out, their names are printed");
   command->footer(kSchemaExamples);
   return command;
 }

@@ -24,17 +24,17 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
            "file to open: STEP, plates, transition or slit file");
   constexpr int kLastPort = 65535;
   command
-      ->add_option("--port", arguments.port,
-                   "port of the page's address; default: any that is free")
+      ->add_option("--port", arguments.port, "port of the page's address; default: any free port")
       ->check(CLI::Range(1, kLastPort))
       ->type_name("N");
   constexpr int kDay = 86400;
   command
       ->add_option("--time-limit", arguments.time_limit,
-                   "longest time for what is asked once; default 120")
+                   "longest time for one request; default 120")
       ->check(CLI::Range(1, kDay))
       ->type_name("SECONDS");
-  command->add_flag("--no-browser", arguments.no_browser, "print the address, open no browser");
+  command->add_flag("--no-browser", arguments.no_browser,
+                    "print the address, do not open a browser");
   command->footer(kStudioExamples);
   return command;
 }

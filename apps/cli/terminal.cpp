@@ -20,13 +20,13 @@ constexpr int kRefusedStatus = 4;
 constexpr std::chrono::seconds kPatience(1);
 constexpr auto kClearLine = "\r\033[K";
 
-// A signal handler can reach nothing but a global.
+// A signal handler can only use a global.
 std::atomic<bool> stop_asked{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void ask_to_stop(int) { stop_asked = true; }
 
-/// A place that is the name of an option is one on the command line.
+/// If a place is the name of an option, spells it as on the command line.
 std::string spelled_place(const std::string& where) {
   const auto all = job::options();
   const bool option = std::any_of(all.begin(), all.end(),
@@ -39,7 +39,7 @@ std::string sentence(const Error& error) {
   if (exit_status(error.code) == kRefusedStatus) text += "refused: ";
   if (error.code == ErrorCode::internal) text += "internal error, please report it: ";
   text += spelled(error.message);
-  if (text.back() == '.') text.pop_back();  // the sentence goes on
+  if (text.back() == '.') text.pop_back();  // the sentence continues
   if (error.code == ErrorCode::cancelled) return text;
   text += fmt::format(" [{}]", code_name(error.code));
   // Most messages name the place themselves.

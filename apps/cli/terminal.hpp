@@ -13,12 +13,12 @@ namespace planish::cli {
 /// belongs to the error.
 int complain(const Error& error);
 
-/// The first Ctrl-C (or SIGTERM) asks running work to stop, a second one ends the program.
+/// The first Ctrl-C (or SIGTERM) asks running work to stop; the second ends the program.
 void stop_on_interrupt();
 bool interrupted();
 
-/// Progress of long work on a line of standard error that vanishes at the end; only where that is
-/// a terminal, and only once the work has taken a second.
+/// Progress of long work on a line of standard error that is erased at the end; only on a terminal,
+/// and only after the work has taken a second.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted);
@@ -26,7 +26,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// What work gets: reports to this line, cancelled by Ctrl-C.
+  /// To be passed to the work: reports to this line, cancelled by Ctrl-C.
   Progress progress();
 
  private:

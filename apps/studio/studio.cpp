@@ -15,7 +15,7 @@
 namespace planish::studio {
 namespace {
 
-/// Threads that come after leave these signals to the one that waits for them.
+/// Later threads leave these signals to the thread that waits for them.
 sigset_t held_signals() {
   sigset_t signals;
   sigemptyset(&signals);
@@ -33,7 +33,7 @@ Result<void> run_studio(const StudioOptions& options) {
   DocumentStore store(folder->path(), options.time_limit);
   if (options.file)
     if (auto opened = open_first(store, *options.file); !opened) return opened;
-  // From here on they are waited for; what was read until now they could end at once.
+  // From here on the signals are waited for; until now they could end the process at once.
   const sigset_t signals = held_signals();
   auto token = random_token();
   if (!token) return tl::unexpected(token.error());
@@ -51,7 +51,7 @@ Result<void> run_studio(const StudioOptions& options) {
   sigwait(&signals, &signal);
   store.close_all();
   { const TempFolder removed(std::move(*folder)); }
-  // Connections that browsers keep open would be waited for.
+  // A normal exit would wait for connections that browsers keep open.
   std::_Exit(EXIT_SUCCESS);
 }
 

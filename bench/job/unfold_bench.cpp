@@ -39,7 +39,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 double quantile(std::vector<double> values, double share) {
   std::sort(values.begin(), values.end());
-  return values.empty() ? 0.0 : values[share * static_cast<double>(values.size() - 1)];
+  return values.empty()
+             ? 0.0
+             : values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
 /// Everything but reading: recognition, flattening, certificate, overlap, rules, DXF text.

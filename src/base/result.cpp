@@ -88,4 +88,10 @@ void assertion_failed(const char* condition, const char* file, int line) {
   std::abort();
 }
 
+void rule_broken(std::string_view where, std::string_view rule) {
+  std::fprintf(stderr, "planish: rule broken at %.*s: %.*s\n", static_cast<int>(where.size()),
+               where.data(), static_cast<int>(rule.size()), rule.data());
+  std::abort();
+}
+
 }  // namespace planish

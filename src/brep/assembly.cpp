@@ -55,13 +55,13 @@ double middle_u(const Face& face) {
   return (box.lo.x() + box.hi.x()) / 2;
 }
 
-/// Moves a face by the whole turns that bring u by about this much further.
+/// Moves a face by the number of whole turns nearest to this shift of u.
 void turn_face(SheetBuilder& builder, FaceId id, double by) {
   builder[id] = turned_by(std::move(builder[id]), by);
 }
 
-/// Moves the faces of a bend that is joined along seams to the turn of their neighbours, from the
-/// leader on. Returns the faces met.
+/// Moves the faces of a bend joined along seams to the turn of their neighbours, starting at the
+/// leader. Returns the faces met.
 std::set<int> align_neighbours(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                                const Group& group) {
   std::set<int> settled{group.leader};
@@ -96,8 +96,8 @@ void align_turns(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   }
 }
 
-/// A joint between different surfaces runs along a ruling; what the file's rounding bent a little
-/// is made straight.
+/// A joint between different surfaces runs along a ruling; straightens a joint slightly bent by the
+/// file's rounding.
 Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const BorderRef& a,
                         const BorderRef& b) {
   constexpr double kCurved = 0.02;  // mm: twice what surfaces may be off
@@ -107,7 +107,7 @@ Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const Bord
   if (off > kCurved)
     return fail(ErrorCode::doubly_curved,
                 fmt::format("Faces {} and {} meet smoothly along a line that curves by {:.3g} mm; "
-                            "no flat blank bends into that shape.",
+                            "no flat blank can be bent into that shape.",
                             edge.faces[0] + 1, edge.faces[1] + 1, off),
                 fmt::format("faces {} and {}", edge.faces[0] + 1, edge.faces[1] + 1));
   for (const BorderRef& ref : {a, b})

@@ -7,7 +7,7 @@
 
 namespace planish::brep {
 
-/// What was recognised about a solid, from which its sheet is built.
+/// The facts recognised about a solid, from which its sheet is built.
 struct Recognition {
   const SolidModel& model;
   const std::vector<Outline>& outlines;

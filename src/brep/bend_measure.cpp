@@ -17,8 +17,8 @@ Box2 box_of(const Sheet& sheet, const Bend& bend) {
   return box;
 }
 
-/// Of two directions that are `between` apart when the way from one to the other is `along`: past a
-/// half-turn the long way round is meant.
+/// The turn between two directions at the angle `between`, if the path from one to the other turns
+/// by `along`: the long way around if that is beyond a half-turn.
 Angle turn_of(double between, double along) {
   return Angle::radians(along <= std::numbers::pi ? between : 2 * std::numbers::pi - between);
 }
@@ -61,7 +61,7 @@ double middle_of_ruling(const Face& face, double u, const Box2& box) {
 
 /// How the outward normal turns over a short way across the rulings.
 struct Step {
-  double turn = 0.0;    ///< radians, positive where the skin is the outside of the bend
+  double turn = 0.0;    ///< radians, positive if the skin is the outside of the bend
   double radius = 0.0;  ///< of the skin, mm
 };
 Step step_between(const Face& face, double u0, double u1, double v) {
@@ -76,7 +76,7 @@ Step step_between(const Face& face, double u0, double u1, double v) {
 }
 
 /// Smallest of radii taken in the middles of equal steps, the ends of the first and the last step
-/// included: there the parabola through the three nearest goes on.
+/// included: extrapolated there by the parabola through the three nearest.
 double smallest_of(const std::vector<double>& radii) {
   double smallest = *std::min_element(radii.begin(), radii.end());
   const auto end_beyond = [](auto first) {
@@ -101,7 +101,7 @@ Bend measured_by_steps(Bend bend, const Face& face, const Box2& box, double thic
   }
   const double between = angle_between(outward_normal(face, box.lo), outward_normal(face, box.hi));
   bend.kind = BendKind::general;
-  // The normal travels farther than the turn where it does not stay in one plane.
+  // The normal travels farther than the turn if it does not stay in one plane.
   bend.angle = turn_of(between, std::abs(turned));
   bend.reference_inside = turned < 0;
   bend.inside_radius = std::max(0.0,

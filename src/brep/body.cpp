@@ -4,6 +4,8 @@
 #include "kernel_points.hpp"
 #include "patch_volume.hpp"
 
+#include <planish/base/assert.hpp>
+
 #include <BRepBndLib.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
@@ -14,7 +16,9 @@
 
 namespace planish {
 
-Body::Body(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)) {}
+Body::Body(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)) {
+  PLANISH_ASSERT(shape_ != nullptr);
+}
 
 const std::string& Body::name() const { return shape_->name; }
 int Body::quantity() const { return shape_->quantity; }

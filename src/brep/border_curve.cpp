@@ -22,9 +22,9 @@ namespace {
 
 using Shape = BorderCurve::Shape;
 
-/// Corners below this are rounding of a fit.
+/// Smaller corners are rounding of a fit.
 constexpr double kKink = tolerance::kFileDigits;  // radians
-/// Of a border's length: parameters nearer than this are one knot.
+/// Share of a border's length: parameters closer than this are one knot.
 constexpr double kSameKnot = tolerance::kComputed;
 
 const Developable* developable(const Face& face) { return std::get_if<Developable>(&face.surface); }
@@ -52,7 +52,7 @@ Shape shape_of_segment(const Face& face, const Segment& segment, double toleranc
   return d.y() < tolerance ? Shape::circle : Shape::general;
 }
 
-/// Where a fit has to have a knot: where the curve or the surface under it is not smooth.
+/// Where a fit needs a knot: where the curve or the surface under it is not smooth.
 std::vector<double> breaks_of(const Face& face, const BorderCurve& border) {
   std::vector<double> breaks{0.0, border.length};
   if (const auto spline = Handle(Geom2d_BSplineCurve)::DownCast(border.uv); !spline.IsNull())
@@ -84,7 +84,7 @@ Handle(Geom_Curve) lifted(const Face& face, const BorderCurve& border, double de
   return new Geom_BSplineCurve(poles, spline->Knots(), spline->Multiplicities(), 3);
 }
 
-/// The border's (u, v) curve run over 0 … length; null when it cannot be stretched to that.
+/// The border's (u, v) curve over 0 … length; null if it cannot be stretched to that.
 Handle(Geom2d_Curve) with_length(const BorderCurve& border, double length) {
   if (std::abs(border.length - length) < tolerance::kRounding * length) return border.uv;
   if (!Handle(Geom2d_Line)::DownCast(border.uv).IsNull()) return border.uv;
@@ -196,7 +196,7 @@ Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, c
   double apart = 0.0;
   for (int i = 1; i < 16; ++i)
     apart = std::max(apart, gap(i / 16.0));
-  // Where the ends miss each other as much, the borders do and not their parameters.
+  // If the ends are as far apart, the borders themselves differ, not only their parameters.
   if (apart < tolerance + 2 * std::max(gap(0.0), gap(1.0)))
     if (const Handle(Geom2d_Curve) same = with_length(own, border.length); !same.IsNull())
       return same;

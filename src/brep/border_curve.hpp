@@ -18,9 +18,9 @@ Vec3 point_below(const Face& face, const Vec2& uv, double depth);
 /// The surface of a face `depth` below the reference skin, as the kernel has it: plane, cylinder,
 /// cone, or a B-spline within `tolerance`; its normal is that of the face's surface. `carried`
 /// turns a curve in the face's (u, v), run over 0 … length, into one in the surface's parameters,
-/// of which u is the same. B-splines stop short of an edge of regression that runs past the face on
-/// one side, though the rectangle of its (u, v) would hold it. Requires: not past a cylinder's axis
-/// or a cone's apex.
+/// of which u is the same. B-splines stop short of an edge of regression beside the face, even if
+/// the rectangle of its (u, v) would contain it. Requires: not past a cylinder's axis or a cone's
+/// apex.
 struct SkinSurface {
   Handle(Geom_Surface) surface;
   std::function<Handle(Geom2d_Curve)(const Handle(Geom2d_Curve)&, double length)> carried;
@@ -28,8 +28,8 @@ struct SkinSurface {
 SkinSurface skin_surface(const Face& face, double depth, double tolerance);
 
 /// Smallest radius of curvature of the skin `depth` below the reference skin within the face, mm;
-/// not positive when that skin would fold over. Infinite for planes; ruled faces are looked at
-/// along their borders.
+/// not positive if that skin would fold over. Infinite for planes; ruled faces are checked along
+/// their borders.
 double smallest_radius(const Face& face, double depth);
 
 /// A circle in space run from `start` (a unit vector) counter-clockwise seen from `axis`.
@@ -49,11 +49,11 @@ struct BorderCurve {
 };
 
 /// Lines (on planes, along rulings) have their length as parameter, circles (on planes, around
-/// cylinders and cones) their angle. A border is taken for a ruling or a circle when it strays from
-/// it by less than `tolerance`.
+/// cylinders and cones) their angle. A border counts as a ruling or a circle if it deviates from it
+/// by less than `tolerance`.
 BorderCurve border_curve(const Face& face, const Curve2& border, double tolerance);
 
-/// The circle a border of shape `circle` is at that depth.
+/// The circle of a border of shape `circle` at that depth.
 SpaceCircle circle_below(const Face& face, const BorderCurve& border, double depth);
 
 /// The border in space at that depth, with its parameter; `general` ones within `tolerance`.
@@ -67,8 +67,8 @@ FittedPath fit_two_depths(const Face& face, const BorderCurve& border, double de
 
 /// The same border seen from the face across a joint, with the parameter of `border`: its points
 /// are those of `border`, its (u, v) those of `other`. `reversed_other` is the border as `other`
-/// has it, turned round; it serves where its points agree within `tolerance`, or as well as its
-/// ends do. Otherwise, when it runs at another speed, `border` is projected onto `other`.
+/// has it, reversed; it is used if its points agree within `tolerance`, or as well as its ends do.
+/// Otherwise, if it runs at another speed, `border` is projected onto `other`.
 Handle(Geom2d_Curve) across_joint(const Face& face, const BorderCurve& border, const Face& other,
                                   const Curve2& reversed_other, double tolerance);
 

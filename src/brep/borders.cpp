@@ -57,7 +57,7 @@ struct OnDevelopable {
   Vec2 start;
   double u_scale;  ///< |∂x/∂u| there
 
-  /// Systems write the rulings of a bend with their own tolerance, coarser than a fit's.
+  /// CAD systems write the rulings of a bend with their own tolerance, coarser than a fit's.
   double ruling_tolerance() const { return 10 * tolerance; }
 };
 

@@ -6,9 +6,9 @@
 
 namespace planish::brep {
 
-/// Borders of a face loop in the (u, v) of a surface (the face's own or one that stands for it):
-/// straight and circular edges exactly where the surface allows, others fitted within `tolerance`
-/// (mm on the surface). u runs continuously along the loop, starting near `u_near`.
+/// Borders of a face loop in the (u, v) of a surface (the face's own or its substitute): straight
+/// and circular edges exactly where the surface allows, others fitted within `tolerance` (mm on the
+/// surface). u runs continuously along the loop, starting near `u_near`.
 BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop,
                         const SolidSurface& surface, double u_near, double tolerance);
 

@@ -47,7 +47,7 @@ std::set<int> reached_from(const std::set<int>& seeds, const Neighbours& neighbo
   return reached;
 }
 
-/// A tree of n groups and the flange has n joints; more make a ring.
+/// A tree of n groups and the flange has n joints; more form a ring.
 bool makes_ring(const Groups& groups, const std::set<int>& inside, int flange) {
   std::set<std::pair<int, int>> links;
   const auto in = [&](int g) { return g == flange || inside.count(g) > 0; };

@@ -4,8 +4,8 @@
 
 namespace planish::brep {
 
-/// Forms that stay attached all round (bridges, closed lances): groups inside an inner loop of a
-/// flange that make a ring with it. Their faces, for the caller to take off the skin.
+/// Faces of forms that stay attached on all sides (bridges, closed lances): groups inside an inner
+/// loop of a flange that form a ring with it. The caller removes them from the skin.
 std::vector<int> closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                               const Groups& groups);
 

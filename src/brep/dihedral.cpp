@@ -25,7 +25,7 @@ std::optional<double> dihedral(const SolidModel& model, int index) {
 }
 
 bool smooth_edge(const SolidModel& model, int index) {
-  // Two planes are one flange only when they are parallel: no bend is made of less.
+  // Two planes are one flange only if they are parallel: no real bend is smaller than this.
   constexpr double kSamePlane = 0.002;  // 0.1°
   const auto angle = dihedral(model, index);
   if (!angle) return false;

@@ -6,8 +6,8 @@
 
 namespace planish::brep {
 
-/// A smaller dihedral angle beside a bend is a tangent transition, radians (5°): CAD systems hold
-/// tangency to 0.1°, but radii rounded by hand leave some degrees.
+/// A smaller dihedral angle beside a bend is a tangent transition, radians (5°): CAD systems keep
+/// tangency to 0.1°, but radii rounded by hand leave a few degrees.
 inline constexpr double kSmoothAngle = 0.0873;
 
 /// Angle in space between the outward normals of the two faces of an edge, at its middle; negative

@@ -26,7 +26,7 @@ bool is_straight(const SpaceCurve& curve, double tolerance) {
   return true;
 }
 
-/// The circle through three points of the curve, run from its start; not yet as far as its end.
+/// The circle through three points of the curve, starting at its start; its end is not set yet.
 /// Empty when the points lie on a line.
 std::optional<SpaceCurve> circle_through(const SpaceCurve& curve, double tolerance) {
   const Vec3 a = point_at_share(curve, 0.0);

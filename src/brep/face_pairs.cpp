@@ -38,7 +38,7 @@ FacePairs pair_faces(const SolidModel& model, const std::vector<Outline>& outlin
     pairs.covered[b] += back->overlap / outlines[b].area;
     pairs.rows.push_back({a, b, *seen});
   };
-  // Faces are swept along x, so that only near ones are compared.
+  // Sweeps faces along x, so that only near ones are compared.
   const std::vector<int> order = in_order_of_x(outlines);
   const double reach = thickness + slack;
   for (auto a = order.begin(); a != order.end(); ++a) {

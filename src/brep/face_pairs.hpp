@@ -11,7 +11,7 @@ struct FacePair {
   Opposite opposite;
 };
 
-/// All pairs at one thickness, and what they say about each face.
+/// All pairs at one thickness, and their properties for each face.
 struct FacePairs {
   std::vector<FacePair> rows;
   std::vector<std::vector<int>> partners;  ///< by face: faces opposite it

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Loops on planes and ruled surfaces have one place only.
+/// Loops on planes and ruled surfaces have only one position.
 bool repeats(const std::variant<Frame, Developable>& surface) {
   const auto* developable = std::get_if<Developable>(&surface);
   return developable && !std::holds_alternative<Ruled>(*developable);
@@ -49,7 +49,7 @@ void connect(BorderLoop& borders, const Border& next) {
   if (borders.empty()) return;
   const Vec2 from = end_of(borders.back().curve);
   const Vec2 to = start_of(next.curve);
-  constexpr double kStep = 1e-3;  // mm: less is the rounding of the file, which merging closes
+  constexpr double kStep = 1e-3;  // mm: smaller gaps are rounding of the file, which merging closes
   if ((to - from).norm() <= kStep) return;
   Border step;
   step.curve = Segment{from, to};
@@ -116,7 +116,7 @@ ReadFace read_face(const Recognition& of, int f, int leader) {
   for (int l = 0; l < std::ssize(result.loops); ++l) {
     if (l == outer) continue;
     ReadLoop hole = read_loop(of, {f, l}, surface, u_near);
-    // A hole read from its own first point may lie a turn away from the face's outer loop.
+    // A hole, read from its own first point, may lie a turn away from the face's outer loop.
     if (repeats(result.face.surface)) {
       const double turns = std::round((u_near - middle_u(hole.borders)) / kTurn);
       hole.borders = shifted(std::move(hole.borders), turns * kTurn);

@@ -4,11 +4,11 @@
 
 namespace planish::brep {
 
-/// A face of the solid as the sheet has it, its part still open: on the surface of `leader`, which
-/// stands for its group; the outer loop first.
+/// A face of the solid as a face of the sheet, its part not yet set: on the surface of `leader`,
+/// which represents its group; the outer loop first.
 struct ReadFace {
   Face face;
-  /// By loop of the solid's face: which loop of `face` it is, and which border each of its uses.
+  /// By loop of the solid's face: its loop in `face`, and the border of each of its edge uses.
   struct Loop {
     int place = 0;
     std::vector<int> borders;

@@ -58,7 +58,7 @@ Error recess_at_rim(const RimPart& part) {
           fmt::format("face {}", face)};
 }
 
-/// A part's box in space, a thickness larger all round.
+/// A part's box in space, enlarged by the thickness.
 struct Box3 {
   Vec3 lo, hi;
   bool meets(const Box3& other) const {
@@ -75,7 +75,8 @@ Box3 box_of(const Recognition& of, const RimPart& part) {
   return {box.lo.array() - of.skins.thickness, box.hi.array() + of.skins.thickness};
 }
 
-/// Whether a form that leaves the sheet also shows on the reference skin (an emboss has two sides).
+/// Whether a form that leaves the sheet also appears on the reference skin (an emboss has two
+/// sides).
 bool formed_here(const Recognition& of, const RimPart& part) {
   const Box3 box = box_of(of, part);
   return std::any_of(of.rim.parts.begin(), of.rim.parts.end(), [&](const RimPart& other) {
@@ -84,7 +85,7 @@ bool formed_here(const Recognition& of, const RimPart& part) {
   });
 }
 
-/// A loop of the other skin seen on this one: run the other way round, a thickness below.
+/// A loop of the other skin as seen on this one: reversed, a thickness below.
 BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& plane) {
   std::vector<CoEdge> loop = loop_of(of, ref);
   std::reverse(loop.begin(), loop.end());
@@ -108,7 +109,7 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
   return {};
 }
 
-/// A recess in, or a boss on, the other skin: drawn where it lies, seen through the sheet.
+/// A recess in, or a boss on, the other skin: drawn in place, seen through the sheet.
 void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                      const RimPart& part, const LoopRef& ref) {
   if (!opening_in_plane(of, ref)) return;
@@ -128,9 +129,9 @@ Box2 box_of_loop(const BorderLoop& borders) {
   return box;
 }
 
-/// Whether two outlines of a cut lie aside of each other, by a slope over the thickness.
+/// Whether two outlines of a cut are offset from each other, as by a slope over the thickness.
 bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
-  constexpr double kSlope = 0.05;  // 3°: more than draft and rounding make
+  constexpr double kSlope = 0.05;  // 3°: more than draft and rounding cause
   const Box2 first = box_of_loop(a);
   const Box2 second = box_of_loop(b);
   return std::max((first.lo - second.lo).norm(), (first.hi - second.hi).norm()) >
@@ -138,8 +139,8 @@ bool is_slanted(const BorderLoop& a, const BorderLoop& b, double thickness) {
 }
 
 /// An opening that is wider on one skin (countersink, chamfered hole) is cut to the narrowest
-/// section; the wider outlines are drawn, and so is the far one of a slanted cut. Whether that
-/// accounts for all that widens the opening. Only openings of planes are looked at.
+/// section; the wider outlines are drawn, and so is the far one of a slanted cut. Returns whether
+/// this accounts for everything that widens the opening. Only openings in planes are examined.
 bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                  const RimPart& part, const LoopRef& here, const LoopRef& there) {
   if (!opening_in_plane(of, here) || !opening_in_plane(of, there)) return false;
@@ -149,7 +150,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   BorderLoop& cut = builder[first.face].loops[first.loop];
   const BorderLoop mine = read_borders(of.model, loop_of(of, here), frame, 0.0, of.tolerance);
   const BorderLoop theirs = seen_through(of, there, frame);
-  constexpr double kWider = 1.001;  // area ratio that drilling noise does not reach
+  constexpr double kWider = 1.001;  // area ratio beyond the noise of drilled holes
   if (loop_area(theirs) * kWider < loop_area(cut)) cut = theirs;
   FormedFeature feature = feature_of("countersink", part.faces.front(), first.face);
   for (const BorderLoop* wider : {&mine, &theirs})
@@ -167,7 +168,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   return widens;
 }
 
-/// A chamfer or fillet round a contour: the skin's own outline is drawn.
+/// A chamfer or fillet around a contour: the skin's own outline is drawn.
 void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                        const LoopRef& ref) {
   const FaceId face = map.face_id.at(ref.face);

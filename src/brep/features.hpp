@@ -10,16 +10,16 @@
 
 namespace planish::brep {
 
-/// Where the solid's faces and the uses of its edges are in the sheet.
+/// Maps the solid's faces and edge uses to the sheet.
 struct SheetMap {
   std::map<int, FaceId> face_id;                            ///< by face of the solid
   std::map<std::tuple<int, int, bool>, BorderRef> borders;  ///< by face, edge and sense of the use
   std::set<LoopRef> widened;                                ///< cut wider than the skin's outline
 };
 
-/// Adds what a flat pattern only outlines: formed features and bosses (their borders marked, drawn
-/// and not cut), pockets, countersinks (cut to the narrowest section), slanted cuts, chamfered
-/// rims; and what they add to the plain sheet's volume or take from it.
+/// Adds features that a flat pattern only outlines: formed features and bosses (their borders
+/// marked, drawn and not cut), pockets, countersinks (cut to the narrowest section), slanted cuts,
+/// chamfered rims; and their contribution to the plain sheet's volume, positive or negative.
 void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition& of);
 
 }  // namespace planish::brep

@@ -79,7 +79,7 @@ std::optional<SurfaceFit> fit_cylinder(const Samples& samples, double tolerance)
     right.segment<2>(2 * i) = p;
   }
   const Vec3 solution = rows.colPivHouseholderQr().solve(right);
-  constexpr double kOfRadius = 0.05;  // small bends are held to less than the tolerance
+  constexpr double kOfRadius = 0.05;  // small bends are fitted more closely than the tolerance
   if (!solution.allFinite() || solution.z() == 0.0) return {};
   Frame placed = frame;
   placed.origin = frame.point(solution.head<2>());
@@ -91,7 +91,7 @@ std::optional<SurfaceFit> fit_cylinder(const Samples& samples, double tolerance)
 
 std::optional<SurfaceFit> fit_cone(const Samples& samples, double tolerance) {
   Vec3 axis = least_spread(samples, true);
-  // Every tangent plane holds the apex: n · apex = n · p.
+  // Every tangent plane contains the apex: n · apex = n · p.
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Vec3 right = Vec3::Zero();
   const Vec3 mean = mean_point(samples);

@@ -15,9 +15,10 @@ struct SurfaceFit {
   double deviation = 0.0;                    ///< largest distance of a sample from the surface, mm
 };
 
-/// The plane, circular cylinder or right cone (tried in this order) that all samples lie on within
-/// `tolerance`, normals agreeing too. Cylinder and cone from the normals: they are perpendicular,
-/// or equally inclined, to the axis; axis line, radius and apex by linear least squares.
+/// The plane, circular cylinder or right cone (tried in this order) on which all samples lie within
+/// `tolerance` and whose normals agree. Cylinder and cone follow from the normals: they are
+/// perpendicular, or equally inclined, to the axis; axis line, radius and apex by linear least
+/// squares.
 std::optional<SurfaceFit> fit_surface(const std::vector<SurfaceSample>& samples, double tolerance);
 
 }  // namespace planish::brep

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Slope by differences that stay within [lo, hi]: f need not exist outside.
+/// Slope by differences within [lo, hi]: f need not exist outside.
 VectorXd slope(const PathFunction& f, double t, double lo, double hi) {
   constexpr double kStep = tolerance::kDifference;  // of the range
   const double h = kStep * (hi - lo);
@@ -82,7 +82,7 @@ struct CubicKnots {
   }
 };
 
-/// B-spline poles of C1 Hermite pieces: two by each knot.
+/// B-spline poles of C1 Hermite spans: two at each knot.
 std::vector<VectorXd> poles_of(const FittedPath& path) {
   std::vector<VectorXd> poles;
   const std::size_t last = path.knots.size() - 1;
@@ -163,7 +163,7 @@ Handle(Geom2d_BSplineCurve) plane_curve(const CubicSpline& spline, double kink) 
       const Vec2 before = p[0] - p[-1], after = p[1] - p[0];
       const double sine = before.x() * after.y() - before.y() * after.x();
       smooth = std::abs(std::atan2(sine, before.dot(after))) < kink && before.norm() > 0.0;
-      // Equal speed on both sides: handles are as long as the pieces are wide.
+      // Equal speed on both sides: handles are proportional to the widths of the spans.
       if (smooth) width *= after.norm() / before.norm();
       if (!smooth) poles.push_back(p[0]);
     }

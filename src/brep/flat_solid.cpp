@@ -32,6 +32,7 @@ Sheet flat_sheet(const FlatPattern& pattern) {
 }  // namespace
 
 Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name) {
+  if (auto sound = check(pattern); !sound) return tl::unexpected(sound.error());
   return brep::guarded(
       [&]() -> Result<std::string> {
         const auto solid = brep::thicken(flat_sheet(pattern));

@@ -45,8 +45,8 @@ int node_count(const TopoDS_Shape& solid) {
   return count;
 }
 
-/// The kernel's triangles, face by face, put together along edges and vertices: the kernel gives
-/// every face nodes of its own.
+/// Joins the kernel's triangles along edges and vertices: the kernel gives every face its own
+/// nodes.
 class Welder {
  public:
   explicit Welder(const TopoDS_Shape& solid) : same_(node_count(solid)) {
@@ -54,7 +54,7 @@ class Welder {
       add(TopoDS::Face(faces.Current()));
   }
 
-  /// The triangles over the points that are left, without those that have two corners at one point.
+  /// The triangles over the remaining points, without those that have two corners at one point.
   Mesh mesh() {
     Mesh result;
     std::vector<int> number(points_.size(), -1);
@@ -78,7 +78,7 @@ class Welder {
   void add(const TopoDS_Face& face) {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
-    if (own.IsNull()) return;  // the gap is found in the end
+    if (own.IsNull()) return;  // the gap is detected at the end
     const int first = static_cast<int>(points_.size());
     for (int i = 1; i <= own->NbNodes(); ++i)
       points_.push_back(brep::vector_of(own->Node(i).Transformed(place)));
@@ -121,7 +121,7 @@ class Welder {
   std::map<int, int> node_at_;            ///< a node at a vertex
 };
 
-/// How many sides of triangles have no neighbour that runs them the other way, or more than one.
+/// Number of triangle edges that do not have exactly one neighbour running them the other way.
 std::size_t open_sides(const Mesh& mesh) {
   std::map<std::pair<int, int>, int> runs;
   for (const Triangle& t : mesh.triangles)
@@ -145,7 +145,7 @@ Mesh triangulated(const TopoDS_Shape& solid, double chord) {
   IMeshTools_Parameters limits;
   limits.Deflection = chord;
   limits.Angle = kLargestTurn.radians();
-  limits.MinSize = Precision::Confusion();  // by itself the kernel stops at a tenth of the chord
+  limits.MinSize = Precision::Confusion();  // by default the kernel stops at a tenth of the chord
   const BRepMesh_IncrementalMesh triangles(solid, limits);
   return Welder(solid).mesh();
 }
@@ -155,7 +155,7 @@ Mesh triangulated(const TopoDS_Shape& solid, double chord) {
 Result<Mesh> body_mesh(const Body& body, double chord) {
   if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
   return brep::guarded([&]() -> Result<Mesh> {
-    // The kernel writes triangles into the shape that it is given.
+    // The kernel stores triangles in the shape itself, so mesh a copy.
     Mesh mesh = triangulated(BRepBuilderAPI_Copy(body.shape().solid).Shape(), chord);
     if (mesh.triangles.empty())
       return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");

@@ -7,7 +7,7 @@
 namespace planish::brep {
 namespace {
 
-/// What a loop in the plane of a skin encloses.
+/// The region enclosed by a loop in the plane of a skin.
 struct Cover {
   double height = 0.0;  ///< of the plane over the model's centre
   double area = 0.0;
@@ -53,8 +53,8 @@ std::optional<double> form_volume(const Recognition& of, const RimPart& part) {
 
 double opening_volume(const Recognition& of, const RimPart& part,
                       const std::array<LoopRef, 2>& openings, double cut) {
-  // Covers are the rings around the cut. The wall of a straight opening takes 2/3 of its volume:
-  // the plug's caps have the other third.
+  // Covers are the rings around the cut. The wall of a straight opening contributes 2/3 of its
+  // volume; the plug's caps contribute the other third.
   double excess = volume_under(of, part);
   double depth = 0.0;
   for (const LoopRef& ref : openings) {

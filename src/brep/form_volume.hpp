@@ -12,13 +12,13 @@ double loop_area(const BorderLoop& borders);
 /// Whether the loop is an opening of a plane.
 bool opening_in_plane(const Recognition& of, const LoopRef& ref);
 
-/// What a form holds more than the plain sheet that its outlines cover would (a pocket: less, a
-/// negative number), mm³: by the divergence theorem its faces' volumes less those of the covers.
-/// Empty unless all its outlines are openings of planes.
+/// The volume of a form beyond the plain sheet that its outlines cover (negative for a pocket),
+/// mm³: by the divergence theorem its faces' volumes less those of the covers. Empty unless all its
+/// outlines are openings of planes.
 std::optional<double> form_volume(const Recognition& of, const RimPart& part);
 
-/// The same for a hole through the sheet, between openings of two parallel planes, that is cut with
-/// the area `cut`.
+/// The same for a hole through the sheet, between openings of two parallel planes, cut with the
+/// area `cut`.
 double opening_volume(const Recognition& of, const RimPart& part,
                       const std::array<LoopRef, 2>& openings, double cut);
 

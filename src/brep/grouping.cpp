@@ -13,7 +13,7 @@ namespace {
 
 bool is_flat(const SolidFace& face) { return std::holds_alternative<Frame>(face.surface); }
 
-/// Joints of one skin, with the numbers of faces in place of groups.
+/// Joints of one skin, with face numbers in place of groups.
 std::vector<GroupJoint> face_joints(const SolidModel& model, const Skins& skins, Skin skin) {
   std::set<int> sharp;
   for (const SharpEdge& edge : skins.sharp)
@@ -40,7 +40,8 @@ UnionFind continued_faces(const SolidModel& model, const std::vector<GroupJoint>
   return sets;
 }
 
-/// Bends between each two flanges, by set; a bend that a notch or hole cuts through is several.
+/// Bends by the set of flanges that they join; a bend cut through by a notch or hole counts several
+/// times.
 std::map<std::set<int>, std::vector<int>> bends_by_flanges(const SolidModel& model,
                                                            const std::vector<GroupJoint>& joints,
                                                            UnionFind& sets) {

@@ -9,7 +9,7 @@ namespace planish::brep {
 struct Group {
   std::vector<int> faces;
   bool flange = false;
-  int leader = 0;  ///< the largest face; its surface stands for all
+  int leader = 0;  ///< the largest face; its surface represents all
 };
 
 /// Two groups meeting along an edge of the solid.
@@ -26,7 +26,7 @@ struct Groups {
   std::vector<GroupJoint> joints;  ///< also those inside one group (a == b)
 };
 
-/// Groups one skin. Rows are in the order of their first face.
+/// Groups one skin. Groups are in the order of their first face.
 Groups group_faces(const SolidModel& model, const std::vector<Outline>& outlines,
                    const Skins& skins, Skin skin);
 

@@ -13,14 +13,13 @@
 
 namespace planish::brep {
 
-/// Takes the kernel's printers off its messenger, once per process: a library does not write to
+/// Removes the kernel's printers from its messenger, once per process: a library must not write to
 /// the console. `guarded` calls it.
 void silence_kernel();
 
-/// The error that stands for a foreign exception: `kernel_failed`, `what` with the message,
-/// `where`.
+/// The error for a foreign exception: `kernel_failed`, `what` with the message, `where`.
 Error foreign_error(const std::string& kind, const char* message, std::string where);
-/// The one that stands for memory that it did not get: `out_of_memory`.
+/// The error for a failed allocation: `out_of_memory`.
 Error no_memory(std::string where);
 
 template <typename T>
@@ -32,10 +31,10 @@ struct ResultOf<Result<T>> {
   using type = Result<T>;
 };
 
-/// Runs `f` and hands back its result; whatever it throws becomes a `kernel_failed` error that
-/// holds the exception's message, or `out_of_memory`. `f` may return a Result or a plain value. The
-/// kernel's Standard_Failure is not a std::exception, so it is caught first. Every call from
-/// outside into kernel code goes through here.
+/// Runs `f` and returns its result; an exception becomes a `kernel_failed` error with its message,
+/// or `out_of_memory`. `f` may return a Result or a plain value. The kernel's Standard_Failure is
+/// not a std::exception, so it is caught first. Every call from outside into kernel code goes
+/// through here.
 template <typename F>
 typename ResultOf<std::invoke_result_t<F>>::type guarded(F&& f, std::string where = {}) {
   silence_kernel();

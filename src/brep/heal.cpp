@@ -11,7 +11,7 @@
 namespace planish::brep {
 namespace {
 
-/// Damaged solids also hold edges that both faces run along the same way.
+/// Damaged solids may also have edges that both faces run along the same way.
 bool passed_both_ways(const SolidEdge& edge) {
   return edge.uses == 2 && edge.forward[0] != edge.forward[1];
 }
@@ -20,7 +20,7 @@ bool is_plane(const SolidModel& model, int f) {
   return f >= 0 && std::holds_alternative<Frame>(model.faces[f].surface);
 }
 
-/// Connected planes that continue each other, two or more a set, in the order of their numbers.
+/// Sets of two or more connected planes that continue each other, in the order of their numbers.
 std::vector<std::vector<int>> coplanar_faces(const SolidModel& model) {
   UnionFind sets(static_cast<int>(model.faces.size()));
   for (int e = 0; e < std::ssize(model.edges); ++e) {
@@ -77,7 +77,7 @@ std::vector<Place> places_in(const SolidModel& model, const std::vector<int>& fa
   return places;
 }
 
-/// Loops of the faces taken as one: at an edge between two of them the walk goes on in the other.
+/// Loops of the faces taken as one: at an edge between two of them the walk continues in the other.
 std::vector<std::vector<CoEdge>> common_outline(const SolidModel& model,
                                                 const std::vector<int>& faces,
                                                 const std::set<int>& between) {
@@ -107,7 +107,7 @@ std::vector<std::vector<CoEdge>> common_outline(const SolidModel& model,
   return loops;
 }
 
-/// The faces as one, which has the number of the first.
+/// The faces merged into one, which has the number of the first.
 SolidModel with_merged(SolidModel model, const std::vector<int>& faces) {
   const int leader = faces.front();
   const std::set<int> members(faces.begin(), faces.end());

@@ -4,9 +4,9 @@
 
 namespace planish::brep {
 
-/// The model as it was meant: slivers narrower than files are accurate are closed, and neighbouring
-/// faces on one plane are one face. Faces keep their numbers; those merged into another are left
-/// without loops and named in its `merged`.
+/// The model as intended: slivers narrower than the accuracy of files are closed, and neighbouring
+/// faces on one plane become one face. Faces keep their numbers; those merged into another keep no
+/// loops and are listed in its `merged`.
 SolidModel healed(SolidModel model);
 
 }  // namespace planish::brep

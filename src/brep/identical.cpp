@@ -65,7 +65,7 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
   const Vec3 a = third / std::pow(size, 3);
   const Vec3 b = fifth / std::pow(size, 5);
   const Vec3 c = inertia * a / second;
-  // The determinant is the one that a mirror turns round.
+  // A mirror changes the sign of the determinant.
   result.moments = {size,
                     principal.x() / second,
                     principal.y() / second,
@@ -79,7 +79,7 @@ Fingerprint fingerprint_of(const TopoDS_Solid& solid) {
 
 bool identical(const Fingerprint& a, const Fingerprint& b) {
   if (a.counts != b.counts) return false;
-  constexpr double kPlaced = tolerance::kWrittenDigits;  // placed copies are rounded once more
+  constexpr double kPlaced = tolerance::kWrittenDigits;  // placed copies are rounded again
   if (std::abs(a.moments[0] - b.moments[0]) > kPlaced * a.moments[0]) return false;
   for (size_t i = 1; i < a.moments.size(); ++i)
     if (std::abs(a.moments[i] - b.moments[i]) > kPlaced) return false;

@@ -6,8 +6,8 @@
 
 namespace planish::brep {
 
-/// Numbers that agree for congruent solids of the same hand, wherever they are placed: counts, and
-/// moments of the edges' points about their centroid, one of which changes sign in a mirror.
+/// Numbers that agree for congruent solids of the same hand, wherever they lie: counts, and moments
+/// of the edges' points about their centroid, one of which changes sign in a mirror.
 struct Fingerprint {
   std::array<int, 3> counts{};
   std::array<double, 8> moments{};
@@ -15,7 +15,7 @@ struct Fingerprint {
 
 Fingerprint fingerprint_of(const TopoDS_Solid& solid);
 
-/// Equal within rounding of placed copies (relative 1e-6 of the solid's size).
+/// Equal within the rounding of placed copies (1e-6 of the solid's size).
 bool identical(const Fingerprint& a, const Fingerprint& b);
 
 }  // namespace planish::brep

@@ -4,7 +4,7 @@
 
 namespace planish::brep {
 
-/// How far a border of a face is from the ruling, or on a plane the line, between its ends, mm.
+/// Largest distance of a border from the ruling, or on a plane from the line, between its ends, mm.
 double off_ruling(const Face& face, const Curve2& border);
 
 /// That ruling or line.

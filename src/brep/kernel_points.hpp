@@ -11,7 +11,7 @@
 
 namespace planish::brep {
 
-// Points, directions and frames as the kernel spells them.
+// Points, directions and frames as kernel types.
 
 inline gp_Pnt kernel_point(const Vec3& p) { return {p.x(), p.y(), p.z()}; }
 inline gp_Pnt2d kernel_point(const Vec2& p) { return {p.x(), p.y()}; }

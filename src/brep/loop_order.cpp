@@ -37,7 +37,7 @@ std::vector<CoEdge> chained(const std::vector<SolidEdge>& edges, std::vector<CoE
     const auto next = std::min_element(at + 1, uses.end(), [&](const CoEdge& a, const CoEdge& b) {
       return distance(a) < distance(b);
     });
-    // The others keep their order, so that of two as near the one met first is taken.
+    // The others keep their order, so that of two equally near the first is taken.
     std::rotate(at + 1, next, next + 1);
   }
   return uses;

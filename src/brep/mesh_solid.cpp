@@ -29,7 +29,8 @@ Vec3 twice_area(const Mesh& mesh, const std::array<int, 3>& t) {
 }
 
 double volume_of(const Mesh& mesh) {
-  const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
+  const Vec3& origin = mesh.points.front();  // relative to a nearby point, so that no digits are
+                                             // lost far from the origin
   const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
   double sum = 0.0;
   for (const auto& t : mesh.triangles)
@@ -96,7 +97,7 @@ Result<void> check_volume(const Mesh& part) {
   return {};
 }
 
-/// A plane face a triangle, sides shared; vertices as far as they are used.
+/// One plane face per triangle, with shared edges and only the vertices used.
 TopoDS_Shell shell_of(const Mesh& mesh) {
   brep::SolidBuilder builder;
   std::map<int, TopoDS_Vertex> vertices;
@@ -123,7 +124,7 @@ TopoDS_Shell shell_of(const Mesh& mesh) {
   return builder.shell();
 }
 
-/// Triangles in one plane become one face, where the kernel sees that they are in one.
+/// Triangles in one plane become one face, if the kernel detects it.
 TopoDS_Shape with_whole_faces(const TopoDS_Shape& solid) {
   ShapeUpgrade_UnifySameDomain unify(solid, true, true, false);
   unify.Build();

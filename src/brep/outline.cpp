@@ -108,7 +108,7 @@ double overlap_area(const Outline& a, const std::vector<std::vector<Vec2>>& b, c
   return sum * (hi - lo) / kLines;
 }
 
-/// Offsets keep a surface's kind: only like faces can be opposite.
+/// Offsets keep a surface's kind: only faces of the same kind can be opposite.
 bool same_kind(const SolidFace& a, const SolidFace& b) {
   if (a.surface.index() != b.surface.index()) return false;
   const auto* first = std::get_if<Developable>(&a.surface);

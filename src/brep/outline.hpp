@@ -6,8 +6,8 @@
 
 namespace planish::brep {
 
-/// A face drawn coarsely in its own parameters, u scaled to millimetres: enough to tell what lies
-/// opposite to what. Empty for doubly curved faces.
+/// A coarse outline of a face in its own parameters, u scaled to millimetres: enough to find
+/// opposite faces. Empty for doubly curved faces.
 struct Outline {
   std::vector<std::vector<Vec3>> rings;  ///< points in space, by loop
   std::vector<std::vector<Vec2>> flat;   ///< the same in (u·scale, v)
@@ -22,7 +22,7 @@ struct Outline {
 
 std::vector<Outline> outlines_of(const SolidModel& model);
 
-/// How a face B lies opposite to a face A, seen from A through the material.
+/// How a face B lies opposite a face A, seen from A through the material.
 struct Opposite {
   double depth = 0.0;    ///< mean distance of B below A along A's inward normal, mm
   double spread = 0.0;   ///< largest − smallest depth over B's border
@@ -33,7 +33,8 @@ struct Opposite {
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,
                                  int a, int b);
 
-/// Outward unit normal of a plane or developable face at the point of its surface nearest to this.
+/// Outward unit normal of a plane or developable face at the point of its surface nearest to
+/// `point`.
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);
 
 /// Area inside a closed polygon, positive when it runs counter-clockwise.

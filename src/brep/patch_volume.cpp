@@ -46,13 +46,13 @@ class Patch {
     across_v_ = v.size() <= u.size();
     along_ = across_v_ ? u : v;
     across_ = across_v_ ? v : u;
-    // Spans of other kinds than splines may go round a long way.
+    // Spans of surfaces other than splines may turn a long way.
     const GeomAbs_SurfaceType type = surface_.GetType();
     if (type != GeomAbs_BSplineSurface && type != GeomAbs_BezierSurface)
       across_ = quartered(across_);
   }
 
-  /// What the border adds at a point of it with that derivative.
+  /// The border's integrand at a point with that derivative.
   double form(const gp_Pnt2d& p, const gp_Vec2d& d) const {
     const double step = across_v_ ? d.X() : d.Y();
     if (step == 0.0) return 0.0;
@@ -97,7 +97,8 @@ class Patch {
 };
 
 /// Parameters at which the border's form is not smooth: its own knots, and on a straight border
-/// those of the patch. Curved borders meet the patch's anywhere; there halving intervals has to do.
+/// those of the patch. Curved borders cross the patch's knots anywhere; there halving intervals
+/// must suffice.
 std::vector<double> breaks_of(const Patch& patch, const Geom2dAdaptor_Curve& border) {
   TColStd_Array1OfReal own(1, border.NbIntervals(GeomAbs_CN) + 1);
   border.Intervals(own, GeomAbs_CN);

@@ -20,7 +20,7 @@ double gauss(const Function& f, double a, double b) {
 }
 
 /// The same with intervals halved until two halves agree with their whole within `error`. Twelve
-/// times at most: where f has a kink that is as near as it needs to be.
+/// times at most, which is enough even at a kink of f.
 template <typename Function>
 double adaptive_gauss(const Function& f, double a, double b, double whole, double error,
                       int depth = 0) {

@@ -22,7 +22,7 @@ using namespace brep;
 constexpr double kBorderTolerance = 1e-5;
 
 /// The skins without closed forms (bridges and lances attached at both ends): those are stretched,
-/// not bent. Large ones stay, so that the loop they make is refused by name.
+/// not bent. Large ones stay, so that the loop they form is refused as such.
 Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& outlines,
                            Skins skins) {
   constexpr double kLargestShare = 0.25;  // of the skin
@@ -54,12 +54,12 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
   return assemble_sheet({model, outlines, skins, rim, groups, skin, kBorderTolerance});
 }
 
-/// Forms may hold this share of a sheet's volume; beyond, they are the body and the sheet is a part
-/// of it.
+/// Forms may have this share of a sheet's volume; beyond, they are the body and the sheet is only a
+/// part of it.
 constexpr double kFormed = 0.08;
 
-/// How far the volume without forms and mitres may be off: slanted cuts hold or lack some. Where a
-/// form could not be measured the whole of it goes into that, chamfers being small.
+/// How far the volume without forms and mitres may be off: slanted cuts add or remove some. A form
+/// that could not be measured counts in full, as chamfers are small.
 double volume_allowed(const Sheet& sheet) {
   constexpr double kMeasured = 0.02;
   constexpr double kChamfered = 0.05;
@@ -70,12 +70,12 @@ double volume_allowed(const Sheet& sheet) {
   return formed ? kFormed : kChamfered;
 }
 
-/// Whether a sheet accounts for the solid it was seen in: it lies flat, it is wider than thick, and
-/// it has the solid's volume as closely as what was seen on it allows.
+/// Whether a sheet accounts for the solid in which it was found: it lies flat, it is wider than
+/// thick, and it has the solid's volume within what its features allow.
 Result<void> accounts_for_solid(const Sheet& sheet) {
   const auto pattern = flatten(sheet, {.allowance = ConstantK{0.5, "recognition"}});
   if (!pattern) return tl::unexpected(pattern.error());
-  constexpr double kNarrowest = 1.3;  // mean width by thickness; wires and bars of square section
+  constexpr double kNarrowest = 1.3;  // mean width over thickness; wires and bars of square section
                                       // have 1
   const double width = 2 * pattern->area / pattern->perimeter;
   if (width < kNarrowest * sheet.thickness)
@@ -130,6 +130,11 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
 }  // namespace
 
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options) {
+  for (const auto& [name, value] : {std::pair{"surface", options.surface_tolerance},
+                                    std::pair{"thickness", options.thickness_tolerance}})
+    if (!(value > 0.0 && value <= kFarthest))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("The {} tolerance is {}; it must be above 0.", name, value));
   return guarded(
       [&] {
         auto model = std::make_shared<const SolidModel>(

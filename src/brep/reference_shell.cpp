@@ -33,7 +33,7 @@ Result<void> check_input(const Sheet& sheet) {
   return {};
 }
 
-/// Distance of the ends of a joint's two borders, the larger one.
+/// The larger distance between the ends of a joint's two borders.
 double gap_of(const Sheet& sheet, const Joint& joint) {
   const auto end = [&](const BorderRef& ref, bool last) {
     const Curve2& curve = sheet[ref].curve;
@@ -71,7 +71,7 @@ class ShellMaker {
   ShellMaker(const Sheet& sheet, const ReferenceShellOptions& options)
       : sheet_(sheet), options_(options), corners_(sheet) {}
 
-  /// One for all faces that hang together.
+  /// One shell for each set of connected faces.
   std::vector<TopoDS_Shell> shells() {
     make_vertices();
     edges_.resize(topology().border_count());
@@ -119,7 +119,7 @@ class ShellMaker {
                                     made.border.length, start, end);
   }
 
-  /// The edge of a border as its own face uses it; its curve still in the face's (u, v).
+  /// The edge of a border as used by its own face; its curve is still in the face's (u, v).
   EdgeUse use_of(BorderId border) const {
     const BorderId leader = corners_.leader(border);
     const bool leads = leader == border;

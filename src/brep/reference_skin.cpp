@@ -38,7 +38,7 @@ Skin reference_skin(const SolidModel& model, const std::vector<Outline>& outline
   const int first = outward_sharp_edges(model, skins, Skin::first);
   const int second = outward_sharp_edges(model, skins, Skin::second);
   if (first != second) return first < second ? Skin::first : Skin::second;
-  constexpr double kClearly = 1.0 + 1e-6;  // sampling of outlines must not decide
+  constexpr double kClearly = 1.0 + 1e-6;  // so that the sampling of outlines does not decide
   return neutral_area(model, outlines, skins, Skin::second) >
                  kClearly * neutral_area(model, outlines, skins, Skin::first)
              ? Skin::second

@@ -4,9 +4,9 @@
 
 namespace planish::brep {
 
-/// The skin that the pattern is drawn from: the one in one piece, then the one folded sharply
-/// outwards least (its borders need no setting back), then the one with more material (openings and
-/// rims are narrower there).
+/// The skin from which the pattern is drawn: the connected one, else the one with fewer outward
+/// sharp folds (its borders need no setback), else the one with more material (its openings and
+/// rims are narrower).
 Skin reference_skin(const SolidModel& model, const std::vector<Outline>& outlines,
                     const Skins& skins);
 

@@ -16,7 +16,7 @@ struct RimPart {
   std::vector<int> faces;
   std::vector<LoopRef> first, second;  ///< loops it touches on either skin
   bool within = true;  ///< stays between the skins: walls, chamfers, fillets, pockets
-  Error refusal;       ///< why the body has no flat pattern if this is at its outer contour
+  Error refusal;       ///< why the body has no flat pattern if this part is at its outer contour
 };
 
 struct Rim {

@@ -25,7 +25,7 @@ double reach_of(const Face& face, double side, const auto& narrowing) {
         const double left = 1.0 + narrowing(uv.x()) * uv.y();
         if (side * uv.y() > 0.0) reach = std::max(reach, left > 0.0 ? side * uv.y() / left : 1e300);
       }
-  constexpr double beyond = 1.01;  // of what the samples need, for what lies between them
+  constexpr double beyond = 1.01;  // of what the samples need, as a margin between them
   return beyond * reach;
 }
 
@@ -78,7 +78,8 @@ RulingRange ruling_range(const Face& face, double depth) {
   };
   for (std::size_t i = 0; i < RulingRange::nodes; ++i)
     range.narrowing_[i] = narrowing(range.node(i));
-  // Narrower than this share of what it is at v = 0, and no reader takes it for a regular surface.
+  // If narrower than this share of its width at v = 0, readers do not accept it as a regular
+  // surface.
   constexpr double narrowest = 0.1;
   const auto [least, most] = std::ranges::minmax(range.narrowing_);
   const bool narrow_below = 1.0 + most * box.lo.y() < narrowest && least > 0.0;

@@ -12,13 +12,13 @@ namespace planish::brep {
 Box2 extent(const Face& face);
 
 /// |∂x/∂u| across the ruling, `depth` below the reference skin of a face on a ruled surface;
-/// negative past the edge of regression. Linear in v and in the depth. By differences: to some 1e-9
-/// of itself.
+/// negative past the edge of regression. Linear in v and in the depth. By differences: relative
+/// accuracy about 1e-9.
 double speed_across(const Face& face, const Vec2& uv, double depth);
 
-/// The part of each ruling that a face on a ruled surface uses: all of it lies in lo(u) … hi(u).
-/// The same for all u, the face's extent, unless the edge of regression comes into that; then the
-/// limit on its side keeps away from it.
+/// The part of each ruling that a face on a ruled surface uses: the face lies in lo(u) … hi(u).
+/// This is the face's extent for all u, unless the edge of regression enters it; then the limit on
+/// that side stays clear of it.
 class RulingRange {
  public:
   explicit RulingRange(const Box2& box) : box_(box) {}
@@ -47,8 +47,8 @@ class RulingRange {
 };
 RulingRange ruling_range(const Face& face, double depth);
 
-/// A curve in the face's (u, v), run over 0 … length, where the range's rectangle box() stands for
-/// lo(u) … hi(u): rulings exactly, others within `tolerance`.
+/// A curve in the face's (u, v), run over 0 … length, carried to the range's rectangle box(), which
+/// represents lo(u) … hi(u): rulings exactly, others within `tolerance`.
 Handle(Geom2d_Curve) carried_into(const RulingRange& range, const Handle(Geom2d_Curve) & curve,
                                   double length, double tolerance);
 

@@ -7,7 +7,7 @@
 namespace planish::brep {
 namespace {
 
-/// How far apart the surfaces of two faces of one surface may be.
+/// Largest differences between two faces of one surface.
 struct Agreement {
   double length = 0.0;  ///< mm
   double angle = 0.0;   ///< radians
@@ -15,7 +15,8 @@ struct Agreement {
 
 Agreement agreement_of(const SolidFace& f, const SolidFace& g, double size) {
   constexpr double kDrawn = 1e-4;   // mm: dimensions are rounded
-  constexpr double kFitted = 10.0;  // times the deviation of fits, which place an axis less well
+  constexpr double kFitted = 10.0;  // times the deviation of fits, which locate an axis less
+                                    // accurately
   constexpr double kAngle = 1e-3;
   return {tolerance::kFileDigits * size + kDrawn + kFitted * (f.fitted + g.fitted), kAngle};
 }

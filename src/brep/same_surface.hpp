@@ -5,8 +5,8 @@
 namespace planish::brep {
 
 /// Whether two faces that meet lie on one plane, cylinder or cone with the material on the same
-/// side, as closely as files and fits of a solid of that size (mm) are accurate. Planes that meet
-/// are taken for one; ruled surfaces never are.
+/// side, within the accuracy of files and fits for a solid of that size (mm). Planes that meet
+/// count as one; ruled surfaces never do.
 bool same_surface(const SolidFace& f, const SolidFace& g, double size);
 
 }  // namespace planish::brep

@@ -50,7 +50,7 @@ bool opposite_edges(const SolidModel& model, const std::vector<std::vector<int>>
   if (!(partnered(f, p) && partnered(g, q)) && !(partnered(f, q) && partnered(g, p))) return false;
   const SpaceCurve& a = model.edges[e].curve;
   const SpaceCurve& b = model.edges[other].curve;
-  // The mitre's length grows with the angle; 150° of bend is 4 thicknesses.
+  // The mitre's length grows with the angle; it is 4 thicknesses at a bend of 150°.
   constexpr double kLongestMitre = 4.0;
   const Vec3 middle = (b.start + b.end) / 2;
   const Vec3 along = (a.end - a.start).normalized();

@@ -12,7 +12,7 @@ struct SharpEdge {
 };
 
 /// The rounded outside of a bend with zero inside radius: a cylinder of the sheet's thickness about
-/// a concave edge. It counts as skin although nothing faces it.
+/// a concave edge. It counts as skin although no face lies opposite.
 struct RoundedOutside {
   int edge = 0;
   int face = 0;
@@ -26,8 +26,8 @@ std::vector<RoundedOutside> rounded_outsides(const SolidModel& model,
                                              double slack);
 
 /// Edges between skin candidates at which a skin is folded sharply: the partners of both faces meet
-/// sharply too, the other way round, or they are rounded about the edge. A wall of a cut meets both
-/// skins convexly and so is never taken.
+/// sharply too, in the opposite sense, or are rounded about the edge. A wall of a cut meets both
+/// skins convexly and so is never included.
 std::vector<SharpEdge> find_sharp_edges(const SolidModel& model,
                                         const std::vector<std::vector<int>>& partners,
                                         const std::vector<bool>& candidates,

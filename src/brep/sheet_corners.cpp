@@ -13,7 +13,7 @@
 namespace planish::brep {
 namespace {
 
-/// The tangent planes that meet in a corner: one of each direction.
+/// The tangent planes that meet at a corner: one for each direction.
 void add_direction(std::vector<Vec3>& normals, const Vec3& normal) {
   constexpr double kSame = 1e-4;  // radians
   for (const Vec3& n : normals)
@@ -21,7 +21,7 @@ void add_direction(std::vector<Vec3>& normals, const Vec3& normal) {
   normals.push_back(normal);
 }
 
-/// The shortest step from the reference skin that gains the thickness below every plane.
+/// The shortest step from the reference skin that lies the thickness below every plane.
 Vec3 mitre(const std::vector<Vec3>& normals, double thickness) {
   Eigen::MatrixXd rows(normals.size(), 3);
   for (std::size_t i = 0; i < normals.size(); ++i)

@@ -8,8 +8,8 @@
 
 namespace planish::brep {
 
-/// The corners of a sheet: the starts of all borders that joints bring together. Requires a sheet
-/// whose joints name borders that exist, each at most once.
+/// The corners of a sheet: starts of borders, united by the joints. Requires a sheet whose joints
+/// name borders that exist, each at most once.
 class SheetCorners {
  public:
   explicit SheetCorners(const Sheet& sheet);
@@ -21,7 +21,7 @@ class SheetCorners {
   int at_end(BorderId border) const { return corner_[topology_.next(border)]; }
   /// Whether a sharp joint ends there.
   bool is_sharp(int corner) const { return sharp_[corner]; }
-  /// Of the two borders of a joint the one that gives their edge its curve; a free border itself.
+  /// The border of a joint that gives the common edge its curve; for a free border, itself.
   BorderId leader(BorderId border) const { return leader_[border]; }
   bool leads(BorderId border) const { return leader_[border] == border; }
 
@@ -32,15 +32,15 @@ class SheetCorners {
   std::vector<bool> sharp_;  // by corner
 };
 
-/// Position of a corner: on the reference skin (of sheets that refer to a surface between, on the
-/// skin that it stands for), and on the other one, as far from every plane that meets there (a
-/// sharp joint mitres).
+/// Positions of a corner: on the reference skin (or, for a reference surface between the skins, on
+/// the skin it was measured from), and on the other skin, equally far from every plane that meets
+/// there (a sharp joint mitres).
 struct CornerPoints {
   Vec3 reference = Vec3::Zero();
   Vec3 other = Vec3::Zero();
 };
 
-/// Errors: `unsupported_shape` where a sharp joint turns so far that its mitre runs away.
+/// Errors: `unsupported_shape` if a sharp joint turns so far that its mitre becomes too long.
 Result<std::vector<CornerPoints>> corner_points(const Sheet& sheet, const SheetCorners& corners);
 
 }  // namespace planish::brep

@@ -54,7 +54,7 @@ void set_turned_surface(SideWall& wall, const SpaceCircle& reference, const Spac
     set_curves(wall, 1.0, sweep, rise);
     return;
   }
-  // The kernel's cones grow along their axis: turn it round where the wall's do not.
+  // The kernel's cones grow along their axis: reverse it if the wall's does not.
   const double along = growth * rise > 0 ? 1.0 : -1.0;
   wall.surface = new Geom_ConicalSurface(
       kernel_axes(reference.center, along * reference.axis, reference.start),

@@ -45,8 +45,8 @@ struct CurvedWall {
 CurvedWall curved_wall(const Face& face, const BorderCurve& border, const Depths& depths,
                        double tolerance);
 
-/// Out of the material across the border at parameter s, in the skin's tangent plane: to the right
-/// of the border's run, seen from outside.
+/// Direction out of the material across the border at parameter s, in the skin's tangent plane: to
+/// the right of the border's direction, seen from outside.
 Vec3 outward_across(const Face& face, const BorderCurve& border, double s);
 
 }  // namespace planish::brep

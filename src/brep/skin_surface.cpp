@@ -35,7 +35,7 @@ SkinSurface surface_below(const Cylinder& cylinder, const Face& face, double dep
 SkinSurface surface_below(const Cone& cone, const Face& face, double depth, double) {
   const double sine = std::sin(cone.half_angle), cosine = std::cos(cone.half_angle);
   const double offset = -face.sense * depth;
-  // The kernel's cone starts at a circle; through the face's nearer end it has a sound radius.
+  // The kernel's cone starts at a circle; at the face's nearer end this has a usable radius.
   const double near = extent(face).lo.y();
   const Vec3 base = (near * cosine - offset * sine) * cone.frame.z;
   Frame frame = cone.frame;
@@ -66,8 +66,8 @@ SkinSurface surface_below(const Ruled& ruled, const Face& face, double depth, do
           }};
 }
 
-/// Radius of curvature across the ruling at a point of the reference skin, positive where it curves
-/// towards the material; not positive where the skin itself folds over.
+/// Radius of curvature across the ruling at a point of the reference skin, positive if it curves
+/// towards the material; not positive if the skin itself folds over.
 double radius_towards_material(const Face& face, const Vec2& uv) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   constexpr double kDeeper = 1.0;  // mm; the speed is linear in the depth

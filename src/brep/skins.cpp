@@ -66,7 +66,7 @@ Components components_of(const std::vector<std::vector<int>>& neighbours,
   return components;
 }
 
-/// The component that shares most area with another across the thickness, and that area.
+/// The component that shares the most area with another across the thickness, and that area.
 std::pair<int, double> most_opposite(const Components& components, const FacePairs& pairs,
                                      int first) {
   std::vector<double> shared(components.area.size(), 0.0);

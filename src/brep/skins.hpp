@@ -21,7 +21,7 @@ struct Skins {
 };
 
 /// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the largest
-/// face. `tolerance`, a share of the thickness, is how far depths may be off it. Errors:
+/// face. `tolerance` is the largest deviation of depths, as a share of the thickness. Errors:
 /// `not_a_sheet`, `unsupported_shape`.
 Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines,
                          double thickness, double tolerance);

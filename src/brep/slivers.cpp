@@ -7,7 +7,7 @@
 namespace planish::brep {
 namespace {
 
-/// mm: steps between surfaces that should meet, as kernels with tolerances of this size leave them.
+/// mm: steps between surfaces that should meet, as left by kernels with tolerances of this size.
 constexpr double kSliver = 1e-3;
 
 /// The long edges of a strip: one stays, the other goes.
@@ -16,7 +16,7 @@ struct Sides {
   int gone = 0;
 };
 
-/// Empty unless the face is a strip of four sides, or three, narrower than the tolerance.
+/// Empty unless the face has four edges, or three, and is narrower than the tolerance.
 std::optional<Sides> sliver_sides(const SolidModel& model, const SolidFace& face) {
   if (face.loops.size() != 1 || face.loops.front().size() < 3 || face.loops.front().size() > 4)
     return {};
@@ -32,7 +32,8 @@ std::optional<Sides> sliver_sides(const SolidModel& model, const SolidFace& face
   return Sides{lengths[0].second, lengths[1].second};
 }
 
-/// Whether two faces head the same way at the middle of an edge: only then was the step no intent.
+/// Whether two faces have the same direction at the middle of an edge: only then was the step
+/// unintended.
 bool continue_each_other(const SolidFace& a, const SolidFace& b, const SpaceCurve& edge) {
   if (std::holds_alternative<DoublyCurved>(a.surface) ||
       std::holds_alternative<DoublyCurved>(b.surface))

@@ -4,9 +4,9 @@
 
 namespace planish::brep {
 
-/// The model without its slivers: strips narrower than files are accurate, between two faces that
-/// were meant to meet. Those faces share one edge of the strip afterwards; the strip keeps its
-/// number and has no loops.
+/// The model without slivers: faces narrower than the accuracy of files, between two faces that
+/// were meant to meet. These two then share one edge of the sliver, which keeps its number and has
+/// no loops.
 SolidModel without_slivers(SolidModel model);
 
 }  // namespace planish::brep

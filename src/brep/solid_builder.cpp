@@ -16,7 +16,7 @@
 namespace planish::brep {
 namespace {
 
-/// Parameters to compare curves at: between the knots, because fits are exact there.
+/// Parameters at which to compare curves: between the knots, where fits are not exact.
 std::vector<double> sample_parameters(const BuiltEdge& edge) {
   std::vector<double> knots{0.0, edge.length};
   if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull()) {
@@ -82,7 +82,7 @@ BuiltEdge SolidBuilder::straight_edge(const TopoDS_Vertex& start, const TopoDS_V
 }
 
 void SolidBuilder::loosen(const BuiltEdge& built, double deviation) {
-  // A little more than measured, because the kernel samples elsewhere.
+  // Slightly more than measured, because the kernel samples elsewhere.
   constexpr double margin = 1.5;
   const double tolerance = std::max(Precision::Confusion(), margin * deviation);
   builder_.UpdateEdge(built.edge, tolerance);

@@ -15,7 +15,7 @@
 
 namespace planish::brep {
 
-/// An edge and the way its curve runs: parameter 0 … length from `start` to `end`.
+/// An edge, whose curve runs over the parameter 0 … length from `start` to `end`.
 struct BuiltEdge {
   TopoDS_Edge edge;
   Handle(Geom_Curve) curve;
@@ -30,8 +30,8 @@ struct EdgeUse {
   bool forward = true;
 };
 
-/// Puts vertices, edges and faces together with tolerances that hold: every edge's covers the
-/// distance of its curve from its curves in the surfaces, every vertex's those of its edges.
+/// Builds vertices, edges and faces with valid tolerances: every edge's covers the distance of its
+/// curve from its curves in the surfaces, every vertex's covers those of its edges.
 class SolidBuilder {
  public:
   TopoDS_Vertex vertex(const Vec3& point);

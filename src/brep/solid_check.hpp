@@ -7,7 +7,7 @@
 
 namespace planish::brep {
 
-/// What a STEP text holds, as an independent reader sees it; for tests and tools.
+/// The content of a STEP text as read independently; for tests and tools.
 struct SolidCheck {
   int solids = 0;
   int shells = 0, faces = 0, free_edges = 0;  ///< of solids and alone; edges of one face only
@@ -21,7 +21,7 @@ struct SolidCheck {
   std::string product;             ///< name of the first product
 };
 
-/// Reads the text with the kernel's STEP reader and looks at all it holds. Errors: `not_step`.
+/// Reads the text with the kernel's STEP reader and examines all its content. Errors: `not_step`.
 Result<SolidCheck> check_step_solid(const std::string& text);
 
 }  // namespace planish::brep

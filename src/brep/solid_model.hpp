@@ -11,7 +11,7 @@
 
 namespace planish::brep {
 
-// A picture of a solid's boundary without the kernel: what recognition reads. All lengths mm.
+// A model of a solid's boundary without the kernel, as input for recognition. All lengths in mm.
 
 /// An edge's curve in space over [t0, t1].
 struct SpaceCurve {
@@ -73,7 +73,7 @@ struct SolidModel {
   Vec3 centre = Vec3::Zero();  ///< of the bounding box: where volumes are measured from
 };
 
-/// Numbers of the edges that name each face as a neighbour, growing.
+/// Numbers of the edges of each face, ascending.
 std::vector<std::vector<int>> edges_by_face(const SolidModel& model);
 
 }  // namespace planish::brep

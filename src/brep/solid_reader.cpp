@@ -29,9 +29,9 @@
 namespace planish::brep {
 namespace {
 
-/// A spline that lies on a line or circle within this share of the solid's size is one.
+/// A spline within this share of the solid's size of a line or circle counts as one.
 constexpr double kExactShare = tolerance::kComputed;
-/// A face's volume is measured this closely, of the cubed size.
+/// Accuracy of a face's volume, as a share of the cubed size.
 constexpr double kVolumeShare = 1e-11;
 
 /// The kernel's faces, edges and vertices by their numbers from 1.
@@ -97,7 +97,7 @@ std::vector<CoEdge> uses_in(const TopoDS_Wire& wire, const Numbered& shapes) {
   return uses;
 }
 
-/// The same in the order in which the kernel's explorer meets them; empty when it misses some.
+/// The same in the order of the kernel's explorer; empty if it misses some.
 std::optional<std::vector<CoEdge>> uses_explored(const TopoDS_Wire& wire, const TopoDS_Face& face,
                                                  const Numbered& shapes) {
   std::vector<CoEdge> uses;
@@ -110,8 +110,8 @@ std::optional<std::vector<CoEdge>> uses_explored(const TopoDS_Wire& wire, const 
   return uses;
 }
 
-/// Wires of files are mostly in order already; the kernel's explorer, which sorts them through
-/// their parameter curves, costs more than everything else here; only the others are left to it.
+/// Wires in files are mostly in order already; the kernel's explorer, which sorts them by their
+/// parameter curves, costs more than everything else here, so it only gets the others.
 std::vector<CoEdge> read_wire(const TopoDS_Wire& wire, const TopoDS_Face& face,
                               const Numbered& shapes, const std::vector<SolidEdge>& edges) {
   std::vector<CoEdge> uses = uses_in(wire, shapes);

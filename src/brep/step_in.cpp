@@ -45,10 +45,10 @@ std::string label_name(const TDF_Label& label) {
   return name;
 }
 
-// Shares of the time that reading takes, of parts of 2 to 4 MB.
+// Shares of the reading time, for parts of 2 to 4 MB.
 constexpr double kParsed = 0.3, kTranslated = 0.9;
 
-/// Tells the caller how far the kernel is with translating, and the kernel that it should stop.
+/// Tells the caller the progress of the kernel's translation, and the kernel when to stop.
 class Translating : public Message_ProgressIndicator {
  public:
   explicit Translating(const Progress& progress) : progress_(progress) {}
@@ -61,7 +61,7 @@ class Translating : public Message_ProgressIndicator {
   const Progress& progress_;
 };
 
-/// Collects the solids of a document: a TShape that returns is the same body once more.
+/// Collects the solids of a document: a repeated TShape is another copy of the same body.
 class BodyCollector {
  public:
   void add_tree(const TDF_Label& label, const TopLoc_Location& place) {
@@ -142,7 +142,7 @@ class BodyCollector {
   int surface_bodies_ = 0;
 };
 
-/// A new document, closed with this object: the kernel's application would keep it.
+/// A new document, closed with this object; otherwise the kernel's application would keep it.
 class OpenDocument {
  public:
   OpenDocument() { XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", document); }
@@ -166,10 +166,10 @@ std::string file_unit(STEPControl_Reader& reader) {
 double millimetres_in(const std::string& unit) {
   constexpr double kMetre = 1000.0, kInch = 25.4;
   if (unit == "mm") return 1.0;
-  return unit == "m" ? kMetre : kInch;  // others are in between
+  return unit == "m" ? kMetre : kInch;  // other units are smaller than a metre
 }
 
-/// `path` is where the file lies: others that it refers to are looked for beside it.
+/// `path` is the file's path: files that it refers to are sought beside it.
 Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
                           const Progress& progress) {
   return guarded(
@@ -224,7 +224,7 @@ Result<StepFile> check_bodies(StepFile file, const std::string& name) {
     return fail(
         ErrorCode::shell_not_solid,
         fmt::format(
-            "{} holds {} surface {} but no solid; knit the surfaces to a solid and export again.",
+            "{} holds {} surface {} but no solid; knit the surfaces into a solid and export again.",
             name, file.surface_bodies, file.surface_bodies == 1 ? "body" : "bodies"),
         name);
   return fail(ErrorCode::no_solid,

@@ -18,8 +18,8 @@
 namespace planish::brep {
 namespace {
 
-/// Stands for the name while the kernel writes, because it would spell letters beyond ASCII its own
-/// way.
+/// Placeholder for the name while the kernel writes, which would encode letters beyond ASCII in its
+/// own way.
 constexpr std::string_view name_mark = "planish-product-name";
 
 Handle(TCollection_HAsciiString) text(const char* content) {
@@ -31,11 +31,11 @@ void set_parameters() {
   Interface_Static::SetCVal("write.step.unit", "MM");
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   Interface_Static::SetIVal("write.step.assembly", 0);
-  // Curves in surface parameters double the file, and readers make their own.
+  // Curves in surface parameters would double the file size, and readers compute their own.
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
 }
 
-/// The kernel numbers products over the life of the process; the name alone is wanted.
+/// The kernel numbers products over the life of the process; only the name is wanted.
 void set_product_name(const Handle(StepData_StepModel) & model) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(StepBasic_Product) product = Handle(StepBasic_Product)::DownCast(model->Entity(i));

@@ -20,7 +20,7 @@ struct Domain {
   double u0, u1, v0, v1;
 };
 
-/// The kernel's surface with the part of its parameters that the face uses.
+/// The kernel's surface, with the parameter range that the face uses.
 struct Patch {
   BRepAdaptor_Surface surface;
   Domain domain;
@@ -70,7 +70,7 @@ Cone cone_of(const gp_Cone& cone) {
   return {frame, std::abs(half_angle)};
 }
 
-/// Cones of the kernel run through their apex; the used nappe decides the axis.
+/// The kernel's cones continue through their apex; the nappe in use determines the axis.
 Cone towards(Cone cone, const Vec3& point) {
   if ((point - cone.frame.origin).dot(cone.frame.z) < 0)
     cone.frame = frame_from_axes(cone.frame.origin, -cone.frame.z, cone.frame.x);
@@ -89,7 +89,7 @@ class RulingReader {
   bool developable(double tolerance) const {
     constexpr int kLines = 9;
     constexpr int kPoints = 5;
-    constexpr double kTwist = 2e-3;  // radians a tangent plane may turn along a ruling
+    constexpr double kTwist = 2e-3;  // radians by which a tangent plane may turn along a ruling
     for (int i = 0; i < kLines; ++i) {
       const double u = first() + (last() - first()) * (i + 0.5) / kLines;
       const Vec3 a = point(u, 0.0);
@@ -106,7 +106,8 @@ class RulingReader {
     return true;
   }
 
-  /// As many knots as it takes for the directrix and the far border to be within the tolerance.
+  /// With as many knots as are needed for the directrix and the far border to be within the
+  /// tolerance.
   Ruled ruled(double tolerance) const {
     constexpr int kFewest = 8;
     constexpr int kMost = 512;
@@ -131,7 +132,7 @@ class RulingReader {
     return result;
   }
 
-  /// Half-way between knots the interpolation is worst.
+  /// The interpolation is worst half-way between knots.
   double deviation(const Ruled& ruled) const {
     const Developable surface = ruled;
     double worst = 0.0;
@@ -171,7 +172,7 @@ class RulingReader {
   bool along_v_;
 };
 
-/// mm; far below what borders are read to.
+/// mm; far below the accuracy of borders.
 constexpr double kInterpolation = 1e-7;
 
 std::optional<Ruled> ruled_of(const Patch& patch, double tolerance) {

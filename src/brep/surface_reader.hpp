@@ -6,8 +6,8 @@
 
 namespace planish::brep {
 
-/// The surface of a face as recognition sees it, the sense of its outward normal, and how far the
-/// face's own surface lies from it. Loops and volume are left alone.
+/// The surface of a face as recognised, the sense of its outward normal, and the distance of the
+/// face's own surface from it. Loops and volume are not set.
 SolidFace read_surface(const TopoDS_Face& face, double tolerance);
 
 }  // namespace planish::brep

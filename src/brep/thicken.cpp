@@ -121,7 +121,7 @@ class Thickener {
     return {};
   }
 
-  /// The edge of a border as its own face uses it; its curve still in the face's (u, v).
+  /// The edge of a border as used by its own face; its curve is still in the face's (u, v).
   EdgeUse skin_use(BorderId border, double depth) const {
     const BorderId leader = corners_.leader(border);
     const bool leads = leader == border;

@@ -7,7 +7,7 @@
 namespace planish::brep {
 namespace {
 
-/// A face votes for the depth of its nearest opposite face with the area that both share.
+/// A face's vote for the depth of its nearest opposite face, weighted by the area that both share.
 struct Vote {
   double depth = 0.0;
   double area = 0.0;
@@ -19,8 +19,8 @@ bool is_general(const SolidFace& face) {
   return surface && std::holds_alternative<Ruled>(*surface);
 }
 
-/// The faces that are asked, largest first: large ones decide, and their number bounds the cost.
-/// Small general ones are not asked.
+/// The faces that vote, largest first: large ones decide, and their number bounds the cost. Small
+/// general ones do not vote.
 std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& outlines) {
   constexpr size_t kMost = 60;
   constexpr double kWorthwhile = 0.05;  // of the largest face
@@ -39,7 +39,7 @@ std::vector<int> voters(const SolidModel& model, const std::vector<Outline>& out
 }
 
 std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>& outlines, int a) {
-  constexpr double kLeastShare = 0.1;  // of the smaller face: less is a chance meeting
+  constexpr double kLeastShare = 0.1;  // of the smaller face: less is a coincidence
   constexpr double kParallel = 0.1;    // spread, of the depth
   Vote vote{std::numeric_limits<double>::infinity(), 0.0};
   for (int b = 0; b < std::ssize(outlines); ++b) {
@@ -54,7 +54,7 @@ std::optional<Vote> vote_of(const SolidModel& model, const std::vector<Outline>&
   return vote;
 }
 
-/// Votes within the tolerance of each other as one, with their mean depth and their whole area.
+/// Merges votes within the tolerance of each other, with their mean depth and total area.
 std::vector<Vote> counted(std::vector<Vote> votes, double tolerance) {
   std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
     return std::tie(a.depth, a.area) < std::tie(b.depth, b.area);

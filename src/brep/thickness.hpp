@@ -4,7 +4,7 @@
 
 namespace planish::brep {
 
-/// Depths that much area of opposite faces agrees on (within `tolerance`, a share), likeliest
+/// Depths at which much area of opposite faces agrees (within `tolerance`, a share), likeliest
 /// first; at most three.
 std::vector<double> likely_thicknesses(const SolidModel& model,
                                        const std::vector<Outline>& outlines, double tolerance);

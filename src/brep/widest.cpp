@@ -6,11 +6,11 @@ namespace planish::brep {
 namespace {
 
 /// Sine of the slope from which a wall is not a straight cut: 3°, more than draft and tolerances
-/// make.
+/// cause.
 constexpr double kSlope = 0.05;
-/// Cosine of the flattest chamfer; what is flatter is a step or a neighbouring flange's rim.
+/// Cosine of the flattest chamfer; anything flatter is a step or a neighbouring flange's rim.
 constexpr double kFlattest = 0.99;
-/// Share of the thickness that a chamfer goes down at least, and leaves at least.
+/// Smallest share of the thickness that a chamfer removes, and that it leaves.
 constexpr double kShallowest = 1e-3;
 
 /// Outward normal of a wall near a point of its border; empty where it is not known.
@@ -47,7 +47,7 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
   CoEdge at = border;
   double reached = 0.0;
   int from = skin_face;
-  constexpr int kMostStrips = 4;  // chamfer and fillet pieces between a skin and the middle of a
+  constexpr int kMostStrips = 4;  // chamfer and fillet faces between a skin and the middle of a
                                   // wall
   for (int i = 0; i < kMostStrips; ++i) {
     const SolidEdge& edge = model.edges[at.edge];
@@ -56,7 +56,7 @@ CoEdge widest_edge(const SolidModel& model, const Rim& rim, double thickness, in
     if (!rim.parts[rim.part_of[wall]].within) break;
     const auto next = opposite_edge(model.faces[wall], at.edge);
     if (!next) break;
-    // A slanted wall from skin to skin is a slanted cut: the skin's own border stands for it.
+    // A slanted wall from skin to skin is a slanted cut: the skin's own border represents it.
     if (const int beyond = face_across(model.edges[*next], wall);
         beyond < 0 || rim.part_of[beyond] < 0)
       break;

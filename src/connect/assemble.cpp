@@ -12,7 +12,7 @@
 namespace planish::connect_detail {
 namespace {
 
-/// Where a bend hangs on a plate, by the rows of both: a border of the plate.
+/// The border of a plate at which a bend joins it, by the indices of both.
 using JointBorders = std::map<std::pair<int, int>, BorderRef>;
 
 Result<JointBorders> add_plates(SheetBuilder& sheet, const Parts& parts, const Orientation& sides) {

@@ -10,12 +10,12 @@
 namespace planish::connect_detail {
 namespace {
 
-// Pieces of a ruling shorter than this share of the bend's length are left out.
+// Parts of a ruling shorter than this share of the bend's length are left out.
 constexpr double kNoPiece = tolerance::kComputed;
 
 struct TaggedCurve {
   Curve2 curve;
-  std::optional<int> plate = {};  // that hangs there
+  std::optional<int> plate = {};  // that is joined there
 };
 using TaggedLoop = std::vector<TaggedCurve>;
 
@@ -25,8 +25,8 @@ Curve2 shifted(const Curve2& curve, double v) {
   return transformed(curve, motion);
 }
 
-// Length on the skin by chords in space, extrapolated: it does not know of any development. A
-// ruling is its own chord.
+// Length on the skin by chords in space, extrapolated, independent of any development. A ruling is
+// its own chord.
 double length_in_space(const Developable& surface, const Curve2& uv) {
   const auto* segment = std::get_if<Segment>(&uv);
   if (segment && segment->a.x() == segment->b.x())
@@ -85,7 +85,7 @@ TaggedLoop loop_of(const Parts& parts, int bend) {
   return loop;
 }
 
-// The reference skin, and how much further its v begins than that of the mid-surface.
+// The reference skin, and the shift of its v from that of the mid-surface.
 std::pair<Developable, double> skin_of(const BendSurface& surface, double offset) {
   if (const auto* cylinder = std::get_if<Cylinder>(&surface.mid))
     return {Cylinder{cylinder->frame, cylinder->radius + offset}, 0.0};

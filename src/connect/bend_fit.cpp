@@ -16,7 +16,7 @@ namespace {
 using Corners = std::array<std::vector<Vec2>, 2>;
 using Interval = std::pair<double, double>;
 
-// A corner this share of the extent off the tangent ruling lies on it.
+// A corner within this share of the extent of the tangent ruling lies on it.
 constexpr double kOnRuling = tolerance::kComputed;
 
 Error at(const FitTask& task, Error error) {
@@ -89,7 +89,7 @@ BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, c
   return result;
 }
 
-// Lowest and highest level of the bend: what the recogniser's middle of a cone is the middle of.
+// Lowest and highest level of the bend, whose middle is the recogniser's mid-length of a cone.
 std::pair<double, double> levels(const BendFit& fit) {
   const Boundary& low = fit.boundaries.low;
   const Boundary& high = fit.boundaries.high;
@@ -107,8 +107,8 @@ void set_radii(FittedBend& report, const BendFit& fit, double thickness) {
     report.inside_radius = middle_radius(fit.surface, fit.boundaries.low.curve,
                                          fit.boundaries.high.curve) -
                            0.5 * thickness;
-  // Levels of a cone grow away from the apex, which lies to the right of the plates where the slope
-  // is negative.
+  // Levels of a cone grow away from the apex, which lies to the right of the plates if the slope is
+  // negative.
   const bool turned = report.line.slope < 0.0;
   report.inside_radii = {inside(turned ? high : low), inside(turned ? low : high)};
 }
@@ -203,7 +203,7 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   auto surface = chosen_surface(task, choice, options, fit.report);
   if (!surface) return tl::unexpected(surface.error());
   fit.surface = std::move(*surface);
-  // Before it is laid flat, which a cylinder with no inside cannot be.
+  // Checked before laying flat, which is impossible for a cylinder without an inside.
   if (fit.surface.kind == BendKind::cylinder)
     if (auto radius = check_radius(task, fit.surface.radius(0.0)); !radius)
       return tl::unexpected(radius.error());

@@ -18,7 +18,7 @@ struct OutlineRun {
   int count = 0;
 };
 
-/// A bend between two plates, or of one or none, ready to be put together.
+/// A bend between two plates, or of one or none, ready for assembly.
 struct BendFit {
   FittedBend report;
   BendSurface surface;
@@ -31,19 +31,18 @@ struct FitTask {
   std::array<const PlacedPlate*, 2> plates{};  ///< by side; null: the side ends free
   BendRequest request;
   double thickness = 0.0;
-  std::string pointer;  ///< of the request in the file, "/bends/1"; empty when nobody asked for it
+  std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
   std::array<std::set<int>, 2> taken;  ///< edges that other bends use already
 };
 
 /// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.
 Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
 
-/// A curved section that ends free: behind an edge of one plate, or of its own
-/// (math.md#free-sections).
+/// A curved section with a free end: at an edge of one plate, or by itself (math.md#free-sections).
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
 
-/// How far the plates are apart in the sense of math.md#widest-bend, for choosing what to join:
-/// span over width of the best bend between them; none where no bend fits.
+/// The distance between plates in the sense of math.md#widest-bend, for choosing which to join:
+/// span over width of the best bend between them; empty if no bend fits.
 struct Nearness {
   double span = 0.0, width = 0.0;
 };

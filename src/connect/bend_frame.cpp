@@ -8,11 +8,12 @@
 namespace planish::connect_detail {
 namespace {
 
-// Planes that turn by less are parallel: the line where they meet is out of reach.
+// Planes at a smaller angle are parallel: their intersection line is out of reach.
 constexpr double kParallel = kNegligible;
 // Edges whose directions differ by less are parallel.
 constexpr double kSameDirection = tolerance::kComputed;
-// A plate that reaches over the intersection line by less than this share of its extent does not.
+// A plate that crosses the intersection line by less than this share of its extent counts as not
+// crossing it.
 constexpr double kOnLine = tolerance::kComputed;
 
 Angle between(const Vec3& a, const Vec3& b) {

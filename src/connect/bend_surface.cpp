@@ -111,7 +111,8 @@ Curve2 BendSurface::at_level(double level, double tolerance) const {
 Angle BendSurface::turned() const {
   const Vec3 a = normal_on(mid, 0.0), b = normal_on(mid, sweep);
   const double between = std::atan2(a.cross(b).norm(), a.dot(b));
-  // Beyond half a turn about a cylinder's or cone's axis the normals come near each other again.
+  // Beyond half a turn about a cylinder's or cone's axis the angle between the normals shrinks
+  // again.
   if (kind == BendKind::cylinder) return Angle::radians(sweep);
   return Angle::radians(kind == BendKind::cone && sweep > std::numbers::pi
                             ? 2.0 * std::numbers::pi - between

@@ -9,8 +9,8 @@
 
 namespace planish::connect_detail {
 
-/// The mid-surface of a bend and how it hangs on the plates. Its azimuth runs from 0 on side
-/// `first` to `sweep` on the other.
+/// The mid-surface of a bend and how it joins the plates. Its azimuth runs from 0 on side `first`
+/// to `sweep` on the other.
 struct BendSurface {
   Developable mid;
   BendKind kind = BendKind::cylinder;
@@ -41,8 +41,8 @@ struct BendSurface {
     const Tangent& t = tangents[side];
     return t.origin + vh.x() * t.along + vh.y() * t.away;
   }
-  /// What is the same along a circle about the axis: v of cylinders and cones, of general cones the
-  /// share of the way from the apex to the arc.
+  /// The coordinate that is constant along a circle about the axis: v for cylinders and cones, for
+  /// general cones the share of the way from the apex to the arc.
   double level(int side, double v) const;
   double v_at(int side, double level) const;
   /// Radius of curvature of the mid-surface at a level (of general cones the smallest there).
@@ -54,8 +54,8 @@ struct BendSurface {
 };
 
 /// Cylinder (slope 0) or right cone tangent to both plates along `line` (math.md#tangent-cylinder
-/// and math.md#tangent-cone). A cone wants k x − q > 0 on the span it is used for; its v is the
-/// distance from the apex.
+/// and math.md#tangent-cone). A cone requires k x − q > 0 on the span used; its v is the distance
+/// from the apex.
 BendSurface tangent_surface(const BendFrame& frame, EdgeKind edges, const TangentLine& line);
 
 /// A half-turn between parallel planes: `line` has slope 0.

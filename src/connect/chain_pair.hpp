@@ -11,12 +11,12 @@
 
 namespace planish::connect_detail {
 
-/// Two chains of one kind, one a side, between which a bend is sought.
+/// Two chains of one kind, one per side, between which a bend is sought.
 struct ChainPair {
   std::array<int, 2> chains{};
   std::array<const Chain*, 2> sides{};
   std::array<const RunEnvelope*, 2> envelopes{};
-  /// Edges that must be used, as positions in the chain (first, last); none: free.
+  /// Edges that must be used, as positions in the chain (first, last); empty: free.
   std::array<std::optional<std::pair<int, int>>, 2> fixed;
   EdgeKind kind = EdgeKind::facing;
   double factor = 0.0;  ///< Ψ̃
@@ -31,9 +31,8 @@ struct ChainPair {
   }
 };
 
-/// The bend of minimum average length of a pair of chains (math.md#shortest-bend): one edge a side,
-/// or the edges that are fixed. None where no tangent line is possible, or none is shorter than
-/// `bound`.
+/// The bend of minimum average length of a pair of chains (math.md#shortest-bend): one edge per
+/// side, or the fixed edges. Empty if no tangent line is possible, or none is shorter than `bound`.
 struct ReferenceBend {
   EdgeChoice choice;  ///< with the width and the smallest span of its edges
   double length = 0.0;

@@ -7,8 +7,8 @@
 namespace planish {
 namespace {
 
-// Of the outline's extent: what is nearer to the intersection line lies on it, edges whose |Δx| is
-// smaller are parallel to the y axis.
+// Share of the outline's extent: corners closer to the intersection line lie on it, edges with
+// smaller |Δx| are parallel to the y axis.
 constexpr double kOnAxis = tolerance::kComputed;
 
 enum class Use { none, facing, averted };
@@ -72,7 +72,7 @@ std::vector<Chain> viable_chains(const std::vector<Vec2>& outline) {
     if (std::abs(p.y()) <= tolerance) p.y() = 0.0;
   const std::vector<Use> uses = uses_of(corners, tolerance);
   const std::size_t n = corners.size();
-  // Begin where a chain begins; x cannot grow all round a polygon, so there is such a place.
+  // Begin where a chain begins; x cannot grow all around a polygon, so there is such a place.
   std::size_t begin = 0;
   while (begin < n && uses[begin] == uses[(begin + n - 1) % n])
     ++begin;

@@ -71,6 +71,21 @@ Result<int> root_of(const PlateStructure& structure, const std::vector<PlacedPla
               "/root");
 }
 
+Result<void> check_options(const ConnectOptions& options) {
+  const auto bad = [](const char* name, double value, const char* range) {
+    return fail(ErrorCode::bad_option, fmt::format("{} is {}; it must be {}", name, value, range));
+  };
+  if (!(options.k_factor >= 0.0 && options.k_factor <= 1.0))
+    return bad("the K-factor", options.k_factor, "from 0 to 1");
+  if (!(options.smallest_slope >= 0.0 && std::isfinite(options.smallest_slope)))
+    return bad("the smallest slope", options.smallest_slope, "0 or more");
+  if (!(options.planarity >= 0.0 && std::isfinite(options.planarity)))
+    return bad("the planarity", options.planarity, "0 mm or more");
+  if (options.alternatives < 0)
+    return bad("the number of alternatives", options.alternatives, "0 or more");
+  return {};
+}
+
 Result<void> check_whole(const PlateStructure& structure) {
   if (!(structure.thickness > 0.0) || !std::isfinite(structure.thickness))
     return fail(ErrorCode::invalid_input,
@@ -78,7 +93,7 @@ Result<void> check_whole(const PlateStructure& structure) {
                 "/thickness");
   if (structure.plates.empty() && structure.bends.size() != 1)
     return fail(ErrorCode::invalid_input,
-                "without plates there must be exactly one bend, a section of its own", "/plates");
+                "without plates there must be exactly one bend, a section by itself", "/plates");
   return {};
 }
 
@@ -86,6 +101,7 @@ Result<void> check_whole(const PlateStructure& structure) {
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
                            const Progress& progress) {
+  if (auto sound = check_options(options); !sound) return tl::unexpected(sound.error());
   if (auto whole = check_whole(structure); !whole) return tl::unexpected(whole.error());
   auto plates = place_all(structure, options);
   if (!plates) return tl::unexpected(plates.error());

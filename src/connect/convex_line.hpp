@@ -7,8 +7,8 @@
 
 namespace planish::connect_detail {
 
-/// A convex piecewise linear function f and a convex piecewise linear constraint g ≤ 0 at one
-/// place, each with a slope that supports it there.
+/// The values at one place of a convex piecewise linear function f and a convex piecewise linear
+/// constraint g ≤ 0, each with a supporting slope.
 struct Support {
   double value = 0.0, slope = 0.0;
   double excess = -1.0, excess_slope = 0.0;
@@ -25,10 +25,10 @@ struct LineSearch {
   double slope_noise = 0.0;  ///< slopes below this are zero
 };
 
-/// Minimises f where g ≤ 0, exactly but for rounding: where two supporting lines meet is the next
-/// place to look (Kelley's cutting planes in one variable, which end after finitely many lines).
-/// Of several minima the one nearest to zero. None where g > 0 everywhere. `support(x)` gives a
-/// Support.
+/// Minimises f subject to g ≤ 0, exactly up to rounding: the next place to try is where two
+/// supporting lines meet (Kelley's cutting planes in one variable, which end after finitely many
+/// lines). Of several minima the one nearest to zero. Empty if g > 0 everywhere. `support(x)` gives
+/// a Support.
 template <typename Function>
 std::optional<Minimum> minimum(const Function& support, const LineSearch& search) {
   struct Side {
@@ -51,7 +51,7 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
       const bool nearer = best && here.value <= best->value + search.value_noise &&
                           std::abs(x) < std::abs(best->at);
       if (lower || nearer) best = Minimum{x, here.value};
-      // Flat: on towards zero, where the flat part may end.
+      // Flat: continue towards zero, where the flat part may end.
       if (std::abs(slope) <= search.slope_noise) {
         if (x == 0.0) return best;
         slope = std::copysign(search.slope_noise, x);
@@ -68,7 +68,7 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
       step *= 2.0;
       continue;
     }
-    // Where an infeasible side's constraint can end at the nearest.
+    // The nearest place at which an infeasible side's constraint can end.
     const auto end_of = [](const Side& s) { return s.at - s.line.excess / s.line.excess_slope; };
     const double low = left.feasible ? left.at : end_of(left);
     const double high = right.feasible ? right.at : end_of(right);
@@ -89,7 +89,7 @@ std::optional<Minimum> minimum(const Function& support, const LineSearch& search
       next = (right.line.value - left.line.value + left.line.slope * left.at -
               right.line.slope * right.at) /
              across;
-      // f is nowhere below both lines, and they are steep enough to say where it is least.
+      // f is nowhere below both lines, and they are steep enough to locate its minimum.
       const double least = left.line.value + left.line.slope * (next - left.at);
       const double flatter = std::min(-left.line.slope, right.line.slope);
       if (best->value - least <= search.value_noise && flatter * kResolution > search.value_noise)

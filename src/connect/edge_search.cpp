@@ -14,7 +14,7 @@ using namespace connect_detail;
 
 using Sides = std::array<std::vector<Chain>, 2>;
 
-/// Where given edges lie: the chain and the positions of the first and the last.
+/// The place of given edges: the chain, and the positions of the first and the last.
 struct Place {
   int chain = 0;
   std::pair<int, int> run;
@@ -45,7 +45,7 @@ std::string listed(const std::vector<int>& edges) {
 
 using Places = std::array<std::optional<Place>, 2>;
 
-/// Where the edges that are given lie.
+/// The places of the given edges.
 Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
   Places places;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -71,7 +71,7 @@ Envelopes envelopes_of(const Sides& sides) {
   return envelopes;
 }
 
-/// The pair of two chains, one a side, given by their rows.
+/// The pair of two chains, one per side, given by their indices.
 ChainPair pair_of(const Sides& sides, const Envelopes& envelopes,
                   const std::array<std::size_t, 2>& rows, const Places& places) {
   ChainPair pair;
@@ -88,7 +88,7 @@ ChainPair pair_of(const Sides& sides, const Envelopes& envelopes,
   return pair;
 }
 
-/// All pairs of chains of one kind that hold what is given.
+/// All pairs of chains of one kind that contain the given edges.
 std::vector<ChainPair> pairs_of(const Sides& sides, const Envelopes& envelopes,
                                 const Places& places, Angle beta, const GivenLine& line) {
   std::vector<ChainPair> pairs;
@@ -123,7 +123,7 @@ Error nothing_fits(const Sides& sides) {
           {}};
 }
 
-/// The next best: of the other pairs of chains, those nearest first, each the best of its own.
+/// The next best choices: the best of each other pair of chains, nearest pairs first.
 std::vector<EdgeChoice> alternatives(const std::vector<ChainPair>& pairs, const EdgeSearch& found,
                                      const EdgeSearchOptions& options) {
   std::vector<std::pair<const ChainPair*, ReferenceBend>> others;

@@ -1,5 +1,7 @@
 #include "tangent_program.hpp"
 
+#include <planish/base/assert.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,7 +49,7 @@ std::string limits(const Corners& corners, EdgeKind kind) {
   const auto slopes = feasible_slopes(corners, kind);
   return slopes
              ? fmt::format("slopes from {:.6g} to {:.6g} are possible", slopes->low, slopes->high)
-             : "no slope at all is possible";
+             : "no slope is possible";
 }
 
 // The largest (sign +1) or smallest slope.
@@ -63,6 +65,7 @@ std::optional<double> last_slope(const std::array<CornerRange, 2>& sides, EdgeKi
 }  // namespace
 
 double extension_area(const Corners& corners, EdgeKind kind, const TangentLine& line) {
+  PLANISH_ASSERT(!corners[0].empty() && !corners[1].empty());
   const Vec2 of_line = area_of_line(corners);
   const double area = area_under(corners[0]) + area_under(corners[1]) -
                       of_line.dot(Vec2(line.slope, line.offset));
@@ -71,6 +74,7 @@ double extension_area(const Corners& corners, EdgeKind kind, const TangentLine& 
 
 Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind kind,
                                              const GivenLine& given) {
+  PLANISH_ASSERT(!corners[0].empty() && !corners[1].empty());
   const Envelopes envelopes(corners);
   TangentCost cost;
   cost.linear = -sign_of(kind) * area_of_line(corners);
@@ -83,6 +87,7 @@ Result<SmallestExtension> smallest_extension(const Corners& corners, EdgeKind ki
 }
 
 std::optional<Range> feasible_slopes(const Corners& corners, EdgeKind kind) {
+  PLANISH_ASSERT(!corners[0].empty() && !corners[1].empty());
   if (kind == EdgeKind::averted)
     return Range{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   const Envelopes envelopes(corners);

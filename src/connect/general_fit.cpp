@@ -14,19 +14,19 @@ namespace {
 
 using Corners = std::array<std::vector<Vec2>, 2>;
 
-// An apex this share of the extent beyond the first corner counts as at it.
+// An apex within this share of the extent beyond the first corner counts as being at it.
 constexpr double kAtEnd = tolerance::kComputed;
-// A tangent point this share of the extent off the intersection line lies on it.
+// A tangent point within this share of the extent of the intersection line lies on it.
 constexpr double kOnLine = 1e-5;
-// Knots of the surface leave it by at most this share of the extent.
+// Largest deviation of the surface between knots, as a share of the extent.
 constexpr double kSurfaceTolerance = 1e-11;
-// Where the tightest ruling is looked for.
+// Number of places at which the tightest ruling is sought.
 constexpr int kSamples = 64;
 
 double low_x(const Corners& c) { return std::min(c[0].front().x(), c[1].front().x()); }
 double high_x(const Corners& c) { return std::max(c[0].back().x(), c[1].back().x()); }
 
-// The steepest line from the apex that leaves a side whole.
+// The steepest line from the apex that does not cut a side.
 std::optional<TangentLine> line_from(double apex, const std::vector<Vec2>& side) {
   double steepest = std::numeric_limits<double>::infinity();
   for (const Vec2& p : side)
@@ -56,7 +56,7 @@ bool beyond(double apex, const Corners& corners) {
   return apex <= low_x(corners) + slack || apex >= high_x(corners) - slack;
 }
 
-// Where the edges, prolonged, meet the intersection line.
+// Where the extensions of the edges meet the intersection line.
 std::vector<double> edge_apexes(const Corners& corners) {
   std::vector<double> apexes;
   for (const auto& side : corners)
@@ -86,7 +86,7 @@ Vec3 equidistant(const BendFrame& frame, const Vec3& apex, const std::array<Vec3
   const double far = 0.5 * (xa + xb);
   if (std::abs(xa - xb) <= kAtEnd * a.norm()) return apex + far * frame.d;
   const double x = 0.5 * (a.squaredNorm() - b.squaredNorm()) / (xa - xb);
-  // Ends too unlike for a circle: an ellipse from the middle of their feet.
+  // Ends too different for a circle: an ellipse from the middle of their feet.
   return apex + (x / far > 0.5 && x / far < 2.0 ? x : far) * frame.d;
 }
 

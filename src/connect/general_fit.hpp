@@ -9,22 +9,23 @@
 namespace planish::connect_detail {
 
 /// Tangent lines of a general cone: through one apex on the intersection line, each side with the
-/// slope that its own edges ask for, so that fewer extensions are needed than the same slope on
-/// both sides would.
+/// slope that suits its own edges, so that smaller extensions are needed than with one slope for
+/// both sides.
 struct GeneralLines {
   double apex = 0.0;
   std::array<TangentLine, 2> lines;
   double area = 0.0;  ///< plate extension of both sides, mm²
 };
 
-/// Lines of least plate extension; the apex as given, or where one of the edges, prolonged, meets
-/// the intersection line. Errors: `apex_in_span`, `no_bend_fits`; `where` is the key at fault.
+/// Lines of least plate extension; the apex as given, or where the extension of one of the edges
+/// meets the intersection line. Errors: `apex_in_span`, `no_bend_fits`; `where` is the key at
+/// fault.
 Result<GeneralLines> general_lines(const std::array<std::vector<Vec2>, 2>& corners, EdgeKind edges,
                                    std::optional<double> apex);
 
 /// The general cone tangent to both plates along `lines`, over the arc that leaves the plates at
 /// their ends far from the apex: elliptic, its end tangents meeting in `tangent_point` on the
-/// intersection line (math.md#general-cone and math.md#corner-cone); by default in the point from
+/// intersection line (math.md#general-cone and math.md#corner-cone); by default the point from
 /// which the arc is circular. Error: `no_bend_fits`.
 Result<BendSurface> general_surface(const BendFrame& frame, const GeneralLines& lines,
                                     const std::array<std::vector<Vec2>, 2>& corners,

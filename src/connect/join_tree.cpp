@@ -15,8 +15,8 @@
 namespace planish::connect_detail {
 namespace {
 
-// Two pairs whose span over width differ by less are equally near; the wider, then the earlier
-// wins.
+// Two pairs whose ratios of span to width differ by less are equally near; the wider, then the
+// earlier wins.
 constexpr double kEquallyNear = tolerance::kComputed;
 
 constexpr const char* kCancelled = "cancelled";
@@ -65,7 +65,7 @@ Result<void> check_joined(const PlateStructure& structure, UnionFind& groups) {
   return {};
 }
 
-/// The plates that each request joins, by row. Errors: those of `rows_of`; `bend_loop`,
+/// The indices of the plates that each request joins. Errors: those of `rows_of`; `bend_loop`,
 /// `not_connected`.
 Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structure) {
   UnionFind groups(static_cast<int>(structure.plates.size()));
@@ -87,7 +87,7 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
   return rows;
 }
 
-/// Fits what is asked for once it is known to go together.
+/// Fits a request after checking it.
 Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options) {
   if (auto numbers = check_numbers(task.request, task.pointer); !numbers)
     return tl::unexpected(numbers.error());
@@ -111,7 +111,7 @@ struct LaterPair {
 
 using PairQueue = std::priority_queue<Pair, std::vector<Pair>, LaterPair>;
 
-/// What the search for a tree is given.
+/// The input of the search for a tree.
 struct Problem {
   const PlateStructure& structure;
   const std::vector<PlacedPlate>& plates;
@@ -125,7 +125,7 @@ struct Problem {
   }
 };
 
-/// How near two plates are with the edges that are free; none where no bend fits.
+/// How near two plates are by their free edges; empty if no bend fits.
 std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEdges& taken) {
   const auto near = nearness(problem.task(a, b, taken), problem.options);
   if (!near) return std::nullopt;
@@ -144,7 +144,7 @@ Result<PairQueue> all_pairs(const Problem& problem, const TakenEdges& taken,
   return pairs;
 }
 
-/// Why a plate stays alone; `why` is the last failure of a bend that was tried.
+/// Why a plate remains unconnected; `why` is the last failure of a bend that was tried.
 Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
   const std::vector<Plate>& plates = problem.structure.plates;
   const std::string where = fmt::format("/plates/{}", p);
@@ -209,7 +209,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
     const Pair pair = open->top();
     open->pop();
     if (groups.same(pair.a, pair.b)) continue;
-    // Edges may have been taken since.
+    // Its edges may have been taken since.
     const auto now = measured(problem, pair.a, pair.b, taken);
     if (!now) continue;
     if (now->cost > pair.cost * (1.0 + kEquallyNear)) {

@@ -8,11 +8,11 @@
 
 namespace planish::connect_detail {
 
-/// A face of the reference skin and the borders at which a bend hangs on a plate.
+/// A face of the reference skin, and the borders at which a bend joins a plate.
 struct JoinedFace {
   Face face;
   struct Joint {
-    int plate = 0, bend = 0;  ///< rows of the parts
+    int plate = 0, bend = 0;  ///< indices into the parts
     int border = 0;           ///< of the outer loop
   };
   std::vector<Joint> joints;

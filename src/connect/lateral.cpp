@@ -17,10 +17,10 @@ using Interval = std::pair<double, double>;
 
 // A bend has no width below this share of the plates' extent.
 constexpr double kNoWidth = kNegligible;
-// Curves on a cone that are straight when flat are followed to this share of the extent.
+// Accuracy of curves on a cone that are straight when flat, as a share of the extent.
 constexpr double kCurveTolerance = 1e-10;
-// Where the boundary leans more than this against the way across the bend, the corners of both
-// plates do not lie near each other (45°).
+// If the boundary leans more than this (45°) from straight across the bend, the corners of the
+// plates are not near each other.
 constexpr double kLeaning = 1.0;
 
 Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
@@ -79,7 +79,7 @@ Boundary along_directrix(const BendSurface& surface, double level, double extent
           surface.at_level(level, kCurveTolerance * extent)};
 }
 
-// The straight boundary between two corners; none where it does not cross the rulings in order.
+// The straight boundary between two corners; empty if it does not cross the rulings in order.
 std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
                                  const std::array<Vec2, 2>& corners, double extent) {
   const Vec2 a = flat.image(0, corners[0]), b = flat.image(1, corners[1]);
@@ -102,7 +102,7 @@ std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
   return boundary;
 }
 
-// Tangent of the angle at which the line between two corners leans against the way across the bend.
+// Tangent of the angle by which the line between two corners leans from straight across the bend.
 double leaning(const Flat& flat, const std::array<Vec2, 2>& corners) {
   const double v = 0.5 * (corners[0].x() + corners[1].x());
   const Vec2 across = flat.image(1, {v, 0.0}) - flat.image(0, {v, 0.0});

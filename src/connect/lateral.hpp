@@ -29,15 +29,14 @@ struct RunEnds {
 struct LateralOptions {
   double neutral_offset = 0.0;  ///< of the neutral surface from the mid-surface along its normal,
                                 ///< mm
-  /// Sections of both tangent rulings on which the bend runs over no plate
-  /// (math.md#lateral-boundaries), as far as they are common to both sides: intervals of levels,
-  /// ascending.
+  /// Sections common to both tangent rulings on which the bend runs over neither plate
+  /// (math.md#lateral-boundaries): intervals of levels, ascending.
   std::vector<std::pair<double, double>> legal;
   double extent = 0.0;  ///< of both plates, mm
 };
 
-/// Chooses the lateral boundaries (math.md#lateral-boundaries). What was asked for and is not
-/// possible, and bends without common width, are `no_common_width`.
+/// Chooses the lateral boundaries (math.md#lateral-boundaries). Errors: `no_common_width` for a
+/// boundary that was asked for but is impossible, and for bends without common width.
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options);
 

@@ -10,9 +10,9 @@ namespace {
 
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kSeam = 0.01;  // mm between the ends, at the smaller end of cones
-constexpr double kClosed = tolerance::kComputed;  // rad that a full turn may lack
+constexpr double kClosed = tolerance::kComputed;  // rad by which a full turn may fall short
 
-/// Radius of the surface where the face is narrowest; 0 where azimuths mean nothing.
+/// Radius of the surface where the face is narrowest; 0 for surfaces without azimuths.
 double narrowest_radius(const Face& face, const Box2& box) {
   const auto* surface = std::get_if<Developable>(&face.surface);
   if (surface == nullptr) return 0.0;
@@ -24,6 +24,7 @@ double narrowest_radius(const Face& face, const Box2& box) {
 }  // namespace
 
 Sheet with_open_seam(const Sheet& sheet) {
+  require_valid(sheet);
   Sheet open = sheet;
   for (Face& face : open.faces) {
     Box2 box;
@@ -31,7 +32,7 @@ Sheet with_open_seam(const Sheet& sheet) {
       box.add(bounds(border.curve));
     const double radius = narrowest_radius(face, box);
     if (radius <= 0.0 || box.size().x() < kFullTurn - kClosed) continue;
-    // Only sections of their own close: their borders are segments along and across the rulings.
+    // Only sections without plates close: their borders are segments along and across the rulings.
     const double share = 1.0 - kSeam / (kFullTurn * radius), first = box.lo.x();
     for (Border& border : face.loops.front())
       if (auto* segment = std::get_if<Segment>(&border.curve)) {

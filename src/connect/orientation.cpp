@@ -3,7 +3,7 @@
 namespace planish::connect_detail {
 namespace {
 
-// +1 where the bend's normal at a side is that of the plate there, −1 where it is the opposite.
+// +1 if the bend's normal at a side is that of the plate there, −1 if it is the opposite.
 int alignment(const Parts& parts, int bend, int side, int plate) {
   const BendSurface& surface = parts.fits[bend].surface;
   const Vec3 normal = normal_on(surface.mid, surface.azimuth(side));

@@ -12,7 +12,7 @@ struct Orientation {
   std::vector<int> bends;  ///< +1: outwards is the normal of the bend's surface, −1: the opposite
 };
 
-/// From the root on, whose normal points outwards. Bends without plates have +1.
+/// Starts at the root, whose normal points outwards. Bends without plates have +1.
 Orientation orientation_of(const Parts& parts);
 
 }  // namespace planish::connect_detail

@@ -30,7 +30,7 @@ std::vector<Chain> without(const std::vector<Chain>& chains, const std::set<int>
   return left;
 }
 
-// Edges too near to the intersection line for the thickness carry no bend, whatever the line.
+// Edges too near the intersection line for the thickness cannot carry a bend with any tangent line.
 std::set<int> too_near(const std::vector<Chain>& chains, double height) {
   std::set<int> edges;
   for (const Chain& chain : chains)
@@ -45,7 +45,8 @@ std::vector<Chain> of_kind(std::vector<Chain> chains, EdgeKind kind) {
   return chains;
 }
 
-// Plates that lie beside each other in their projection: a half-turn would have to pass under one.
+// Whether plates lie beside each other in projection, so that a half-turn would have to pass under
+// one.
 bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
   std::array<std::pair<double, double>, 2> range;
   for (std::size_t side = 0; side < 2; ++side) {
@@ -64,7 +65,7 @@ Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
   return {};
 }
 
-// Whether the best edges reach so near to the intersection line that the bend there would be too
+// Whether the best edges reach so near the intersection line that the bend there would be too
 // sharp.
 bool is_too_near(const FitTask& task, const PairChoice& choice) {
   if (choice.search.best.kind == EdgeKind::averted) return false;
@@ -117,8 +118,8 @@ bool better(const PairChoice& a, const PairChoice& b) {
   return a.search.reference_length < b.search.reference_length;
 }
 
-// A slope or an apex is one for the edges that would be joined without it: it must not turn the
-// bend round the back of the plates.
+// A slope or an apex applies to the edges that would be joined without it: it must not move the
+// bend to the back of the plates.
 std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
   if (!task.request.slope && !task.request.apex) return std::nullopt;
   FitTask free = task;

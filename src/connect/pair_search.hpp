@@ -7,7 +7,7 @@
 
 namespace planish::connect_detail {
 
-/// The edges that one bend between two plates uses best, in the frame where they do.
+/// The best edges for one bend between two plates, and their frame.
 struct PairChoice {
   BendFrame frame;
   std::array<std::vector<Chain>, 2> chains;
@@ -18,16 +18,16 @@ struct PairChoice {
   std::array<std::vector<int>, 2> edges(const EdgeChoice& choice) const;
 };
 
-/// Searches all frames of the pair and takes the one with the shortest reference bend. What the
-/// request gives of the tangent line is kept where it does not depend on the edges chosen; `given`
-/// says what else must hold. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`,
+/// Searches all frames of the pair and takes the one with the shortest reference bend. Whatever the
+/// request gives of the tangent line is respected if it does not depend on the edges chosen;
+/// `given` holds further requirements. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`,
 /// `no_bend_fits`.
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options);
 
 /// The tangent line that a request asks for in a frame.
 GivenLine given_line(const BendRequest& request, const BendFrame& frame, double thickness);
 
-/// Whether a cone is asked for, by name or by its slope.
+/// Whether the request asks for a cone, by name or by its slope.
 bool is_conical(const BendRequest& request);
 
 /// Height of the tangent line over the intersection line at which the inside radius is that small.

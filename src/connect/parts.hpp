@@ -14,9 +14,9 @@ struct Parts {
   std::vector<PlacedPlate> plates;
   std::vector<std::string> ids;
   std::vector<BendFit> fits;
-  int root = 0;  ///< row of the plates
+  int root = 0;  ///< index into the plates
 
-  /// The plate on one side of a bend; none where that side ends free.
+  /// The plate on one side of a bend; empty if that end is free.
   std::optional<int> plate_of(int bend, int side) const {
     const auto& rows = fits[bend].report.plates;
     if (side >= static_cast<int>(rows.size())) return std::nullopt;

@@ -16,7 +16,7 @@ std::vector<BendOnPlate> bends_on(const Parts& parts, int plate) {
   return bends;
 }
 
-// On the skin to which the plate's normal points, or on the other one, turned over about x.
+// A frame on the skin to which the plate's normal points, or on the other one, turned over about x.
 Frame skin_frame(const PlacedPlate& plate, double thickness, int sense) {
   Frame frame = plate.frame;
   frame.y *= sense;

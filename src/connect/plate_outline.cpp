@@ -12,7 +12,7 @@ namespace {
 
 using Edge = ExtendedOutline::Edge;
 
-// Points this share of the plate's extent apart are one.
+// Points closer than this share of the plate's extent are one.
 constexpr double kSame = tolerance::kComputed;
 
 double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -26,8 +26,7 @@ std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& p
   return corners;
 }
 
-// v of the lateral boundary at the end of the run that comes first in the outline, and at the
-// other.
+// v of the lateral boundary at the run's first end in the outline, and at the other.
 std::pair<double, double> boundary_ends(const BendFit& fit, int side,
                                         const std::vector<Vec2>& corners) {
   const auto i = static_cast<std::size_t>(side);
@@ -42,9 +41,9 @@ double joint_end(const Vec2& corner, double boundary, double inward, double tole
   return on_ruling && past ? corner.x() : boundary;
 }
 
-// Shortest way from a corner of the run to the point v on the ruling that leaves the run on the
-// plate's side: the hull of the corners between, ordered from the corner on; below them where the
-// way goes in under the run, above them where it goes out past its end.
+// Shortest path from a corner of the run to the point v on the ruling that keeps the run on the
+// plate's side: the hull of the corners between, ordered from the corner; below them if the path
+// leads in under the run, above them if it leads out past its end.
 std::vector<Vec2> taut(const std::vector<Vec2>& corners, const Vec2& target) {
   const double inward = target.x() >= corners.front().x() ? 1.0 : -1.0;
   const double below = (corners.back().x() - corners.front().x()) * inward > 0.0 ? 1.0 : -1.0;
@@ -95,12 +94,12 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   std::vector<Vec2> points;
   for (const Vec2& vh : path.points)
     points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
-  // The ends are corners of the plate, to the bit.
+  // The ends are exactly corners of the plate.
   const OutlineRun& run = on.fit->runs[on.side];
   points.front() = plate.outline[run.first];
   points.back() = plate.outline[(run.first + run.count) % plate.edge_count()];
   const double same = kSame * plate.extent;
-  // Where the joint begins or ends at a corner of the plate, that corner is where.
+  // If the joint begins or ends at a corner of the plate, use that corner exactly.
   if (path.joint == 1 && (points[1] - points[0]).norm() <= same) points[1] = points[0];
   const std::size_t last = points.size() - 1;
   if (path.joint + 2 == last && (points[last] - points[last - 1]).norm() <= same)
@@ -110,8 +109,7 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
            j == path.joint ? std::optional(on.bend) : std::nullopt, same);
 }
 
-// A corner that lies on an edge which does not end there: the extension runs back to the plate,
-// over it.
+// A corner that lies on an edge that does not end there: the extension runs back over the plate.
 std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
@@ -161,7 +159,7 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
   });
   ExtendedOutline outline;
   const int n = plate.edge_count();
-  // Round the outline once, from the first bend's run (which may go over corner 0).
+  // Once around the outline, from the first bend's run (which may include corner 0).
   const int start = bends.empty() ? 0 : run_of(bends.front()).first;
   std::size_t next = 0;
   for (int done = 0; done < n;) {

@@ -23,16 +23,16 @@ struct ExtendedOutline {
   std::vector<Edge> edges;
 };
 
-/// The part of a tangent ruling along which a bend hangs on its plate: from low to high v. Smaller
-/// than the bend where the bend is wider than the edge it lies on.
+/// The part of a tangent ruling along which a bend joins its plate, from low to high v. Shorter
+/// than the bend if the bend is wider than the edge it lies on.
 struct JointRange {
   double low = 0.0, high = 0.0;
 };
 JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate);
 
-/// Puts the plate extensions of math.md#tangent-lines on: the selected edges are replaced by the
-/// shortest way from their ends to the lateral boundaries that leaves the plate whole, and by the
-/// tangent line between. Error: `overlap` where extensions run into each other or over the plate.
+/// Adds the plate extensions of math.md#tangent-lines: the selected edges are replaced by the
+/// shortest paths from their ends to the lateral boundaries that do not cut the plate, and by the
+/// tangent line between. Error: `overlap` if extensions run into each other or over the plate.
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
                                          const std::string& id);
 

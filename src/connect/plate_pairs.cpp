@@ -90,7 +90,7 @@ std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, doub
       const Vec3 local = a.frame.local(p);
       const double distance = std::abs(local.z());
       if (distance >= needed * (1.0 - kTouch) || !inside({a.outline}, local.head<2>())) continue;
-      // Near a's border a bend or a weld may be meant; further in the sheets are in each other.
+      // Near a's border a bend or a weld may be intended; farther in, the sheets overlap.
       double to_border = std::numeric_limits<double>::infinity();
       for (std::size_t j = 0; j < a.outline.size(); ++j) {
         const Vec2 &c = a.outline[j], &d = a.outline[(j + 1) % a.outline.size()];

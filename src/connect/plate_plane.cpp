@@ -22,7 +22,7 @@ std::string text(const Vec3& p) {
   return fmt::format("({:.6g}, {:.6g}, {:.6g})", p.x(), p.y(), p.z());
 }
 
-// Newell's: twice the vector area, robust for corners that are nearly in one plane.
+// Newell's method: twice the vector area, robust for corners that are nearly in one plane.
 Vec3 vector_area(const Ring& ring) {
   Vec3 sum = Vec3::Zero();
   const Vec3 from = ring.front();
@@ -132,7 +132,7 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   return (p - a - t * d).norm();
 }
 
-// A place where the borders of two polygons cross, or come as near as `same`.
+// A place where the borders of two polygons cross, or come within `same`.
 std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Vec2>& second,
                             double same) {
   const auto next = [](const std::vector<Vec2>& ring, std::size_t i) -> const Vec2& {

@@ -29,7 +29,7 @@ std::vector<Unit> units_of(const ChainPair& pair, int side) {
     units.push_back({first, last, corner[0], corner[count - 1],
                      std::accumulate(corner, corner + count, Vec2(0.0, 0.0)) / count});
   }
-  // Near ones first: lengths grow with the mean height.
+  // Nearest first: lengths grow with the mean height.
   std::stable_sort(units.begin(), units.end(),
                    [](const Unit& a, const Unit& b) { return a.mean.y() < b.mean.y(); });
   return units;
@@ -62,12 +62,12 @@ std::optional<double> shortest(const ChainPair& pair, const Unit& a, const Unit&
   const auto best = cheapest_tangent(sides, pair.kind, cost, pair.line, pair.size, start);
   if (!best) return std::nullopt;
   slope = best->line.slope;
-  // Evaluated at the line itself: the program's value is about another origin.
+  // Evaluated at the line itself: the program's value refers to another origin.
   return length.constant + cost.linear.dot(Vec2(best->line.slope, best->line.offset));
 }
 
-/// Facing: how high over x a line can be at most that lies below the ends of both units, averted:
-/// how low at least one that lies above them. A hull of four corners.
+/// Facing: the greatest height at x of a line below the ends of both units; averted: the smallest
+/// height of one above them. A hull of four corners.
 double extreme_height(EdgeKind kind, const Unit& a, const Unit& b, double x) {
   const double sign = kind == EdgeKind::facing ? 1.0 : -1.0;
   const std::array<const Vec2*, 4> corners{&a.left, &a.right, &b.left, &b.right};
@@ -82,8 +82,8 @@ double extreme_height(EdgeKind kind, const Unit& a, const Unit& b, double x) {
   return sign * least;
 }
 
-/// What no bend between the two is shorter than, whatever else its tangent line has to respect;
-/// nearly always its length.
+/// A lower bound for the length of a bend between the two, whatever else constrains its tangent
+/// line; nearly always its length.
 double least_length(const ChainPair& pair, const Unit& a, const Unit& b) {
   const Length length(pair, a, b);
   const double height = pair.kind == EdgeKind::facing && length.of_height >= 0.0

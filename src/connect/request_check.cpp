@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace planish::connect_detail {
 namespace {
 
@@ -16,7 +18,7 @@ Result<int> row_of(const PlateStructure& structure, const std::string& id,
               fmt::format("there is no plate \"{}\"; the plates are {}", id, known), pointer);
 }
 
-// Keys of a JSON object stand in pointers with ~ and / escaped (RFC 6901).
+// In JSON pointers ~ and / in keys are escaped (RFC 6901).
 std::string escaped(const std::string& key) {
   std::string text;
   for (const char c : key)
@@ -30,13 +32,15 @@ struct Fault {
 };
 
 std::optional<Fault> wrong_size(const BendRequest& r) {
-  if (!(r.trade_off >= 0.0))
+  if (!(r.trade_off >= 0.0 && std::isfinite(r.trade_off)))
     return Fault{"/trade_off", fmt::format("trade_off is {}; it must be 0 or more", r.trade_off)};
   if (r.inside_radius && !(*r.inside_radius >= 0.0))
     return Fault{"/inside_radius",
                  fmt::format("inside_radius is {}; it must be 0 or more", *r.inside_radius)};
   if (r.inside_radii && !((*r.inside_radii)[0] >= 0.0 && (*r.inside_radii)[1] >= 0.0))
     return Fault{"/inside_radii", "inside_radii must be 0 or more"};
+  if (r.angle && !std::isfinite(r.angle->radians()))
+    return Fault{"/angle", fmt::format("angle is {}°; it must be a number", r.angle->degrees())};
   if (r.aperture && !(r.aperture->degrees() > 0.0 && r.aperture->degrees() < 180.0))
     return Fault{"/aperture", fmt::format("aperture is {}°; it must lie between 0 and 180°",
                                           r.aperture->degrees())};

@@ -7,16 +7,15 @@
 
 namespace planish::connect_detail {
 
-/// Rows of the plates that a bend joins, in its order. `pointer` is the request's place,
+/// Indices of the plates that a bend joins, in its order. `pointer` is the request's place,
 /// "/bends/1". Errors: `unknown_plate`, `invalid_input`.
 Result<std::vector<int>> rows_of(const PlateStructure& structure, const BendRequest& request,
                                  const std::string& pointer);
 
-/// Whether what is given of a bend goes together. Error: `invalid_input`.
+/// Whether the values given for a bend are compatible. Error: `invalid_input`.
 Result<void> check_numbers(const BendRequest& request, const std::string& pointer);
 
-/// Whether the plates of a task have the edges that are given. Errors: `unknown_edge`,
-/// `invalid_input`.
+/// Whether the plates of a task have the given edges. Errors: `unknown_edge`, `invalid_input`.
 Result<void> check_edges(const FitTask& task);
 
 }  // namespace planish::connect_detail

@@ -5,7 +5,7 @@
 namespace planish::connect_detail {
 namespace {
 
-// Up to this many corners are looked at one by one.
+// Up to this many corners are checked one by one.
 constexpr int kFew = 8;
 
 double height(const Vec2& p, double k, double sign) { return sign * (k * p.x() - p.y()); }

@@ -6,9 +6,8 @@
 
 namespace planish::connect_detail {
 
-/// Answers for any range of corners of a chain (x growing) and any slope k which corner is extreme
-/// in the direction (k, −1): a segment tree of convex hulls. O(n log n) to make, O(log² n) a
-/// question.
+/// Finds, for any range of corners of a chain (x growing) and any slope k, the extreme corner in
+/// the direction (k, −1): a segment tree of convex hulls. O(n log n) to build, O(log² n) per query.
 class RunEnvelope {
  public:
   explicit RunEnvelope(std::vector<Vec2> corners);

@@ -13,8 +13,8 @@ namespace {
 // A full turn: both ends touch, as the seam of a pipe does.
 constexpr double kFullTurn = 2.0 * std::numbers::pi;
 
-/// The ruling where a section begins: on the mid-surface, from `start` along `d`, the sheet going
-/// on towards `onward`, turning towards `inside`; unit vectors.
+/// The ruling where a section begins: on the mid-surface, from `start` along `d`; the sheet
+/// continues towards `onward` and turns towards `inside`; unit vectors.
 struct Beginning {
   Vec3 start, d, onward, inside;
   double length = 0.0;
@@ -86,8 +86,7 @@ void roll_cone(BendFit& fit, const Beginning& begin, const std::array<double, 2>
   set_ends(fit, from, to);
 }
 
-// Without a plate the radii are those of the circles of the inner skin and the length is the
-// height.
+// Without a plate the radii are those of the inner skin's circles, and the length is the height.
 std::array<double, 2> free_cone(Beginning& begin, const std::array<double, 2>& inside,
                                 double height, double thickness) {
   const double tangent = (inside[1] - inside[0]) / height;
@@ -174,7 +173,7 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
   const double high = fit.surface.radius(fit.boundaries.high.v[0]) - half;
   report.inside_radius = 0.5 * (low + high);
   report.inside_radii = {low, high};
-  // As they were given, of the circles about the axis: left is where the ruling begins.
+  // The radii as given, of circles about the axis; left is where the ruling begins.
   if (request.inside_radii) report.inside_radii = *request.inside_radii;
   return fit;
 }

@@ -13,9 +13,9 @@ namespace {
 
 using Corners = std::array<std::vector<Vec2>, 2>;
 
-// Plates whose edges reach this share of their extent near to the intersection line touch there.
+// Plates whose edges come within this share of their extent of the intersection line touch there.
 constexpr double kTouching = tolerance::kFileDigits;
-// A value is on the edge of its range within this share of the extent.
+// A value within this share of the extent of a limit is at the limit.
 constexpr double kOnBound = tolerance::kComputed;
 
 double mid_radius_of(double inside_radius, const FitTask& task) {
@@ -33,8 +33,8 @@ Corners shifted(Corners corners, double x, double y) {
   return corners;
 }
 
-// Least extension where the line stays at least `height` above the intersection line: 0 ≤ k x − q
-// is that of corners and q moved by as much; averted lines lie above every corner as it is.
+// Least extension with the line at least `height` above the intersection line: equivalent to 0 ≤ k
+// x − q with corners and q moved by `height`; averted lines lie above every corner anyway.
 Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenLine given,
                                           double height) {
   if (kind == EdgeKind::averted) {
@@ -45,8 +45,8 @@ Result<SmallestExtension> least_extension(Corners corners, EdgeKind kind, GivenL
   }
   if (given.offset) *given.offset += height;
   if (given.apex) {
-    // k (x − x₀) is the height itself; it cannot be moved. A line through the apex is one of slope
-    // only.
+    // k (x − x₀) is the height itself and cannot be moved: a line through the apex has only its
+    // slope free.
     return smallest_extension(corners, kind, given);
   }
   auto fit = smallest_extension(shifted(std::move(corners), 0.0, height), kind, given);
@@ -140,7 +140,7 @@ Result<TangentLine> by_radii(const FitTask& task, const PairChoice& choice,
       "/inside_radii"));
 }
 
-// A cone by its aperture opens to the left or to the right: the one with less extension.
+// A cone of given aperture may open to the left or to the right: takes the one with less extension.
 Result<TangentLine> by_aperture(const FitTask& task, const PairChoice& choice,
                                 const Corners& corners) {
   const double tangent = std::tan(0.5 * choice.frame.beta.radians());
@@ -203,7 +203,7 @@ Result<TangentLine> least(const FitTask& task, const PairChoice& choice, const C
     return tl::unexpected(fit.error());
   }
   if (given.apex && fit->line.slope == 0.0) return tl::unexpected(too_sharp(task, choice, corners));
-  // Below this a cone is a cylinder to the kernel and to the shop, whoever asked for it.
+  // Below this slope a cone is a cylinder to the kernel and to the shop, even if requested.
   constexpr double kNoSlope = kNegligible;
   const double slope = std::abs(fit->line.slope);
   const bool asked = given.slope || given.apex || request.surface == SurfaceChoice::cone;
@@ -228,7 +228,7 @@ Error slope_beyond(double slope, const Range& slopes) {
       "/slope");
 }
 
-// What to say of a cone's radius at mid-length that does not fit: the nearest one that does.
+// The error for a cone's radius at mid-length that does not fit, with the nearest one that does.
 Error nearest_middle_radius(const FitTask& task, const PairChoice& choice) {
   const Corners corners = choice.corners(choice.search.best);
   if (const auto slopes = slopes_with_room(corners, choice.search.best.kind,
@@ -300,7 +300,7 @@ Reach reach_of(const FitTask& task, const PairChoice& choice) {
     if (task.request.edges[side])
       chosen.chains[side] = {Chain{best.kind, corners[side], edges[side]}};
   Reach both = reach(chosen);
-  // All the edges given take part, not the best of them.
+  // All given edges take part, not only the best of them.
   for (std::size_t side = 0; side < 2; ++side)
     if (task.request.edges[side])
       for (const Vec2& p : corners[side]) {
@@ -318,7 +318,7 @@ std::string radius_range(const FitTask& task, const PairChoice& choice) {
   std::string text;
   if (largest > 0.0) text = fmt::format("up to {:.4f} mm", largest);
   if (std::isfinite(smallest))
-    text += fmt::format("{}{:.4f} mm or more, round the back of the plates",
+    text += fmt::format("{}{:.4f} mm or more, around the back of the plates",
                         text.empty() ? "" : ", or ", std::max(smallest, 0.0));
   return text;
 }
@@ -335,7 +335,7 @@ Result<TangentLine> tangent_line(const FitTask& task, const PairChoice& choice,
         far = std::max(far, p.y());
     return TangentLine{0.0, -far};
   }
-  // A line through such an apex leaves the plates whole only where it has no height at all.
+  // A line through such an apex does not cut the plates only if its height is zero.
   if (auto within = apex_within(task.request, corners)) return tl::unexpected(*within);
   if (task.request.inside_radii) return by_radii(task, choice, corners);
   if (task.request.aperture) return by_aperture(task, choice, corners);

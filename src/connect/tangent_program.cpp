@@ -13,7 +13,7 @@ namespace {
 
 // Rounding of sums of a few products of the size of the corners.
 constexpr double kNoise = 64.0 * std::numeric_limits<double>::epsilon();
-// How far a corner may lie on the wrong side of a line that is given, of the corners' size.
+// How far a corner may lie on the wrong side of a given line, as a share of the corners' size.
 constexpr double kGivenTolerance = tolerance::kComputed;
 
 /// A function a + b·k that supports a convex one at some slope.
@@ -63,7 +63,7 @@ class Program {
     return support;
   }
 
-  // The offset that goes with the slope, about the true origin.
+  // The offset for the slope, relative to the true origin.
   double offset(double k) const {
     const Linear q = given_.offset || given_.apex                     ? given_offset(k)
                      : kind_ == EdgeKind::facing && of_offset_ >= 0.0 ? lower_bound(k)
@@ -173,7 +173,7 @@ std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>&
                                                const GivenLine& given, double size, double start) {
   const double origin = middle_of(sides);
   TangentCost centred = cost;
-  // The linear part is told about the true origin: q = q′ + k·origin.
+  // The linear part refers to the true origin: q = q′ + k·origin.
   centred.linear.x() += cost.linear.y() * origin;
   const Program program(sides, kind, centred, given, size, origin);
   if (given.slope) {

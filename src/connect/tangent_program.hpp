@@ -18,8 +18,8 @@ struct CornerRange {
   double right() const { return chain->corners()[last].x(); }
 };
 
-/// What a tangent line costs: Σ over both sides of weights · (largest height of the line over the
-/// intersection line, largest extension), or an area. A side may be empty: it costs nothing.
+/// The cost of a tangent line: Σ over both sides of weights · (largest height of the line over the
+/// intersection line, largest extension), or an area. An empty side costs nothing.
 struct TangentCost {
   double height = 0.0;     ///< of max_j (k x_j − q)
   double extension = 0.0;  ///< of max_j (y_j − k x_j + q), averted max_j (k x_j − q − y_j)
@@ -33,9 +33,9 @@ struct TangentOptimum {
 };
 
 /// Least cost over all tangent lines that math.md#tangent-lines allows for the corners of both
-/// sides, under what is given. For each slope the best offset is at a bound, what is left is convex
-/// and piecewise linear in the slope (math.md#widest-bend). `size` is the extent of the corners;
-/// `start` a slope near the optimum, if known.
+/// sides, subject to the given values. For each slope the best offset is at a bound; the remaining
+/// cost is convex and piecewise linear in the slope (math.md#widest-bend). `size` is the extent of
+/// the corners; `start` a slope near the optimum, if known.
 std::optional<TangentOptimum> cheapest_tangent(const std::array<CornerRange, 2>& sides,
                                                EdgeKind kind, const TangentCost& cost,
                                                const GivenLine& given, double size,

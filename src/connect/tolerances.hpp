@@ -4,11 +4,11 @@
 
 namespace planish::connect_detail {
 
-/// What a shop cannot see, a micrometre over a metre: of slopes and turns (rad), and of lengths as
-/// a share of the plates' extent.
+/// Too small for a shop to notice, a micrometre over a metre: for slopes and turns (rad), and for
+/// lengths as a share of the plates' extent.
 inline constexpr double kNegligible = 1e-6;
 
-/// Inside radii below this (mm) are too small: a solid needs a cylinder there.
+/// Inside radii below this (mm) are too small for a solid, which needs a cylinder there.
 inline constexpr double kSmallestInsideRadius = 1e-3;
 
 }  // namespace planish::connect_detail

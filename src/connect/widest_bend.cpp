@@ -6,8 +6,8 @@
 #include <queue>
 
 // Best-first branch and bound. The span without its shift only grows with the runs, so the edges
-// common to all runs of a node bound it from below; what shift and width cost together is least at
-// a corner of their ranges.
+// common to all runs of a node bound it from below; the combined cost of shift and width is least
+// at a corner of their ranges.
 
 namespace planish::connect_detail {
 namespace {
@@ -29,7 +29,7 @@ struct Problem {
   const ChainPair& pair;
   double trade_off = 1.0;
   double noise = 0.0;   ///< mm: differences below it are rounding
-  double budget = 0.0;  ///< what span − γ · width may be at most
+  double budget = 0.0;  ///< upper bound of span − γ · width
 
   double left(int side, int edge) const { return pair.x(side, edge); }
   double right(int side, int edge) const { return pair.x(side, edge + 1); }
@@ -69,7 +69,7 @@ double distance(const Range& a, const Range& b) {
   return std::max({0.0, a.low - b.high, b.low - a.high});
 }
 
-// The shift of the left ends with what the width that they give up costs: the least of
+// The shift of the left ends plus the cost of the width that they give up: the least of
 // |a − b| + w (a + b) over both ranges. Right ends are mirrored.
 double least_shift(const Range& a, const Range& b, double weight) {
   const auto at = [&](double p, double q) { return std::abs(p - q) + weight * (p + q); };
@@ -88,7 +88,7 @@ double least_alone(const ChainPair& pair, int side, const RunSet& set) {
   return share * lowest;
 }
 
-/// Nothing where not even the common edges admit a tangent line.
+/// Empty if not even the common edges admit a tangent line.
 std::optional<Core> core_of(const ChainPair& pair, const RunSets& sides, double start) {
   std::array<CornerRange, 2> common;
   double apart = 0.0;
@@ -123,7 +123,7 @@ bool hopeless(const Problem& problem, const Node& node, const std::optional<Edge
          node.least_span > best->span + problem.noise;
 }
 
-/// The node of these runs; nothing where it cannot hold anything better than `best`.
+/// The node of these runs; empty if it cannot contain anything better than `best`.
 std::optional<Node> opened(const Problem& problem, const RunSets& sides, const Node* parent,
                            const std::optional<EdgeChoice>& best) {
   Node node{sides, 0.0, {}, 0.0};
@@ -170,8 +170,8 @@ std::vector<RunSets> by_middle(const RunSets& sides, int side) {
   return parts;
 }
 
-/// Divides the runs in which one of both sides has no common edge by their middle edge, others
-/// where their ends are spread most.
+/// Divides runs without a common edge on one side by their middle edge, others where their ends are
+/// spread most.
 std::vector<RunSets> divided(const Problem& problem, const RunSets& sides) {
   for (int side = 0; side < 2; ++side)
     if (!sides[side].has_core()) return by_middle(sides, side);

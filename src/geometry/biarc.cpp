@@ -10,11 +10,11 @@ namespace {
 
 using namespace geometry_detail;
 
-/// A joint of spans that turns by more (about 0.06°) is a corner and kept; less is what fitting
-/// leaves at the joints of a smooth curve.
+/// A joint of spans that turns by more (about 0.06°) is a corner and is kept; fitting leaves less
+/// at the joints of a smooth curve.
 constexpr double kCorner = 1e-3;
-/// An arc that turns by less is given as its chord: the tangent is off by half of this, and a
-/// radius 10⁵ times the length leaves eleven digits to its ends.
+/// An arc that turns by less is replaced by its chord: the tangent is off by half of this, and with
+/// a radius 10⁵ times the length, the arc's ends would have only eleven digits.
 constexpr double kFlat = 1e-5;
 /// Comparisons along a biarc: its distance from the curve has about four extremes.
 constexpr int kComparisons = 32;
@@ -40,8 +40,8 @@ struct BiarcChain {
     return {i, x - static_cast<double>(i)};
   }
 
-  /// Tangent just after x (`ahead` > 0) or just before it: where the curve stops, the way it goes
-  /// on there.
+  /// Tangent just after x (`ahead` > 0) or just before it; where the derivative vanishes, the
+  /// direction in which the curve continues.
   Vec2 tangent(double x, double ahead) const {
     auto [i, t] = local(x);
     if (ahead < 0.0 && t == 0.0 && i > 0) {
@@ -71,8 +71,8 @@ struct BiarcChain {
     return arc_between(a, b, sweep);
   }
 
-  /// Two arcs with the tangents of the part at its ends and a common one where they meet, at equal
-  /// distances along the end tangents. Empty where those tangents point apart.
+  /// Two arcs with the part's tangents at its ends and a common tangent where they meet, at equal
+  /// distances along the end tangents. Empty if those tangents point apart.
   std::optional<std::array<Curve2, 2>> biarc(const Part& part) const {
     const Vec2 a = point(part.from);
     const Vec2 b = point(part.to);
@@ -114,8 +114,8 @@ struct BiarcChain {
     return arcs;
   }
 
-  /// Longest biarcs first to last. The next step starts from the last one's length; five halvings
-  /// place its end within a thirtieth.
+  /// The longest possible biarcs, from first to last. Each step starts from the previous one's
+  /// length; five halvings place its end within a thirtieth.
   std::vector<Curve2> along(const Part& whole) const {
     std::vector<Curve2> made;
     const auto add = [&made](const Curve2& curve) {
@@ -153,7 +153,7 @@ struct BiarcChain {
       } else {
         bad = next;
         step *= 0.5;
-        // Shorter than the tolerance, or than parameters can resolve: a chord will do.
+        // Shorter than the tolerance, or than parameters can resolve: use the chord.
         if (!best && (short_part(x, next) || x + step <= x)) return {next, std::nullopt};
       }
       if (best && !std::isinf(bad)) ++refinements;
@@ -167,7 +167,7 @@ struct BiarcChain {
   }
 };
 
-/// Joints where the spline turns a corner, with both ends.
+/// Joints where the spline turns a corner, and both ends.
 std::vector<std::size_t> corners(const CubicSpline& spline) {
   const BiarcChain chain{spline, 0.0};
   const std::size_t n = span_count(spline);

@@ -1,5 +1,8 @@
 #include "planar.hpp"
 
+#include <planish/base/tolerance.hpp>
+
+#include <algorithm>
 #include <numbers>
 
 namespace planish {
@@ -13,7 +16,7 @@ Vec2 arc_point(const Arc& arc, double angle) {
 }
 
 std::vector<Vec2> arc_samples(const Arc& arc, double chord) {
-  // A chord over the angle s misses the arc by r (1 − cos(s/2)) = 2 r sin²(s/4). Never more than a
+  // A chord over the angle s deviates from the arc by r (1 − cos(s/2)) = 2 r sin²(s/4). At most a
   // quarter turn, so that a circle remains a polygon however coarse the chord.
   const double ratio = std::min(1.0, std::sqrt(chord / (2.0 * arc.radius)));
   const double step = std::min(pi / 2.0, 4.0 * std::asin(ratio));
@@ -28,10 +31,10 @@ std::vector<Vec2> arc_samples(const Arc& arc, double chord) {
 }
 
 std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
-  std::vector<Vec2> points{spline.poles.front()};
+  std::vector<Vec2> points{first_pole(spline)};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
     const Bezier b = span(spline, i);
-    // A chord over a parameter step h misses the curve by at most h²/8 max|B''|, and B'' is
+    // A chord over a parameter step h deviates from the curve by at most h²/8 max|B''|, and B'' is
     // largest at an end of the span.
     const double second = std::max(bezier_second(b, 0.0).norm(), bezier_second(b, 1.0).norm());
     const auto n = static_cast<std::size_t>(
@@ -44,7 +47,7 @@ std::vector<Vec2> spline_samples(const CubicSpline& spline, double chord) {
   return points;
 }
 
-/// Heights of a, b above the line are zero to rounding: the noise of coordinates this large.
+/// The rounding noise of the heights of a, b above the line, for coordinates this large.
 double height_noise(const Vec2& a, const Vec2& b, const Vec2& origin) {
   return 4.0 * kEpsilon * (largest(a) + largest(b) + largest(origin));
 }
@@ -94,7 +97,7 @@ std::vector<double> spline_crossings(const CubicSpline& spline, const Vec2& orig
 
 CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
   const std::size_t n = span_count(spline);
-  // A parameter that means a joint but was rounded must not leave a span of no length.
+  // A rounded parameter of a joint must not leave a span of no length.
   const auto snapped = [n](double t) {
     const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(n);
     const double whole = std::round(x);
@@ -116,6 +119,30 @@ CubicSpline trimmed_spline(const CubicSpline& spline, double t0, double t1) {
 }
 
 }  // namespace
+
+bool is_regular(const Curve2& curve) {
+  struct Regular {
+    static bool in_reach(const Vec2& p) { return (p.array().abs() <= kFarthest).all(); }
+    bool operator()(const Segment& s) const { return in_reach(s.a) && in_reach(s.b); }
+    bool operator()(const Arc& a) const {
+      constexpr double kMostTurn = 2.0 * pi * (1.0 + tolerance::kComputed);
+      constexpr double kFarthestTurn = 1e6;  // radians
+      return (a.center.array().abs() <= kLargestRadius).all() && a.radius > 0.0 &&
+             a.radius <= kLargestRadius && std::abs(a.start) <= kFarthestTurn &&
+             std::abs(a.sweep) <= kMostTurn && in_reach(arc_point(a, a.start)) &&
+             in_reach(arc_point(a, a.start + a.sweep));
+    }
+    bool operator()(const CubicSpline& s) const {
+      return s.poles.size() >= 4 && s.poles.size() % 3 == 1 &&
+             std::ranges::all_of(s.poles, in_reach);
+    }
+  };
+  return std::visit(Regular{}, curve);
+}
+
+bool is_regular(const Loop& loop) {
+  return std::ranges::all_of(loop, [](const Curve2& curve) { return is_regular(curve); });
+}
 
 Vec2 point_at(const Curve2& curve, double t) {
   return std::visit(Overloaded{

@@ -50,7 +50,7 @@ double gauss_length(const Bezier& b, double t0, double t1) {
   return sum * (t1 - t0);
 }
 
-/// Halves until two halves agree with the whole. At a cusp the speed has a corner; the error there
+/// Halves until both halves agree with the whole. At a cusp the speed has a corner; the error there
 /// shrinks with the square of the step, so that 30 halvings reach the last bit.
 double adaptive_length(const Bezier& b, double t0, double t1, double whole, double allowed,
                        int depth) {
@@ -166,7 +166,7 @@ struct NearestOnSpan {
 
   void search(const std::array<double, 7>& c, double lo, double hi) {
     const auto [least, most] = std::minmax_element(c.begin(), c.end());
-    // |B|² lies above its least coefficient; what is within rounding of the best gains nothing.
+    // |B|² is at least its smallest coefficient; a gain within rounding of the best is no gain.
     if (*least >= best - 8.0 * kEpsilon * *most) return;
     std::array<double, 6> rise{};
     for (std::size_t i = 0; i < 6; ++i)
@@ -191,7 +191,7 @@ Nearest nearest_on_spline(const CubicSpline& spline, const Vec2& p) {
   const std::size_t n = span_count(spline);
   double best = std::numeric_limits<double>::infinity();
   double at = 0.0;
-  for (std::size_t i = 0; i <= n; ++i) {  // joints first: a good bound lets most spans be skipped
+  for (std::size_t i = 0; i <= n; ++i) {  // joints first: a good bound skips most spans
     const double d = (spline.poles[3 * i] - p).squaredNorm();
     if (d < best) {
       best = d;
@@ -243,7 +243,8 @@ double green_area(const Curve2& curve) { return green_area_about(curve, Vec2::Ze
 
 double signed_area(const Loop& loop) {
   if (loop.empty()) return 0.0;
-  // About a point of the loop: far from the origin the products would swallow a small area.
+  // About a point of the loop: far from the origin, rounding of the products would swamp a small
+  // area.
   const Vec2 o = start_of(loop.front());
   double sum = 0.0;
   for (const Curve2& curve : loop)
@@ -262,7 +263,7 @@ Box2 bounds(const Curve2& curve) {
                         [](const Arc& a) { return arc_bounds(a); },
                         [](const CubicSpline& s) {
                           Box2 box;
-                          box.add(s.poles.front());
+                          box.add(first_pole(s));
                           for (std::size_t i = 0; i < span_count(s); ++i) {
                             const Bezier b = span(s, i);
                             box.add(b[3]);

@@ -23,13 +23,13 @@ double nearest_turn(double angle, double period, double near) {
   return angle + period * std::round((near - angle) / period);
 }
 
-/// Azimuth of a point of the frame's xy plane; on the axis, where any would do, u_near.
+/// Azimuth of a point of the frame's xy plane; on the axis, where it is arbitrary, u_near.
 double azimuth(double x, double y, double u_near) {
   if (x == 0.0 && y == 0.0) return u_near;
   return nearest_turn(std::atan2(y, x), 2.0 * std::numbers::pi, u_near);
 }
 
-/// Whether a coordinate that runs from a to b is constant but for rounding.
+/// Whether a coordinate that runs from a to b is constant up to rounding.
 bool constant(double a, double b) {
   return std::abs(b - a) <= tolerance::kRounding * std::max({1.0, std::abs(a), std::abs(b)});
 }
@@ -45,7 +45,7 @@ std::vector<Curve2> spans_of(const Curve2& curve) {
 
 CubicSpline fitted_image(const Development& image, const Curve2& uv_curve, double tolerance) {
   CubicSpline result;
-  // One by one, because the speed along a spline jumps from span to span.
+  // Span by span, because the speed along a spline jumps between spans.
   for (const Curve2& span : spans_of(uv_curve)) {
     const auto sample = [&](double t) -> CurveSample {
       const Vec2 uv = point_at(span, t);
@@ -138,7 +138,7 @@ Vec2 Development::develop(const Vec2& uv) const {
                    return {rolled.radius * u, v};
                  },
                  [&](const Sector& sector) -> Vec2 {
-                   // Clockwise: seen from outside, growing azimuth turns so about the apex.
+                   // Clockwise: the direction of growing azimuth about the apex, seen from outside.
                    const double angle = -u * sector.sine;
                    return (v + sector.shift) * Vec2(std::cos(angle), std::sin(angle));
                  },

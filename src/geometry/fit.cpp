@@ -10,10 +10,11 @@ namespace {
 using namespace geometry_detail;
 
 constexpr std::size_t kMostSpans = 4096;
-/// Halvings of one place, beyond which parameters of doubles stop being told apart.
+/// Halvings of one place; beyond these, doubles cannot distinguish the parameters.
 constexpr int kMostHalvings = 40;
-/// Where a Hermite span is compared with the function. Its error behaves as t²(1−t)²(a + bt): the
-/// middle is the largest for b = 0 and 0.5 ± √5/10 for a = −b/2; the outer two see what is steeper.
+/// Where a Hermite span is compared with the function. Its error behaves as t²(1−t)²(a + bt), which
+/// is largest at the middle for b = 0 and at 0.5 ± √5/10 for a = −b/2; the outer two detect steeper
+/// errors.
 constexpr std::array<double, 5> kChecks{0.112, 0.276, 0.5, 0.724, 0.888};
 
 struct Knot {
@@ -29,8 +30,8 @@ struct Span {
   int halvings = 0;
 };
 
-/// A derivative that moves the point less than this share of the size of the span tells no
-/// direction: half the digits, as for a difference quotient.
+/// A derivative that moves the point by less than this share of the span's size gives no direction:
+/// half the digits, as for a difference quotient.
 bool tells_direction(const Vec2& derivative, double step, double size) {
   return (derivative * step).norm() > std::sqrt(kEpsilon) * size;
 }
@@ -69,15 +70,15 @@ struct Fitter {
     Span made{from, to, {}, 0.0, halvings};
     made.poles = {from.sample.point, inner_pole(from, to, size), inner_pole(to, from, size),
                   to.sample.point};
-    // Handles longer than the chord may make a span double back, onto points that it should have
-    // passed once.
+    // Handles longer than the chord may make a span double back over points that it should pass
+    // once.
     const double handles = (made.poles[1] - made.poles[0]).norm() +
                            (made.poles[3] - made.poles[2]).norm();
     const bool orderly = handles <= (made.poles[3] - made.poles[0]).norm();
     const CubicSpline alone{{made.poles.begin(), made.poles.end()}};
     // The distance at equal parameters bounds the distance between the curves from above; the true
-    // one is looked for only where the bound is not enough, and not beyond the first that is not
-    // either.
+    // distance is computed only where the bound is not enough, and only until the first that is not
+    // enough either.
     std::array<double, kChecks.size()> apart;
     for (std::size_t i = 0; i < kChecks.size(); ++i)
       apart[i] = (bezier_point(made.poles, kChecks[i]) - wanted[i]).norm();
@@ -91,7 +92,7 @@ struct Fitter {
     return made;
   }
 
-  /// Knot near the middle, beside a place where f stands still: there no tangent could be shared.
+  /// Knot near the middle, away from a place where f stands still, which has no common tangent.
   Knot middle(const Span& p) const {
     const double step = p.to.t - p.from.t;
     const double size = (p.to.sample.point - p.from.sample.point).norm();
@@ -111,7 +112,7 @@ FitReport fit_cubics(const CurveFunction& f, double t0, double t1, double tolera
   const auto wants_halving = [tolerance](const Span& p) {
     return p.deviation > tolerance && p.halvings < kMostHalvings;
   };
-  // Level by level, so that the limit of spans is shared by the whole curve.
+  // Level by level, so that the whole curve shares the limit on spans.
   while (std::any_of(spans.begin(), spans.end(), wants_halving) && spans.size() < kMostSpans) {
     std::vector<Span> finer;
     finer.reserve(2 * spans.size());

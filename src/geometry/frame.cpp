@@ -4,7 +4,7 @@
 namespace planish {
 
 Frame frame_from_normal(const Vec3& origin, const Vec3& z) {
-  // The axis least along z gives the best conditioned product.
+  // The axis least aligned with z gives the best conditioned product.
   int least = 0;
   z.cwiseAbs().minCoeff(&least);
   return frame_from_axes(origin, z, Vec3::Unit(least));
@@ -18,7 +18,7 @@ Frame frame_from_axes(const Vec3& origin, const Vec3& z, const Vec3& x_hint) {
   Vec3 x = hint - hint.dot(frame.z) * frame.z;
   PLANISH_ASSERT(x.norm() > 0.0);
   x.normalize();
-  // Once more: the first projection of a hint nearly parallel to z keeps a remnant of z.
+  // Repeated: the first projection of a hint nearly parallel to z leaves a remnant of z.
   frame.x = (x - x.dot(frame.z) * frame.z).normalized();
   frame.y = frame.z.cross(frame.x);
   return frame;

@@ -30,7 +30,7 @@ SpaceCurve conic_arc(const Vec3& p0, const Vec3& tangent_point, const Vec3& p1) 
   const Vec3 along = half_chord / sine, up = cosine / (sine * sine) * rise;
   return [=](double t) -> SpaceCurvePoint {
     const double theta = alpha * (2.0 * t - 1.0), rate = 2.0 * alpha;
-    // cos θ − cos α, without loss where the arc is flat
+    // cos θ − cos α, without cancellation if the arc is flat
     const double height = 2.0 * std::sin(0.5 * (alpha + theta)) * std::sin(0.5 * (alpha - theta));
     return {middle + std::sin(theta) * along + height * up,
             rate * (std::cos(theta) * along - std::sin(theta) * up),

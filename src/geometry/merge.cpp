@@ -13,8 +13,7 @@ namespace {
 using namespace geometry_detail;
 using std::numbers::pi;
 
-/// Grouping and absorbing are repeated while they find something; a loop of ordinary parts needs
-/// two rounds.
+/// Grouping and absorbing are repeated while they change anything; ordinary loops need two rounds.
 constexpr int kMostRounds = 8;
 
 struct Item {
@@ -48,7 +47,7 @@ std::vector<Station> path_along(const Items& items, std::size_t from, std::size_
   return path;
 }
 
-/// How far joined curves may lie off the one that replaces them.
+/// How far joined curves may lie from the curve that replaces them.
 struct Allowance {
   double line = 0.0;
   double circle = 0.0;
@@ -71,7 +70,7 @@ std::optional<Curve2> joined(const Items& items, std::size_t from, std::size_t t
   return *arc;
 }
 
-/// The full circle that all items together are, if they are.
+/// The full circle that all items together form, if they do.
 std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   const Kind kind = kind_of(items.front().curve);
   for (const Item& item : items) {
@@ -82,7 +81,7 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
   path.back().point = path.front().point;
   std::optional<Arc> circle = arc_through(path);
   if (!circle || kind_of(*circle) != kind) return std::nullopt;
-  // Curves of one circle keep its centre and radius to the bit.
+  // Arcs of one circle keep its centre and radius to the bit.
   const Arc& model = std::get<Arc>(items.front().curve);
   const double noise = kSamePoint * size_of(path);
   const bool same = std::all_of(items.begin(), items.end(), [&](const Item& item) {
@@ -96,7 +95,7 @@ std::optional<Arc> whole_circle(const Items& items, double tolerance) {
 }
 
 /// The longest group from `from` on that can be one curve, by doubling and halving its size: each
-/// item is looked at a logarithmic number of times.
+/// item is visited a logarithmic number of times.
 std::pair<std::size_t, Curve2> longest_group(const Items& items, std::size_t from, std::size_t end,
                                              const Allowance& allowance) {
   std::size_t good = 1;
@@ -120,7 +119,7 @@ bool vanishes(const Items& items) {
                               kind_of(items[1].curve) == Kind::segment);
 }
 
-/// Neighbours joined, the last with the first too.
+/// Joins neighbours, including the last with the first.
 Items grouped(const Items& items, const Allowance& allowance) {
   if (items.size() < 2) return items;
   if (const auto circle = whole_circle(items, allowance.circle))
@@ -150,8 +149,8 @@ Items grouped(const Items& items, const Allowance& allowance) {
   return made;
 }
 
-/// The curve with its ends moved to a and b. An arc keeps its middle; a spline takes the poles
-/// next to its ends along.
+/// The curve with its ends moved to a and b. An arc keeps its midpoint; a spline moves the poles
+/// next to its ends along with them.
 Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
   return std::visit(Overloaded{
                         [&](const Segment&) -> Curve2 {
@@ -176,8 +175,8 @@ Curve2 with_ends(const Curve2& curve, const Vec2& a, const Vec2& b) {
                     curve);
 }
 
-/// Where two curves are to meet once what lay between the end p of the one and the start q of the
-/// other is gone. Arcs stay as they are if they can: moving an end moves all of an arc.
+/// Where two curves shall meet once the curves between the end p of the one and the start q of the
+/// other are removed. Arcs stay unchanged if possible: moving an end moves the whole arc.
 Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) {
   const Vec2 p = end_of(before);
   const Vec2 q = start_of(after);
@@ -190,7 +189,7 @@ Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) 
   const Segment* s = std::get_if<Segment>(&before);
   const Segment* t = std::get_if<Segment>(&after);
   if (!s || !t) return middle;
-  // Where the two lines cross, both keep their direction.
+  // At the crossing of the two lines, both keep their direction.
   const Vec2 d = s->b - s->a;
   const Vec2 e = t->b - t->a;
   const Vec2 corner = p + cross(q - p, e) / cross(d, e) * d;
@@ -198,18 +197,18 @@ Vec2 meeting_point(const Curve2& before, const Curve2& after, double tolerance) 
   return near ? corner : middle;
 }
 
-/// What is left when short curves go, and after which of it there is a gap.
+/// The items left after short curves are removed, and which of them a gap follows.
 struct Thinned {
   Items kept;
   std::vector<char> gap_after;
 };
 
-/// Several short curves in a row become segments as long as the tolerance until less than that is
-/// left, so that a chain of short curves is thinned and not lost.
+/// Several short curves in a row become segments as long as the tolerance, until less than that is
+/// left: a chain of short curves is thinned, not lost.
 Thinned thinned(const Items& items, const std::vector<char>& is_short, double tolerance) {
   const std::size_t n = items.size();
   const auto first_long = std::find(is_short.begin(), is_short.end(), 0) - is_short.begin();
-  const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap round
+  const std::size_t offset = static_cast<std::size_t>(first_long) % n;  // runs must not wrap around
   Thinned result;
   for (std::size_t k = 0; k < n;) {
     const std::size_t i = (offset + k) % n;
@@ -235,7 +234,7 @@ Thinned thinned(const Items& items, const std::vector<char>& is_short, double to
   return result;
 }
 
-/// The curves beside gaps, led on to where they meet.
+/// Extends the curves beside gaps to where they meet.
 Items closed_up(Thinned thinned, double tolerance) {
   auto& [kept, gap_after] = thinned;
   const std::size_t m = kept.size();
@@ -254,8 +253,8 @@ Items closed_up(Thinned thinned, double tolerance) {
   return std::move(kept);
 }
 
-/// Without curves shorter than the tolerance; empty when there are none, or when a sliver would
-/// vanish.
+/// The items without curves shorter than the tolerance; empty if there are none, or if a sliver
+/// would vanish.
 std::optional<Items> absorbed(const Items& items, double tolerance) {
   std::vector<char> is_short(items.size());
   for (std::size_t i = 0; i < items.size(); ++i)
@@ -273,8 +272,8 @@ std::optional<Items> absorbed(const Items& items, double tolerance) {
   return closed_up(std::move(left), tolerance);
 }
 
-/// Joints made one point: arcs say where, segments and splines follow to the bit; of two arcs that
-/// miss each other by more than rounding the first is moved.
+/// Makes each joint one point: arcs determine it, segments and splines follow to the bit; of two
+/// arcs that miss each other by more than rounding, the first is moved.
 void snap(Items& items, double noise) {
   const std::size_t n = items.size();
   if (n == 1 && !std::holds_alternative<CubicSpline>(items[0].curve)) return;
@@ -311,10 +310,11 @@ MergedLoop merged(const Loop& loop, double tolerance) {
   for (const Item& item : items)
     joints.push_back({start_of(item.curve)});
   const double noise = joints.empty() ? 0.0 : kSamePoint * size_of(joints);
-  // Rounding alone must not keep a curve of no length, or two halves of a line, apart.
+  // Rounding alone must not preserve a curve of no length, or split a line in two.
   tolerance = std::max(tolerance, noise);
-  // Curves of one line or circle first, lest short ones be lost; but a short edge that is merely
-  // within the tolerance of its neighbour's line is better absorbed, which keeps both directions.
+  // Curves of one line or circle are joined first, so that short ones are not lost; but a short
+  // edge merely within the tolerance of its neighbour's line is better absorbed, which keeps both
+  // directions.
   items = grouped(items, {noise, tolerance});
   for (int round = 0; round < kMostRounds; ++round) {
     auto fewer = absorbed(items, tolerance);

@@ -13,15 +13,15 @@ namespace {
 
 using namespace geometry_detail;
 
-/// Segments in a quarter turn of the arcs with which shrinking rounds notches.
+/// Segments per quarter turn of the arcs with which shrinking rounds notches.
 constexpr int kQuadrantSegments = 8;
-/// Grid, as a share of the extent, on which an overlay that fails in doubles is repeated; GEOS
-/// never fails on a grid.
+/// An overlay that fails in doubles is repeated on a grid of this share of the extent, on which
+/// GEOS never fails.
 constexpr double kRescueGrid = 1e-11;
 
 void ignore_notice(const char*, ...) {}
 
-/// GEOS with its own state, so that calls from several threads do not meet.
+/// GEOS with its own state, so that calls from several threads are independent.
 class Geos {
  public:
   struct Release {
@@ -38,7 +38,7 @@ class Geos {
   Geos(const Geos&) = delete;
   Geos& operator=(const Geos&) = delete;
 
-  /// The area of a polygon; where its rings cross, by the even-odd rule.
+  /// The area covered by a polygon, by the even-odd rule if its rings cross.
   Geometry area_of(const Polygon& polygon) const {
     Geometry outer = ring(polygon.outer);
     if (!outer) return own(GEOSGeom_createEmptyPolygon_r(handle_));
@@ -85,7 +85,7 @@ class Geos {
     std::vector<std::vector<Vec2>> found;
     for (int i = 0; i < GEOSGetNumGeometries_r(handle_, g.get()); ++i) {
       const GEOSGeometry* part = GEOSGetGeometryN_r(handle_, g.get(), i);
-      // An overlay may leave points and lines too, where boundaries touch.
+      // An overlay may also contain points and lines where boundaries touch.
       if (GEOSGeomTypeId_r(handle_, part) != GEOS_POLYGON || GEOSisEmpty_r(handle_, part) == 1)
         continue;
       found.push_back(corners(GEOSGetExteriorRing_r(handle_, part)));
@@ -168,7 +168,7 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
     if ((boxes[i].lo.array() > boxes[i].hi.array()).any()) boxes[i] = Box2{};
   }
   const Geos geos;
-  // Only polygons that may meet another are handed over.
+  // Only polygons that may meet another are passed to GEOS.
   std::vector<Geos::Geometry> shrunk(polygons.size());
   const auto area_of = [&](std::size_t i) -> const Geos::Geometry& {
     if (!shrunk[i]) shrunk[i] = geos.shrunk(geos.area_of(polygons[i]), clearance);

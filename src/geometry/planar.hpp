@@ -1,6 +1,6 @@
 #pragma once
 
-// Vectors, Bézier spans and Bernstein polynomials as the sources of geometry use them.
+// Vectors, Bézier spans and Bernstein polynomials for the sources of geometry.
 
 #include <planish/base/assert.hpp>
 #include <planish/geometry/curve.hpp>
@@ -40,10 +40,15 @@ inline std::size_t span_count(const CubicSpline& s) {
   PLANISH_ASSERT(s.poles.size() >= 4 && s.poles.size() % 3 == 1);
   return (s.poles.size() - 1) / 3;
 }
+/// The first pole; a spline without poles stops at an assertion.
+inline const Vec2& first_pole(const CubicSpline& s) {
+  PLANISH_ASSERT(span_count(s) > 0);
+  return s.poles.front();
+}
 inline Bezier span(const CubicSpline& s, std::size_t i) {
   return {s.poles[3 * i], s.poles[3 * i + 1], s.poles[3 * i + 2], s.poles[3 * i + 3]};
 }
-/// Span and parameter in it at global parameter t in [0, 1].
+/// The span, and the parameter in it, at the global parameter t in [0, 1].
 inline std::pair<std::size_t, double> locate(const CubicSpline& s, double t) {
   const std::size_t n = span_count(s);
   const double x = std::clamp(t, 0.0, 1.0) * static_cast<double>(n);
@@ -63,7 +68,7 @@ inline Vec2 bezier_second(const Bezier& b, double t) {
   return 6.0 * ((1.0 - t) * (b[2] - 2.0 * b[1] + b[0]) + t * (b[3] - 2.0 * b[2] + b[1]));
 }
 
-/// Both halves of Bernstein coefficients (numbers or points) cut at t.
+/// Bernstein coefficients (numbers or points) of both parts of a polynomial cut at t.
 template <typename T, std::size_t M>
 std::pair<std::array<T, M>, std::array<T, M>> split(std::array<T, M> c, double t) {
   std::array<T, M> left = c;
@@ -134,7 +139,7 @@ void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
     return;
   }
   const double mid = 0.5 * (lo + hi);
-  if (hi - lo <= 2.0 * kEpsilon) {  // a multiple root, or two that doubles cannot tell apart
+  if (hi - lo <= 2.0 * kEpsilon) {  // a multiple root, or two that doubles cannot separate
     out.push_back(mid);
     return;
   }
@@ -145,8 +150,8 @@ void add_inner_roots(const std::array<double, M>& c, double lo, double hi,
 }
 
 /// Roots in [0, 1], ascending, of a polynomial in Bernstein form; none for the zero polynomial.
-/// Coefficients without a change of sign have no root between them, those with one change have
-/// exactly one (Descartes), so halving isolates all.
+/// Coefficients without a change of sign have no root, those with one change exactly one
+/// (Descartes), so halving isolates all roots.
 template <std::size_t M>
 std::vector<double> roots(const std::array<double, M>& c) {
   std::vector<double> found;
@@ -176,8 +181,8 @@ inline std::vector<double> extrema(const Bezier& b, int axis) {
                                      b[3][axis] - b[2][axis]});
 }
 
-/// The arc from a to b that turns by `sweep` (|sweep| < 2π). Its ends miss a and b by at most a
-/// few ε·radius: more is not possible with a centre that far away.
+/// The arc from a to b that turns by `sweep` (|sweep| < 2π). Its ends miss a and b by at most a few
+/// ε·radius: a centre that far away permits no better.
 inline Arc arc_between(const Vec2& a, const Vec2& b, double sweep) {
   const Vec2 chord = b - a;
   const Vec2 to_center = chord / 2.0 + perpendicular(chord) / (2.0 * std::tan(sweep / 2.0));

@@ -62,7 +62,7 @@ double size_of(const std::vector<Station>& path) {
     box.add(s.point);
     coordinates = std::max(coordinates, largest(s.point));
   }
-  // Coordinates far from the origin carry rounding of their own.
+  // Coordinates far from the origin have rounding errors of their own.
   return std::max(largest(box.size()), kEpsilon / kSamePoint * coordinates);
 }
 
@@ -97,12 +97,12 @@ std::optional<Arc> arc_through(const std::vector<Station>& path) {
   const Vec2 to_start = a - *center;
   double sweep = 2.0 * pi;
   if (!closed) {
-    // From the half chord and the height of the centre over it: exact however flat the arc.
+    // From the half chord and the height of the centre above it: exact however flat the arc.
     const Vec2 to_middle = to_start + 0.5 * chord;
     const double height = -cross(chord, to_middle) / chord.norm();
     sweep = 2.0 * std::atan2(0.5 * chord.norm(), sense * height);
   }
-  if (std::abs(turned - sense * sweep) > pi) return std::nullopt;  // goes round more than once
+  if (std::abs(turned - sense * sweep) > pi) return std::nullopt;  // goes around more than once
   return Arc{*center, to_start.norm(), angle_of(to_start), sense * sweep};
 }
 
@@ -121,7 +121,7 @@ std::optional<double> beyond_ends(const std::vector<Station>& path, const Arc& a
     beyond = std::max({beyond, -angle, angle - std::abs(arc.sweep)});
     last = d;
   }
-  return beyond * (arc.radius + tolerance);  // where the path is outside the circle
+  return beyond * (arc.radius + tolerance);  // if the path is outside the circle
 }
 
 bool follows(const std::vector<Station>& path, const Arc& arc, double tolerance) {
@@ -142,10 +142,10 @@ using namespace geometry_detail;
 /// Evenly spaced stations of a span, to fit a circle to and to follow its turning.
 constexpr int kStationsPerSpan = 24;
 
-/// Stations at every end, and wherever a span turns back or is farthest out seen along `chord`:
-/// on them alone the test for a line is exact.
+/// Stations at every end, and wherever a span turns back along `chord` or is farthest from it: with
+/// these the test for a line is exact.
 std::vector<Station> extreme_stations(const CubicSpline& spline) {
-  const Vec2 chord = spline.poles.back() - spline.poles.front();
+  const Vec2 chord = spline.poles.back() - first_pole(spline);
   const Vec2 along = chord.isZero(0.0) ? Vec2(Vec2::UnitX()) : chord.stableNormalized();
   std::vector<Station> path{{spline.poles.front()}};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
@@ -179,9 +179,9 @@ std::vector<double> angular_extrema(const Bezier& b, const Vec2& center) {
   return roots(c);
 }
 
-/// Evenly spaced stations, and where the spline turns back round the centre (if given).
+/// Evenly spaced stations, and those where the spline turns back about the centre (if given).
 std::vector<Station> even_stations(const CubicSpline& spline, const std::optional<Vec2>& center) {
-  std::vector<Station> path{{spline.poles.front(), 0.0}};
+  std::vector<Station> path{{first_pole(spline), 0.0}};
   for (std::size_t i = 0; i < span_count(spline); ++i) {
     const Bezier b = span(spline, i);
     std::vector<double> at;
@@ -201,8 +201,8 @@ std::vector<Station> even_stations(const CubicSpline& spline, const std::optiona
   return path;
 }
 
-/// Whether |B|² of these coefficients lies in [low, high] all along: surely if the coefficients
-/// do, surely not if an end does not; halving decides the rest.
+/// Whether |B|² with these coefficients stays in [low, high]: certainly if the coefficients do,
+/// certainly not if an end does not; halving decides the rest.
 bool within(const std::array<double, 7>& c, double low, double high, int halvings) {
   if (!(c.front() >= low && c.front() <= high && c.back() >= low && c.back() <= high)) return false;
   const auto [least, most] = std::minmax_element(c.begin(), c.end());

@@ -20,7 +20,7 @@ Polygon polygon_of(const Region& region, double chord) {
 
 double ring_area(const std::vector<Vec2>& ring) {
   if (ring.empty()) return 0.0;
-  // About the first corner: far from the origin the products would swallow a small area.
+  // About the first corner: far from the origin, rounding of the products would swamp a small area.
   double twice = 0.0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
     twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
@@ -86,7 +86,7 @@ EnclosingRectangle smallest_rectangle(const std::vector<Vec2>& points) {
     return rectangle((hull[1] - hull[0]).norm(), 0.0, (hull[1] - hull[0]).stableNormalized());
 
   // A smallest rectangle has a side on an edge of the hull. The three corners farthest ahead,
-  // across and behind only move on as the edges turn.
+  // across and behind only advance as the edges turn.
   EnclosingRectangle best;
   double smallest = std::numeric_limits<double>::infinity();
   std::size_t ahead = 1;

@@ -16,8 +16,8 @@
 namespace planish::geometry_detail {
 namespace {
 
-/// How far past its first and last ruling the surface is searched, in lengths of the end intervals:
-/// points of a border must be found even where rounding puts them outside.
+/// How far beyond its first and last ruling the surface is searched, in lengths of the end
+/// intervals: points of a border must be found even if rounding puts them outside.
 constexpr double kMargin = 0.1;
 
 struct HermiteValue {
@@ -59,8 +59,8 @@ struct Passing {
   double value, slope;
 };
 
-/// Root in a bracket with a.value <= 0 <= b.value: Newton, halving the bracket where a step would
-/// leave it or is not shorter than half the step before.
+/// Root in a bracket with a.value <= 0 <= b.value: Newton, halving the bracket if a step would
+/// leave it or is longer than half the previous step.
 template <class Function>
 double root_between(const Function& passing, Passing a, Passing b) {
   const double finest = 4.0 * kEpsilon * std::max({std::abs(a.u), std::abs(b.u), b.u - a.u});
@@ -89,8 +89,8 @@ Passing turning_point(const Function& passing, Passing a, Passing b) {
   return a;
 }
 
-/// The roots at which the function rises. Falling roots lie past the edge of regression. Two roots
-/// between neighbouring nodes, one on either side of that edge, are told apart by the slopes.
+/// The roots at which the function rises; it falls at roots beyond the edge of regression. The
+/// slopes distinguish two roots between neighbouring nodes, one on either side of that edge.
 template <class Function>
 std::vector<double> rising_roots(const Function& passing, const std::vector<Passing>& nodes) {
   std::vector<double> roots;
@@ -109,8 +109,8 @@ std::vector<double> rising_roots(const Function& passing, const std::vector<Pass
   return roots;
 }
 
-/// Knots, and points between where knots are few, from slightly before the first to slightly past
-/// the last.
+/// Knots, and points between them if knots are few, from slightly before the first to slightly
+/// beyond the last.
 std::vector<double> scan_positions(const Ruled& ruled) {
   constexpr std::size_t kEnough = 64;
   const auto& k = ruled.knots;
@@ -131,8 +131,8 @@ double distance_to_ruling(const Ruled& ruled, const Vec3& p, double u) {
   return (p - f.b).cross(f.g).norm();
 }
 
-/// The ruling in `us` nearest to p; of those equally near (for the distance of p to the directrix),
-/// the one nearest to u_near.
+/// The ruling in `us` nearest to p; of equally near ones (relative to the distance of p from the
+/// directrix), the one nearest to u_near.
 double nearest_ruling(const Ruled& ruled, const Vec3& p, double u_near,
                       const std::vector<double>& us) {
   const double scale = (p - frame_at(ruled, us.front()).b).norm();
@@ -304,7 +304,7 @@ void RuledImage::append(const Ruled& ruled, double offset, double begin, double 
   const Vec3 start = spans_.empty() ? Vec3(0.0, 0.0, 0.5 * std::numbers::pi)
                                     : series_at(spans_.back().state, 1.0);
   const Span span = integrated(ruled, offset, begin, end, start);
-  // Two terms, because every other one of an even or odd function is zero.
+  // Two terms, because every other term of an even or odd function is zero.
   const Vec3 tail = span.state[kTerms].cwiseAbs().cwiseMax(span.state[kTerms - 1].cwiseAbs());
   const bool fine = tail.head<2>().maxCoeff() <= kTail * extent && tail.z() <= kTail &&
                     std::abs(series_at(span.state, 1.0).z() - start.z()) <= kLargestTurn;

@@ -7,8 +7,8 @@
 
 namespace planish::geometry_detail {
 
-/// What a ruled surface is at u: directrix b, ruling g, normal n, and across = g × n, the direction
-/// in the tangent plane perpendicular to the ruling towards growing u. Primes are d/du.
+/// A ruled surface at u: directrix b, ruling g, normal n, and across = g × n, the direction in the
+/// tangent plane perpendicular to the ruling towards growing u. Primes are d/du.
 struct RulingFrame {
   Vec3 b, b_prime;
   Vec3 g, g_prime;
@@ -24,8 +24,8 @@ Vec2 nearest_on(const Ruled& ruled, const Vec3& p, double u_near);
 /// the plane has G = (cos ψ, sin ψ) and B(u). A developable's tangent plane turns only about its
 /// rulings, so plane and surface see the same rates (math.md#general-developable):
 ///   ψ′ = −g′·across,  B′ = (b′·g) G + (b′·across) (sin ψ, −cos ψ).
-/// Both are integrated with Chebyshev series on spans that are halved until the series ends in
-/// terms below 1e-13 of the extent.
+/// Both are integrated with Chebyshev series on spans, halved until the last terms are below 1e-13
+/// of the extent.
 class RuledImage {
  public:
   RuledImage(const Ruled& ruled, double offset);

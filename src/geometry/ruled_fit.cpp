@@ -32,7 +32,7 @@ class KnotPlacer {
     return k;
   }
 
-  /// Appends the knots after k0 up to k1, whatever lies between halved until it is near enough.
+  /// Appends the knots after k0 up to k1, halving the interval until it is accurate enough.
   void append(std::vector<Ruled::Knot>& knots, const Ruled::Knot& k0, const Ruled::Knot& k1,
               int halvings) const {
     if (halvings == 0 || near_enough(k0, k1)) {

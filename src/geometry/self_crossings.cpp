@@ -9,7 +9,7 @@ namespace {
 
 using namespace geometry_detail;
 
-/// Side of c on the line through a and b; 0 where rounding decides.
+/// The side of the line through a and b on which c lies; 0 if rounding decides.
 int side(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double left = (b.x() - a.x()) * (c.y() - a.y());
   const double right = (b.y() - a.y()) * (c.x() - a.x());
@@ -19,7 +19,7 @@ int side(const Vec2& a, const Vec2& b, const Vec2& c) {
 }
 
 /// Boxes of runs of neighbouring edges, halved down to single edges. Neighbours lie together, so
-/// most runs that are far apart along the ring are told apart at once.
+/// most runs that are far apart along the ring are separated at once.
 class Runs {
  public:
   explicit Runs(const std::vector<Vec2>& ring) : ring_(ring), boxes_(4 * ring.size()) {
@@ -59,7 +59,8 @@ class Runs {
   template <typename Visit>
   void between(std::size_t a, std::size_t a0, std::size_t a1, std::size_t b, std::size_t b0,
                std::size_t b1, const Visit& visit) const {
-    // Edges that cross properly share more than a border of their boxes, unless upright or level.
+    // The boxes of properly crossing edges share more than a side, unless an edge is upright or
+    // level.
     if ((boxes_[a].lo.array() > boxes_[b].hi.array()).any()) return;
     if ((boxes_[b].lo.array() > boxes_[a].hi.array()).any()) return;
     if (a1 - a0 == 1 && b1 - b0 == 1) {

@@ -7,13 +7,13 @@
 namespace planish::inspect_detail {
 namespace {
 
-/// How far beside the corner of a bend zone is looked for material: ten times what a drawing may
-/// be off. Four times as far along the bend as across, so that an edge which runs on straight but
-/// slanting past the bend is not taken for one that the bend ends in.
+/// How far beside the corner of a bend zone material is sought: ten times a drawing's error, and
+/// four times as far along the bend as across, so that an edge that continues straight but slanted
+/// past the bend does not count as sheet beside it.
 constexpr double kAcross = 10.0 * kDrawn;
 constexpr double kBeside = 4.0 * kAcross;
 
-/// How deep the bottom of a relief is looked for, as a multiple of R + T. Deeper ones are cut-outs.
+/// How deep the bottom of a relief is sought, as a multiple of R + T. Deeper ones are cut-outs.
 constexpr double kReach = 5.0;
 
 /// A corner of a bend zone: an end of a tangent line.
@@ -23,7 +23,7 @@ struct ZoneCorner {
   Vec2 outward;  // unit vector across it, into the flange
 };
 
-/// The relief beside a corner. Width and depth are infinite where no material limits them.
+/// The relief beside a corner. Width and depth are infinite if no material limits them.
 struct Relief {
   Vec2 at = Vec2::Zero();
   bool missing = false;
@@ -31,13 +31,13 @@ struct Relief {
   double depth = std::numeric_limits<double>::infinity();  // beyond the tangent line
 };
 
-/// Limits of a relief, the depth beyond the tangent line.
+/// Limits for a relief; depth is beyond the tangent line.
 struct Limits {
   double width = 0.0;
   double depth = 0.0;
 };
 
-/// The corners of a bend zone at the end of the bend that lies in `direction`.
+/// The corners of a bend zone at the bend's end in `direction`.
 std::vector<ZoneCorner> corners_towards(const Workpiece& workpiece, size_t bend,
                                         const Vec2& direction) {
   std::vector<ZoneCorner> corners;
@@ -61,7 +61,7 @@ bool uncut(const Workpiece& workpiece, const Vec2& from, const Vec2& to) {
 }
 
 /// Whether the flange's own sheet lies beside the corner, `beside` along the bend and `depth` into
-/// the flange: then one gets there from the bend, down and then aside, without crossing a cut.
+/// the flange: if so, a path from the bend into the flange and then aside crosses no cut.
 bool flange_goes_on(const Workpiece& workpiece, const ZoneCorner& corner, double beside,
                     double depth) {
   const Vec2 inside = corner.at - kBeside * corner.beyond;
@@ -71,9 +71,9 @@ bool flange_goes_on(const Workpiece& workpiece, const ZoneCorner& corner, double
   return workpiece.material(goal) && uncut(workpiece, start, turn) && uncut(workpiece, turn, goal);
 }
 
-/// The relief between a corner and the sheet beside it; as wide and deep as can be where the
-/// flange does not go on beside the bend, not even round a relief: at free ends, and at the side
-/// of a tab, where the slit beside it is not a relief.
+/// The relief between a corner and the sheet beside it; infinite if the flange does not continue
+/// beside the bend, not even around a relief: at free ends, and at the side of a tab, where the
+/// slit beside it is not a relief.
 Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Limits& limits,
                  double reach) {
   Relief relief{corner.at};
@@ -139,7 +139,8 @@ std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules
     if (!workpiece.spans[b]) continue;
     const FlatBend& bend = workpiece.pattern.bends[b];
     const double outside = bend.inside_radius + workpiece.thickness;
-    // Measured from the outside of the bend, as flanges are: there R + T reaches the tangent line.
+    // Measured from the outside of the bend, like flanges: from there R + T reaches the tangent
+    // line.
     const Limits limits{rules.relief_width_t * workpiece.thickness,
                         rules.relief_depth_t * workpiece.thickness +
                             rules.relief_depth_r * bend.inside_radius - outside};
@@ -151,7 +152,7 @@ std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules
         const Relief relief = relief_at(workpiece, corner, limits, kReach * outside);
         if (excess(relief, limits) < excess(worst, limits)) worst = relief;
       }
-      // Bends that meet in a corner lack one relief between them.
+      // Bends that meet in a corner lack only one relief between them.
       if (excess(worst, limits) >= -kDrawn || seen_already(result, worst.at, workpiece.thickness))
         continue;
       result.push_back(

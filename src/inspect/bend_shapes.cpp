@@ -70,7 +70,7 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   result.push_back(std::move(one));
 }
 
-/// K is a property of material and tool, so all bends with the same wrong one make one finding.
+/// K is a property of material and tool, so all bends with the same wrong K give one finding.
 void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
                        std::vector<Observation>& result) {
   constexpr double kSame = tolerance::kWrittenDigits;

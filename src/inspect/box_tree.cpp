@@ -8,7 +8,7 @@ BoxTree::BoxTree(std::vector<Box2> boxes) : boxes_(std::move(boxes)) {
   for (size_t i = 0; i < boxes_.size(); ++i)
     if (!boxes_[i].empty()) ids_.push_back(i);
   if (ids_.empty()) return;
-  // Halving makes a full tree but for its last level.
+  // Halving makes a tree that is full except in its last level.
   size_t nodes = 1;
   for (size_t size = ids_.size(); size > kLeaf; size = (size + 1) / 2)
     nodes = 2 * nodes + 1;

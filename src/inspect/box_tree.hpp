@@ -7,8 +7,8 @@
 
 namespace planish::inspect_detail {
 
-/// A tree of boxes, by which those near a place are found without looking at the rest. Ids are
-/// positions in the list given; empty boxes are never found.
+/// A tree of boxes that finds those near a place without visiting the rest. Ids are indices in the
+/// given list; empty boxes are never found.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box2> boxes);
@@ -53,7 +53,7 @@ inline Box2 widened(Box2 box, double reach) {
   return box;
 }
 
-/// The smallest distance that points of two boxes can have.
+/// The smallest distance between points of two boxes.
 inline double box_distance(const Box2& a, const Box2& b) {
   const Vec2 apart = (a.lo - b.hi).cwiseMax(b.lo - a.hi).cwiseMax(Vec2::Zero());
   return apart.norm();

@@ -45,7 +45,7 @@ double measured_setback(const FlatBend& bend, double thickness) {
 
 FlatLength shortest_flat(const Workpiece& workpiece, const BendSide& side, double reach,
                          double margin) {
-  // An opening ends a flange only where the bend ends at it too: the window of a tab.
+  // An opening ends a flange only if the bend ends at it too: the window of a tab.
   const auto ends_flange = [&](size_t ring) {
     return ring == 0 || workpiece.openings[ring - 1].bounds.contains(side.bend);
   };
@@ -55,7 +55,7 @@ FlatLength shortest_flat(const Workpiece& workpiece, const BendSide& side, doubl
     const double t = share + (1.0 - 2.0 * share) * i / (kStations - 1);
     const Vec2 station = side.start + t * (side.end - side.start);
     if (!on_material(side, station)) continue;
-    // From a little inside the bend, so that an edge on the tangent line is met.
+    // From slightly inside the bend, so that an edge on the tangent line is met.
     const Vec2 origin = station - kDrawn * side.outward;
     const double edge = workpiece.contours.first_hit(origin, side.outward, reach + kDrawn,
                                                      ends_flange);
@@ -74,8 +74,8 @@ std::vector<Observation> observe_flange_heights(const Workpiece& workpiece, cons
   for (const BendSide& side : workpiece.sides) {
     const FlatBend& bend = workpiece.pattern.bends[side.bend];
     if (is_hem(bend)) continue;
-    // At 90° the outside of the bend lies R + T from the tangent line; the flat length that the
-    // die needs beyond the bend is the same whatever the angle.
+    // At 90° the outside of the bend lies R + T from the tangent line; the flat length that the die
+    // needs beyond the bend does not depend on the angle.
     const double limit = rules.flange_height_t * workpiece.thickness +
                          rules.flange_height_r * bend.inside_radius;
     const double wanted = limit - (bend.inside_radius + workpiece.thickness);

@@ -43,7 +43,7 @@ Gap gap_of_segments(const Segment& a, const Segment& b) {
       return {0.0, meeting, meeting};
     }
   }
-  return gap_of_ends(a, b);  // segments that do not meet are nearest at an end of one
+  return gap_of_ends(a, b);  // segments that do not cross are nearest at an end of one
 }
 
 const Arc* full_circle(const Curve2& curve) {
@@ -52,7 +52,7 @@ const Arc* full_circle(const Curve2& curve) {
   return arc && std::abs(arc->sweep) >= kFull ? arc : nullptr;
 }
 
-/// From a full circle to a curve outside of it; no distance if the curve reaches into it.
+/// From a full circle to a curve outside it; empty if the curve reaches into it.
 Gap gap_of_circle(const Arc& circle, const Curve2& curve) {
   const Gap from_center = gap_from(circle.center, curve);
   if (from_center.distance <= circle.radius) return {};
@@ -68,8 +68,8 @@ int sample_count(const Curve2& curve) {
   return 16;
 }
 
-/// The least distance to `b` of the points of `a` between t0 and t1: golden sections, until the
-/// interval is so small that the distance no longer changes.
+/// The least distance to `b` of the points of `a` between t0 and t1: golden section until the
+/// distance no longer changes.
 Gap refined(const Curve2& a, const Curve2& b, double t0, double t1) {
   constexpr double kGolden = 0.6180339887498949;
   constexpr int kSteps = 45;  // 0.618^45 = 4e-10 of the interval: beyond, rounding decides
@@ -133,7 +133,7 @@ Gap gap_between(const Curve2& a, const Curve2& b) {
   if (const Arc* circle = full_circle(b)) {
     if (const Gap gap = gap_of_circle(*circle, a); std::isfinite(gap.distance)) return swapped(gap);
   }
-  // The straighter curve gives the quicker nearest point, the other one is walked.
+  // The nearest point on the straighter curve is faster to find, so the other one is sampled.
   return segment_a ? swapped(gap_by_sampling(b, a)) : gap_by_sampling(a, b);
 }
 

@@ -23,13 +23,13 @@ struct BoxedLoop {
   Box2 box;
 };
 
-/// Nearest points of two curves, a on the first. Exact where one is a full circle outside the
-/// other curve or both are segments; else sampled and refined to rounding, which can miss
-/// only a second place as near. Curves that cross have distance 0 when both are segments, and a
-/// small one otherwise.
+/// Nearest points of two curves, a on the first. Exact if one is a full circle outside the other
+/// curve or both are segments; else sampled and refined to rounding, which can only miss a second
+/// place that is equally near. Crossing curves have distance 0 if both are segments, and a small
+/// one otherwise.
 Gap gap_between(const Curve2& a, const Curve2& b);
 
-/// Nearest points of two loops if they are nearer than `reach`, else an infinite distance.
+/// Nearest points of two loops if they are closer than `reach`, else an infinite distance.
 Gap gap_between(const BoxedLoop& a, const BoxedLoop& b, double reach);
 Gap gap_between(const BoxedLoop& a, const Curve2& b, double reach);
 

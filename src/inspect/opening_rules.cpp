@@ -25,7 +25,7 @@ Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b
     };
     if (std::any_of(side.segments.begin(), side.segments.end(), ends_at_opening)) ++limits_cut;
   }
-  // A cut from flange to flange is made on purpose; an edge within the zone is torn open.
+  // A cut from flange to flange is deliberate; an edge within the zone tears open.
   const bool through = limits_cut == 2;
   const std::string what = opening_text(opening);
   if (through) {
@@ -129,7 +129,7 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, c
 
 namespace {
 
-/// Each opening with its nearest neighbour: of a perforation, not every pair within reach.
+/// An opening's nearest neighbour: a perforation would have too many pairs within reach.
 struct Neighbour {
   Gap gap;
   size_t other = 0;
@@ -168,7 +168,9 @@ std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece
   for (size_t i = 0; i < openings.size(); ++i) {
     const Neighbour& n = nearest[i];
     if (!(n.gap.distance < limit)) continue;
-    if (n.other < i && nearest[n.other].other == i) continue;  // reported with the other one
+    if (n.other < i && nearest[n.other].other == i)
+      continue;  // already reported with the other
+                 // one
     const auto& [first, second] = std::minmax(openings[i].size_text, openings[n.other].size_text);
     result.push_back({{"opening_to_opening",
                        Severity::warning,

@@ -26,7 +26,7 @@ NearestPoint nearest_point(const Opening& opening, const Vec2& p) {
 }
 
 /// Radius of the largest circle within the opening that touches it at p, where `in` points inwards:
-/// a circle too large is shrunk until it touches the place nearest to its centre.
+/// too large a circle is shrunk until it touches the point nearest to its centre.
 double touching_radius(const Opening& opening, const Vec2& p, const Vec2& in) {
   double radius = opening.boxed.box.size().norm();
   constexpr int kMostSteps = 60;
@@ -40,7 +40,7 @@ double touching_radius(const Opening& opening, const Vec2& p, const Vec2& in) {
   return radius;
 }
 
-/// Places tried on a curve, off its ends, where there may be corners.
+/// Number of places tried on a curve, away from its ends, where there may be corners.
 int place_count(const Curve2& curve) {
   constexpr int kPlaces = 8;
   const auto* spline = std::get_if<CubicSpline>(&curve);
@@ -48,9 +48,9 @@ int place_count(const Curve2& curve) {
                 : kPlaces;
 }
 
-/// Radius of the largest circle that fits into the opening, not looked for beyond `enough`. A
-/// largest circle touches the opening, so places of contact are tried along its curves, and the
-/// best is refined by halving the steps.
+/// Radius of the largest circle that fits into the opening, sought only up to `enough`. A largest
+/// circle touches the opening, so places of contact are tried along its curves, and the best is
+/// refined by halving the steps.
 double inscribed_radius(const Opening& opening, double enough) {
   const double turn = signed_area(*opening.loop) < 0.0 ? -1.0 : 1.0;
   const auto radius_at = [&](const Curve2& curve, double t) {

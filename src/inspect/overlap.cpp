@@ -19,21 +19,21 @@ using namespace inspect_detail;
 
 namespace {
 
-/// By how much regions are shrunk before their overlap is measured. Overlaps less deep than twice
-/// this cannot be told from the errors of flattened curves, or of a closed ring of joints, of which
-/// each side gets half.
+/// By how much regions are shrunk before their overlap is measured. Overlaps shallower than twice
+/// this cannot be distinguished from the errors of flattened curves, or of a closed cycle of
+/// joints, half of which each side gets.
 double contact_clearance(const FlatPattern& pattern) {
   const double curves = 2.0 * FlattenOptions{}.curve_tolerance;
   return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
 }
 
-/// Everything that takes area in the pattern, and what part of the sheet it is.
+/// Everything that takes area in the pattern, and the part of the sheet that it belongs to.
 struct Regions {
   std::vector<Polygon> polygons;
   std::vector<PartId> parts;
-  std::vector<std::optional<FaceId>> faces;  ///< empty for the strip of a sharp bend
-  /// Area that two faces may share: seen from its outside, a sharp bend takes less than the faces
-  /// give, so that they reach over each other.
+  std::vector<std::optional<FaceId>> faces;  ///< empty for the band of a sharp bend
+  /// Area that two faces may share: with the reference skin outside, a sharp bend takes less than
+  /// its faces give, so they reach over each other.
   std::map<std::pair<std::optional<FaceId>, std::optional<FaceId>>, double> shared;
 };
 
@@ -45,14 +45,14 @@ void add_faces(const Sheet& sheet, const Layout& layout, double chord, Regions& 
   }
 }
 
-/// A sharp bend has no face; its strip lies between the borders that it joins.
+/// A sharp bend has no face; its band lies between the borders that it joins.
 void add_sharp_bends(const Sheet& sheet, const Layout& layout, Regions& regions) {
   for (const Joint& joint : sheet.joints) {
     if (!joint.sharp) continue;
     const Curve2& a = layout.image(joint.a);
     const Curve2& b = layout.image(joint.b);
     const std::vector<Vec2> strip{start_of(a), end_of(a), start_of(b), end_of(b)};
-    // A face lies left of its borders, or right of them where the pattern shows the other side.
+    // A face lies left of its borders, or right of them if the pattern shows the other side.
     const double turn = signed_area(layout.outline(joint.a.face));
     if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
       regions.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
@@ -80,7 +80,7 @@ double ring_length(const std::vector<Vec2>& ring) {
   return sum;
 }
 
-/// What two parts share, all places together.
+/// The area that two parts share, all places together.
 struct SharedArea {
   double area = 0.0;
   int places = 0;
@@ -92,13 +92,13 @@ SharedByParts shared_by_parts(const Regions& regions, double clearance) {
   SharedByParts result;
   for (const Overlap& overlap : overlaps(regions.polygons, clearance, clearance * clearance)) {
     const int first = overlap.first, second = overlap.second;
-    // Shrinking both regions took a rim as wide as the clearance off what they share.
+    // Shrinking both regions removed a rim as wide as the clearance from the shared area.
     double area = overlap.area;
     for (const auto& ring : overlap.outline)
       area += clearance * ring_length(ring);
     const auto allowed = regions.shared.find(
         std::minmax(regions.faces[first], regions.faces[second]));
-    constexpr double kSameArea = 1e-6;  // what shrinking and rounding leave
+    constexpr double kSameArea = 1e-6;  // left by shrinking and rounding
     if (allowed != regions.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
     SharedArea& shared = result[std::minmax(regions.parts[first], regions.parts[second])];
     shared.area += area;
@@ -125,9 +125,9 @@ Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, Part
 
 // ---- contours that cross themselves
 
-/// Whether the ring runs over itself near p rather than merely touching itself: then some place
-/// between the edges that cross there is enclosed twice, or from the wrong side, and lies deeper
-/// than the clearance. Where the edges cross at a small angle it is narrow and farther away.
+/// Whether the ring overlaps itself near p rather than merely touching itself: then a place between
+/// the edges that cross there is enclosed twice, or from the wrong side, and is deeper than the
+/// clearance. If the edges cross at a small angle, that place is narrow and farther away.
 bool runs_over_itself(const RingIndex& ring, double orientation, const Vec2& p, double clearance,
                       double extent) {
   constexpr int kDirections = 96;
@@ -157,7 +157,7 @@ std::vector<Vec2> true_crossings(const Loop& loop, double clearance, double chor
   return found;
 }
 
-/// Crossings within an overlap that has been found already are left out.
+/// Skips crossings within an overlap that was already found.
 void add_crossing(const Loop& loop, const std::string& name, double clearance, double chord,
                   std::vector<Finding>& findings) {
   std::vector<Vec2> crossings = true_crossings(loop, clearance, chord);
@@ -185,10 +185,11 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
 
 std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
                                    const FlatPattern& pattern) {
+  require_valid(pattern);
   PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
   const double clearance = contact_clearance(pattern);
   const double chord = 0.25 *
-                       clearance;  // polygons of one curve seen from both sides still touch only
+                       clearance;  // polygons of one curve from its two sides still only touch
   Regions regions;
   add_faces(sheet, layout, chord, regions);
   add_sharp_bends(sheet, layout, regions);

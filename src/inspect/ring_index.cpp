@@ -35,7 +35,7 @@ int RingIndex::winding(const Vec2& p) const {
   index_.visit(ray, [&](size_t id) {
     const Vec2& a = edges_[id].a;
     const Vec2& b = edges_[id].b;
-    // Each edge owns its lower end, so that a corner on the ray counts once.
+    // Each edge includes only its lower end, so that a corner on the ray counts once.
     const bool rises = b.y() > p.y();
     if ((a.y() > p.y()) == rises) return;
     const double side = cross(b - a, p - a);

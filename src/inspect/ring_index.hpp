@@ -8,12 +8,12 @@
 
 namespace planish::inspect_detail {
 
-/// Closed polygons, indexed for questions about points and rays. Ring i is the i-th given.
+/// Closed polygons, indexed for queries with points and rays. Ring i is the i-th given.
 class RingIndex {
  public:
   explicit RingIndex(const std::vector<std::vector<Vec2>>& rings);
 
-  /// Whether an odd number of rings surrounds p: material, when the rings are a pattern's contours.
+  /// Whether an odd number of rings surrounds p: material, if the rings are a pattern's contours.
   bool odd(const Vec2& p) const;
   /// How often the rings turn about p, counter-clockwise positive.
   int winding(const Vec2& p) const;

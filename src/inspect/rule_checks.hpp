@@ -21,14 +21,14 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const
 /// outer mould line up to 90°, from the tangent plane beyond.
 double measured_setback(const FlatBend& bend, double thickness);
 
-/// Flat length beside a bend.
+/// The flat length beside a bend.
 struct FlatLength {
   double length = 0.0;               ///< from the tangent line, mm; infinite beyond the reach
   Vec2 at = Vec2::Zero();            ///< on the tangent line
   std::optional<size_t> other_bend;  ///< the flange ends at that bend's tangent line
 };
 /// The shortest flat length at a side of a bend, up to `reach`, measured at stations along it.
-/// Within `margin` of the ends of the bend, chamfers and rounded corners are accepted.
+/// Chamfers and rounded corners within `margin` of the bend's ends are accepted.
 FlatLength shortest_flat(const Workpiece& workpiece, const BendSide& side, double reach,
                          double margin);
 

@@ -1,8 +1,10 @@
 #include "rule_checks.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace planish {
 
@@ -52,6 +54,9 @@ std::span<const RuleField> rule_fields() {
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
                                  const Rules& rules) {
   if (!rules.enabled) return {};
+  require_valid(pattern);
+  for (const RuleField& field : rule_fields())
+    PLANISH_ASSERT(rules.*(field.value) >= 0.0 && std::isfinite(rules.*(field.value)));
   const Workpiece workpiece(sheet, pattern);
   std::vector<Observation> all;
   for (const auto observe :

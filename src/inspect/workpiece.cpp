@@ -15,8 +15,8 @@
 namespace planish::inspect_detail {
 namespace {
 
-/// Chord errors of the polygons that rays are cast at, as shares of the thickness. A flange or
-/// a bend is measured to the fine ones; other openings only stand in the way.
+/// Chord errors, as shares of the thickness, of the polygons at which rays are cast. Flanges and
+/// bends are measured to the fine ones; other openings only block rays.
 constexpr double kMeasuredShare = 1e-3;
 constexpr double kCoarseShare = 2e-2;
 
@@ -36,7 +36,7 @@ std::vector<std::vector<Vec2>> contour_rings(const FlatPattern& pattern,
   return rings;
 }
 
-/// Ends of collinear segments, farthest apart along the first.
+/// The farthest ends of collinear segments, along the first.
 BendSpan span_of(const std::vector<Segment>& segments) {
   const Vec2 direction = (segments.front().b - segments.front().a).stableNormalized();
   BendSpan span{segments.front().a, segments.front().b};
@@ -59,7 +59,7 @@ Vec2 offset_from_line(const FlatBend& bend, const Vec2& p) {
   return best.b - best.a;
 }
 
-/// Tangent lines of a pattern without them: half the allowance to either side.
+/// Tangent lines for a pattern without them: half the allowance on either side.
 std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
   std::vector<Segment> lines;
   for (const double side : {-0.5, 0.5}) {
@@ -72,7 +72,7 @@ std::vector<Segment> supposed_tangent_lines(const FlatBend& bend) {
   return lines;
 }
 
-/// The two limits of a bend zone, or what there is of them.
+/// The two limits of a bend zone, as far as they exist.
 std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
   if (bend.lines.empty()) return {};
   std::vector<Segment> lines = bend.tangent_lines;
@@ -99,8 +99,8 @@ std::vector<BendSide> sides_of(const FlatBend& bend, size_t id) {
   return sides;
 }
 
-/// Texts of sizes, computed once for all openings of one shape (equal in number of curves, length
-/// and area).
+/// Size texts, computed once for all openings of one shape (equal in number of curves, length and
+/// area).
 class SizeTeller {
  public:
   std::string operator()(const Loop& loop) {
@@ -128,7 +128,7 @@ bool at_loop(const Opening& opening, const Vec2& p) {
                      [&](const Curve2& curve) { return nearest(curve, p).distance <= kDrawn; });
 }
 
-/// Bends whose faces the opening was cut from.
+/// Bends from whose faces the opening was cut.
 std::set<BendId> bends_cut(const Sheet& sheet, const Contour& contour) {
   std::set<BendId> result;
   for (const auto& origins : contour.origins) {
@@ -150,8 +150,8 @@ Opening opening_of(const Contour& contour, SizeTeller& size_text) {
   return opening;
 }
 
-/// Which bends end at an opening, and into which it reaches. At a relief or a window a bend has an
-/// outermost end; an opening elsewhere lies in its course.
+/// Finds which bends end at an opening, and into which it reaches. A bend has an outermost end at a
+/// relief or a window; other openings lie between its ends.
 void relate(Opening& opening, const Sheet& sheet, const Contour& contour,
             const Workpiece& workpiece) {
   const std::set<BendId> cut = bends_cut(sheet, contour);

@@ -42,11 +42,10 @@ struct Opening {
   std::string size_text;        ///< "Ø 6 mm", "12 × 4 mm"
   bool is_cut = false;          ///< a slit without area, which is not punched
   std::set<size_t> bounds;      ///< bends that end at it: it is a relief, or the window of a tab
-  std::set<size_t> reaches_in;  ///< bends whose zone it takes material from
+  std::set<size_t> reaches_in;  ///< bends from whose zone it takes material
 };
 
-/// A flat pattern prepared for questions about places in it. Holds references: the pattern must
-/// outlive it.
+/// A flat pattern prepared for queries by place. Holds references: the pattern must outlive it.
 struct Workpiece {
   Workpiece(const Sheet& sheet, const FlatPattern& pattern);
 
@@ -57,7 +56,7 @@ struct Workpiece {
   std::vector<std::optional<BendSpan>> spans;  ///< by bend; empty without bend lines
   std::vector<Box2> zones;                     ///< by bend: box of its lines
   std::vector<TangentSegment> tangent_lines;   ///< the segments of all sides
-  BoxTree tangent_index;                       ///< of their boxes
+  BoxTree tangent_index;                       ///< index of their boxes
   std::vector<Opening> openings;
 
   bool material(const Vec2& p) const { return contours.odd(p); }
@@ -65,8 +64,8 @@ struct Workpiece {
   bool joined_by_material(const Vec2& a, const Vec2& b) const;
 };
 
-/// A bend of so large a radius is rolled, not pressed: its flanges need not bridge a die, and
-/// openings in it keep their shape.
+/// Whether the radius is so large that the bend is rolled, not pressed: its flanges need not bridge
+/// a die, and openings in it keep their shape.
 bool is_rolled(const FlatBend& bend, double thickness);
 /// A bend turned back on itself, by at least 170°.
 bool is_hem(const FlatBend& bend);

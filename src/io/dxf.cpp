@@ -14,7 +14,7 @@ using namespace io_detail;
 
 namespace {
 
-/// No tool marks a shorter line.
+/// Shorter lines cannot be marked by any tool.
 constexpr double kShortestMark = 1e-6;  // mm
 
 struct Styles {
@@ -27,7 +27,7 @@ Styles styles_of(LayerProfile profile) {
                 .openings = {names.openings, 4},
                 .bend_up = {names.bend_up, 5, true},
                 .bend_down = {names.bend_down, 1, true},
-                // Not dashed: some shops bend along whatever is.
+                // Not dashed: some shops bend along every dashed line.
                 .bend_zone = {names.bend_zone, 8},
                 .features = {names.features, 3}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
@@ -39,7 +39,7 @@ struct Entity {
   std::variant<Segment, Outline> geometry;
 };
 
-/// Entities in the order in which they are to be worked.
+/// Entities in the order of work.
 class Drawing {
  public:
   Drawing(const FlatPattern& pattern, const DxfOptions& options)
@@ -63,7 +63,7 @@ class Drawing {
 
   const std::vector<Entity>& entities() const { return entities_; }
   const Box2& extents() const { return extents_; }
-  /// Whether a contour cannot be cut, so that the pattern is unsound.
+  /// Whether a contour cannot be cut, so the pattern is unsound.
   bool has_empty_outline() const { return has_empty_outline_; }
 
   /// The layers in use, once each.
@@ -111,7 +111,7 @@ class Drawing {
                                               .scale = scale_});
     const Box2 box = bounds(outline);
     if (box.empty() || box.size().minCoeff() <= 0.0) {
-      // A formed feature is only marked: one that has shrunk to nothing is left out.
+      // A formed feature is only marked: one without extent is left out.
       has_empty_outline_ |= style.layer != styles_.features.layer;
       return;
     }
@@ -127,7 +127,7 @@ class Drawing {
   bool has_empty_outline_ = false;
 };
 
-/// Two periods of dash and gap at least, so that a short bend line is seen to be dashed.
+/// At least two periods of dash and gap, so that a short bend line visibly is dashed.
 double dash_scale(const Segment& line, double unit) {
   const double periods = (line.b - line.a).norm() * unit / (kDash + kGap);
   return std::clamp(periods / 2.0, 0.01, 1.0);
@@ -155,53 +155,20 @@ Result<void> checked(const DxfOptions& options) {
   return {};
 }
 
-bool is_finite(const Curve2& curve) {
-  if (const auto* s = std::get_if<Segment>(&curve)) return s->a.allFinite() && s->b.allFinite();
-  if (const auto* arc = std::get_if<Arc>(&curve)) {
-    return arc->center.allFinite() && std::isfinite(arc->radius) && std::isfinite(arc->start) &&
-           std::isfinite(arc->sweep);
-  }
-  return std::ranges::all_of(std::get<CubicSpline>(curve).poles,
-                             [](const Vec2& pole) { return pole.allFinite(); });
-}
-
-bool is_finite(const std::vector<Segment>& lines) {
-  return std::ranges::all_of(lines, [](const Segment& line) { return is_finite(Curve2(line)); });
-}
-
-bool is_contour(const Loop& loop) {
-  return !loop.empty() && std::ranges::all_of(loop, [](const Curve2& c) { return is_finite(c); });
-}
-
-/// Checked before anything is fitted to a curve.
-bool is_drawable(const FlatPattern& pattern) {
-  return is_contour(pattern.outer.loop) && is_finite(pattern.slits) &&
-         std::ranges::all_of(pattern.openings,
-                             [](const Contour& c) { return is_contour(c.loop); }) &&
-         std::ranges::all_of(pattern.features,
-                             [](const FlatFeature& feature) {
-                               return std::ranges::all_of(feature.outlines, is_contour);
-                             }) &&
-         std::ranges::all_of(pattern.bends, [](const FlatBend& bend) {
-           return is_finite(bend.lines) && is_finite(bend.tangent_lines);
-         });
-}
-
 }  // namespace
 
 Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options) {
   if (auto good = checked(options); !good) return tl::unexpected(good.error());
-  if (!is_drawable(pattern)) {
-    return fail(ErrorCode::internal,
-                "the pattern has a contour or a line that is empty or not finite");
-  }
+  if (auto sound = check(pattern); !sound) return tl::unexpected(sound.error());
+  if (pattern.outer.loop.empty())
+    return fail(ErrorCode::invalid_sheet, "The pattern has no outer contour.");
   const Drawing drawing(pattern, options);
   if (drawing.has_empty_outline()) {
     return fail(ErrorCode::internal, "the pattern has a contour without extent");
   }
 
   DL_Dxf dxf;
-  // dxflib learns the version only where it opens a file; an empty name opens none.
+  // dxflib learns the version only on opening a file; an empty name opens none.
   const std::unique_ptr<DL_WriterA> unused(dxf.out("", dxflib_version(options.version)));
   DxfWriter writer(options.version);
   write_prolog(dxf, writer, {drawing.extents(), options.units, drawing.layers()});

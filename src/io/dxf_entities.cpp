@@ -9,7 +9,7 @@ namespace {
 constexpr int kPlanarSpline = 8;
 constexpr int kClosed = 1;
 
-/// Head of an entity. Not dxflib's: with R12 that one leaves the linetype out.
+/// Head of an entity. Not dxflib's, which leaves out the linetype with R12.
 void begin(DxfWriter& w, const char* type, const char* subclass, const EntityStyle& style,
            double dash_scale = 1.0) {
   w.entity(type);
@@ -81,9 +81,9 @@ void write(DxfWriter& w, const EntityStyle& style, const Segment& line) {
   write_line(w, style, line, 1.0);
 }
 
-/// A Bézier chain as a B-spline: at a joint either all three knots stay, or, where the pieces can
-/// be run through at one speed, the joint's pole and one of its knots go, which makes the curve C1
-/// also for readers that cut it at threefold knots.
+/// A Bézier chain as a B-spline: at a joint either all three knots stay, or, if the spans can be
+/// parametrised with one speed, the joint's pole and one of its knots are removed, so that the
+/// curve is C1 even for readers that cut it at triple knots.
 struct BSpline {
   std::vector<Vec2> poles;
   std::vector<double> knots;
@@ -98,7 +98,7 @@ BSpline b_spline(const CubicSpline& chain) {
     const Vec2 before = p[joint] - p[joint - 1];
     const Vec2 after = p[joint + 1] - p[joint];
     const double speed = after.norm() / before.norm();
-    // Speeds and widths that run away are a sign of handles without length; then start afresh.
+    // Speeds and widths outside these are a sign of handles without length; then start again.
     constexpr double kSlowest = 1e-3, kFastest = 1e3, kNarrowest = 1e-6, kWidest = 1e6;
     constexpr double kStraight = 1e-10;  // units of the file
     const bool sane = speed > kSlowest && speed < kFastest && width * speed < kWidest &&

@@ -36,7 +36,7 @@ void write_header(DL_Dxf& dxf, DxfWriter& w, const DxfProlog& prolog) {
   w.sectionEnd();
 }
 
-/// The view a program opens with: the whole part. dxflib's shows an A4 sheet, whatever the part.
+/// The initial view: the whole part. dxflib's shows an A4 sheet, whatever the part.
 void write_viewport(DxfWriter& w, const Box2& extents) {
   const Vec2 center = 0.5 * (extents.lo + extents.hi);
   const double aspect = 1.5;
@@ -76,7 +76,7 @@ void write_viewport(DxfWriter& w, const Box2& extents) {
 void write_linetypes(DL_Dxf& dxf, DxfWriter& w, LengthUnit units) {
   const double unit = millimetres_in(units);
   std::array<double, 2> dashes{kDash / unit, -kGap / unit};
-  // dxflib leaves BYBLOCK and BYLAYER out of an R12 file, but does not count.
+  // dxflib leaves BYBLOCK and BYLAYER out of an R12 file, but does not adjust the count.
   w.tableLinetypes(w.r12() ? 2 : 4);
   for (const char* name : {"BYBLOCK", "BYLAYER", "CONTINUOUS"}) {
     dxf.writeLinetype(w, DL_LinetypeData(name, "", 0, 0, 0.0));
@@ -98,7 +98,7 @@ void write_layers(DL_Dxf& dxf, DxfWriter& w, const std::vector<EntityStyle>& lay
   w.tableEnd();
 }
 
-/// Tables no entity of ours needs, but without which AutoCAD does not open an R2000 file.
+/// Tables that none of our entities needs, but without which AutoCAD does not open an R2000 file.
 void write_further_tables(DL_Dxf& dxf, DxfWriter& w) {
   w.tableStyle(1);
   dxf.writeStyle(w, DL_StyleData("Standard", 0, 0.0, 1.0, 0.0, 0, 2.5, "txt", ""));
@@ -116,7 +116,7 @@ void write_further_tables(DL_Dxf& dxf, DxfWriter& w) {
 void write_blocks(DL_Dxf& dxf, DxfWriter& w) {
   w.sectionBlocks();
   if (!w.r12()) {
-    // The third is what dxflib's second layout refers to.
+    // dxflib's second layout refers to the third.
     for (const char* name : {"*Model_Space", "*Paper_Space", "*Paper_Space0"}) {
       dxf.writeBlock(w, DL_BlockData(name, 0, 0.0, 0.0, 0.0));
       dxf.writeEndBlock(w, name);

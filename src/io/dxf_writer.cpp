@@ -35,8 +35,8 @@ void DxfWriter::dxfInt(int code, int value) const { dxfString(code, fmt::format(
 void DxfWriter::dxfHex(int code, int value) const { dxfString(code, fmt::format("{:X}", value)); }
 
 void DxfWriter::dxfString(int code, const char* value) const {
-  // dxflib opens with a comment naming its version: legal, but the first line of the file is where
-  // simple readers look for the first section.
+  // dxflib begins with a comment that names its version: legal, but simple readers expect the first
+  // section on the first line.
   if (code == 999) return;
   text_ += fmt::format("{:3}\n{}\n", code, value);
 }

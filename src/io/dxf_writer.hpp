@@ -9,8 +9,8 @@
 
 namespace planish::io_detail {
 
-/// dxflib's writer with a string in place of the file. Reals come out as the shortest decimal that
-/// reads back as the same double, without exponent; what is below 1e-15 is 0.
+/// dxflib's writer with a string in place of the file. Reals are written as the shortest decimal
+/// that reads back as the same double, without exponent; magnitudes below 1e-15 become 0.
 class DxfWriter final : public DL_WriterA {
  public:
   explicit DxfWriter(DxfVersion version);
@@ -30,7 +30,7 @@ class DxfWriter final : public DL_WriterA {
 
 DL_Codes::version dxflib_version(DxfVersion version);
 
-/// What an entity carries besides its geometry; colours are AutoCAD's numbers.
+/// Properties of an entity besides its geometry; colours are AutoCAD's numbers.
 struct EntityStyle {
   std::string layer;
   int color = 7;

@@ -1,3 +1,4 @@
+#include <planish/base/assert.hpp>
 #include <planish/io/mesh_writers.hpp>
 
 #include <fmt/format.h>
@@ -15,8 +16,11 @@ std::string obj_text(const Mesh& mesh, const std::string& name) {
   std::string text = fmt::format("o {}\n", object);
   for (const Vec3& p : mesh.points)
     fmt::format_to(std::back_inserter(text), "v {:.10g} {:.10g} {:.10g}\n", p.x(), p.y(), p.z());
-  for (const auto& [a, b, c] : mesh.triangles)
+  const auto is_corner = [&](int i) { return i >= 0 && i < std::ssize(mesh.points); };
+  for (const auto& [a, b, c] : mesh.triangles) {
+    PLANISH_ASSERT(is_corner(a) && is_corner(b) && is_corner(c));
     fmt::format_to(std::back_inserter(text), "f {} {} {}\n", a + 1, b + 1, c + 1);
+  }
   return text;
 }
 

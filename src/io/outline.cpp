@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-// In units of the file, whatever the unit: vertices nearer than this are one vertex.
+// In the file's unit, whatever it is: vertices closer than this are one vertex.
 constexpr double kSamePoint = 1e-9;
 constexpr double kStraightBulge = tolerance::kRounding;
 // Beyond this radius the angles of an ARC, as doubles in degrees, no longer place its ends to 1e-9.
@@ -32,12 +32,12 @@ Loop without_splines(const Loop& loop, double tolerance) {
   return result;
 }
 
-/// Arcs of more than half a turn halved: some readers take the shorter way round.
+/// Halves arcs of more than half a turn: some readers take the shorter way around.
 Loop with_short_arcs(const Loop& loop) {
   Loop result;
   for (const Curve2& curve : loop) {
     const Arc* arc = std::get_if<Arc>(&curve);
-    // Half turns come with rounding; they stay one curve.
+    // Half turns have rounding errors; they stay one curve.
     if (arc && std::abs(arc->sweep) > pi * (1.0 + tolerance::kComputed)) {
       Arc half = *arc;
       half.sweep *= 0.5;
@@ -65,15 +65,15 @@ Curve2 scaled(Curve2 curve, double scale) {
   return curve;
 }
 
-/// Where `next` starts. The end that is a stored point is taken rather than the one computed from
-/// an arc's angle, so that written coordinates stay the designer's.
+/// Where `next` starts. Prefers the end that is a stored point to one computed from an arc's angle,
+/// so that the designer's coordinates are written.
 Vec2 joint(const Curve2& previous, const Curve2& next) {
   const bool computed = std::holds_alternative<Arc>(next);
   return computed && !std::holds_alternative<Arc>(previous) ? end_of(previous) : start_of(next);
 }
 
-/// The curves that have a length, each with the point where it starts: a curve without length would
-/// double a vertex, which cutting programs stumble over.
+/// The curves that have a length, each with its start: a curve without length would give a double
+/// vertex, which cutting programs do not tolerate.
 struct OutlineCurve {
   Curve2 curve;
   Vec2 start;
@@ -106,7 +106,7 @@ Polyline polyline_of(const Loop& loop) {
   return result;
 }
 
-/// Cubic that is the arc to rounding: only for the small sweeps of very large radii.
+/// Cubic equal to the arc up to rounding: only for the small sweeps of very large radii.
 CubicSpline flat_arc(const Vec2& a, const Vec2& b, double bulge) {
   const Vec2 chord = b - a;
   const double handle = (1.0 + bulge * bulge) / 3.0;

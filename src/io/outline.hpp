@@ -8,8 +8,7 @@
 
 namespace planish::io_detail {
 
-/// Corner of a closed polyline; `bulge` = tan(sweep / 4) of the piece that starts here, 0:
-/// straight.
+/// Corner of a closed polyline; `bulge` = tan(sweep / 4) of the arc that starts here; 0: straight.
 struct BulgeVertex {
   Vec2 point;
   double bulge = 0.0;
@@ -24,8 +23,8 @@ struct Circle {
   double radius = 0.0;
 };
 
-/// A contour as DXF can hold it. A contour with splines is a `Loop` whose curves have common ends
-/// and whose arcs turn by half a turn at most.
+/// A contour in a form that DXF can hold. A contour with splines is a `Loop` whose curves share
+/// ends and whose arcs turn by at most half a turn.
 using Outline = std::variant<Circle, Polyline, Loop>;
 
 struct OutlineOptions {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 80;
 
-/// The lowest byte first, whatever the machine does.
+/// Lowest byte first, whatever the machine's order.
 template <typename Unsigned>
 void append(std::string& out, Unsigned value) {
   for (std::size_t byte = 0; byte < sizeof(Unsigned); ++byte)

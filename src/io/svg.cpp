@@ -24,8 +24,8 @@ constexpr const char* kNoteColor = "#3c4650";
 const char* color_of(BendDirection d) { return d == BendDirection::up ? kUpColor : kDownColor; }
 const char* tint_of(BendDirection d) { return d == BendDirection::up ? kUpTint : kDownTint; }
 
-/// What all sizes on the page follow: the height of the letters. It grows with the part, but on a
-/// long narrow part not so much that the letters are taller than the part is wide.
+/// The height of the letters, which all sizes on the page follow. It grows with the part, but
+/// letters are never taller than a long narrow part is wide.
 double font_for(const Box2& part) {
   const Vec2 size = part.size();
   const double diagonal = size.norm();
@@ -130,7 +130,7 @@ struct BendLabel {
   BendDirection direction = BendDirection::up;
 };
 
-/// What a label had better not lie on.
+/// Lines that labels should not cover.
 std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
   std::vector<Segment> segments;
   const auto add_loop = [&](const Loop& loop) {
@@ -149,7 +149,7 @@ std::vector<Segment> obstacles(const FlatPattern& pattern, double font) {
   return segments;
 }
 
-/// Half the width of the strip that the bend takes.
+/// Half the width of the bend zone.
 double half_width(const FlatBend& bend, const Segment& line) {
   const Vec2 along = (line.b - line.a).normalized();
   const Vec2 across(-along.y(), along.x());
@@ -219,7 +219,7 @@ std::string leaders(const std::vector<BendLabel>& bends, double font) {
 }
 
 std::string labels(const std::vector<BendLabel>& bends, const std::vector<PlacedLabel>& points) {
-  // A pale rim keeps the letters apart from a line they have to cross.
+  // A pale rim separates the letters from a line that they cross.
   std::string text =
       "<g class=\"labels\" text-anchor=\"middle\" stroke=\"#ffffff\" stroke-opacity=\"0.75\" "
       "stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
@@ -230,7 +230,7 @@ std::string labels(const std::vector<BendLabel>& bends, const std::vector<Placed
   return text + "</g>\n";
 }
 
-/// An item of the legend: a sample line (unless its length is 0) and a text behind it.
+/// An item of the legend: a sample line (unless its length is 0), followed by text.
 struct Note {
   std::string text;
   double sample = 0.0;
@@ -275,7 +275,7 @@ std::string note_element(const Note& note, const Vec2& at, double font) {
                         svg_number(line_width(font)),
                         note.dashed ? fmt::format(" stroke-dasharray=\"{}\"", dashes(font)) : "",
                         svg_point(line.a), svg_point(line.b));
-    // The scale bar has end marks, to be measured between.
+    // The scale bar has end marks, for measuring between them.
     if (note.color == kNoteColor) {
       const double h = 0.3 * font;
       text += fmt::format("M{}v{}M{}v{}", svg_point(line.a + Vec2(0, h)), svg_number(2.0 * h),
@@ -323,6 +323,7 @@ std::string page(const Box2& box, const std::string& content) {
 }  // namespace
 
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options) {
+  require_valid(pattern);
   const Box2 part = part_box(pattern);
   const double font = font_for(part);
   const std::string path = contour_path(pattern);

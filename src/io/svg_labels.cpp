@@ -16,7 +16,7 @@ using std::numbers::pi;
 
 constexpr double kBoxHeight = 1.05;   // of a line of text, in heights of the font
 constexpr double kClearance = 0.8;    // from a line to the middle of the text beside it
-constexpr double kWidestStrip = 2.5;  // a wider strip about the line takes the text inside
+constexpr double kWidestStrip = 2.5;  // text goes inside a bend zone wider than this
 constexpr double kSmallest = 0.55;    // letters may shrink to this share to fit
 
 Vec2 half_size(const PlacedLabel& label) {
@@ -62,11 +62,11 @@ double cost(const PlacedLabel& label, const std::vector<PlacedLabel>& placed,
          10.0 * std::min<double>(static_cast<double>(lines), 4.0);
 }
 
-/// Direction of the line turned so that text along it is read from below or from the right.
+/// Direction of the line, such that text along it reads from below or from the right.
 double reading_angle(const Segment& line) {
   const Vec2 d = line.b - line.a;
   double angle = std::atan2(d.y(), d.x());
-  // Upright lines drawn either way are labelled the same, in spite of rounding.
+  // Upright lines drawn either way are labelled the same, despite rounding.
   constexpr double kUpright = 0.5 * pi + tolerance::kAside;
   if (angle > kUpright) angle -= pi;
   if (angle <= kUpright - pi) angle += pi;
@@ -108,7 +108,7 @@ std::vector<PlacedLabel> beside(const LabelRequest& request, double font) {
   return places;
 }
 
-/// The places round a point, as near as the text may come in each direction and a little further.
+/// The places around a point, as near as the text may come in each direction, and a little farther.
 std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
   constexpr int kDirections = 32;
   const Vec2 half = 0.5 * Vec2(text_width(request.text, font), kBoxHeight * font);
@@ -123,7 +123,7 @@ std::vector<PlacedLabel> round_point(const PointRequest& request, double font) {
   return places;
 }
 
-/// Those that come as near to a point as its label may.
+/// The segments that come as near to a point as its label may.
 std::vector<Segment> near_point(const std::vector<Segment>& segments, const PointRequest& request,
                                 double font) {
   const double reach = text_width(request.text, font) + 2.0 * font;
@@ -136,7 +136,7 @@ std::vector<Segment> near_point(const std::vector<Segment>& segments, const Poin
   return near;
 }
 
-/// All labels in one size that find a place.
+/// All labels, in one size, for which there is a place.
 std::vector<PlacedLabel> beside_points(const std::vector<PointRequest>& requests,
                                        const std::vector<std::vector<Vec2>>& rings,
                                        const std::vector<Segment>& obstacles, double font) {
@@ -165,7 +165,7 @@ PlacedLabel place(const LabelRequest& request, const std::vector<PlacedLabel>& p
   }
   std::ranges::copy(beside(request, font), std::back_inserter(places));
   std::ranges::copy(beside(request, 0.7 * font), std::back_inserter(places));
-  // Earlier places are better ones: a small price by rank decides between equals.
+  // Earlier places are better: a small cost by rank decides between equals.
   double best_cost = std::numeric_limits<double>::infinity();
   PlacedLabel best;
   for (std::size_t rank = 0; rank < places.size() && best_cost > static_cast<double>(rank) * 0.1;

@@ -12,7 +12,7 @@ namespace planish::io_detail {
 struct LabelRequest {
   std::string text;
   Segment line;
-  double clearance = 0.0;  ///< to keep free on both sides of the line, if that is not much
+  double clearance = 0.0;  ///< to keep free on both sides of the line, if small
 };
 
 /// A text that names a point.
@@ -21,8 +21,7 @@ struct PointRequest {
   Vec2 at;
 };
 
-/// Where it goes: `center` of the text, turned counter-clockwise by `angle` in (−90°, 90°],
-/// radians.
+/// A placed text: its `center`, turned counter-clockwise by `angle` in (−90°, 90°], radians.
 struct PlacedLabel {
   std::string text;
   Vec2 center;
@@ -31,22 +30,22 @@ struct PlacedLabel {
   std::optional<Segment> leader;  ///< from the line to a text that does not lie along it
 };
 
-/// Width of a text in a plain sans-serif face, roughly.
+/// Approximate width of a text in a plain sans-serif face.
 double text_width(const std::string& text, double font);
 
 /// The four corners of a label's box.
 std::vector<Vec2> corners(const PlacedLabel& label);
 
-/// Places each text along its line, or beside a line too short for it, in the order given. Of some
-/// places the one is chosen that meets the fewest labels (those already `there` and those placed)
-/// and obstacles. Obstacles may contain the lines themselves.
+/// Places each text along its line, or beside a line too short for it, in the order given. Of
+/// several places, chooses the one that meets the fewest labels (those already `there` and those
+/// placed) and obstacles. Obstacles may contain the lines themselves.
 std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
                                       const std::vector<Segment>& obstacles, double font,
                                       const std::vector<PlacedLabel>& there = {});
 
-/// Places each text level beside its point, outside `rings` (even-odd) where that is free, all in
-/// one size, `font` or smaller. Where points are crowded, those that would lie on a label or a line
-/// are left out.
+/// Places each text level beside its point, outside `rings` (even-odd) where there is room, all in
+/// one size, `font` or smaller. Where points are crowded, labels that would lie on another label or
+/// a line are left out.
 std::vector<PlacedLabel> place_point_labels(const std::vector<PointRequest>& requests,
                                             const std::vector<std::vector<Vec2>>& rings,
                                             const std::vector<Segment>& obstacles, double font);

@@ -13,7 +13,7 @@ namespace {
 using std::numbers::pi;
 
 std::string arc_to(const Arc& arc, const Vec2& end) {
-  // Seen with y down, a positive sweep still runs against the clock: SVG's flag 0.
+  // With y pointing down, a positive sweep still looks counter-clockwise: SVG's flag 0.
   return fmt::format("A{0} {0} 0 {1} {2} {3}", svg_number(arc.radius),
                      std::abs(arc.sweep) > pi ? 1 : 0, arc.sweep > 0.0 ? 0 : 1, svg_point(end));
 }
@@ -21,7 +21,7 @@ std::string arc_to(const Arc& arc, const Vec2& end) {
 std::string path_piece(const Segment& segment) { return "L" + svg_point(segment.b); }
 
 std::string path_piece(const Arc& arc) {
-  // SVG draws nothing where the ends coincide, as a circle's do and those of nearly a circle may
+  // SVG draws no arc whose ends coincide, as those of a circle do, and those of nearly a circle may
   // after rounding.
   if (std::abs(arc.sweep) < 1.8 * pi) return arc_to(arc, end_of(arc));
   Arc half = arc;
@@ -38,7 +38,7 @@ std::string path_piece(const CubicSpline& spline) {
   return text;
 }
 
-/// A tangent line seen from the bend line: which part of it it runs beside, and on which side.
+/// A tangent line as seen from the bend line: the part of the bend line beside it, and the side.
 struct Limit {
   double from = 0.0, to = 0.0;  ///< along the bend line, from < to
   double side = 0.0;            ///< distance to the left
@@ -131,8 +131,8 @@ std::vector<std::array<Vec2, 4>> bend_zones(const FlatBend& bend) {
   for (const Limit& l : left) {
     for (const Limit& r : right) {
       if (!overlap(l, r)) continue;
-      // Two lines that have only each other bound one strip, whose ends may be slanted; where one
-      // side is cut more often than the other, only what lies opposite belongs together.
+      // Two lines that face only each other bound one quadrilateral, whose ends may be slanted; if
+      // one side is interrupted more often than the other, only opposite parts belong together.
       const auto meets = [](const Limit& one) {
         return [&one](const Limit& other) { return overlap(one, other); };
       };

@@ -29,7 +29,7 @@ tl::unexpected<Error> cannot_write(const fs::path& target, const std::error_code
               target.string());
 }
 
-/// Success only when every byte has left the program, closing included: a full disk shows there.
+/// Succeeds only if every byte was written, including on closing, where a full disk may show.
 std::error_code put(File file, const std::string& content) {
   if (std::fwrite(content.data(), 1, content.size(), file.get()) != content.size()) {
     return last_error();
@@ -37,7 +37,7 @@ std::error_code put(File file, const std::string& content) {
   return std::fclose(file.release()) == 0 ? std::error_code() : last_error();
 }
 
-/// A name in the same directory, since renaming is atomic within one file system only.
+/// A name in the same directory, since renaming is atomic only within one file system.
 fs::path name_beside(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -76,7 +76,7 @@ Result<void> write_file(const fs::path& target, const std::string& content) {
   if (!fs::is_regular_file(status) && !fs::is_directory(status)) {
     return write_directly(target, content);
   }
-  // Renaming would also replace a file that may not be written; opening it tells.
+  // Renaming would also replace a write-protected file; opening it shows that.
   if (!opened(target, "r+b")) return cannot_write(target, last_error());
   const fs::path real = fs::canonical(target, error);
   if (error) return cannot_write(target, error);

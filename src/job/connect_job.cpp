@@ -8,15 +8,15 @@
 namespace planish::job {
 namespace {
 
-// A straight lateral boundary is straight where the neutral surface lies; rules by which K differs
-// from bend to bend are known only when the bends are, so their boundaries take the default.
+// A straight lateral boundary is straight on the neutral surface. A rule with a different K for
+// each bend can only be applied once the bends are known, so boundaries then use the default.
 ConnectOptions options_for(const AllowanceRule& allowance) {
   ConnectOptions options;
   if (const auto* constant = std::get_if<ConstantK>(&allowance)) options.k_factor = constant->k;
   return options;
 }
 
-// The work of `connect` fills the first part of the bar.
+// The work of `connect` fills the first part of the progress bar.
 Progress first_part(const Progress& whole) {
   constexpr double kShare = 0.25;
   Progress part;

@@ -51,7 +51,7 @@ class MadeConnection : public MadeReport<ConnectReport> {
   }
 
  private:
-  std::vector<Plate> plates_;  // as the input has them, joined or not
+  std::vector<Plate> plates_;  // as in the input, joined or not
 };
 
 Result<PlatesFile> parse(const InputFile& input) { return parse_plates(input.content, input.name); }

@@ -10,13 +10,13 @@
 
 namespace planish::job {
 
-/// What `connect_plates` does once the plates are joined: folded solid, flat pattern, certificate
-/// and findings, all entered in the report.
+/// The rest of `connect_plates` once the plates are joined: adds folded solid, flat pattern,
+/// certificate and findings to the report.
 std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const AllowanceRule& allowance, const PatternChecks& checks,
                             const Progress& progress);
 
-/// The rule for K: of the request, of the file, or the default.
+/// The rule for K: the request's, the file's, or the default.
 AllowanceRule allowance_of(const PlatesFile& file, const Request& request);
 
 }  // namespace planish::job

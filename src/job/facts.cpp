@@ -76,7 +76,7 @@ bool sheet_known(const Report& report) { return report.summary.thickness > 0.0; 
 
 bool flat_known(const Report& report) { return !report.flat.outer.loop.empty(); }
 
-// `certify` measures the area first; NaN, "could not be measured", is known too.
+// `certify` measures the area first; NaN ("could not be measured") counts as known.
 bool certificate_known(const Report& report) { return report.certificate.flat_area_half != 0.0; }
 
 double or_nan(const std::optional<double>& value) { return value ? *value : std::nan(""); }

@@ -7,7 +7,7 @@
 
 namespace planish::job {
 
-/// What reports say of a pattern and do not find in it ready-made. Lengths in mm.
+/// What reports derive from a pattern. Lengths in mm.
 
 std::string_view kind_name(BendKind kind);
 std::string_view direction_name(BendDirection direction);
@@ -17,15 +17,15 @@ std::string_view status_name(Status status);
 double outer_cutting_length(const FlatPattern& flat);
 double inner_cutting_length(const FlatPattern& flat);
 
-/// The longest piece of the bend line; none where the bend has no material at its middle.
+/// The longest segment of the bend line; empty if the bend has no material at its middle.
 std::optional<Segment> longest_line(const FlatBend& bend);
 
-/// A report may hold part of the story only (see Report).
+/// A report may be incomplete (see Report).
 bool sheet_known(const Report& report);
 bool flat_known(const Report& report);
 bool certificate_known(const Report& report);
 
-/// NaN where it is not known, as comparisons and JSON take it.
+/// NaN if not known, which fails comparisons and becomes null in JSON.
 double or_nan(const std::optional<double>& value);
 
 }  // namespace planish::job

@@ -16,7 +16,7 @@ Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
                                  const Progress& progress) {
   auto step = folded_solid_step(sheet, name);
   if (!step) return tl::unexpected(step.error());
-  Progress silent;  // its stages are none of the whole
+  Progress silent;  // its stages are not reported
   silent.cancelled = progress.cancelled;
   const auto read = read_step_text(*step, name, silent);
   if (!read) return tl::unexpected(read.error());

@@ -10,19 +10,19 @@
 
 namespace planish::job {
 
-/// The folded solid of a sheet as STEP text; its volume, as the kernel measures it when it reads
-/// that text, is entered in the sheet. Where none can be made the report gets a warning, and the
-/// sheet no volume. Comes back only when cancelled.
+/// The folded solid of a sheet as STEP text; its volume, as the kernel measures it on reading that
+/// text, is stored in the sheet. If no solid can be made, the report gets a warning and the sheet
+/// no volume. Returns an error only if cancelled.
 std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
                           Result<std::string>& solid, const Progress& progress);
 
-/// Says in the report that there is no solid, and why.
+/// Notes in the report that there is no solid, and why.
 void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid);
 
-/// The error with the place in the file (a JSON pointer) behind the file's name.
+/// The error, its place in the file (a JSON pointer) preceded by the file's name.
 Error placed(Error error, const std::string& name);
 
-/// What places in an input file are called: its path, as it was given.
+/// The name of an input file in places: its path as given.
 std::string place_name(const std::string& input);
 
 }  // namespace planish::job

@@ -6,7 +6,7 @@
 
 namespace planish::job {
 
-/// Reads the file of a request, parses it and makes the report, which takes the time of both.
+/// Reads the file of a request, parses it and makes the report, which records the time of both.
 template <typename Parse, typename Make>
 auto from_file(const Request& request, const std::string& kind, const Parse& parse,
                const Make& make, const Progress& progress)

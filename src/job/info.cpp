@@ -21,7 +21,7 @@ double area_of(const Face& face) {
   return area;
 }
 
-// Plane faces have (u, v) in mm, so their area is that of their loops.
+// Plane faces have (u, v) in mm, so their area is their loops' area.
 std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
   std::vector<FlangeFaceInfo> faces;
   for (const Face& face : sheet.faces) {

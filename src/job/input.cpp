@@ -63,7 +63,7 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
                             n, body_list(file)),
                 "body");
   }
-  // A number first: a body can be called anything, but every body has a number.
+  // Numbers take precedence: a name can be anything, but every body has a number.
   if (const auto number = as_number(wanted); number && *number >= 1 && *number <= n) {
     return *number - 1;
   }
@@ -74,7 +74,7 @@ Result<int> choose_body(const StepFile& file, const std::string& wanted) {
                                                      n == 1 ? "is" : "are", body_list(file)));
   }
   return fail(ErrorCode::no_such_body,
-              fmt::format("{} bodies are named \"{}\", take one by its number; there are {}",
+              fmt::format("{} bodies are named \"{}\", choose one by its number; there are {}",
                           named.size(), wanted, body_list(file)));
 }
 

@@ -13,7 +13,7 @@ namespace planish::job {
 Result<StepFile> read_input(const std::filesystem::path& input, const Progress& progress);
 
 /// Index in `file.bodies` of the body that `wanted` names by number (1-based) or by name; empty
-/// means the only one. Errors: `no_such_body`, whose message lists what there is.
+/// means the only one. Errors: `no_such_body`, whose message lists the bodies.
 Result<int> choose_body(const StepFile& file, const std::string& wanted);
 
 }  // namespace planish::job

@@ -4,7 +4,7 @@
 
 namespace planish::job {
 
-/// What the files that makers read must hold; the parsers take nothing else.
+/// Schemas of the makers' input files; the parsers accept nothing else.
 const Schema& plates_schema();
 const Schema& transition_schema();
 const Schema& slits_schema();

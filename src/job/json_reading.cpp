@@ -20,7 +20,7 @@ std::string position(const std::string& text, std::size_t byte) {
   return fmt::format("{}:{}", line, std::max<std::ptrdiff_t>(1, end - last_break));
 }
 
-// A parser keeps one of two values under one key and says nothing; the key it happened to, if any.
+// Finds a repeated key, of which the parser would silently keep one value.
 class RepeatedKeys {
  public:
   bool operator()(Json::parse_event_t event, const Json& value) {
@@ -70,16 +70,17 @@ void JsonReading::parse(const std::string& text) {
     const std::string place = position(text, error.byte);
     return no_json(fmt::format("mistake at line:column {}", place), ":" + place);
   } catch (const Json::exception& error) {
-    // Behind the name that the parser gives its error.
+    // The text after the name that the parser gives its error.
     const std::string said = error.what();
     const auto name_end = said.find("] ");
     return no_json(name_end == std::string::npos ? said : said.substr(name_end + 2), "");
   }
   if (repeated.first()) {
-    error_ = Error{ErrorCode::invalid_input,
-                   fmt::format("{}: the key \"{}\" stands twice in one object: leave one of them",
-                               what_, *repeated.first()),
-                   name_};
+    error_ = Error{
+        ErrorCode::invalid_input,
+        fmt::format("{}: the key \"{}\" appears twice in one object: keep only one of them", what_,
+                    *repeated.first()),
+        name_};
   } else if (!document_.is_object()) {
     error_ = Error{ErrorCode::invalid_input, fmt::format("the {} must hold one JSON object", what_),
                    name_};
@@ -111,7 +112,7 @@ const Schema& JsonPlace::branch() const {
 JsonPlace JsonPlace::operator[](const std::string& key) const {
   const Schema& own = branch();
   const Field* field = own.field(key);
-  // Of a place that was left out, or that is wrong, nothing can be asked that the schema forbids.
+  // Only keys of the schema may be read, unless the place was left out or the document is invalid.
   PLANISH_ASSERT(field || !given() || reading_->error());
   const bool there = field && given() && !reading_->error() && value_->contains(key);
   return child(key, field ? &field->value : schema_, there ? &(*value_)[key] : nullptr);

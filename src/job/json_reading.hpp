@@ -14,8 +14,8 @@
 
 namespace planish::job {
 
-/// Words of a JSON document, each standing for a value: the schema takes them, the reader turns
-/// them into values.
+/// Words of a JSON document, each standing for a value: the schema accepts them, the reader
+/// converts them.
 template <typename T>
 using Words = std::vector<std::pair<std::string_view, T>>;
 
@@ -33,9 +33,8 @@ inline const Words<LengthUnit>& unit_words() {
   return words;
 }
 
-/// A JSON document that was checked against its schema. What it means beyond that is asked for
-/// place by place; the first mistake stays, and what is read from a wrong document is empty or
-/// zero.
+/// A JSON document checked against its schema. Its values are read place by place; the first
+/// mistake is kept, and values read from an invalid document are empty or zero.
 class JsonReading {
  public:
   /// `what` names the file's kind in messages ("plates file"), `name` the file itself. `schema`
@@ -45,15 +44,15 @@ class JsonReading {
   JsonReading& operator=(const JsonReading&) = delete;
 
   /// `invalid_input`: `where` is name:line:column for text that is not JSON, else name and JSON
-  /// pointer. Empty while all is well.
+  /// pointer. Empty if there is no mistake.
   const std::optional<Error>& error() const { return error_; }
 
   const Json& document() const { return document_; }
   const Schema& schema() const { return schema_; }
-  /// What the file's lengths are given in: its "units", mm where it has none.
+  /// The unit of the file's lengths: its "units", else mm.
   LengthUnit unit() const { return unit_; }
 
-  /// Enters a mistake: "<what>: <pointer> <sentence>".
+  /// Records a mistake: "<what>: <pointer> <sentence>".
   void mistake(const std::string& pointer, const std::string& sentence);
 
  private:
@@ -67,7 +66,7 @@ class JsonReading {
   std::optional<Error> error_;
 };
 
-/// A value in a checked document, its schema and its JSON pointer (RFC 6901); perhaps one that was
+/// A value in a checked document, with its schema and its JSON pointer (RFC 6901); it may have been
 /// left out. The reading must outlive it.
 class JsonPlace {
  public:
@@ -77,17 +76,17 @@ class JsonPlace {
 
   const std::string& pointer() const { return pointer_; }
   bool given() const { return value_ != nullptr; }
-  /// Enters a mistake about this place: "/plates/2/id" + " " + sentence.
+  /// Records a mistake about this place: "/plates/2/id" + " " + sentence.
   void mistake(const std::string& sentence) const { reading_->mistake(pointer_, sentence); }
 
   /// The value under a key that the schema knows.
   JsonPlace operator[](const std::string& key) const;
-  /// The elements of a list; none where it was left out.
+  /// The elements of a list; none if it was left out.
   std::vector<JsonPlace> items() const;
   /// Keys and values of an object, in the order of the file.
   std::vector<std::pair<std::string, JsonPlace>> members() const;
 
-  /// The value, or the schema's default where it was left out.
+  /// The value, or the schema's default if it was left out.
   double number() const;
   double length() const;  ///< mm, from the file's unit
   Angle angle() const;    ///< from degrees
@@ -96,18 +95,18 @@ class JsonPlace {
   bool yes() const;
   Vec3 point() const;        ///< [x, y, z] in mm
   Vec2 plane_point() const;  ///< [x, y] in mm
-  /// [x, y, z], made one long; empty where it was left out. A mistake for [0, 0, 0].
+  /// [x, y, z], normalised; empty if it was left out. [0, 0, 0] is a mistake.
   std::optional<Vec3> direction() const;
   bool is_text() const;
   bool is_list() const;
   const Json& json() const { return *value_; }
 
-  /// The same, empty where it was left out.
+  /// The same; empty if it was left out.
   std::optional<double> maybe_number() const;
   std::optional<double> maybe_length() const;
   std::optional<Angle> maybe_angle() const;
 
-  /// What the word stands for.
+  /// The value that the word stands for.
   template <typename T>
   T choice(const Words<T>& words) const {
     const std::string word = text();
@@ -120,9 +119,9 @@ class JsonPlace {
   JsonPlace(JsonReading* reading, const Schema* schema, const Json* value, std::string pointer)
       : reading_(reading), schema_(schema), value_(value), pointer_(std::move(pointer)) {}
   JsonPlace child(const std::string& token, const Schema* schema, const Json* value) const;
-  /// The value or the default; null for neither, and in a wrong document.
+  /// The value or the default; null for neither, and in an invalid document.
   const Json& content() const;
-  /// The schema of what is there, where it leaves a choice.
+  /// The schema of the value, chosen among alternatives.
   const Schema& branch() const;
 
   JsonReading* reading_;

@@ -8,13 +8,13 @@
 
 namespace planish::job {
 
-/// A thread that lives as long as the process, for what ends with the thread that began it: the
-/// system ends a child with the thread that started it (PR_SET_PDEATHSIG).
+/// A thread that lives as long as the process. Children are started from it, because the system
+/// ends a child with the thread that started it (PR_SET_PDEATHSIG).
 class LastingThread {
  public:
   static LastingThread& of_process();
 
-  /// What `work` returns, once that thread has done it.
+  /// Runs `work` on that thread and returns its result.
   int run(std::function<int()> work);
 
  private:

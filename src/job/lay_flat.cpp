@@ -15,7 +15,7 @@ namespace {
 constexpr double kCubicDecimetre = 1e6;  // mm³
 constexpr int kRefusedStatus = 4;        // formats.md#exit-status
 
-// Bends of one table row may differ in the last digits; that is still one K.
+// Bends from one table row may differ in the last digits; that still counts as one K.
 constexpr double kSameK = tolerance::kComputed;
 
 Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
@@ -70,7 +70,7 @@ std::optional<Error> lay_draft(Report& report, const SheetToLay& given, FlattenO
   return std::nullopt;
 }
 
-// What is wrong comes back, what is known is in the report.
+// Returns what is wrong; the report holds what was found before.
 std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
                                      const FlattenOptions& options, const Progress& progress) {
   progress.at("laying it flat", 0.5);
@@ -85,7 +85,7 @@ std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
   report.certificate = *certificate;
   const double volume = given.sheet.volume.value_or(0.0);
   const CertificateBounds& bounds = given.checks.bounds;
-  // A pattern that is wrong is not handed out at all.
+  // A wrong pattern is never returned.
   if (auto wrong = disbelief(*certificate, volume, bounds)) return wrong;
 
   take_pattern(report, std::move(*flat), given, options);

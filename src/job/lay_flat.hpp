@@ -11,7 +11,7 @@
 
 namespace planish::job {
 
-/// A sheet however it was made, and how its flat pattern is to be made and looked at.
+/// A sheet from any maker, and how to make and check its flat pattern.
 struct SheetToLay {
   const Sheet& sheet;
   const EdgeDistance& distance;
@@ -20,13 +20,13 @@ struct SheetToLay {
 
 SheetSummary summary_of(const Sheet& sheet);
 
-/// Lays the sheet flat, certifies and inspects it, and enters all of that in the report. What is
-/// wrong comes back; what is known by then is in the report.
+/// Lays the sheet flat, certifies and inspects it, and stores the results in the report. Returns
+/// what is wrong; the report then holds what was found before.
 std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
                               const FlattenOptions& options, const Progress& progress);
 
-/// Does the work, which fills a report, and takes its time; an error of status 4 becomes the
-/// report's refusal, any other comes back.
+/// Does the work, which fills a report, and records its time; an error with exit status 4 becomes
+/// the report's refusal, any other is returned.
 std::optional<Error> run_reporting(Report& report,
                                    const std::function<std::optional<Error>()>& work);
 

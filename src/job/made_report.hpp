@@ -10,8 +10,8 @@
 
 namespace planish::job {
 
-/// What a maker made, where its report says all of it: `report_json` and `report_text` are found
-/// for its type.
+/// What a maker made, if its report holds all of it: uses `report_json` and `report_text` of the
+/// report's type.
 template <typename R>
 class MadeReport : public Made {
  public:
@@ -25,8 +25,7 @@ class MadeReport : public Made {
   R made_;
 };
 
-/// A report that says no more than what was asked; lengths in `unit` where the request leaves it
-/// open.
+/// A report that only repeats the request; lengths in `unit` if the request does not say.
 template <typename R>
 R begun(const Request& request, LengthUnit unit) {
   R report;
@@ -49,7 +48,7 @@ std::unique_ptr<Made> failed_as(const Request& request, const Error& error) {
   return std::make_unique<M>(failed_report<R>(request, error));
 }
 
-/// A work on a file of ours, which is read anew at each edit; nothing else is kept.
+/// A `Work` on a JSON file, which is parsed again at each edit; nothing else is kept.
 template <typename File>
 class SpecWork : public Work {
  public:
@@ -84,7 +83,7 @@ class SpecWork : public Work {
 /// Points for the page, in mm.
 Json page_point(const Vec3& p);
 Json page_points(const std::vector<Vec3>& points);
-/// On one line; bytes that are not UTF-8 become U+FFFD.
+/// JSON on one line; bytes that are not UTF-8 become U+FFFD.
 std::string page_text(const Json& json);
 
 }  // namespace planish::job

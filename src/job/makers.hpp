@@ -6,14 +6,13 @@
 
 namespace planish::job {
 
-/// The rows of the table of makers.
+/// The entries of the table of makers.
 Maker unfold_maker();
 Maker connect_maker();
 Maker transition_maker();
 Maker slit_maker();
 
-/// A maker's own options, and behind them those that every flat pattern has: what the DXF is like,
-/// overlaps, the density.
+/// A maker's own options, followed by those of every flat pattern: DXF, overlaps, density.
 std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own);
 
 }  // namespace planish::job

@@ -73,7 +73,7 @@ Result<OptionValue> value_of(const Option& option, const std::string& text) {
   return OptionValue(text);
 }
 
-// A condition under which a request makes no sense, and what to say then.
+// A condition under which a request makes no sense, and the message for it.
 struct Contradiction {
   bool holds;
   const char* sentence;
@@ -123,7 +123,7 @@ Result<void> OptionValues::check_together() const {
                          "give only one of them"},
            {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other"},
            {given("r12") && text("splines") == "keep",
-            "`splines` keep cannot go with `r12`, which has no splines"},
+            "`splines` keep does not go with `r12`, which has no splines"},
            {given("tick_length") && text("bend_marks") != "ticks",
             "`tick_length` goes with `bend_marks` ticks"},
        })

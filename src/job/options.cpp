@@ -61,7 +61,7 @@ const std::vector<Option>& bend_options() {
       {.name = "k_table",
        .kind = OptionKind::file,
        .group = "Bends",
-       .description = "bend table: columns r/t (or r and t in mm), angle if wanted, and k, ba or "
+       .description = "bend table: columns r/t (or r and t in mm), optionally angle, and k, ba or "
                       "bd",
        .file_type = "FILE.csv",
        .set = set_k_table},
@@ -76,7 +76,7 @@ const std::vector<Option>& bend_options() {
       {.name = "bend_k",
        .kind = OptionKind::by_bend,
        .group = "Bends",
-       .description = "K-factor of one bend, as B1=0.4; may be given several times",
+       .description = "K-factor of one bend, as in B1=0.4; may be given several times",
        .range = kShare,
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.bend_k = std::get<std::vector<std::pair<std::string, double>>>(value);
@@ -96,7 +96,7 @@ const std::vector<Option>& bend_options() {
        .kind = OptionKind::face,
        .group = "Bends",
        .description = "skin that faces up: that of a face, the one that is unfolded (reference) or "
-                      "the other; auto: from which more bends go up",
+                      "the other; auto: the one from which more bends go up",
        .otherwise = "auto",
        .words = {"auto", "reference", "other"},
        .set = [](Request& to, const OptionValue& value) -> Done {
@@ -137,7 +137,7 @@ const std::vector<Option>& dxf_options() {
       {.name = "arc_tolerance",
        .kind = OptionKind::number,
        .group = "DXF",
-       .description = "mm that such arcs may be off",
+       .description = "largest deviation of such arcs, in mm",
        .otherwise = "0.01",
        .range = kAboveZero,
        .set = [](Request& to, const OptionValue& value) -> Done {
@@ -157,7 +157,7 @@ const std::vector<Option>& dxf_options() {
       {.name = "tick_length",
        .kind = OptionKind::number,
        .group = "DXF",
-       .description = "mm of each end with ticks",
+       .description = "length of each tick, in mm",
        .otherwise = "5",
        .range = kAboveZero,
        .set = [](Request& to, const OptionValue& value) -> Done {
@@ -187,7 +187,7 @@ const std::vector<Option>& check_options() {
       {.name = "no_rules",
        .kind = OptionKind::flag,
        .group = "Checks",
-       .description = "leave the rules of manufacture out",
+       .description = "do not check the rules of manufacture",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.rules.enabled = !yes(value);
          return {};
@@ -195,7 +195,7 @@ const std::vector<Option>& check_options() {
       {.name = "write_overlapping",
        .kind = OptionKind::flag,
        .group = "Checks",
-       .description = "write a pattern although it covers itself",
+       .description = "write a pattern even if it overlaps itself",
        .set = [](Request& to, const OptionValue& value) -> Done {
          to.write_overlapping = yes(value);
          return {};
@@ -232,7 +232,7 @@ const std::vector<Option>& general_options() {
       {.name = "piece",
        .kind = OptionKind::whole,
        .group = "Output",
-       .description = "of several pieces the one that is shown, from 0",
+       .description = "which of several pieces is shown, from 0",
        .otherwise = "0",
        .range = {"a whole number of at least 0", 0.0},
        .on_command_line = false,

@@ -19,8 +19,8 @@ struct Block {
   char32_t first, last;
 };
 
-// Letters of other scripts, by blocks: what lies outside is punctuation, symbols, signs that turn
-// the direction of writing, private use and the like.
+// Letters of other scripts, by blocks: outside them are punctuation, symbols, marks that change the
+// writing direction, private use and the like.
 constexpr std::array kLetters{Block{0xC0, 0xD6},      Block{0xD8, 0xF6},     Block{0xF8, 0x1FFF},
                               Block{0x2C00, 0x2DFF},  Block{0x3041, 0xD7FF}, Block{0xF900, 0xFDFF},
                               Block{0x20000, 0x323AF}};
@@ -69,7 +69,7 @@ std::vector<std::string> stems(const std::vector<UnfoldReport>& reports) {
     const std::string wanted = fmt::format("{}_t{}", safe_name(report.body),
                                            trimmed_number(report.summary.thickness, 3));
     std::string stem = wanted;
-    // "a-2" may itself be a body's name, so numbers are tried until the stem is free.
+    // "a-2" may itself be a body's name, so try numbers until the stem is free.
     for (int n = 2; !taken.insert(lower_case(stem)).second; ++n) {
       stem = fmt::format("{}-{}", wanted, n);
     }

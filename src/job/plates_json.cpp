@@ -28,43 +28,50 @@ const Words<LateralBoundary> kBoundaries{{"auto", LateralBoundary::automatic},
 Schema polygon() { return list(space_point()); }
 
 Schema plate_schema() {
-  return object({required("id", text().said("name of the plate, its own")),
+  return object({required("id", text().said("name of the plate, different for each")),
                  required("outline", polygon().said("corners in space, in one plane")),
                  optional("holes", list(polygon()).said("corners of each hole"))});
 }
 
 Schema bend_schema() {
   return object(
-      {required("between", list(text()).said("ids of the plates: two, one (its other end is free) "
-                                             "or none (a section of its own)")),
+      {required("between", list(text()).said("ids of the plates: two, one (the other end is free) "
+                                             "or none (a section by itself)")),
        optional("edges", map(list(whole()))
-                             .said("edges of a plate that the bend may take, by the "
-                                   "plate's id; edge i runs from corner i")),
+                             .said("consecutive edges that the bend uses, by plate "
+                                   "id; edge i runs from corner i to i + 1")),
        optional("surface", words(kSurfaces).defaulting("auto").said("of the bend")),
-       optional("inside_radius", length(kAtLeastZero).said("at the narrow end of a cone")),
+       optional("inside_radius",
+                length(kAtLeastZero).said("of a cylinder; of a cone at mid-length")),
        optional("inside_radii", tuple(2, length(kAtLeastZero), "two radii [left, right]")
                                     .said("of a cone, at both ends")),
        optional("aperture", angle(kAperture).said("of a cone")),
-       optional("slope", number().said("of the tangent line, sideways over along")),
-       optional("apex", length().said("of a cone, along the line in which the plates meet")),
-       optional("tangent_point", space_point().said("that the tangent line passes through")),
-       optional("lateral",
-                words(kBoundaries).defaulting("auto").said("the bend's boundary between plates")),
+       optional("slope", number().said("of the tangent lines, y over x")),
+       optional("apex",
+                length().said("of a cone, along the intersection line of the plates' planes")),
+       optional("tangent_point",
+                space_point().said(
+                    "of a general bend: where the tangents at both ends of its outer arc meet")),
+       optional("lateral", words(kBoundaries)
+                               .defaulting("auto")
+                               .said("lateral boundaries: how the bend ends at its sides")),
        optional("trade_off", number(kAtLeastZero)
                                  .defaulting(BendRequest{}.trade_off)
-                                 .said("weight of a wide bend against short extensions")),
-       optional("angle", angle(kTurn).said("that a section with a free end turns")),
+                                 .said("how much longer a bend may be for being wider")),
+       optional("angle", angle(kTurn).said("through which a section with a free end turns")),
        optional("length", length(kAboveZero).said("of a section without plates"))});
 }
 
 Schema make_schema() {
   std::vector<Field> fields = header_fields(kFormat, kVersion);
   fields.push_back(optional("units", units()));
-  fields.push_back(optional("k_factor", number(kShare).said("of every bend; 0.44 where no rule is "
-                                                            "asked for")));
+  fields.push_back(
+      optional("k_factor", number(kShare).said("of every bend, unless an option sets K; "
+                                               "0.44 if left out")));
   fields.push_back(required("thickness", length(kAboveZero).said("of the sheet")));
   fields.push_back(required("plates", list(plate_schema())));
-  fields.push_back(optional("bends", list(bend_schema()).said("all others are found")));
+  fields.push_back(optional(
+      "bends", list(bend_schema()).said("if left out, the program finds which plates to join")));
   fields.push_back(optional("root", text().said("id of the plate that stays where it is")));
   return object(std::move(fields)).said("Plates in space to be joined by bends");
 }
@@ -104,8 +111,8 @@ std::vector<std::string> ids_at(const JsonPlace& place) {
     ids.push_back(item.text());
   if (ids.size() > 2) {
     place.mistake(
-        fmt::format("names {} plates: a bend joins two, ends free at one (one id) or "
-                    "stands alone ([])",
+        fmt::format("names {} plates: a bend joins two, has a free end (one id) or "
+                    "is a section by itself ([])",
                     ids.size()));
   } else if (ids.size() == 2 && ids[0] == ids[1]) {
     place.mistake(fmt::format("names \"{}\" twice: a bend joins two different plates", ids[0]));
@@ -118,7 +125,7 @@ std::vector<int> edges_at(const JsonPlace& place) {
   for (const JsonPlace& item : place.items()) {
     const int edge = item.whole();
     if (std::find(edges.begin(), edges.end(), edge) != edges.end())
-      item.mistake(fmt::format("is {}, which stands in the list already", edge));
+      item.mistake(fmt::format("is {}, which is already in the list", edge));
     edges.push_back(edge);
   }
   if (edges.empty()) place.mistake("is empty: leave the plate out to have its edges chosen");
@@ -154,10 +161,10 @@ void read_sizes(BendRequest& bend, const JsonPlace& place) {
   bend.length = place["length"].maybe_length();
 }
 
-// What cannot be meant together, whatever the plates are.
+// Properties that exclude each other, whatever the plates are.
 void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.inside_radius && bend.inside_radii)
-    place["inside_radii"].mistake("stands beside inside_radius: give one of them");
+    place["inside_radii"].mistake("is given besides inside_radius: give only one of them");
   if (bend.angle && *bend.angle == Angle{})
     place["angle"].mistake(
         "is 0, which bends nothing: give the angle that the section turns, or leave the section "
@@ -165,7 +172,7 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
   if (bend.angle && bend.between.size() == 2)
     place["angle"].mistake(
         "belongs to a section with a free end; between two plates it follows "
-        "from where they lie: leave it out");
+        "from their positions: leave it out");
   if (bend.between.size() < 2)
     for (const char* key : {"slope", "apex", "aperture", "tangent_point", "lateral"})
       if (place[key].given() && place[key].text() != "auto" && place[key].text() != "arc")
@@ -210,7 +217,7 @@ Result<PlatesFile> parse_plates(const std::string& json, const std::string& name
     structure.bends.push_back(bend_at(bend));
   structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
-    file["plates"].mistake("is empty: give plates, or bends between no plates");
+    file["plates"].mistake("is empty: give plates, or bends that need no plate");
   if (reading.error()) return tl::unexpected(*reading.error());
   return plates;
 }

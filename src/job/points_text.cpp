@@ -30,7 +30,7 @@ bool has_decimal_commas(std::string_view line) {
   return true;
 }
 
-/// The next number of a line, which is shortened by it.
+/// Takes the next number off the front of a line.
 bool take_number(std::string_view& line, double& number) {
   line.remove_prefix(std::min(line.find_first_not_of(kBetween), line.size()));
   if (!line.empty() && line.front() == '+') line.remove_prefix(1);

@@ -8,7 +8,7 @@
 namespace planish::job {
 namespace {
 
-constexpr int kPoints = 96;  // of a full turn; a multiple of four, so that extents are met
+constexpr int kPoints = 96;  // per full turn; a multiple of four, so that extents are exact
 
 /// Appends `turns` quarters of an arc about `center` from the angle `start` (in quarters).
 void append_arc(std::vector<Vec2>& points, const Vec2& center, double radius, int start,
@@ -52,7 +52,7 @@ std::vector<Vec2> flat_points(const ObroundProfile& obround) {
 
 std::vector<Vec2> flat_points(const SplineProfile& spline) { return spline.points; }
 
-/// Sides of triangles without a neighbour, by the corner at which they start.
+/// Triangle edges without a neighbour, by the corner at which they start.
 std::map<int, int> border_sides(const Mesh& mesh) {
   std::map<std::pair<int, int>, int> sides;
   for (const auto& t : mesh.triangles)

@@ -8,7 +8,7 @@
 
 namespace planish::job {
 
-/// What a maker's reports have beyond those of all: keys of the report, and of each bend.
+/// Keys that a maker adds to the common ones: of the report, and of each bend.
 struct ReportDetails {
   std::vector<Field> report, bend;
 };
@@ -17,15 +17,15 @@ ReportDetails connect_report_details();
 ReportDetails transition_report_details();
 ReportDetails slit_report_details();
 
-/// What is written: reports of all makers, the summary of several bodies, what `planish info` says.
+/// Schemas of outputs: reports of all makers, the summary of several bodies, `planish info`.
 Schema report_schema(const Catalogue& catalogue);
 Schema summary_schema(const Catalogue& catalogue);
 Schema info_schema();
 
-/// The keys that reports share, from "units" on.
+/// The common keys of reports, from "units" on.
 std::vector<Field> common_report_fields();
 
-/// A number that is null where it could not be measured.
+/// A number, or null if it could not be measured.
 Schema measured_number();
 Schema measured_length();
 Schema measured_area();

@@ -118,7 +118,7 @@ std::string lines_of(const std::vector<std::string>& items, std::string_view bef
 
 std::string angle_text(Angle angle) {
   std::string text = fmt::format("{:.2f}", angle.degrees());
-  if (text.back() == '0') text.pop_back();  // a tenth is always said, a hundredth where it matters
+  if (text.back() == '0') text.pop_back();  // always one decimal, a second only if needed
   return text + "°";
 }
 

@@ -9,11 +9,11 @@
 
 namespace planish::job {
 
-/// A report as a person reads it, behind `title` and a colon; `tables` follow that of the bends.
+/// A report as text for a terminal, after `title` and a colon; `tables` follow the table of bends.
 std::string text_of(const Report& report, const std::string& title, const std::string& tables,
                     BendList bends = BendList::shown);
 
-/// The input's file name; "standard input".
+/// The input's file name, or "standard input".
 std::string input_name(const Report& report);
 
 /// "90.0°", "12.25°".

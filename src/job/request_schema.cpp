@@ -53,7 +53,7 @@ Schema input_schema() {
        object({optional("name", text().said("for messages and reports, and the stem of files")),
                required("content",
                         any_of({text(), map(anything())}, "an object, or the text of a file")),
-               optional("folder", text().said("where files that it names are"))})},
+               optional("folder", text().said("folder of the files that it refers to"))})},
       "the path of a file, or an object with its content");
 }
 
@@ -111,14 +111,16 @@ Schema request_schema(const Catalogue& catalogue) {
   std::vector<Field> fields = header_fields("planish/request", 1);
   fields.push_back(required("maker", words(names)));
   fields.push_back(required("input", input_schema()));
-  fields.push_back(optional(
-      "options", options_schema(OptionFiles::path_or_content).said("those that the maker takes")));
-  fields.push_back(optional(
-      "artifacts", list(words(artifact_names(catalogue))).said("those that the maker can write")));
+  fields.push_back(
+      optional("options",
+               options_schema(OptionFiles::path_or_content).said("options that the maker takes")));
+  fields.push_back(
+      optional("artifacts",
+               list(words(artifact_names(catalogue))).said("artifacts that the maker can write")));
   fields.push_back(optional(
       "effort",
-      words({"draft", "full"}).defaulting("full").said("draft: the sheet and its pattern alone")));
-  return object(std::move(fields)).said("What a maker is asked");
+      words({"draft", "full"}).defaulting("full").said("draft: only the sheet and its pattern")));
+  return object(std::move(fields)).said("A request to a maker");
 }
 
 OptionValues values_of(const Json& options) {

@@ -9,12 +9,12 @@
 
 namespace planish::job {
 
-/// An object with options of any maker; each may be null, as if it were left out.
+/// An object with options of any maker; null is the same as leaving an option out.
 Schema options_schema(OptionFiles files);
 /// A request to `run`.
 Schema request_schema(const Catalogue& catalogue);
 
-/// Enters the members of a checked "options" object.
+/// The values in a checked "options" object.
 OptionValues values_of(const Json& options);
 
 }  // namespace planish::job

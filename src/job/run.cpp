@@ -9,7 +9,7 @@
 namespace planish::job {
 namespace {
 
-/// A request, read.
+/// A parsed request.
 struct Asked {
   const Maker* maker = nullptr;
   Request request;

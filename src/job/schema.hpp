@@ -16,8 +16,8 @@ enum class Quantity { plain, length, area, volume, angle };
 
 struct Field;
 
-/// What a JSON value must be. One description serves the reader, which takes nothing else, and the
-/// JSON Schema that `planish schema` prints. Made by the functions below.
+/// What a JSON value must be. The same description serves the reader, which accepts nothing else,
+/// and the JSON Schema that `planish schema` prints. Made by the functions below.
 struct Schema {
   enum class Kind {
     anything,
@@ -38,7 +38,7 @@ struct Schema {
   Kind kind = Kind::anything;
   std::string words;        ///< what it must be, as messages say it: "a point [x, y, z]"
   std::string description;  ///< for people; empty: none
-  Json otherwise;           ///< what holds where it is left out; null: nothing
+  Json otherwise;           ///< the default; null: none
   Range range = kAnyNumber;
   Quantity quantity = Quantity::plain;
   bool may_be_empty = false;
@@ -49,9 +49,9 @@ struct Schema {
   std::vector<Field> fields;
 
   Schema said(std::string text) const;              ///< with a description
-  Schema defaulting(Json value) const;              ///< with what holds where it is left out
+  Schema defaulting(Json value) const;              ///< with a default
   Schema or_null() const;                           ///< this, or null
-  const Field* field(std::string_view name) const;  ///< null where there is none
+  const Field* field(std::string_view name) const;  ///< null if there is none
 };
 
 struct Field {
@@ -86,19 +86,21 @@ Schema space_point();      ///< [x, y, z], lengths
 Schema space_direction();  ///< [x, y, z], numbers
 Schema plane_point();      ///< [x, y], lengths
 
-/// "format" and "version", which every document of ours may begin with, and "units".
+/// "format" and "version", with which every Planish file may begin, and "units".
 std::vector<Field> header_fields(const std::string& format, int version);
 Schema units();
 
-/// One of several parts of `any_of` and `by_key`, the one that `value` is of; the schema itself for
-/// every other kind; null where no part is of the value's JSON type.
+/// The part of `any_of` or `by_key` that applies to `value`; for every other kind the schema
+/// itself; null if no part has the value's JSON type.
 const Schema* branch_for(const Schema& schema, const Json& value);
 
-/// A rule that a document breaks: "must be a number above 0, not -1" at a JSON pointer (RFC 6901).
+/// A rule that a document breaks, and where: "must be a number above 0, not -1" at a JSON pointer
+/// (RFC 6901).
 struct Mistake {
   std::string pointer, sentence;
 };
-/// The first one. `millimetres` is one unit of the document's lengths, which must be finite in mm.
+/// The first mistake. `millimetres` is one unit of the document's lengths, which must be finite in
+/// mm.
 std::optional<Mistake> first_mistake(const Schema& schema, const Json& document,
                                      double millimetres = 1.0);
 
@@ -107,7 +109,7 @@ Json json_schema(const Schema& schema, const std::string& title, const std::stri
 
 /// A token of a JSON pointer.
 std::string escaped_token(const std::string& key);
-/// A value in a message: lists and objects may be of any size and depth.
+/// A value as shown in a message; lists and objects may be of any size and depth.
 std::string shown(const Json& value);
 
 }  // namespace planish::job

@@ -45,7 +45,7 @@ bool is_of_type(const Schema& schema, const Json& value) {
   return value.is_null();
 }
 
-/// Looks for the first mistake; the keys on the way to the value at hand are its pointer.
+/// Looks for the first mistake; the keys on the way to the current value form its pointer.
 class Check {
  public:
   explicit Check(double millimetres) : millimetres_(millimetres) {}
@@ -110,7 +110,7 @@ class Check {
     return true;
   }
 
-  // A key that is misspelt first: it is the reason why another is missing.
+  // Unknown keys first: a misspelt key is why another is missing.
   bool object_passes(const Schema& schema, const Json& value) {
     if (!value.is_object()) return must_be(schema, value);
     for (const auto& [key, one] : value.items())
@@ -127,7 +127,7 @@ class Check {
 
   static std::vector<std::string> keys(const Schema& schema) {
     std::vector<std::string> all;
-    for (const bool required : {true, false})  // what must be there is said first
+    for (const bool required : {true, false})  // required keys are reported first
       for (const Field& field : schema.fields)
         if (field.required == required) all.push_back(field.key);
     return all;

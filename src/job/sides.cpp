@@ -69,7 +69,7 @@ Result<UpSide> up_side(const Sheet& sheet, const std::string& up) {
   if (face_numbered(sheet, *number, any)) return UpSide::reference;
   return fail(ErrorCode::no_such_face,
               fmt::format("face {} is not on the reference skin, which has the faces {}; "
-                          "`up` other turns the opposite skin up",
+                          "`up` other makes the opposite skin face up",
                           *number, fmt::join(numbers(sheet, any), ", ")),
               fmt::format("face {}", *number));
 }

@@ -9,8 +9,8 @@
 
 namespace planish::job {
 
-/// What `flatten` needs to know, from the words and face numbers of a request. Errors:
-/// `no_such_face` (the message lists the valid ones), `bad_option` for a word not understood.
+/// Options for `flatten`, from the words and face numbers of a request. Errors: `no_such_face` (the
+/// message lists the valid ones), `bad_option` for an unknown word.
 Result<FlattenOptions> flatten_options(const Sheet& sheet, const Request& request);
 
 }  // namespace planish::job

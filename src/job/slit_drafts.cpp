@@ -27,7 +27,7 @@ Result<void> SlitDrafts::begin(const SlitFile& file, const Progress& progress) {
   motion_ = Eigen::Isometry3d::Identity();
   aligned_ = file.align_scans;
   if (!aligned_) return {};
-  // Scans lie only roughly where the sheet is: they are brought to the first shape.
+  // Scans lie only roughly where the sheet is: move them to the first shape.
   if (auto solved = solve(progress); !solved) return solved;
   const auto motion = session_->align_scans();
   if (!motion) return tl::unexpected(motion.error());

@@ -8,18 +8,17 @@
 
 namespace planish::job {
 
-/// The strips of a slit sheet while somebody drags at it: each design begins from the shape of the
-/// one before.
+/// The strips of a slit sheet during a drag: each design starts from the previous shape.
 class SlitDrafts {
  public:
-  /// Takes the design of a file, without its subdivisions, and solves it for 0.05 s at most; what
-  /// is open then goes on with the next. Errors: those of `SlitSession::start` (what was before
-  /// stays), `cancelled`.
+  /// Takes the design of a file, without its subdivisions, and solves it for 0.05 s at most; strips
+  /// still open continue with the next design. Errors: those of `SlitSession::start` (the previous
+  /// design stays), `cancelled`.
   Result<void> follow(const SlitFile& file, const Progress& progress);
 
   /// Requires that `follow` has succeeded.
   const SlitSession& now() const { return *session_; }
-  /// By which the scans were moved to the strips, where the file says that they shall be.
+  /// The motion of the scans to the strips, if the file asks for it.
   const Eigen::Isometry3d& scan_motion() const { return motion_; }
 
  private:

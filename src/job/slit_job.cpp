@@ -15,7 +15,7 @@
 namespace planish::job {
 namespace {
 
-/// Hinges of plane pieces: their images are exact (mm).
+/// All borders are straight hinges or cuts, so their images are exact (mm).
 constexpr double kOutline = 1e-9;
 
 Result<void> solve(SlitSession& session, const Progress& progress) {
@@ -23,8 +23,8 @@ Result<void> solve(SlitSession& session, const Progress& progress) {
   return done ? Result<void>() : tl::unexpected(done.error());
 }
 
-/// Scans lie only roughly where the sheet is: the strips follow them there as far as they can, the
-/// scans are brought to the strips, and so on until both agree.
+/// Scans lie only roughly where the sheet is: the strips follow them as far as they can, then the
+/// scans move to the strips, and so on until both agree.
 Result<void> align(SlitSession& session, Eigen::Isometry3d& motion, const Progress& progress) {
   constexpr int kRounds = 30;
   const double still = 1e-4 * session.design().sheet.reach();
@@ -61,7 +61,7 @@ void take_result(SlitReport& report, const SlitSession& session) {
   }
 }
 
-/// Strips that stay away from where they must end.
+/// A refusal if strips do not reach the place where they must end.
 std::optional<Error> out_of_reach(const SlitReport& report) {
   std::string which;
   int first = -1, count = 0;
@@ -70,12 +70,13 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
     if (strip.status != StripStatus::out_of_reach) continue;
     constexpr double kThere = 1e-6;  // mm
     if (strip.shortfall < kThere)
-      return Error{ErrorCode::out_of_reach,
-                   fmt::format("the end of strip {} is where it must be, but no folding was found "
-                               "in which it also points there: half a turn is missing; turn "
-                               "its direction or its ridge round, or leave one of them out",
-                               i),
-                   fmt::format("/ends/{}", i)};
+      return Error{
+          ErrorCode::out_of_reach,
+          fmt::format("the end of strip {} is where it must be, but no folding was found "
+                      "in which it also points the right way: half a turn is missing; turn "
+                      "its direction or its ridge around, or leave one of them out",
+                      i),
+          fmt::format("/ends/{}", i)};
     if (first < 0) first = static_cast<int>(i);
     constexpr int kMostNamed = 8;
     if (++count <= kMostNamed)
@@ -101,7 +102,7 @@ double length_of(const SlitSheet& sheet, std::size_t strip) {
   return sheet.end_of(static_cast<int>(strip)) - std::min(start[0], start[1]);
 }
 
-/// What a designer should know of strips that are where they must be.
+/// Findings about strips that end where they must.
 void add_findings(SlitReport& report) {
   const auto add = [&](const char* code, std::string message, std::size_t strip, int ridge) {
     report.findings.push_back(
@@ -125,21 +126,20 @@ void add_findings(SlitReport& report) {
         strip.scan_distance > kFarOff * reach)
       add("scan_far",
           fmt::format("strip {} stays {:.4g} mm from its scanned points on average: check their "
-                      "units, their place and which strip they are of",
+                      "units, their position and the strip that they belong to",
                       i, strip.scan_distance),
           i, last);
     if (strip.crosses_plane)
       add("strips_cross", fmt::format("strip {} runs through its mirror image", i), i, last);
     if (strip.status == StripStatus::open)
       add("not_converged",
-          fmt::format(
-              "strip {} is not at its best yet; it ends where it must, but could be smoother", i),
+          fmt::format("strip {} is not finished; it ends where it must, but could be smoother", i),
           i, last / 2);
   }
 }
 
-/// Every piece's flat coordinates are those of the sheet that was cut, so one motion has to lay
-/// them all.
+/// The flat coordinates of every facet are those of the sheet that was cut, so a single motion must
+/// map them all.
 double flat_deviation(const Sheet& sheet, const Layout& layout) {
   double largest = 0.0;
   for (const FaceId id : sheet.faces.ids())
@@ -168,7 +168,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   FlattenOptions options;
   options.allowance = ConstantK{0.5, "hinges of the middle surface"};
   options.curve_tolerance = options.merge_tolerance = kOutline;
-  options.root = FaceId{0};  // its coordinates are those of the whole flat sheet
+  options.root = FaceId{0};  // its coordinates are the whole flat sheet's
   options.keep_root = true;
   options.up = UpSide::reference;
   PatternChecks checks = request;

@@ -13,7 +13,6 @@ namespace {
 
 constexpr auto kFormat = "planish/slits";
 constexpr int kVersion = 1;
-constexpr int kMostSubdivisions = 6;
 
 constexpr int kMostStrips = 10000;
 
@@ -31,23 +30,30 @@ Schema curve_schema(std::string description) {
 }
 
 Schema strip_schema() {
-  return object({required("width", length(kAboveZero)),
-                 optional("gap", length(kAtLeastZero).defaulting(0).said("to the next strip")),
-                 optional("left_start", length().said("where its left slit begins")),
-                 optional("right_start", length().said("where its right slit begins")),
-                 optional("end", length().said("where it ends; half_length where left out"))});
+  return object(
+      {required("width", length(kAboveZero)),
+       optional("gap", length(kAtLeastZero)
+                           .defaulting(0)
+                           .said("to the strip before it, or to the sheet's left edge")),
+       optional("left_start", length().said("where its left slit begins")),
+       optional("right_start", length().said("where its right slit begins")),
+       optional("end",
+                length().said("where it ends, along; panel_height + half_length if left out"))});
 }
 
-/// A number of strips with one width, or a list of strips.
+/// A number of strips of equal width, or a list of strips.
 Schema sheet_schema() {
   const auto with = [](std::vector<Field> strips) {
-    strips.push_back(required("panel_height", length(kAboveZero).said("of what is not slit")));
+    strips.push_back(
+        required("panel_height", length(kAboveZero).said("of the uncut part of the sheet")));
     strips.push_back(
         required("half_length", length(kAboveZero)
-                                    .said("of the sheet along the strips; the length of the "
-                                          "strips of sheets that are not symmetric")));
+                                    .said("of the strips, from the panel to the symmetry "
+                                          "plane or to the free end")));
     strips.push_back(
-        optional("margin", length(kAtLeastZero).defaulting(0).said("beside the outer strips")));
+        optional("margin", length(kAtLeastZero)
+                               .defaulting(0)
+                               .said("between the last strip and the sheet's right edge")));
     return object(std::move(strips));
   };
   return by_key("strip_width",
@@ -57,9 +63,10 @@ Schema sheet_schema() {
 }
 
 Schema anchor_schema() {
-  return object({required("strip", whole()), required("ridge", whole()),
-                 required("at", space_point().said("where the end of the ridge is held")),
-                 optional("side", words(kSides).defaulting("left").said("which end of it"))});
+  return object(
+      {required("strip", whole()), required("ridge", whole()),
+       required("at", space_point().said("place that the end of the ridge should be near")),
+       optional("side", words(kSides).defaulting("left").said("which end of the ridge"))});
 }
 
 Schema end_schema() {
@@ -77,7 +84,7 @@ Schema weights_schema() {
   std::vector<Field> fields;
   for (const auto& [name, weight] : kWeights)
     fields.push_back(optional(std::string(name), number().defaulting(SlitWeights{}.*weight)));
-  return object(std::move(fields)).said("of what strips are drawn towards");
+  return object(std::move(fields)).said("of the terms of the objective");
 }
 
 Schema make_schema() {
@@ -89,21 +96,23 @@ Schema make_schema() {
   add(required("thickness", length(kAboveZero).said("of the sheet")));
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
-               length(kAtLeastZero).defaulting(0).said("that the material allows")));
-  add(required("leg_curve", curve_schema("on the ground, that the panel stands on")));
-  add(optional("seat_curve", curve_schema("in the middle plane, that strips are drawn to")));
-  add(optional("ridges", whole().defaulting(usual.ridges).said("of each strip, to begin with")));
+               length(kAtLeastZero).defaulting(0).said("to which the material may be bent")));
+  add(required("leg_curve", curve_schema("in the ground plane; the panel stands on it")));
+  add(optional("seat_curve", curve_schema("in the symmetry plane; the strips are drawn to it")));
+  add(optional(
+      "ridges",
+      whole().defaulting(usual.ridges).said("number of quads in each strip at the start")));
   add(optional(
       "end_angle",
-      words(kEndAngles).defaulting("right_angle").said("at which strips meet the middle plane")));
+      words(kEndAngles).defaulting("right_angle").said("how strips meet the symmetry plane")));
   add(optional("weights", weights_schema()));
   add(optional("anchors", list(anchor_schema())));
-  add(optional("ends", list(end_schema()).said("of strips of sheets that are not symmetric")));
-  add(optional("scan", list(scan_schema()).said("points that strips are drawn to")));
+  add(optional("ends", list(end_schema()).said("of the strips of a sheet that is not symmetric")));
+  add(optional("scan", list(scan_schema()).said("measured points that strips are drawn to")));
   add(optional(
       "subdivisions",
-      whole(0, kMostSubdivisions).defaulting(0).said("how often each quad is halved in the end")));
-  add(optional("align_scan", flag().defaulting(false).said("move scans to the strips first")));
+      whole(0, kMostSubdivisions).defaulting(0).said("how many times the quads are halved")));
+  add(optional("align_scan", flag().defaulting(false).said("first move the scans to the strips")));
   add(optional("kerf", length(kAtLeastZero).defaulting(0).said("width of the slits; 0: lines")));
   add(optional("stop_hole",
                length(kAtLeastZero).defaulting(0).said("diameter at the ends of slits; 0: none")));
@@ -177,7 +186,7 @@ std::vector<StripEnd> ends_at(const JsonPlace& place, std::size_t strips) {
   return ends;
 }
 
-/// A scan with its points, or with the name of the file that has them.
+/// A scan with its points, or with the name of a file that has them.
 struct ScanPlace {
   SlitScan scan;
   std::string file;
@@ -266,7 +275,7 @@ Result<SlitFile> parse_slits(const std::string& json, const std::string& name,
   return file;
 }
 
-// Whoever writes a file must spare these even where the slit file is wrong in other places.
+// These must not be overwritten, even if the slit file has mistakes elsewhere.
 std::vector<NamedFile> point_files_of(const std::string& json) {
   std::vector<NamedFile> files;
   const Json document = Json::parse(json, nullptr, false);

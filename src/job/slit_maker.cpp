@@ -26,7 +26,7 @@ Exit status:
 
 The slit file and all else in docs/slit.md.)";
 
-constexpr int kErrorOfForm = 4;  // exit status: understood, but there is no such form
+constexpr int kErrorOfForm = 4;  // exit status: the input is valid, but the form does not exist
 
 Json curve_json(const BezierCurve& curve, Vec3 (*place)(const Vec2&)) {
   constexpr int kChords = 64;
@@ -46,7 +46,7 @@ Json ridges_json(const FoldedSlitSheet& folded) {
   return json;
 }
 
-/// At most 5000 points of all scans, evenly picked.
+/// At most 5000 points of all scans, picked evenly.
 Json scan_json(const std::vector<SlitScan>& scans, const Eigen::Isometry3d& motion) {
   constexpr std::size_t kMost = 5000;
   std::size_t count = 0, seen = 0;
@@ -63,11 +63,11 @@ Json scan_json(const std::vector<SlitScan>& scans, const Eigen::Isometry3d& moti
 class MadeSlitSheet : public MadeReport<SlitReport> {
  public:
   using MadeReport::MadeReport;
-  /// `asked`: as the input has it, with curves and scans where they were given.
+  /// `asked`: the design as in the input, with its curves and scans.
   MadeSlitSheet(SlitReport report, SlitDesign asked, Effort effort)
       : MadeReport(std::move(report)), asked_(std::move(asked)), effort_(effort) {}
 
-  /// While somebody drags, ridges are drawn, but they are too many to be told of one by one.
+  /// During a drag ridges are drawn, but not reported one by one: there are too many.
   std::string json() const override {
     return report_json(made_, effort_ == Effort::draft ? Ridges::left_out : Ridges::told);
   }
@@ -80,7 +80,7 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
     if (!mould) return tl::unexpected(mould.error());
     return mesh_of(*mould);
   }
-  // Ridges are drawn but too many to be labelled; strips are.
+  // There are too many ridges to label; strips are labelled.
   SvgOptions svg() const override { return {.labels = false}; }
   std::string handles() const override {
     Json json;
@@ -99,7 +99,7 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
   Effort effort_ = Effort::full;
 };
 
-/// Keeps the strips as they are bent, so that each draft begins from the one before.
+/// Keeps the bent strips, so that each draft starts from the previous one.
 class SlitWork : public Work {
  public:
   explicit SlitWork(SlitFile file) : file_(std::move(file)) {}
@@ -119,8 +119,8 @@ class SlitWork : public Work {
   }
 
  private:
-  /// As far as a moment allows: strips that are not at their best then are `open`, and the next
-  /// draft goes on.
+  /// Solves for a moment: strips that are not finished then are `open`, and the next draft
+  /// continues.
   Result<SlitReport> draft(const Request& request, const Progress& progress) {
     if (auto followed = drafts_.follow(file_, progress); !followed) {
       if (exit_status(followed.error().code) != kErrorOfForm)

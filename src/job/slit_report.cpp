@@ -120,7 +120,7 @@ std::string report_json(const SlitReport& report, Ridges ridges) {
 std::string report_text(const SlitReport& report) {
   const Units units(report.units);
   const std::string table = report.strips.empty() ? "" : strip_table(report, units);
-  // Ridges are too many to read one by one; the strips say what matters.
+  // There are too many ridges to read; the table of strips has what matters.
   if (!report.has_pattern())
     return text_of(report, input_name(report), "", BendList::left_out) + table;
   return text_of(report, input_name(report),

@@ -19,7 +19,7 @@ int unfolded(const std::vector<UnfoldReport>& reports) {
                                         [](const auto& report) { return report.has_pattern(); }));
 }
 
-// Of all bodies together: refused only when nothing at all came of it.
+// Of all bodies together: refused only if no body has a pattern.
 Status status_of(const std::vector<UnfoldReport>& reports) {
   if (unfolded(reports) == 0) return Status::refused;
   const bool clean = std::all_of(reports.begin(), reports.end(),
@@ -105,7 +105,7 @@ const Cells& field_names() {
   return names;
 }
 
-// What the last column of the terminal's table says of a body.
+// The last column of the terminal's table.
 std::string outcome(const UnfoldReport& report) {
   if (!report.refusal) return fmt::format("{}", fmt::join(report.files, ", "));
   return fmt::format("{}: {}", code_name(report.refusal->code), report.refusal->message);

@@ -17,9 +17,9 @@ class Table {
 
   explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-  /// One cell a column; what a terminal should not see in them is replaced (see `printable`).
+  /// One cell per column; characters that could affect a terminal are replaced (see `printable`).
   void add(std::vector<std::string> cells);
-  /// Title line and rows, each behind `indent`, two blanks between columns, none at the end.
+  /// Title line and rows, each after `indent`, with two blanks between columns and none at the end.
   std::string text(std::string_view indent = "") const;
 
  private:

@@ -11,7 +11,7 @@
 namespace planish::job {
 namespace {
 
-// In pieces: character by character would take longer than to understand them.
+// In blocks: reading character by character would take longer than parsing.
 std::string all_of(std::istream& stream) {
   std::string text;
   std::vector<char> piece(1 << 16);

@@ -11,17 +11,18 @@
 namespace planish::job {
 namespace {
 
-/// Outlines are held to this, because nets are compared with closed forms and with each other (mm).
+/// Outlines are this accurate because nets are compared with closed forms and with each other (mm).
 constexpr double kOutline = 1e-7;
 
-/// What is within this of a line, an arc or a point is one: more than the rounding of a cone's
-/// image about its apex (mm).
+/// A curve within this of a line, an arc or a point becomes one (mm); more than the rounding of a
+/// cone's image near its apex.
 constexpr double kMerged = 5e-7;
 
-/// Solids are splines within a micrometre anyway: a share of the extent that costs less to write.
+/// Splines of solids are only accurate to a micrometre anyway; this share of the extent costs less
+/// to write.
 constexpr double kFolded = 1e-8;
 
-/// A share of the extent that nobody sees.
+/// A share of the extent too small to see.
 constexpr double kDrawn = tolerance::kFileDigits;
 
 FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
@@ -32,7 +33,7 @@ FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
   return options;
 }
 
-/// `folded` is what its solid is made of, or why there is none.
+/// `folded` is the piece to make its solid from, or why there is none.
 std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
                                const Result<FoldedPiece>& folded, const TransitionSpec& spec,
                                const Request& request, const Progress& progress) {
@@ -54,7 +55,7 @@ std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
   return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
 }
 
-/// What is said of one piece is said of the whole; of several, their findings are.
+/// The report of a single piece becomes the whole's; of several pieces, only the findings.
 void gather(TransitionReport& report) {
   if (report.pieces.size() == 1) {
     static_cast<Report&>(report) = report.pieces.front();

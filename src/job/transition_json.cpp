@@ -22,7 +22,7 @@ const Words<SizesAre> kSizes{
 Schema profile_schema() {
   const Schema size = length(kAboveZero);
   return one_key(
-      {optional("polygon", list(plane_point()).said("corners, counter-clockwise")),
+      {optional("polygon", list(plane_point()).said("corners, in either direction")),
        optional("circle", object({required("radius", size)})),
        optional("ellipse", object({required("rx", size), required("ry", size)})),
        optional("rounded_rectangle", object({required("width", size), required("height", size),
@@ -37,19 +37,20 @@ Schema placed_schema() {
        optional("x", space_direction().said("direction of the profile's x")),
        optional("normal", space_direction().defaulting(Json::array({0, 0, 1})))});
   return object({required("profile", profile_schema()),
-                 optional("frame", frame.said("where the profile's plane lies"))});
+                 optional("frame", frame.said("place of the profile's plane"))});
 }
 
 Schema seam_schema() {
-  return one_key({optional("edge", whole().said("the middle of this edge of the first profile")),
-                  optional("corner", whole().said("this corner of the first profile")),
-                  optional("parameter", number(kShare).said("share of the first profile"))});
+  return one_key(
+      {optional("edge", whole().said("in the middle of this edge of the first profile")),
+       optional("corner", whole().said("at this corner of the first profile")),
+       optional("parameter", number(kShare).said("at this share of the first profile's length"))});
 }
 
 Schema press_lines_schema() {
-  return one_key({optional("count", whole(1).said("lines in each curved patch")),
-                  optional("max_angle", angle(kPressAngle).said("that a line bends at most")),
-                  optional("chord", length(kAboveZero).said("distance of lines at most"))});
+  return one_key({optional("count", whole(1).said("number of lines in each curved patch")),
+                  optional("max_angle", angle(kPressAngle).said("largest angle of a line")),
+                  optional("chord", length(kAboveZero).said("largest distance between lines"))});
 }
 
 Schema make_schema() {
@@ -59,13 +60,14 @@ Schema make_schema() {
   fields.push_back(optional("k_factor", number(kShare).defaulting(kDefaultK)));
   fields.push_back(required("from", placed_schema().said("the first profile")));
   fields.push_back(required("to", placed_schema().said("the second profile")));
-  fields.push_back(optional(
-      "sizes_are", words(kSizes).defaulting("mid").said("which skin the profiles' sizes are of")));
-  fields.push_back(optional("seam", seam_schema().said("where it is opened")));
-  fields.push_back(optional(
-      "pieces",
-      values({1, 2, "per_side"}, "1, 2 or \"per_side\"").defaulting(1).said("that it is made of")));
-  fields.push_back(optional("press_lines", press_lines_schema().said("of curved patches")));
+  fields.push_back(optional("sizes_are", words(kSizes).defaulting("mid").said(
+                                             "surface for which the profiles are given")));
+  fields.push_back(optional("seam", seam_schema().said("where the sheet is closed")));
+  fields.push_back(optional("pieces", values({1, 2, "per_side"}, "1, 2 or \"per_side\"")
+                                          .defaulting(1)
+                                          .said("how many pieces, or one for each side")));
+  fields.push_back(
+      optional("press_lines", press_lines_schema().said("how curved patches are pressed")));
   return object(std::move(fields)).said("Two profiles to be joined by a developable surface");
 }
 

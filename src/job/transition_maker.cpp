@@ -51,7 +51,7 @@ Result<std::unique_ptr<Made>> make(const TransitionFile& file, const Request& re
                                    const Progress& progress) {
   auto report = transition_between(file, request, progress);
   if (!report) return tl::unexpected(report.error());
-  // Nobody reads them while dragging, and they are half of what would be sent.
+  // Nobody reads them during a drag, and they would be half of what is sent.
   if (request.effort == Effort::draft) report->transition.true_lengths.clear();
   return std::make_unique<MadeTransition>(std::move(*report));
 }

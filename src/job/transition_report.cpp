@@ -34,7 +34,7 @@ Json line_json(const Segment& line, const Units& units) {
   return Json::array({point_json(line.a, units), point_json(line.b, units)});
 }
 
-/// All bends in the order in which the profile runs, a row for each line.
+/// All bends in the order of the profile, a row for each line.
 Json press_lines_json(const Report& piece, const Units& units) {
   Json json = Json::array();
   for (const FlatBend& bend : piece.flat.bends)

@@ -12,7 +12,7 @@
 namespace planish::job {
 namespace {
 
-constexpr double kRead = 0.2;  // share at which what follows reading begins
+constexpr double kRead = 0.2;  // share of the progress taken by reading
 
 struct TimedFile {
   StepFile file;
@@ -28,7 +28,7 @@ Result<TimedFile> timed_read(const Request& request, const Progress& progress) {
   return TimedFile{std::move(*file), taken.count()};
 }
 
-// The one place where a defect that shows in one body is kept from the others.
+// The one place that keeps a failure in one body from affecting the others.
 Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
                                       const Progress& progress) {
   try {

@@ -30,7 +30,8 @@ Exit status:
 
 More in docs/cli.md.)";
 
-constexpr double kRead = 0.7;  // share of opening a file, the rest is measuring its bodies
+constexpr double kRead = 0.7;  // share of the progress taken by opening a file; the rest is
+                               // measuring its bodies
 
 class MadeUnfolded : public MadeReport<UnfoldReport> {
  public:
@@ -41,7 +42,7 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
   Result<Mesh> folded_mesh() const override {
     return body_ ? body_mesh(*body_) : Made::folded_mesh();
   }
-  // Whoever is refused wants to see of what; where the kernel has no mesh there is nothing to see.
+  // Shows what was refused; empty if the kernel cannot mesh it.
   std::optional<Mesh> refused_solid() const override {
     if (!body_) return std::nullopt;
     constexpr double kShare = 1e-3;  // of the extent
@@ -53,7 +54,7 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
   std::optional<Body> body_;
 };
 
-/// Keeps the file as it was read, and the sheets found in its bodies.
+/// Keeps the file as read, and the sheets found in its bodies.
 class UnfoldWork : public Work {
  public:
   UnfoldWork(std::string name, StepFile file) : name_(std::move(name)), file_(std::move(file)) {}
@@ -76,7 +77,7 @@ class UnfoldWork : public Work {
   }
 
  private:
-  /// Found once a body.
+  /// Recognised once per body.
   const Result<Recognized>& sheet_of(int body, const Progress& progress) {
     const auto known = found_.find(body);
     if (known != found_.end()) return known->second;

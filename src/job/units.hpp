@@ -7,7 +7,7 @@
 
 namespace planish::job {
 
-/// Lengths of a report: from millimetres to its unit, as numbers and as text.
+/// Converts lengths of a report from millimetres to its unit, as numbers and as text.
 class Units {
  public:
   explicit Units(LengthUnit unit) : unit_(unit), millimetres_(millimetres_in(unit)) {}
@@ -34,7 +34,7 @@ class Units {
   double millimetres_;
 };
 
-/// Fixed decimals with the zeros at the end left out, and the point with them.
+/// Fixed decimals without trailing zeros or a trailing point.
 std::string trimmed_number(double value, int decimals);
 
 /// "1 bend", "2 bends".

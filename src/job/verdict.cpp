@@ -15,7 +15,8 @@ std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
 }
 
-// "2 countersinks, 1 pocket": the usual reason why flat area times thickness misses the volume.
+// "2 countersinks, 1 pocket": the usual reason why flat area times thickness differs from the
+// volume.
 std::string features_text(const FlatPattern& flat) {
   std::map<std::string, int> count;
   for (const FlatFeature& feature : flat.features)
@@ -53,7 +54,7 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
     message += fmt::format("; without them it is {:.6f}", explained);
   }
   if (features.empty() || off(explained, bound)) {
-    message += "; cut edges that are not normal to the sheet, or a missed feature, do that";
+    message += "; cut edges that are not normal to the sheet, or a missed feature, cause this";
   }
   return {"volume_identity", Severity::warning, std::move(message), feature_places(flat)};
 }
@@ -80,8 +81,7 @@ Error wrong(const std::string& what, const Vec2& at) {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
-  // Without features what explains the volume is what a made sheet is known to lack or to hold
-  // more.
+  // Without features, a good explained ratio means that mitred corners account for the difference.
   const bool explained = flat.features.empty() &&
                          !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&
@@ -134,7 +134,7 @@ std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps) {
     message += fmt::format(", and at {}",
                            counted(static_cast<int>(overlaps.size()) - 1, "more place"));
   }
-  message += "; with `write_overlapping` the pattern is written all the same";
+  message += "; with `write_overlapping` the pattern is written anyway";
   return Error{ErrorCode::overlap, std::move(message),
                first.at.empty() ? std::string() : place_text(first.at.front())};
 }

@@ -11,12 +11,12 @@ namespace planish::job {
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds);
 
-/// `pattern_wrong` where a residual is beyond belief, or could not be measured although the solid
-/// has a volume to measure against.
+/// `pattern_wrong` if a residual exceeds its refusal bound, or could not be measured although the
+/// solid's volume is known.
 std::optional<Error> disbelief(const Certificate& certificate, double solid_volume,
                                const CertificateBounds& bounds);
 
-/// `overlap`: what `find_overlaps` found, as a refusal. None for no findings.
+/// What `find_overlaps` found, as a refusal `overlap`; empty without findings.
 std::optional<Error> overlap_refusal(const std::vector<Finding>& overlaps);
 
 }  // namespace planish::job

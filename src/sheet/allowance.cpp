@@ -25,7 +25,7 @@ struct BendSize {
   Angle angle;
 };
 
-constexpr double kRightAngle = 90.0;  // degrees: what a BA or BD without angle is for
+constexpr double kRightAngle = 90.0;  // degrees: the angle of a BA or BD given without one
 
 // How far a K that was computed from BA or BD may leave [0, 1] by rounding.
 constexpr double kBeyond = tolerance::kComputed;
@@ -34,7 +34,7 @@ double k_of_allowance(double allowance, const BendSize& bend) {
   return (allowance / bend.angle.radians() - bend.radius) / bend.thickness;
 }
 
-// ---- tables
+// Tables.
 
 /// A row as a K-factor at a point of the table's up to three dimensions.
 struct TablePoint {
@@ -78,7 +78,7 @@ std::vector<TablePoint> points_of(const BendTable& table) {
   return points;
 }
 
-/// The same place along one dimension: tables write 0.0598 where CAD has 0.05980001.
+/// Equal along one dimension: tables write 0.0598 where CAD has 0.05980001.
 bool same(double a, double b) {
   constexpr double kRelative = tolerance::kWrittenDigits;
   return std::abs(a - b) <= kRelative * std::max(std::abs(a), std::abs(b));
@@ -169,7 +169,7 @@ Result<SourcedK> k_of(const BendTable& table, const BendSize& bend) {
                                          deduction_text(table, reading.rows))};
 }
 
-// ---- the other rules
+// The other rules.
 
 Result<SourcedK> k_of(const ConstantK& rule, const BendSize&) {
   return SourcedK{rule.k, rule.source};
@@ -188,7 +188,7 @@ tl::unexpected<Error> bad_size(const char* what, double value, const char* unit)
 
 Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
                                      double inside_radius, Angle angle) {
-  // Negated comparisons, so that NaN is refused as well.
+  // Negated comparisons, so that NaN is refused too.
   if (!(thickness > 0.0 && std::isfinite(thickness)))
     return bad_size("thickness must be positive", thickness, "mm");
   if (!(inside_radius >= 0.0 && std::isfinite(inside_radius)))

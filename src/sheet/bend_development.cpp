@@ -24,7 +24,8 @@ Result<BendAllowance> allowance_of(const Sheet& sheet, BendId id, const FlattenO
   return by(options.allowance);
 }
 
-/// Between skins a sharp bend turns about the reference surface; outside the faces meet beyond it.
+/// If the reference surface lies between the skins, a sharp bend turns about it; on an outside skin
+/// the faces meet beyond it.
 void settle_hinge(const Sheet& sheet, const Bend& bend, BendAllowance& allowance) {
   const double outwards = bend.reference_inside ? 1.0 : -1.0;
   allowance.allowance = bend.angle.radians() * outwards *
@@ -34,7 +35,7 @@ void settle_hinge(const Sheet& sheet, const Bend& bend, BendAllowance& allowance
   allowance.deduction = 2.0 * outside_setback(0.0, outside, bend.angle) - allowance.allowance;
 }
 
-/// Whether the surface at this offset is one: general surfaces end at their edge of regression,
+/// Whether the surface exists at this offset: general surfaces end at their edge of regression,
 /// which lies away from the sheet.
 bool has_radius(const Sheet& sheet, const Bend& bend, double offset) {
   const double least = tolerance::kComputed * sheet.thickness;

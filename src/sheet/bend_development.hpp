@@ -8,8 +8,8 @@ namespace planish::sheet_detail {
 Result<IdVector<BendId, BendAllowance>> allowances_of(const Sheet& sheet,
                                                       const FlattenOptions& options);
 
-/// How each bend is developed at its neutral surface; sharp bends are not. Error: `bad_option`
-/// where K leaves the neutral surface of a bend without inside radius no radius.
+/// How each bend is developed at its neutral surface; empty for sharp bends. Error: `bad_option` if
+/// K gives the neutral surface of a bend no radius.
 Result<IdVector<BendId, std::optional<Development>>> developments_of(
     const Sheet& sheet, const IdVector<BendId, BendAllowance>& allowances);
 

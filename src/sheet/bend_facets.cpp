@@ -117,7 +117,7 @@ Eigen::Isometry3d BendFacets::in_space(int strip, double depth) const {
   return placed;
 }
 
-/// Parameters between which chords leave a curve by no more than `chord_`.
+/// Parameters between which chords deviate from a curve by at most `chord_`.
 void BendFacets::add_stops(const Curve2& curve, std::vector<double>& stops) const {
   if (std::holds_alternative<Arc>(curve)) {
     constexpr int kParts = 64;
@@ -128,12 +128,12 @@ void BendFacets::add_stops(const Curve2& curve, std::vector<double>& stops) cons
   if (!spline) return;
   const size_t pieces = spline->poles.size() / 3;
   for (size_t i = 0; i < pieces; ++i) {
-    double second = 0.0;  // difference of poles, as long as it is on the surface
+    double second = 0.0;  // difference of poles, measured on the surface
     for (size_t k = 3 * i; k < 3 * i + 2; ++k) {
       const Vec2 d = spline->poles[k] - 2.0 * spline->poles[k + 1] + spline->poles[k + 2];
       second = std::max(second, std::hypot(speed_ * d.x(), d.y()));
     }
-    // A cubic's second derivative is at most six of them; a chord over h leaves it by h²/8 of that.
+    // A cubic's second derivative is at most six times that; a chord over h deviates by h²/8 of it.
     const int parts = std::max(1, static_cast<int>(std::ceil(std::sqrt(0.75 * second / chord_))));
     for (int k = 0; k < parts; ++k)
       stops.push_back((static_cast<double>(i) + k / double(parts)) / static_cast<double>(pieces));
@@ -181,7 +181,7 @@ void BendFacets::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
 void BendFacets::close() {
   for (int strip = 0; strip < count(); ++strip) {
     const std::vector<UvSegment>& sides = sides_[strip];
-    // Between neighbouring corners what lies between two sides, one above the other, is a
+    // Between neighbouring corners, the region between two sides, one above the other, is a
     // trapezoid.
     std::vector<double> corners;
     for (const UvSegment& side : sides) {

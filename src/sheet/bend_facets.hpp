@@ -7,32 +7,32 @@
 
 namespace planish::sheet_detail {
 
-/// A bend cut along rulings into strips that are nearly flat.
+/// A bend cut along rulings into facets that are nearly flat.
 class BendFacets {
  public:
   /// Rulings by equal turns of the normal.
   BendFacets(const Sheet& sheet, const Layout& layout, BendId bend, const FacetOptions& options);
 
-  /// Takes a border loop of one of its faces; `joined` says which of its borders are no edges of
-  /// the sheet.
+  /// Adds a border loop of one of its faces; `joined` marks the borders that are not edges of the
+  /// sheet.
   void add_loop(FaceId face, int loop, const std::vector<bool>& joined);
-  /// All loops are there: makes the polygons.
+  /// Makes the polygons once all loops are added.
   void close();
 
   int count() const { return static_cast<int>(rulings_.size()) - 1; }
   /// Ruling i of count() + 1 in the pattern, towards growing v.
   Segment ruling(int i) const;
-  /// Outward normal in the middle of a strip, in space.
+  /// Outward normal in the middle of a facet, in space.
   Vec3 normal(int strip) const { return normals_[strip]; }
-  /// Turn from a strip to the one beside it, about the ruling between them.
+  /// Turn from a facet to the one beside it, about the ruling between them.
   double turn(int from, int to) const;
-  /// The strip at u, of a ruling between two of them the one on which the face lies.
+  /// The facet at u; at a ruling between two, the one on the side of the face.
   int beside(FaceId face, double u) const;
-  /// From the pattern into space, for a strip; `depth` below the reference surface.
+  /// From the pattern into space, for a facet; `depth` below the reference surface.
   Eigen::Isometry3d in_space(int strip, double depth) const;
 
   const std::vector<Polygon>& polygons(int strip) const { return polygons_[strip]; }
-  /// What of it is edge of the sheet; borders are numbered from 0.
+  /// Its edges of the sheet; borders are numbered from 0.
   struct Edge {
     Segment line;
     int border;
@@ -59,7 +59,7 @@ class BendFacets {
   Isometry2 placement_;
   double chord_;
   double lo_, hi_, v_lo_, v_hi_;
-  double speed_ = 1.0;  ///< how long a step of u is at most, mm
+  double speed_ = 1.0;  ///< largest length of a unit step of u, mm
   std::vector<double> rulings_;
   std::vector<Vec3> normals_;
   std::vector<std::vector<UvSegment>> sides_;

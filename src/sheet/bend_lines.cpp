@@ -55,7 +55,8 @@ std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, doub
 
 using Intervals = std::vector<std::pair<double, double>>;
 
-/// Whether both are the same but for what the material's ends move from a ruling to the next.
+/// Whether both are the same, except for the ends of the material moving from one ruling to the
+/// next.
 bool alike(const Intervals& a, const Intervals& b) {
   constexpr double kMoved = 1e-3;  // share of the length
   if (a.empty() || a.size() != b.size()) return false;
@@ -74,8 +75,8 @@ Intervals material_along(const Sheet& sheet, const Bend& bend, double u) {
 }
 
 /// The ruling at the share `at` of the bend's range as segments in the pattern. Material is looked
-/// up a little aside, because seams and tangent lines run exactly along rulings, and measured on
-/// the ruling itself where that finds the same.
+/// up slightly aside, because seams and tangent lines run exactly along rulings; it is measured on
+/// the ruling itself if the result is the same.
 std::vector<Segment> ruling_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
                                   const Range& range, double at) {
   constexpr double kAside = tolerance::kAside;  // share of the range
@@ -122,7 +123,7 @@ void add_press_lines(const Sheet& sheet, const Layout& layout, const Bend& bend,
   if (bend.press_lines.empty()) add(0.5, bend.angle);
 }
 
-/// Of the bend lines; of press lines, side by side, their mean.
+/// Total length of the bend lines; for press lines, which lie side by side, their mean.
 double length_of(const Bend& bend, const std::vector<Segment>& lines) {
   double sum = 0.0;
   for (const Segment& line : lines)

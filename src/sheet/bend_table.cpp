@@ -29,7 +29,7 @@ std::optional<double> number(std::string text) {
   return value;
 }
 
-/// Why a value cannot be, empty when it can.
+/// Why a value is impossible; empty if it is possible.
 std::string_view objection(Column column, double value) {
   switch (column) {
     case Column::ratio:
@@ -92,7 +92,7 @@ Result<BendTable::Row> parse_row(const TableShape& shape, const CsvRecord& recor
   return row;
 }
 
-/// More fields than headings is how unquoted decimal commas show in comma-separated files.
+/// More fields than headings are a sign of unquoted decimal commas in comma-separated files.
 std::optional<Error> too_many_fields(const CsvRecord& header, const CsvRecord& record,
                                      const std::string& name) {
   size_t used = record.fields.size();
@@ -159,7 +159,7 @@ Result<BendTable> parse_bend_table(const std::string& csv, const std::string& na
   }
   if (table.rows.empty())
     return tl::unexpected(
-        table_error(name, header.line, "the header is followed by no rows; add at least one"));
+        table_error(name, header.line, "no rows follow the header; add at least one"));
   if (auto error = contradiction(table, lines)) return tl::unexpected(*error);
   return table;
 }

@@ -26,13 +26,13 @@ struct Heading {
   size_t field = 0;
 };
 
-/// The error of a line of a table: `message` says what is wrong there and what to do.
+/// An error in a line of a table: `message` says what is wrong and what to do.
 Error table_error(const std::string& name, int line, const std::string& message);
 
-/// Where the columns of a bend table are, and what kind of table they make.
+/// The columns of a bend table, and the kind of table that they make.
 class TableShape {
  public:
-  /// Reads the header row. Errors: `invalid_input` when it does not name a bend and one value.
+  /// Reads the header row. Errors: `invalid_input` if it does not identify a bend and one value.
   static Result<TableShape> from(const CsvRecord& header, const std::string& name);
 
   bool has(Column column) const { return headings_[index_of(column)].has_value(); }

@@ -4,6 +4,8 @@
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/certificate.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +25,7 @@ struct Worst {
   }
 };
 
-/// Openings run clockwise; what covers itself may be bounded by one that does not.
+/// Openings run clockwise, except possibly in a pattern that covers itself.
 double area_as_written(const FlatPattern& pattern) {
   double area = signed_area(pattern.outer.loop);
   for (const Contour& opening : pattern.openings)
@@ -40,7 +42,7 @@ Curve2 image_of(const Sheet& sheet, const Relaid& laid, const BorderRef& ref, do
                      laid.placement[ref.face]);
 }
 
-/// What the bends take of the sheet, less their openings.
+/// The area of the bends, less their openings.
 double area_of_bends(const Sheet& sheet, const Relaid& laid, const Allowances& allowances,
                      double tolerance) {
   double sum = 0.0;
@@ -84,8 +86,8 @@ double area_of_forms(const Sheet& sheet, const Topology& topology, const Relaid&
   return sum;
 }
 
-/// The area of the pattern as written, were all its bends of K = ½: less by what the bends, and the
-/// forms that lie over them, take more with the K-factors that the pattern states.
+/// The area of the pattern as written, if all its bends had K = ½: less the extra area of the
+/// bends, and of the forms over them, at the K-factors that the pattern states.
 Result<double> area_at_half(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                             const Allowances& stated, double tolerance) {
   const double written = area_as_written(pattern);
@@ -142,7 +144,7 @@ std::vector<Curve2> drawn_curves(const FlatPattern& pattern) {
   return curves;
 }
 
-/// The strips that sharp bends cut off the faces beside them: a loop's points in there are not in
+/// The setbacks that sharp bends cut off the faces beside them: points of a loop there are not in
 /// the pattern.
 struct CutStrip {
   int loop = 0;
@@ -170,7 +172,7 @@ bool is_cut_off(const std::vector<CutStrip>& strips, int loop, const Vec2& uv) {
   });
 }
 
-/// Every free border of the sheet is looked for in the pattern; what is found there is folded back.
+/// Looks for every free border of the sheet in the pattern, and folds the points found back.
 Worst worst_border(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                    const EdgeDistance& distance) {
   const CurveIndex drawn(drawn_curves(pattern));
@@ -197,8 +199,8 @@ Worst worst_border(const Sheet& sheet, const FlatPattern& pattern, const Relaid&
   return worst;
 }
 
-/// Every contour of the pattern is looked for among the sheet's free borders, laid flat; across
-/// sharp bends it runs within their bands.
+/// Looks for every contour of the pattern among the sheet's free borders, laid flat; across sharp
+/// bends contours run within their bands.
 Worst worst_contour(const Sheet& sheet, const FlatPattern& pattern, const Relaid& laid,
                     const Allowances& stated, double tolerance) {
   const Topology topology(sheet);
@@ -234,7 +236,14 @@ Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
   if (auto right = check(sheet); !right) return tl::unexpected(right.error());
   if (pattern.outer.loop.empty())
     return fail(ErrorCode::pattern_wrong, "The flat pattern has no outer contour.");
-  PLANISH_ASSERT(sheet.faces.has(pattern.root) && curve_tolerance > 0.0);
+  if (auto right = check(pattern); !right) return tl::unexpected(right.error());
+  if (!sheet.faces.has(pattern.root))
+    return fail(ErrorCode::pattern_wrong,
+                fmt::format("The root of the flat pattern, face {}, is not a face of the sheet.",
+                            index_of(pattern.root)));
+  if (!(curve_tolerance > 0.0 && curve_tolerance <= kFarthest))
+    return fail(ErrorCode::bad_option,
+                fmt::format("The curve tolerance is {} mm; it must be above 0.", curve_tolerance));
   const auto stated = stated_allowances(sheet, pattern);
   if (!stated) return tl::unexpected(stated.error());
   const auto laid = relaid(sheet, pattern, *stated);

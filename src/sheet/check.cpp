@@ -1,9 +1,12 @@
+#include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
 #include <planish/sheet/sheet.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
@@ -22,36 +25,68 @@ std::string name_of(const BorderRef& ref) {
   return fmt::format("face {}, loop {}, border {}", index_of(ref.face), ref.loop, ref.border);
 }
 
-bool finite(const Curve2& curve) {
-  struct Finite {
-    bool operator()(const Segment& s) const { return s.a.allFinite() && s.b.allFinite(); }
-    bool operator()(const Arc& a) const {
-      return a.center.allFinite() && std::isfinite(a.radius) && std::isfinite(a.start) &&
-             std::isfinite(a.sweep);
-    }
-    bool operator()(const CubicSpline& s) const {
-      return s.poles.size() >= 4 && s.poles.size() % 3 == 1 &&
-             std::all_of(s.poles.begin(), s.poles.end(),
-                         [](const Vec2& pole) { return pole.allFinite(); });
-    }
+/// Where a sheet may lie, and how large its bends may be, mm: a thousand kilometres.
+constexpr double kFarthestFrame = 1e9;
+
+bool in_reach(const Vec3& p) { return (p.array().abs() <= kFarthestFrame).all(); }
+
+/// Axes of length 1, perpendicular and right-handed, but for what a file rounds.
+bool regular(const Frame& frame) {
+  constexpr double kSkew = tolerance::kWrittenDigits;
+  return in_reach(frame.origin) && frame.x.allFinite() && frame.y.allFinite() &&
+         frame.z.allFinite() && std::abs(frame.x.norm() - 1.0) <= kSkew &&
+         std::abs(frame.z.norm() - 1.0) <= kSkew && std::abs(frame.x.dot(frame.z)) <= kSkew &&
+         (frame.y - frame.z.cross(frame.x)).norm() <= kSkew;
+}
+
+bool regular(const Ruled& ruled) {
+  const auto falls = [](const Ruled::Knot& a, const Ruled::Knot& b) { return !(a.u < b.u); };
+  const auto sound = [](const Ruled::Knot& knot) {
+    return std::isfinite(knot.u) && in_reach(knot.b) && knot.b_prime.allFinite() &&
+           knot.g.allFinite() && knot.g_prime.allFinite() &&
+           knot.b_prime.cross(knot.g).norm() > 0.0;
   };
-  return std::visit(Finite{}, curve);
+  return ruled.knots.size() >= 2 && std::ranges::all_of(ruled.knots, sound) &&
+         std::ranges::adjacent_find(ruled.knots, falls) == ruled.knots.end();
 }
 
 bool regular(const Developable& surface) {
-  if (const auto* cylinder = std::get_if<Cylinder>(&surface)) return cylinder->radius > 0.0;
+  if (const auto* cylinder = std::get_if<Cylinder>(&surface))
+    return regular(cylinder->frame) && cylinder->radius > 0.0 && cylinder->radius <= kFarthestFrame;
   if (const auto* cone = std::get_if<Cone>(&surface))
-    return cone->half_angle > 0.0 && cone->half_angle < 0.5 * std::numbers::pi;
-  const auto& knots = std::get<Ruled>(surface).knots;
-  const auto falls = [](const Ruled::Knot& a, const Ruled::Knot& b) { return !(a.u < b.u); };
-  return knots.size() >= 2 && std::adjacent_find(knots.begin(), knots.end(), falls) == knots.end();
+    return regular(cone->frame) && cone->half_angle > 0.0 &&
+           cone->half_angle < 0.5 * std::numbers::pi;
+  return regular(std::get<Ruled>(surface));
 }
 
+bool is_kind_of(BendKind kind, const Developable& surface) {
+  switch (kind) {
+    case BendKind::cylinder:
+      return std::holds_alternative<Cylinder>(surface);
+    case BendKind::cone:
+      return std::holds_alternative<Cone>(surface);
+    case BendKind::general:
+      return std::holds_alternative<Ruled>(surface);
+    case BendKind::sharp:
+      return false;
+  }
+  return false;
+}
+
+bool is_length(double value) { return value >= 0.0 && value <= kFarthest; }
+bool is_angle(Angle angle) { return angle.radians() >= 0.0 && std::isfinite(angle.radians()); }
+
 Fault fault_of_sizes(const Sheet& sheet) {
-  if (!(sheet.thickness > 0.0 && std::isfinite(sheet.thickness)))
+  if (!(sheet.thickness > 0.0 && is_length(sheet.thickness)))
     return fault("The thickness of a sheet is a number above 0.", "sheet");
   if (!(sheet.reference_depth >= 0.0 && sheet.reference_depth <= sheet.thickness))
     return fault("The reference depth of a sheet is a number from 0 to the thickness.", "sheet");
+  if (!is_length(sheet.thickness_spread))
+    return fault("The thickness spread of a sheet is a number of at least 0.", "sheet");
+  if (sheet.volume && !(*sheet.volume > 0.0 && std::isfinite(*sheet.volume)))
+    return fault("The volume of a sheet, where it is known, is a number above 0.", "sheet");
+  if (!std::isfinite(sheet.forms_volume.value_or(0.0)) || !std::isfinite(sheet.mitres_volume))
+    return fault("The volumes of forms and mitres are numbers.", "sheet");
   if (sheet.faces.empty()) return fault("A sheet has faces.", "sheet");
   return {};
 }
@@ -71,7 +106,23 @@ Fault fault_of_part(const Sheet& sheet, FaceId id) {
   if (surface ? face.sense != 1 && face.sense != -1 : face.sense != 1)
     return fault("The sense of a face is 1 or −1, that of a plane 1.", name_of(id));
   if (surface && !regular(*surface))
-    return fault("The surface of a bend has a positive size.", name_of(id));
+    return fault("The surface of a bend has a right-handed frame and a size above 0.", name_of(id));
+  if (surface && !is_kind_of(sheet[*bend].kind, *surface))
+    return fault("The faces of a bend lie on surfaces of its kind.", name_of(id));
+  if (!surface && !regular(std::get<Frame>(face.surface)))
+    return fault("The frame of a plane is right-handed, its axes of length 1.", name_of(id));
+  return {};
+}
+
+/// The border of a loop that starts away from the end of the one before it.
+std::optional<int> open_border(const Face& face, const BorderLoop& loop) {
+  constexpr double kJoined = 0.1;  // mm: gaps of files are closed to a tenth of that and less
+  const auto place = [&](const Vec2& uv) { return skin_point(face, uv); };
+  for (int b = 0; b < std::ssize(loop); ++b) {
+    const Border& before = loop[b == 0 ? loop.size() - 1 : b - 1];
+    if (!((place(start_of(loop[b].curve)) - place(end_of(before.curve))).norm() <= kJoined))
+      return b;
+  }
   return {};
 }
 
@@ -84,14 +135,33 @@ Fault fault_of_borders(const Sheet& sheet, FaceId id) {
     for (int b = 0; b < std::ssize(face.loops[l]); ++b) {
       const Border& border = face.loops[l][b];
       const BorderRef ref{id, l, b};
-      if (!finite(border.curve)) return fault("Border curves are finite.", name_of(ref));
-      if (!std::isfinite(border.edge_depth) || (border.edge_length && !(*border.edge_length >= 0)))
+      if (!is_regular(border.curve))
+        return fault("A border is a line, an arc or a spline of finite size.", name_of(ref));
+      if (!std::isfinite(border.edge_depth) || !is_length(border.edge_length.value_or(0.0)))
         return fault("Depth and length of a border's edge are numbers.", name_of(ref));
       if (border.feature && !sheet.features.has(*border.feature))
         return fault("A border names a feature of its sheet.", name_of(ref));
     }
+    if (const auto open = open_border(face, face.loops[l]))
+      return fault("Each border of a loop starts where the one before ends.",
+                   name_of({id, l, *open}));
   }
   return {};
+}
+
+bool are_press_lines_of(const Sheet& sheet, const Bend& bend) {
+  if (bend.press_lines.empty()) return true;
+  Box2 box;
+  for (const FaceId id : bend.faces)
+    box.add(parameter_box(sheet[id]));
+  const double slack = tolerance::kWrittenDigits * (1.0 + box.size().x());
+  const auto falls = [](const PressLine& a, const PressLine& b) { return !(a.u < b.u); };
+  return std::ranges::all_of(bend.press_lines,
+                             [&](const PressLine& line) {
+                               return is_angle(line.angle) && line.u >= box.lo.x() - slack &&
+                                      line.u <= box.hi.x() + slack;
+                             }) &&
+         std::ranges::adjacent_find(bend.press_lines, falls) == bend.press_lines.end();
 }
 
 Fault fault_of_lists(const Sheet& sheet) {
@@ -109,15 +179,18 @@ Fault fault_of_lists(const Sheet& sheet) {
     if (!listed_by(id, bend.faces)) return fault("Each face of a bend names it.", where);
     if (bend.faces.empty() != (bend.kind == BendKind::sharp))
       return fault("Sharp bends have no faces, all others have.", where);
-    if (!(bend.angle.radians() >= 0.0 && std::isfinite(bend.angle.radians())) ||
-        !(bend.inside_radius >= 0.0 && std::isfinite(bend.inside_radius)))
+    if (!is_angle(bend.angle) || !(bend.inside_radius >= 0.0) ||
+        bend.inside_radius > kFarthestFrame)
       return fault("Angle and inside radius of a bend are numbers of at least 0.", where);
+    if (!are_press_lines_of(sheet, bend))
+      return fault("The press lines of a bend are rulings of its faces, u growing.", where);
   }
   return {};
 }
 
 Fault fault_of_joints(const Sheet& sheet) {
   std::set<std::tuple<FaceId, int, int>> joined;
+  std::set<BendId> folded;
   for (size_t j = 0; j < sheet.joints.size(); ++j) {
     const Joint& joint = sheet.joints[j];
     const std::string where = fmt::format("joint {}", j);
@@ -129,14 +202,24 @@ Fault fault_of_joints(const Sheet& sheet) {
     if (!joint.sharp) continue;
     if (!sheet.bends.has(*joint.sharp) || !sheet[*joint.sharp].faces.empty())
       return fault("A sharp joint names a bend without faces.", where);
+    folded.insert(*joint.sharp);
   }
+  for (const BendId id : sheet.bends.ids())
+    if (sheet[id].kind == BendKind::sharp && !folded.contains(id))
+      return fault("A sharp bend is named by a joint.", fmt::format("bend {}", index_of(id)));
   return {};
 }
 
 Fault fault_of_marks(const Sheet& sheet) {
-  for (const FeatureId id : sheet.features.ids())
+  for (const FeatureId id : sheet.features.ids()) {
+    const std::string where = fmt::format("feature {}", index_of(id));
     if (!sheet.faces.has(sheet[id].face))
-      return fault("A feature names a face of its sheet.", fmt::format("feature {}", index_of(id)));
+      return fault("A feature names a face of its sheet.", where);
+    for (const BorderLoop& loop : sheet[id].outlines)
+      for (const Border& border : loop)
+        if (!is_regular(border.curve))
+          return fault("An outline is made of lines, arcs and splines of finite size.", where);
+  }
   for (size_t i = 0; i < sheet.labels.size(); ++i)
     if (!sheet.faces.has(sheet.labels[i].face) || !sheet.labels[i].at.allFinite())
       return fault("A label names a point on a face of its sheet.", fmt::format("label {}", i));
@@ -159,6 +242,10 @@ Fault fault_of(const Sheet& sheet) {
 Result<void> check(const Sheet& sheet) {
   if (auto found = fault_of(sheet)) return tl::unexpected(std::move(*found));
   return {};
+}
+
+void require_valid(const Sheet& sheet) {
+  if (const auto found = fault_of(sheet)) rule_broken(found->where, found->message);
 }
 
 }  // namespace planish

@@ -3,6 +3,8 @@
 #include <planish/geometry/fit.hpp>
 #include <planish/sheet/topology.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace planish::sheet_detail {
@@ -53,11 +55,20 @@ Contour finished(RawContour raw, double tolerance) {
   return contour;
 }
 
-/// The formed feature that a contour outlines; none of a cut.
+/// The formed feature that a contour outlines; empty for a cut.
 std::optional<FeatureId> feature_of(const Sheet& sheet, const RawContour& contour) {
   for (const Origin& origin : contour.origins)
     if (const auto feature = sheet[origin.border].feature) return feature;
   return {};
+}
+
+/// Why there is no pattern where a feature reaches the outer contour: what its maker says.
+Error refusal_at_rim(const FormedFeature& feature) {
+  if (!feature.at_rim.message.empty()) return feature.at_rim;
+  return {ErrorCode::unsupported_shape,
+          fmt::format("A feature ({}) reaches the outer contour; a flat pattern cannot show it.",
+                      feature.kind),
+          {}};
 }
 
 }  // namespace
@@ -73,13 +84,13 @@ Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
     RawContour raw = walk(layout, topology, id, seen);
     const double area = signed_area(raw.loop);
     if (const auto feature = feature_of(sheet, raw)) {
-      if (area > outer_area) return tl::unexpected(sheet[*feature].at_rim);
+      if (area > outer_area) return tl::unexpected(refusal_at_rim(sheet[*feature]));
       contours.formed.emplace_back(*feature, merged(raw.loop, options.merge_tolerance).loop);
       continue;
     }
     Contour contour = finished(std::move(raw), options.merge_tolerance);
     if (area > outer_area) {
-      // What was taken for the outer contour before is an opening whose rim covers itself.
+      // The previous outer contour is then an opening whose rim covers itself.
       if (outer_area > 0) contours.openings.push_back(std::move(contours.outer));
       contours.outer = std::move(contour);
       outer_area = area;

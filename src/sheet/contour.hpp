@@ -4,7 +4,7 @@
 
 namespace planish::sheet_detail {
 
-/// The free borders of the flat sheet chained to closed contours, the outer one first.
+/// The free borders of the flat sheet, chained into closed contours; the outer one first.
 struct Contours {
   Contour outer;
   std::vector<Contour> openings;
@@ -12,8 +12,8 @@ struct Contours {
 };
 
 /// Walks along free borders and across joints, so that contours close by topology, not by nearness.
-/// Errors: `closed_loop` when the borders do not bound one region (every border is joined);
-/// a feature's own error when it reaches the outer contour.
+/// Errors: `closed_loop` if the borders do not bound one region (every border is joined); a
+/// feature's own error if it reaches the outer contour.
 Result<Contours> chain_contours(const Sheet& sheet, const Layout& layout,
                                 const FlattenOptions& options);
 

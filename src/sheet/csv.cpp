@@ -64,7 +64,7 @@ class CsvReader {
       ++at_;
   }
 
-  /// Up to the separator, the end of the line or a comment behind a blank.
+  /// Up to the separator, the end of the line or a comment after a blank.
   std::string plain() {
     const size_t from = at_;
     while (at_ < text_.size() && text_[at_] != separator_ && !line_end(text_[at_])) {
@@ -86,7 +86,7 @@ class CsvReader {
         ++at_;
       } else if (c == '"') {
         ++at_;
-        return field + plain();  // what follows the closing quote is blank, or belongs to the field
+        return field + plain();  // text after the closing quote is blank, or belongs to the field
       } else if (c == '\n' || (c == '\r' && !(at_ + 1 < text_.size() && text_[at_ + 1] == '\n'))) {
         ++line_;
       }
@@ -95,7 +95,7 @@ class CsvReader {
     return fail(
         ErrorCode::invalid_input,
         fmt::format(
-            "Line {} opens a quote (\") that nothing closes; remove it or add the closing one.",
+            "Line {} opens a quote (\") that is not closed; remove it or add the closing one.",
             opened),
         fmt::format("{}:{}", name_, opened));
   }

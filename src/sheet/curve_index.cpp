@@ -69,7 +69,7 @@ std::optional<CurveIndex::Hit> CurveIndex::nearest(const Vec2& p) const {
   std::optional<Hit> best;
   for (int ring = first; ring <= last; ++ring) {
     look_in_ring(p, ring, best);
-    // What the next ring shows first is at least `ring` squares away.
+    // Anything in the next ring is at least `ring` squares away.
     if (best && best->distance <= ring * side_) break;
   }
   return best;

@@ -7,8 +7,8 @@
 
 namespace planish::sheet_detail {
 
-/// Curves in the plane, of which the nearest to a point is found without looking at all of them: a
-/// grid of squares, each listing the curves whose boxes touch it.
+/// Finds the curve nearest to a point without visiting all of them, by a grid of squares, each
+/// listing the curves whose boxes touch it.
 class CurveIndex {
  public:
   explicit CurveIndex(std::vector<Curve2> curves);
@@ -18,7 +18,7 @@ class CurveIndex {
     Vec2 point = Vec2::Zero();
     double distance = 0.0;
   };
-  /// The nearest point of all curves; none of no curves.
+  /// The nearest point on any curve; empty without curves.
   std::optional<Hit> nearest(const Vec2& p) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "bend_facets.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
 #include <planish/sheet/facets.hpp>
 #include <planish/sheet/topology.hpp>
@@ -16,7 +17,7 @@ using namespace sheet_detail;
 
 const Segment kNoHinge{Vec2::Zero(), Vec2::Zero()};
 
-/// Where a facet hangs: on which facet, about which line, folded by how much.
+/// How a facet is hinged: to which facet, about which line, by what angle.
 struct Hinge {
   std::optional<int> parent = {};
   Segment line = kNoHinge;
@@ -47,7 +48,7 @@ std::vector<bool> joined_borders(const Sheet& sheet, const Topology& topology, F
   return joined;
 }
 
-/// Facets that grow from a root: flanges and bends are hung on what is there already.
+/// Facets that grow from a root: flanges and bends are hinged to existing facets.
 class FacetTree {
  public:
   FacetTree(const Sheet& sheet, const Layout& layout, const FacetOptions& options)
@@ -72,7 +73,7 @@ class FacetTree {
   }
   void hang_flange(FaceId first, const Hinge& hinge);
   void hang_bend(BendId bend, int entry, const Hinge& hinge);
-  /// What lies beyond a joint whose side a is there.
+  /// Adds the part beyond a joint whose side a exists already.
   void hang(const Joint& joint);
 
   const BendFacets& strips_of(BendId bend);
@@ -96,7 +97,7 @@ class FacetTree {
   IdVector<BendId, std::optional<BendFacets>> strips_;
   IdVector<FaceId, int> facet_of_face_;
   IdVector<BendId, std::vector<int>> facets_of_bend_;
-  int borders_ = 0;  ///< of which there are edges
+  int borders_ = 0;  ///< borders that have edges
   Facets made_;
 };
 
@@ -136,7 +137,7 @@ const BendFacets& FacetTree::strips_of(BendId bend) {
   return *strips;
 }
 
-/// The strip numbered `entry` is hinged to the parent, the others to those beside them.
+/// The facet numbered `entry` is hinged to the parent, the others to their neighbours.
 void FacetTree::hang_bend(BendId bend, int entry, const Hinge& hinge) {
   const BendFacets& strips = strips_of(bend);
   std::vector<int> facets(strips.count());
@@ -174,14 +175,15 @@ int FacetTree::facet_beside(const BorderRef& ref) {
   return bend ? facets_of_bend_[*bend][strip_beside(ref)] : facet_of_face_[ref.face];
 }
 
-/// By how much what lies beyond a placed border is turned about it.
+/// The angle by which the part beyond a placed border is turned about it.
 double FacetTree::turn_at(const Joint& joint) {
   const Vec3 a = normal_beside(joint.a), b = normal_beside(joint.b);
   const Face& face = sheet_[joint.a.face];
   const Curve2& curve = sheet_[joint.a].curve;
   const Vec3 line = (skin_point(face, end_of(curve)) - skin_point(face, start_of(curve)))
                         .normalized();
-  constexpr double kFoldedOver = -0.98;  // cosine near which normals do not tell the way round
+  constexpr double kFoldedOver = -0.98;  // cosine near which normals do not determine the sense of
+                                         // the turn
   if (joint.sharp && a.dot(b) < kFoldedOver) {
     const Bend& bend = sheet_[*joint.sharp];
     return bend.reference_inside ? -bend.angle.radians() : bend.angle.radians();
@@ -200,7 +202,7 @@ void FacetTree::hang(const Joint& joint) {
   const double gap = std::abs(along.x() * step.y() - along.y() * step.x());
   constexpr double kNoGap = tolerance::kComputed;  // mm
   if (gap <= kNoGap) return hang_part(joint.b, {parent, line, turn});
-  // What a sharp bend takes of the sheet, turned in two halves.
+  // The band of a sharp bend, turned in two halves.
   const int strip = add(*joint.sharp, {parent, line, 0.5 * turn},
                         {Polygon{oriented({line.a, line.b, across.b, across.a}, true), {}}});
   made_.edges.push_back({strip, {line.a, across.a}, borders_++});
@@ -208,7 +210,7 @@ void FacetTree::hang(const Joint& joint) {
   hang_part(joint.b, {strip, across, 0.5 * turn});
 }
 
-/// The face of a flange that covers most; none of sheets without flanges.
+/// The largest face of a flange; empty for sheets without flanges.
 std::optional<FaceId> largest_face(const Sheet& sheet, const Layout& layout) {
   std::optional<FaceId> largest;
   double most = 0.0;
@@ -240,8 +242,8 @@ Eigen::Isometry3d flange_in_space(const Sheet& sheet, const Layout& layout, Face
   return space * placed;
 }
 
-/// Begins with the largest face; of sheets without flanges with the middle of a bend. Returns the
-/// node that is there.
+/// Begins with the largest face, or in sheets without flanges with the middle of a bend. Returns
+/// the node added.
 int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
   if (const auto face = largest_face(sheet, layout)) {
     tree.set_root(flange_in_space(sheet, layout, *face));
@@ -259,7 +261,10 @@ int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
 }  // namespace
 
 Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& options) {
+  require_valid(sheet);
   PLANISH_ASSERT(layout.placement.size() == sheet.faces.size());
+  for (const int joint : layout.tree)
+    PLANISH_ASSERT(joint >= 0 && joint < std::ssize(sheet.joints));
   PLANISH_ASSERT(options.chord > 0.0 && options.most.radians() > 0.0);
   FacetTree tree(sheet, layout, options);
   const Topology& topology = tree.topology();
@@ -287,6 +292,7 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
 }
 
 std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share) {
+  PLANISH_ASSERT(std::isfinite(share));
   std::vector<Eigen::Isometry3d> placed;
   for (const Facet& facet : facets.facets) {
     if (!facet.parent) {

@@ -84,11 +84,11 @@ bool other_side_up(const FlatPattern& pattern, UpSide up) {
   return 2 * ups < static_cast<std::ptrdiff_t>(pattern.bends.size());
 }
 
-/// Direction that shall lie along x: the longest bend line, else the longest straight cut.
+/// The direction to lay along x: the longest bend line, else the longest straight cut.
 Vec2 leading_direction(const FlatPattern& pattern) {
   Vec2 best = Vec2::Zero();
   const auto consider = [&](const Segment& line) {
-    // Equal lengths must not be told apart by rounding.
+    // Rounding must not distinguish equal lengths.
     constexpr double kClearlyLonger = 1.0 + tolerance::kComputed;
     if ((line.b - line.a).norm() > best.norm() * kClearlyLonger) best = line.b - line.a;
   };
@@ -162,7 +162,7 @@ Result<FlatSheet> flat_sheet(const Sheet& made, const FlattenOptions& options) {
   if (!needs_setback(made)) return flat_set_back(made, options);
   const auto moved = with_setback(made);
   if (moved) return flat_set_back(*moved, options);
-  // Corners that leave no room are mostly corners closed all round: that is the better answer.
+  // Corners without room are mostly closed all around: that is the better answer.
   const auto layout = lay_out(made, options);
   const bool closed = !layout && layout.error().code == ErrorCode::closed_loop;
   return tl::unexpected(closed ? layout.error() : moved.error());

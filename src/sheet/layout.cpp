@@ -1,6 +1,7 @@
 #include "bend_development.hpp"
 #include "placement.hpp"
 
+#include <planish/base/assert.hpp>
 #include <planish/sheet/layout.hpp>
 #include <planish/sheet/topology.hpp>
 
@@ -32,7 +33,7 @@ Result<void> check_options(const Sheet& sheet, const FlattenOptions& options) {
   return {};
 }
 
-/// The largest face of a flange; the first face where there is no flange.
+/// The largest face of a flange; the first face if there is no flange.
 FaceId largest_flange_face(const Sheet& sheet) {
   FaceId best{};
   double best_area = -1.0;
@@ -59,7 +60,7 @@ Loop image_of(const BorderLoop& loop, const std::optional<Development>& developm
     }
     Curve2 curve = transformed(development->develop(border.curve, options.curve_tolerance),
                                placement);
-    // A border that becomes a point, as at a cone's apex, is one, not the rounding about it.
+    // A border that shrinks to a point, as at a cone's apex, becomes exactly a point.
     const bool point = bounds(curve).size().norm() <= options.merge_tolerance;
     image.push_back(point ? Curve2(Segment{start_of(curve), end_of(curve)}) : std::move(curve));
   }
@@ -92,7 +93,7 @@ Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
                : fmt::format("between {} and {}", a, b)};
 }
 
-/// Measures how far every joint is from closing, and refuses what does not.
+/// Measures how far every joint is from closing, and refuses one that does not close.
 Result<double> closure_of(const Sheet& sheet, const Layout& layout, double tolerance) {
   double closure = 0.0;
   const Joint* worst = nullptr;
@@ -109,7 +110,10 @@ Result<double> closure_of(const Sheet& sheet, const Layout& layout, double toler
 }  // namespace
 
 const Curve2& Layout::image(const BorderRef& ref) const {
-  return images[ref.face].at(ref.loop).at(ref.border);
+  const std::vector<Loop>& loops = images[ref.face];
+  PLANISH_ASSERT(ref.loop >= 0 && ref.loop < std::ssize(loops) && ref.border >= 0 &&
+                 ref.border < std::ssize(loops[ref.loop]));
+  return loops[ref.loop][ref.border];
 }
 
 Region Layout::region(FaceId face) const {

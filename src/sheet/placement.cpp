@@ -35,7 +35,8 @@ Vec3 fold_line(const Sheet& sheet, const Joint& joint) {
   } else if (std::holds_alternative<Developable>(b.surface)) {
     line = ruling(b, joint.b);
   } else {
-    constexpr double kNearlyParallel = 1e-3;  // sine below which the planes' normals fix no line
+    constexpr double kNearlyParallel = 1e-3;  // sine below which the planes' normals determine no
+                                              // line
     const Vec3 cross = std::get<Frame>(a.surface).z.cross(std::get<Frame>(b.surface).z);
     if (cross.norm() > kNearlyParallel) line = cross;
   }
@@ -43,7 +44,7 @@ Vec3 fold_line(const Sheet& sheet, const Joint& joint) {
   return line.dot(chord) < 0 ? Vec3(-line) : line;
 }
 
-/// A skin seen from its outside is developed mirrored where the surface's normal points inwards.
+/// A skin is developed as seen from its outside: mirrored if the surface's normal points inwards.
 Isometry2 mirror_of(const Face& face) {
   Isometry2 mirror = Isometry2::Identity();
   if (face.sense < 0) mirror.linear()(1, 1) = -1.0;
@@ -79,8 +80,8 @@ double shift_along(const Sheet& sheet, const Joint& joint, const Vec3& line) {
 }
 
 /// Placement of joint.b's node where joint.a's is placed at `base`: b's border trihedron goes onto
-/// a's, turned round because both borders keep their face on the left (math.md#border-trihedron),
-/// with the allowance of a sharp bend between them.
+/// a's, reversed because both borders keep their face on the left (math.md#border-trihedron), with
+/// the allowance of a sharp bend between them.
 Isometry2 child_placement(const Sheet& sheet, const Layout& layout, const Joint& joint,
                           const Isometry2& base) {
   const Vec3 line = fold_line(sheet, joint);

@@ -54,7 +54,7 @@ std::vector<int> spanning_joints(const Sheet& sheet, const Topology& topology) {
 }
 
 /// Unit direction of a joint in space, along its border a: that of the ruling there, or of the line
-/// in which the planes meet. Short borders are too much rounded to tell.
+/// in which the planes meet. Rounding is too large on short borders.
 Vec3 joint_direction(const Sheet& sheet, const Joint& joint) {
   const Vec3 chord = ends_apart(sheet, joint.a);
   Vec3 direction = chord;
@@ -220,7 +220,7 @@ HingeBand hinge_band(const Sheet& sheet, const Relaid& laid, const Joint& joint,
   const Segment a = ends(joint.a), b = ends(joint.b);
   HingeBand band;
   band.along = (a.b - a.a).normalized();
-  // Away from face a: where face b lies, unless they reach over each other.
+  // Away from face a: the side of face b, unless they overlap.
   const bool reflected = laid.placement[joint.a.face].linear().determinant() *
                              sheet[joint.a.face].sense <
                          0.0;

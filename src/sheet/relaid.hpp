@@ -8,10 +8,10 @@
 
 namespace planish::sheet_detail {
 
-/// A sheet laid out for its certificate, with K-factors and allowances as a pattern states them,
-/// and from where it says that its root lies. Nothing here is taken from the layout that made the
-/// pattern, so that a mistake in one shows against the other: joints are taken in order of length
-/// into a tree (Kruskal), and the sheet is as it was made, its sharp bends not set back.
+/// A sheet laid out for its certificate, with the K-factors, allowances and place of the root that
+/// a pattern states. It uses nothing of the layout that made the pattern, so that a mistake in one
+/// shows against the other: joints are taken in order of length into a tree (Kruskal), and sharp
+/// bends are not set back.
 struct Relaid {
   IdVector<FaceId, std::optional<Development>> development;  ///< of bends, at the neutral surface
   IdVector<FaceId, Isometry2> placement;                     ///< developed plane → pattern
@@ -21,7 +21,7 @@ struct Relaid {
   Vec2 fold(FaceId face, const Vec2& p) const;
 };
 
-/// What the pattern states of each bend. Error: `pattern_wrong` (it leaves out a bend).
+/// What the pattern states about each bend. Error: `pattern_wrong` (it leaves out a bend).
 Result<IdVector<BendId, BendAllowance>> stated_allowances(const Sheet& sheet,
                                                           const FlatPattern& pattern);
 /// The same at K = ½.
@@ -33,7 +33,8 @@ IdVector<BendId, BendAllowance> at_half(const Sheet& sheet,
 Result<Relaid> relaid(const Sheet& sheet, const FlatPattern& pattern,
                       const IdVector<BendId, BendAllowance>& allowances);
 
-/// How far the faces at an outwardly sharp joint are cut back, mm; 0 at other joints.
+/// How far the faces at a sharp joint with the reference skin outside are cut back, mm; 0 at other
+/// joints.
 double setback_at(const Sheet& sheet, const Joint& joint);
 
 /// The band that a sharp bend takes in the pattern, between the borders that it joins.

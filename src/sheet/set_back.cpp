@@ -22,7 +22,7 @@ MovedLine moved_line(const Curve2& border, double distance) {
   return {start + distance * inwards, direction, inwards};
 }
 
-/// The border so many steps round the loop from another.
+/// The border `steps` along the loop from another.
 Border& at(BorderLoop& loop, int border, int steps) {
   const int n = static_cast<int>(loop.size());
   return loop[((border + steps) % n + n) % n];
@@ -35,8 +35,8 @@ void recut(Border& border, const Curve2& curve) {
 
 enum class Way { forward = 1, backward = -1 };
 
-/// Walks away from the border to the first crossing with the line, cuts there and shrinks what was
-/// passed. None where no neighbour reaches the line before the loop is used up.
+/// Walks away from the border to the first crossing with the line, cuts there and shrinks the
+/// borders passed. Empty if no neighbour in the loop reaches the line.
 std::optional<Vec2> cut_neighbours(BorderLoop& loop, int border, Way way, const MovedLine& line) {
   const int step = static_cast<int>(way);
   const bool forward = way == Way::forward;
@@ -57,7 +57,7 @@ std::optional<Vec2> cut_neighbours(BorderLoop& loop, int border, Way way, const 
   return {};
 }
 
-/// Moves a straight border into its face. False where the face has no room for that.
+/// Moves a straight border into its face. False if the face has no room for that.
 bool moved_inwards(BorderLoop& loop, int border, double distance) {
   const MovedLine line = moved_line(loop[border].curve, distance);
   const auto end = cut_neighbours(loop, border, Way::forward, line);

@@ -15,8 +15,7 @@ struct Corner {
   int at = 0;
 };
 
-/// A slit as it is cut: within `half_width` of its axis, with a hole about its ends inside the
-/// material.
+/// A slit as cut: within `half_width` of its axis, with a hole at each end inside the material.
 struct Slot {
   Segment axis;
   double half_width = 0.0;
@@ -33,17 +32,17 @@ struct Slot {
 double distance(const Vec2& p, const Segment& segment);
 double distance(const Segment& a, const Segment& b);
 
-/// Its curve as chords that miss it by no more than a thousandth of its length.
+/// The curve as chords that deviate from it by at most a thousandth of its length.
 std::vector<Vec2> chain_of(const Curve2& curve);
 
 /// The contour of a slot inside the material, clockwise.
 Loop closed_slot(const Slot& slot);
 
 /// The contour that a slot opens into, with its banks. Errors: `bad_option` (the contour's
-/// neighbouring lines are shorter than the slot is wide), `unsupported_shape` (they are no lines).
+/// neighbouring lines are shorter than the slot is wide), `unsupported_shape` (they are not lines).
 Result<Contour> with_open_slot(const Contour& contour, const Slot& slot, double tolerance);
 
-/// What of a line is in no slot.
+/// The parts of a line outside all slots.
 std::vector<Segment> outside(const Segment& line, const std::vector<Slot>& slots);
 
 }  // namespace planish::sheet_detail

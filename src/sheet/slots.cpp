@@ -31,7 +31,7 @@ Result<void> check_options(const SlotOptions& options) {
   if (options.stop_hole > 0.0 && options.stop_hole < options.kerf)
     return fail(ErrorCode::bad_option,
                 fmt::format("the stop holes have a diameter of {} mm, less than the kerf of {} mm; "
-                            "make them as wide at least",
+                            "make them at least as wide",
                             options.stop_hole, options.kerf),
                 "/stop_hole");
   return {};
@@ -46,7 +46,7 @@ auto contours_of(Pattern& pattern) {
   return contours;
 }
 
-/// Takes the slits out of the contours; what is nothing but slits is gone.
+/// Takes the slits out of the contours; contours that are only slits vanish.
 void take_slits(FlatPattern& pattern, double tolerance) {
   const auto take = [&](Contour& contour) {
     WithoutSpurs left = without_spurs(contour, tolerance);
@@ -117,7 +117,7 @@ Result<void> check_room_between(const std::vector<Slot>& slots) {
   return {};
 }
 
-/// Where the slot opens, its neighbours on the contour are cut to fit and look after themselves.
+/// Where the slot opens, its neighbours on the contour are cut to fit and need no check.
 Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot) {
   const auto contours = contours_of(pattern);
   for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -141,7 +141,7 @@ Result<void> check_room_to_contours(const FlatPattern& pattern, const Slot& slot
   return {};
 }
 
-/// From the back, so that the corners still to come keep their numbers.
+/// From the back, so that the remaining corners keep their indices.
 Result<void> open_slots(FlatPattern& pattern, std::vector<Slot> slots, double tolerance) {
   std::erase_if(slots, [](const Slot& slot) { return !slot.opens_at; });
   std::sort(slots.begin(), slots.end(),
@@ -206,7 +206,7 @@ void trim_bend(FlatBend& bend, const std::vector<Slot>& slots) {
   if (whole > 0.0) bend.length *= sum(bend.lines) / whole;
 }
 
-/// Corners where a slit left its contour are none when it is a line.
+/// When a slit is a line, there is no corner where it leaves its contour.
 void merge_contours(FlatPattern& pattern, double tolerance) {
   for (Contour* contour : contours_of(pattern)) {
     const MergedLoop whole = merged(contour->loop, tolerance);

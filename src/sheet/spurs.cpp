@@ -21,7 +21,7 @@ double distance_to_line(const Vec2& p, const Segment& line) {
 
 double length_of(const Segment& segment) { return (segment.b - segment.a).norm(); }
 
-/// Whether the path turns round between the two curves and comes back on its own line.
+/// Whether the path reverses between the two curves and comes back on its own line.
 bool turns_round(const Segment& there, const Segment& back, double tolerance) {
   if ((there.b - there.a).dot(back.b - back.a) >= 0.0) return false;
   return length_of(there) > length_of(back) ? distance_to_line(back.b, there) <= tolerance
@@ -63,7 +63,7 @@ class Path {
     std::optional<TracedCurve> before, after;
   };
 
-  /// What is left of two curves that turn round between them; nothing when they do not.
+  /// What is left of two curves if the path reverses between them; empty if it does not.
   std::optional<Rest> folded_back(const TracedCurve* before, const TracedCurve& after) {
     if (before == nullptr) return std::nullopt;
     const auto* there = std::get_if<Segment>(&before->curve);
@@ -87,7 +87,7 @@ class Path {
   std::vector<Segment> slits_;
 };
 
-/// Both as one where they lie in one line and touch.
+/// Both as one segment if they are collinear and touch.
 std::optional<Segment> joined(const Segment& a, const Segment& b, double tolerance) {
   const Segment& longer = length_of(a) < length_of(b) ? b : a;
   const Segment& other = length_of(a) < length_of(b) ? a : b;

@@ -4,6 +4,11 @@
 
 namespace planish {
 
+const std::vector<int>& Topology::joints_of(int node) const {
+  PLANISH_ASSERT(node >= 0 && node < node_count());
+  return joints_of_[node];
+}
+
 Topology::Topology(const Sheet& sheet)
     : joints_of_(sheet.flanges.size() + sheet.bends.size()),
       flange_count_(static_cast<int>(sheet.flanges.size())) {
@@ -56,7 +61,7 @@ BorderId Topology::id_of(const BorderRef& ref) const {
 
 Topology::Step Topology::along_contour(BorderId id) const {
   Step step{next(id), false};
-  // Round a corner there are at most as many faces as borders.
+  // Around a corner there are at most as many faces as borders.
   for (std::size_t guard = 0; !is_free(step.border) && guard < rows_.size(); ++guard) {
     step.across_sharp |= rows_[step.border].sharp;
     step.border = next(*twin(step.border));
@@ -65,11 +70,14 @@ Topology::Step Topology::along_contour(BorderId id) const {
 }
 
 int Topology::node_of(PartId part) const {
-  if (const auto* flange = std::get_if<FlangeId>(&part)) return index_of(*flange);
-  return flange_count_ + index_of(std::get<BendId>(part));
+  const auto* flange = std::get_if<FlangeId>(&part);
+  const int row = flange ? index_of(*flange) : index_of(std::get<BendId>(part));
+  PLANISH_ASSERT(row >= 0 && row < (flange ? flange_count_ : node_count() - flange_count_));
+  return flange ? row : flange_count_ + row;
 }
 
 PartId Topology::part_at(int node) const {
+  PLANISH_ASSERT(node >= 0 && node < node_count());
   if (node < flange_count_) return FlangeId{node};
   return BendId{node - flange_count_};
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMostUsed = 4000;  // points of a strip
 constexpr int kRounds = 200;
-constexpr double kStill = 1e-8;  // a step that moves less, of the size of the scans, is the last
+constexpr double kStill = 1e-8;  // a step smaller than this share of the scans' size is the last
 constexpr double kAlong = 0.01;  // weight of distances along the strip
 
 /// Points of a strip's surface, close together, and the normal of the quad that each lies on.

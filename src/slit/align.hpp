@@ -8,15 +8,15 @@
 
 namespace planish::slit_detail {
 
-/// The points measured on one strip, and the strip as it is.
+/// The points measured on a strip, and its present shape.
 struct ScannedStrip {
   const std::vector<Vec3>& points;
   FoldedStrip strip;
 };
 
 /// The rigid motion that brings all points nearest to their strips (ICP): distances across the
-/// strips count in full, those along them little, so that points slide into place. Some 4000 points
-/// of each strip are used.
+/// strips have full weight, those along them little, so that points slide into place. About 4000
+/// points of each strip are used.
 Eigen::Isometry3d aligning_motion(const std::vector<ScannedStrip>& scans);
 
 }  // namespace planish::slit_detail

@@ -67,6 +67,12 @@ TightestBend refined(const BezierCurve& curve, double low, double high) {
 
 }  // namespace
 
+bool is_regular(const BezierCurve& curve) {
+  return !curve.poles.empty() && std::ranges::all_of(curve.poles, [](const Vec2& pole) {
+    return (pole.array().abs() <= kFarthest).all();
+  });
+}
+
 BezierPoint bezier_at(const BezierCurve& curve, double t) {
   PLANISH_ASSERT(!curve.poles.empty());
   std::vector<Vec2> level = curve.poles;
@@ -84,6 +90,7 @@ BezierPoint bezier_at(const BezierCurve& curve, double t) {
 }
 
 double length(const BezierCurve& curve) {
+  PLANISH_ASSERT(is_regular(curve));
   double polygon = 0.0;
   for (std::size_t i = 0; i + 1 < curve.poles.size(); ++i)
     polygon += (curve.poles[i + 1] - curve.poles[i]).norm();
@@ -99,6 +106,7 @@ double length(const BezierCurve& curve) {
 }
 
 std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths) {
+  PLANISH_ASSERT(is_regular(curve));
   const int count = sample_count(curve);
   std::vector<double> until{0.0};
   for (int i = 0; i < count; ++i)
@@ -116,6 +124,7 @@ std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<
 }
 
 TightestBend tightest_bend(const BezierCurve& curve, double from, double to) {
+  PLANISH_ASSERT(is_regular(curve));
   const int count = sample_count(curve);
   const auto at = [&](int i) { return from + (to - from) * i / count; };
   int best = 0;
@@ -129,6 +138,7 @@ TightestBend tightest_bend(const BezierCurve& curve, double from, double to) {
 }
 
 BezierSearch::BezierSearch(BezierCurve curve) : curve_(std::move(curve)) {
+  PLANISH_ASSERT(is_regular(curve_));
   const int count = sample_count(curve_);
   for (int i = 0; i <= count; ++i)
     samples_.push_back(bezier_at(curve_, static_cast<double>(i) / count).point);

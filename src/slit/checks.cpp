@@ -17,7 +17,7 @@ namespace {
 constexpr int kFewestRidges = 3, kMostRidges = 1000, kMostStrips = 10000;
 constexpr std::size_t kMostPoints = 2'000'000, kMostPoles = 64;
 constexpr double kLargest = 1e7;   // mm, of lengths and coordinates: 10 km
-constexpr double kHeaviest = 1e4;  // of weights: a heavier one would drown the others
+constexpr double kHeaviest = 1e4;  // of weights: a larger one would swamp the others
 
 tl::unexpected<Error> invalid(std::string message, std::string where) {
   return fail(ErrorCode::invalid_input, std::move(message), std::move(where));

@@ -10,9 +10,9 @@ namespace planish::slit_detail {
 /// O(quads²), less where boxes are apart.
 bool cross(const FoldedStrip& a, const FoldedStrip& b);
 
-/// Planes that keep a strip on its side of a neighbour that stands: through the point of the
-/// neighbour's near border next to each of its own near ridge ends, perpendicular to the neighbour
-/// there. Ends farther from the neighbour's surface than the strip is wide are left free.
+/// Planes that keep a strip on its side of a fixed neighbour: through the point of the neighbour's
+/// near border next to each of its own near ridge ends, perpendicular to the neighbour there. Ends
+/// farther from the neighbour's surface than the strip's width are left free.
 std::vector<HalfSpace> planes_beside(const FoldedStrip& strip, const FoldedStrip& neighbour,
                                      StripEdge where_neighbour_is);
 

@@ -10,10 +10,10 @@
 #include <limits>
 #include <utility>
 
-// Ceres has no equality constraints, so they are eliminated: as many turned parameters as there are
-// end conditions follow from the others (EndChart), and Ceres sees those others alone, free. Every
-// shape it tries meets the conditions to rounding, no weight has to be balanced against the
-// objective, and there are fewer unknowns, not more (docs/decisions/0002).
+// Ceres has no equality constraints, so they are eliminated: as many transformed parameters as
+// there are end conditions follow from the others (EndChart), and Ceres sees only those others,
+// unconstrained. Every shape it tries meets the conditions to rounding, no weight has to be
+// balanced against the objective, and there are fewer unknowns, not more (docs/decisions/0002).
 
 namespace planish::slit_detail {
 namespace {
@@ -57,7 +57,7 @@ class StopWhenAsked final : public ceres::IterationCallback {
   const std::function<bool()>& stop_;
 };
 
-// Gains end the descent; these only stop it where a gain can no longer be seen.
+// The gain ends the descent; these only stop it when a gain is too small to see.
 constexpr double kLeastGradient = 1e-12, kLeastStep = 1e-10;
 
 ceres::Solver::Options solver_options(const DescentOptions& options,
@@ -102,7 +102,7 @@ double descend_in_chart(const StripProblem& problem, const DescentOptions& optio
 
 Descent descend(const StripProblem& problem, const StripParameters& from,
                 const DescentOptions& options) {
-  // Far from where they are exact the coordinates may come to an edge, so what ends there goes on
+  // Far from their centre the coordinates may reach a limit, so a descent that ends there continues
   // about a new shape.
   constexpr double kFar = 0.5;
   Descent descent{from};

@@ -15,8 +15,8 @@ namespace {
 constexpr double kRightAngle = 0.5 * std::numbers::pi;
 constexpr double kLargestFold = 2.8;  // radians
 
-/// What the curve in the plane must do, in strip lengths: how far it runs away from the panel's
-/// plane, how far along it, and at which angle to it it ends.
+/// Requirements on the curve in the plane, in strip lengths: how far it runs away from the panel's
+/// plane, how far along it, and the angle to it at the end.
 struct Wanted {
   std::optional<double> away, along;
   double along_weight = 1.0;
@@ -121,9 +121,10 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
     unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) *
                 (folds[kPieces - 1] - folds[kPieces - 2]);
   constexpr double kMissed = 100.0;
-  // Curls whose angles grow evenly are smooth too; of equals the one that bends least is meant.
+  // Curls whose angles grow evenly are smooth too; of equally smooth curves the one that bends
+  // least is wanted.
   constexpr double kBending = 0.01;
-  constexpr double kLeastWeight = 1e-6;  // so that it decides where smoothness weighs nothing
+  constexpr double kLeastWeight = 1e-6;  // so that it decides if smoothness has no weight
   for (const double fold : folds)
     unsmooth += kBending * fold * fold;
   double cost = std::max(problem.weights.smooth, kLeastWeight) * unsmooth;
@@ -138,7 +139,7 @@ struct Candidate {
   double cost = 0.0;
 };
 
-/// Every 30°; the end's angle, where it is free, every 60°.
+/// Every 30°; the end's angle, if free, every 60°.
 std::vector<Candidate> coarse_bows(const StripProblem& problem, const Wanted& wanted) {
   constexpr double kStep = std::numbers::pi / 6.0;
   std::vector<Candidate> candidates;
@@ -151,7 +152,7 @@ std::vector<Candidate> coarse_bows(const StripProblem& problem, const Wanted& wa
   return candidates;
 }
 
-/// Steps in each number by turns, halved where none helps.
+/// Steps in each number in turn, halved if none helps.
 Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wanted) {
   constexpr double kFirst = std::numbers::pi / 12.0, kLast = 0.005;
   for (double step = kFirst; step > kLast;) {
@@ -169,7 +170,7 @@ Candidate refined(Candidate best, const StripProblem& problem, const Wanted& wan
   return best;
 }
 
-/// Several curves run as far as they must; which is smoothest shows only when each of them does so
+/// Several curves reach as far as they must; which is smoothest shows only when each does so
 /// exactly.
 std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& wanted) {
   constexpr std::size_t kRefined = 8;

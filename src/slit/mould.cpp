@@ -43,7 +43,7 @@ std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitS
   const WholeStrip half = whole_strip(strip, sign);
   if (!folded.symmetric) return {half};
   WholeStrip image = image_of(half);
-  constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end does
+  constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end meets this
   const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(),
                               (half.ridges.back()[1] - image.ridges.front()[1]).norm());
   if (gap > kMeets * folded.reach) return {half, image};
@@ -54,7 +54,7 @@ std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitS
   return {whole};
 }
 
-/// Share of a strip's width that is left free on each side of the narrowest ribs that are tried.
+/// Share of a strip's width left free on each side of the narrowest ribs tried.
 constexpr double kNarrowest = 0.375;
 
 struct Setting {
@@ -62,7 +62,7 @@ struct Setting {
   double sign = -1.0;        ///< of the sheet's normal towards the mould
   double inset = 0.0;        ///< mm, …
   double inset_share = 0.0;  ///< …at least this share of the strip's width…
-  double most_share = 0.5;   ///< …and at most this, where nobody gave it
+  double most_share = 0.5;   ///< …and at most this, unless given
   double offset = 0.0;       ///< half the thickness
   double least_lean = 0.0;
 };
@@ -163,7 +163,7 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
   return rib;
 }
 
-/// Ribs under one strip and what they leave bare.
+/// Ribs under one strip, and the quads that they leave bare.
 Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting,
                       Mould& mould) {
   const int count = static_cast<int>(strip.towards_mould.size());
@@ -227,7 +227,7 @@ std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
   return ring;
 }
 
-/// z along `up`; x along the strips of the chair, where there is one.
+/// z along `up`; x along the strips of the chair, if possible.
 Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below) {
   double lowest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs)
@@ -240,7 +240,8 @@ Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below
 
 double volume_of(const Mesh& mesh) {
   double sum = 0.0;
-  const Vec3& origin = mesh.points.front();  // near it, so that far from zero nothing is lost
+  const Vec3& origin = mesh.points.front();  // relative to a nearby point, so that no digits are
+                                             // lost far from the origin
   const auto at = [&](int point) -> Vec3 { return mesh.points[point] - origin; };
   for (const auto& t : mesh.triangles)
     sum += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
@@ -291,8 +292,8 @@ std::vector<Vec3> leaned(const Vec3& up, bool symmetric) {
   return directions;
 }
 
-/// What is tried until the ribs stand apart; what is given is kept. Ribs down to half their strips'
-/// width come before a leaning mould, and that before ribs of a quarter.
+/// Settings to try until the ribs stand apart; given values are kept. Ribs down to half their
+/// strips' width come before a leaning mould, and that before ribs of a quarter.
 std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
                            const MouldOptions& options) {
   const std::vector<Vec3> directions = options.up ? std::vector<Vec3>{first.up}
@@ -315,6 +316,7 @@ std::vector<Setting> tries(const Setting& first, const FoldedSlitSheet& folded,
 }  // namespace
 
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options) {
+  if (auto sound = check(folded); !sound) return tl::unexpected(sound.error());
   const auto given = setting_of(folded, options);
   if (!given) return tl::unexpected(given.error());
   std::optional<Error> first_error;

@@ -42,11 +42,12 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs) {
   return {};
 }
 
-/// What is seen from above: facets of ribs, quads of strips in the middle of their thickness, and
-/// what their material covers at both skins, the height always that of the skin towards the mould.
+/// Regions seen from above: facets of ribs, quads of strips in the middle of their thickness, and
+/// the area covered by their material at both skins, always at the height of the skin towards the
+/// mould.
 enum class Layer { rib, middle, skin };
 
-/// A plane piece as it is seen from above, and its plane.
+/// A plane region as seen from above, and its plane.
 struct Seen {
   Layer layer = Layer::rib;
   int strip = 0, quad = 0;
@@ -92,7 +93,7 @@ class View {
     }
   }
 
-  /// A rib may stand below the sheet, even below what it does not carry, but must not come up
+  /// A rib may stand below the sheet, even below parts that it does not carry, but must not come up
   /// through it.
   Result<void> check_clear() const {
     for (const Overlap& overlap : overlaps(outlines_, 0.0, kTouching * smallest_)) {
@@ -116,7 +117,7 @@ class View {
   }
 
  private:
-  /// The quad that a facet carries and the carried ones beside it are mitred to it. A bare one
+  /// The quad that a facet carries and the carried ones beside it are mitred to it. A bare quad
   /// beside it begins at its ridge, and may lead back below it.
   bool matters(const Seen& rib, const Seen& strip) const {
     if (rib.strip != strip.strip || std::abs(rib.quad - strip.quad) > 1)

@@ -8,8 +8,8 @@
 
 namespace planish::slit_detail {
 
-/// A strip from one end to the other: ridges as they are in space, left then right, and a normal a
-/// quad, towards the mould.
+/// A strip from one end to the other: ridges in space, left then right, and a normal for each quad,
+/// towards the mould.
 struct WholeStrip {
   std::vector<std::array<Vec3, 2>> ridges;
   std::vector<Vec3> towards_mould;
@@ -18,9 +18,9 @@ struct WholeStrip {
 /// From a ridge to where the facets beside it meet, half the thickness from both quads.
 inline Vec3 mitre(const Vec3& a, const Vec3& b) { return (a + b) / (1.0 + a.dot(b)); }
 
-/// Whether ribs stand apart from each other and none comes up through the sheet; they may stand
-/// below it, even below what they do not carry. `strips`: by strip, whole or both halves; `offset`:
-/// half the thickness. Error: `unsupported_shape`.
+/// Checks that ribs stand apart and none comes up through the sheet; they may stand below it, even
+/// below parts that they do not carry. `strips`: by strip, whole or both halves; `offset`: half the
+/// thickness. Error: `unsupported_shape`.
 Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
                          double offset);
 

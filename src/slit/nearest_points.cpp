@@ -33,7 +33,7 @@ struct Indexed {
 
 namespace {
 
-/// At most so many points, evenly taken.
+/// At most `most` points, picked evenly.
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
   const std::size_t stride = (points.size() + most - 1) / most;
   std::vector<Vec3> some;
@@ -42,8 +42,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, std::size_t most) {
   return some;
 }
 
-/// Points that a disc is laid through: a part of the strip that stays as small however many points
-/// there are.
+/// Points used for a disc: a part of the strip that stays small however many points there are.
 constexpr std::size_t kMostSurfacePoints = 16000, kPatches = 400, kFewest = 12;
 
 }  // namespace
@@ -97,8 +96,8 @@ ScannedSurface::Foot ScannedSurface::nearest(const Vec3& p) const {
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes;
   axes.computeDirect(spread);
-  // Directions in which the points hardly spread are across what was scanned: a surface, or traced
-  // edges.
+  // Directions in which the points hardly spread are perpendicular to the scanned surface, or to
+  // traced edges.
   constexpr double kHardly = 0.05;
   Eigen::Matrix3d onto = Eigen::Matrix3d::Zero();
   for (int axis = 1; axis < 3; ++axis)

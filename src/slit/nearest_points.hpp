@@ -9,7 +9,7 @@
 
 namespace planish::slit_detail {
 
-/// A k-d tree over a cloud of points; at least one.
+/// A k-d tree over a cloud of at least one point.
 class NearestPoints {
  public:
   explicit NearestPoints(std::vector<Vec3> points);
@@ -34,10 +34,10 @@ class ScannedSurface {
   ScannedSurface(const ScannedSurface&) = delete;
   ScannedSurface& operator=(const ScannedSurface&) = delete;
 
-  /// The nearest point of the surface that was scanned: on a disc through the points about p, twice
-  /// as large as they spread, in the plane that fits them best; for traced edges, on a line. So a
-  /// point slides along the surface, and noise and the spacing of points are evened out. With its
-  /// derivative with respect to p, the disc held fixed.
+  /// The nearest point of the scanned surface: on a disc through the points about p, twice as large
+  /// as their spread, in the plane that fits them best; for traced edges, on a line. So a point
+  /// slides along the surface, and noise and spacing of the points average out. Includes its
+  /// derivative with respect to p for a fixed disc.
   struct Foot {
     Vec3 point = Vec3::Zero();
     Eigen::Matrix3d derivative = Eigen::Matrix3d::Zero();
@@ -48,7 +48,7 @@ class ScannedSurface {
  private:
   struct Tree;
   std::vector<Vec3> points_;
-  std::unique_ptr<const Tree> tree_;  ///< of some of them
+  std::unique_ptr<const Tree> tree_;  ///< of a sample of them
 };
 
 }  // namespace planish::slit_detail

@@ -21,7 +21,7 @@ class ChordWalk {
   const Vec2& at() const { return at_; }
   double t() const { return t_; }
 
-  /// The first point of the rest of the curve at this distance; empty where the curve ends before.
+  /// The first point on the rest of the curve at this distance; empty if the curve ends before.
   std::optional<Vec2> step(double chord) {
     for (int i = static_cast<int>(std::floor(t_ * samples_)) + 1; i <= samples_; ++i) {
       const double t = static_cast<double>(i) / samples_;
@@ -32,7 +32,7 @@ class ChordWalk {
     return std::nullopt;
   }
 
-  /// Straight on from where it is through the curve's end.
+  /// Straight from the present point through the curve's end.
   Vec2 step_beyond(double chord) {
     const BezierPoint end = bezier_at(curve_, 1.0);
     const Vec2 rest = end.point - at_;
@@ -41,13 +41,13 @@ class ChordWalk {
     return advance(rest + missing * end.first.normalized(), chord);
   }
 
-  /// How much of the curve is left, as a chord.
+  /// The rest of the curve, as a chord.
   double rest() const { return distance(1.0); }
 
  private:
   double distance(double t) const { return (bezier_at(curve_, t).point - at_).norm(); }
 
-  /// Exactly the chord, whatever rounding the parameter has.
+  /// Exactly the chord, despite rounding of the parameter.
   Vec2 advance(const Vec2& towards, double chord) {
     at_ += chord * towards.normalized();
     return at_;
@@ -68,7 +68,7 @@ class ChordWalk {
   Vec2 at_;
 };
 
-/// The facets before they are folded: at every side of a strip one ends.
+/// The facets before folding; one ends at every long edge of a strip.
 std::vector<PanelFacet> flat_facets(const SlitSheet& sheet) {
   std::vector<PanelFacet> facets;
   double across = 0.0;

@@ -7,8 +7,7 @@
 
 namespace planish::slit_detail {
 
-/// Share of the sheet's width by which the leg curve may be shorter or longer than what stands on
-/// it.
+/// Share of the sheet's width by which the leg curve may be shorter or longer than the panel on it.
 constexpr double kLegTolerance = 0.02;
 
 /// The panel over the leg curve: plane facets whose widths are stepped along the curve as chords,

@@ -10,7 +10,7 @@ namespace planish::slit_detail {
 namespace {
 
 constexpr double kReadinessOfAbscissae = 0.05;
-/// What the steps aim at, so that the conditions are met beyond doubt.
+/// The accuracy that steps aim at, so that the conditions are met with a margin.
 constexpr double kAimedAt = 1e-2 * kEndsMet;
 
 double largest(const Eigen::VectorXd& v) { return v.size() ? v.cwiseAbs().maxCoeff() : 0.0; }
@@ -75,8 +75,8 @@ Reach meet_ends(const StripProblem& problem, const StripParameters& from, int ma
 
 namespace {
 
-/// A flat strip that ends as it stands turns sideways only to second order: of what its conditions
-/// do not determine there, the least.
+/// A flat strip turns sideways only to second order, so its conditions do not determine everything:
+/// take the solution of least norm.
 Eigen::MatrixXd solved(const Eigen::MatrixXd& conditions, const Eigen::MatrixXd& right) {
   return conditions.completeOrthogonalDecomposition().solve(right);
 }

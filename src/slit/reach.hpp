@@ -10,11 +10,11 @@
 
 namespace planish::slit_detail {
 
-/// End conditions count as met when none is missed by more (of the strip's length, or of a unit
+/// End conditions are met if none is missed by more than this (of the strip's length, or of a unit
 /// vector).
 constexpr double kEndsMet = tolerance::kRounding;
 
-/// A shape that meets the end conditions, or comes as near as was found.
+/// A shape that meets the end conditions, or the nearest one found.
 struct Reach {
   StripParameters p;
   double violation = 0.0;  ///< largest
@@ -22,20 +22,21 @@ struct Reach {
   bool met() const { return violation <= kEndsMet; }
 };
 
-/// Damped Gauss–Newton steps of least norm from a shape, each at most a quarter radian a ridge and
-/// never past a neighbouring ridge; abscissae move less readily than angles. O(iterations × quads).
+/// Damped Gauss–Newton steps of least norm from a shape, each at most a quarter radian per ridge
+/// and never past a neighbouring ridge; abscissae move less readily than angles. O(iterations ×
+/// quads).
 Reach meet_ends(const StripProblem& problem, const StripParameters& from, int max_iterations = 200);
 
 /// Coordinates for the shapes that meet the end conditions, near one of them. The parameters are
-/// turned by an orthogonal matrix Q so that the first are those that the conditions' derivative
-/// sees there and the others, the coordinates ξ, span its null space: p = p0 + Q (η, ξ). η follows
+/// transformed by an orthogonal matrix Q so that the conditions' derivative there involves only the
+/// first ones, and the others, the coordinates ξ, span its null space: p = p0 + Q (η, ξ). η follows
 /// from ξ through the conditions (Newton's method).
 class EndChart {
  public:
   EndChart(const StripProblem& problem, const StripParameters& at);
   int dimensions() const { return static_cast<int>(qr_.rows()) - conditions(); }
 
-  /// The shape with these coordinates; empty where the conditions cannot be met there, or ridges
+  /// The shape with these coordinates; empty if the conditions cannot be met there, or ridges
   /// cross.
   std::optional<StripParameters> shape(const Eigen::Ref<const Eigen::VectorXd>& xi) const;
 

@@ -6,6 +6,8 @@
 #include <planish/base/assert.hpp>
 #include <planish/slit/session.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -33,7 +35,7 @@ void take_scan(Snapshot& next, int strip, std::vector<Vec3> points) {
   next.slots[strip] = std::make_shared<const Slot>(std::move(slot));
 }
 
-/// Anchors of a design with fewer ridges, where halvings of its quads lead to as many.
+/// Renumbers the anchors of a design with fewer ridges, if halving its quads gives this number.
 void number_as_subdivided(SlitDesign& design, int ridges) {
   if (design.ridges < 1) return;
   for (int finer = design.ridges; finer <= ridges; finer *= 2) {
@@ -45,7 +47,7 @@ void number_as_subdivided(SlitDesign& design, int ridges) {
   }
 }
 
-/// What the strips' anchors are, those of one strip in their order.
+/// Whether the anchors of a strip are the same, in order.
 bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
   const auto of_strip = [&](const SlitDesign& design) {
     std::vector<SlitAnchor> anchors;
@@ -56,7 +58,7 @@ bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
   return of_strip(a) == of_strip(b);
 }
 
-/// A snapshot with another design of the same sheet; the strips that it touches are open.
+/// A snapshot with another design of the same sheet; the strips that it affects are open.
 Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   Snapshot next = now;
   design.ends.resize(design.sheet.strips.size());
@@ -226,6 +228,9 @@ FoldedSlitSheet SlitSession::folded() const {
 
 Result<SlitSession> solved_slit_sheet(SlitDesign design, int subdivisions,
                                       const SlitSolveOptions& options, const Progress& progress) {
+  if (subdivisions < 0 || subdivisions > kMostSubdivisions)
+    return fail(ErrorCode::bad_option, fmt::format("subdivisions is {}; it must be from 0 to {}",
+                                                   subdivisions, kMostSubdivisions));
   auto session = SlitSession::start(std::move(design));
   if (!session) return session;
   for (int level = 0; level <= subdivisions; ++level) {

@@ -43,13 +43,13 @@ struct SharedBorder {
   int a = 0, border_a = 0, b = 0, border_b = 0;
 };
 
-/// The sheet's regions and how they hang together.
+/// The sheet's regions and how they are joined.
 struct JoinedRegions {
   std::vector<PlaneRegion> all;
   std::vector<SharedBorder> shared;
 };
 
-/// Borders of a facet: of the parts of its sides that touch neighbours, and of its top.
+/// Borders of a facet: the parts of its sides that touch neighbours, and its top.
 struct FacetBorders {
   int left = 0, top = 0, right = 0;
 };
@@ -57,7 +57,7 @@ struct FacetBorders {
 /// Borders of a quad.
 constexpr int kFarRidge = 1, kNearRidge = 3;
 
-/// A facet of the panel. Where a neighbour is lower, its corner divides the side.
+/// A facet of the panel. If a neighbour is lower, its corner divides the side.
 std::pair<PlaneRegion, FacetBorders> facet_region(const std::vector<PanelFacet>& panel,
                                                   std::size_t i) {
   const auto& [bottom_left, top_left, top_right, bottom_right] = panel[i].corners;
@@ -135,7 +135,7 @@ double fold_between(const PlaneRegion& a, int border, const PlaneRegion& b) {
   return std::atan2(along.dot(a.frame.z.cross(b.frame.z)), a.frame.z.dot(b.frame.z));
 }
 
-/// JoinedRegions that are one plane.
+/// Regions that lie in one plane.
 UnionFind planes_of(std::size_t count, const std::vector<SharedBorder>& shared,
                     const std::vector<double>& folds) {
   UnionFind planes(static_cast<int>(count));
@@ -184,7 +184,7 @@ void add_joints(SheetBuilder& builder, const JoinedRegions& joined,
   }
 }
 
-/// The number of each strip, on the panel below it, where no ridges are.
+/// The number of each strip, on the panel below it, where there are no ridges.
 void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
   for (std::size_t facet = 0; facet < folded.panel.size(); ++facet) {
     const auto& [corners, frame, strip] = folded.panel[facet];
@@ -199,6 +199,7 @@ void add_labels(SheetBuilder& builder, const FoldedSlitSheet& folded) {
 }  // namespace
 
 Sheet sheet_of(const FoldedSlitSheet& folded) {
+  require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
   std::vector<double> folds;
   for (const SharedBorder& border : joined.shared)
@@ -215,6 +216,7 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
 }
 
 Mesh mesh_of(const FoldedSlitSheet& folded) {
+  require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
   std::vector<std::vector<int>> shared_by(joined.all.size());  // by their first region
   for (std::size_t s = 0; s < joined.shared.size(); ++s)

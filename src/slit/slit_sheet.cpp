@@ -1,3 +1,4 @@
+#include <planish/base/assert.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ double SlitSheet::reach() const {
 }
 
 double SlitSheet::left_of(int strip) const {
+  PLANISH_ASSERT(has_strip(strip));
   double across = strips[strip].gap;
   for (int i = 0; i < strip; ++i)
     across += strips[i].gap + strips[i].width;
@@ -27,11 +29,13 @@ double SlitSheet::left_of(int strip) const {
 }
 
 std::array<double, 2> SlitSheet::start_of(int strip) const {
+  PLANISH_ASSERT(has_strip(strip));
   const SlitStrip& row = strips[strip];
   return {row.left_start.value_or(panel_height), row.right_start.value_or(panel_height)};
 }
 
 double SlitSheet::end_of(int strip) const {
+  PLANISH_ASSERT(has_strip(strip));
   return strips[strip].end.value_or(panel_height + half_length);
 }
 

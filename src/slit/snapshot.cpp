@@ -7,7 +7,7 @@
 namespace planish::slit_detail {
 namespace {
 
-/// The strips side by side on the curve, evenly apart from its start to its end; one alone in its
+/// The strips' places on the curve, evenly spaced from its start to its end; a single strip in its
 /// middle.
 std::vector<Vec2> places_along(const BezierCurve& curve, const SlitSheet& sheet) {
   double rest = length(curve);

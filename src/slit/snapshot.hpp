@@ -10,16 +10,16 @@
 
 namespace planish::slit_detail {
 
-/// How a strip stands. Never changed once it is in a snapshot.
+/// The state of a strip. Never changed once it is in a snapshot.
 struct Slot {
-  StripParameters p;  ///< empty until it is solved for the first time
+  StripParameters p;  ///< empty until it is first solved
   std::vector<Inequality> inequalities;
   std::shared_ptr<const ScannedSurface> scan;
   StripState state;
   Eigen::AlignedBox3d box;  ///< of the folded strip
 };
 
-/// How a session stands. Copies share what is large.
+/// The state of a session. Copies share large data.
 struct Snapshot {
   std::shared_ptr<const SlitDesign> design;
   std::shared_ptr<const std::vector<PanelFacet>> panel;
@@ -31,20 +31,20 @@ struct Snapshot {
   int count() const { return static_cast<int>(slots.size()); }
 };
 
-/// What a strip starts from.
+/// The fixed data of a strip.
 StripBase base_of(const Snapshot& now, int strip);
 
-/// The seat curve of a design, and the strips' places on it: side by side, evenly apart from its
-/// start to its end, one alone in its middle.
+/// Sets the seat curve of a design, and the strips' places on it: evenly spaced from its start to
+/// its end; a single strip in its middle.
 void take_seat_curve(Snapshot& now, const SlitDesign& design);
 
 /// Sign of x on the modelled half.
 double half_sign(const Snapshot& now);
 
-/// What a strip is to be solved for.
+/// The problem to be solved for a strip.
 StripProblem problem_of(const Snapshot& now, int strip);
 
-/// A strip as it is; flat until it is solved for the first time.
+/// A strip in its present shape; flat until it is first solved.
 FoldedStrip folded_of(const Snapshot& now, int strip);
 
 /// Marks a strip as not solved since.
@@ -54,7 +54,7 @@ void reopen(Snapshot& now, int strip);
 /// (math.md#subdivision).
 StripParameters subdivided(const StripBase& base, const StripParameters& p);
 
-/// Null where there are no points.
+/// Null without points.
 std::shared_ptr<const ScannedSurface> scan_of(std::vector<Vec3> points);
 
 }  // namespace planish::slit_detail

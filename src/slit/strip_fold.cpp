@@ -63,7 +63,7 @@ StripFold folded(const StripBase& base, const StripParameters& p) {
     fold.ridge_length.push_back(along.norm());
     const Vec3 axis = (along.x() * before.x + along.y() * before.y) / along.norm();
     Frame next = turned(before, fold.ends[0].back(), axis, p[ridge]);
-    // The left end of the ridge stays where it is to the last bit.
+    // The left end of the ridge stays in place to the last bit.
     next.origin = fold.ends[0].back() - flat[0].x() * next.x - flat[0].y() * next.y;
     fold.frames.push_back(next);
   }

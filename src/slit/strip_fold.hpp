@@ -9,7 +9,7 @@
 
 namespace planish::slit_detail {
 
-/// What folding does not change: where the strip lies in the flat sheet and begins in space.
+/// What folding does not change: the strip's place in the flat sheet and its beginning in space.
 struct StripBase {
   Frame facet;                  ///< of the panel, flat coordinates to space
   std::array<double, 2> sides;  ///< across, of left and right
@@ -18,7 +18,7 @@ struct StripBase {
   int quads = 0;
 
   double width() const { return sides[1] - sides[0]; }
-  /// Mean length of its sides; abscissae are counted in it.
+  /// Mean length of its long edges, the unit of abscissae.
   double unit() const { return end - 0.5 * (start[0] + start[1]); }
 };
 
@@ -34,7 +34,7 @@ double abscissa(const StripBase& base, const StripParameters& p, int ridge, int 
 /// Equally spaced ridges, not folded.
 StripParameters flat_parameters(const StripBase& base);
 
-/// Velocity of everything beyond a ridge when one parameter grows: x ↦ axis × (x − pole).
+/// Velocity of everything beyond a ridge as one parameter grows: x ↦ axis × (x − pole).
 struct Twist {
   int ridge = 0;
   Vec3 axis;
@@ -43,7 +43,7 @@ struct Twist {
 };
 
 /// A strip placed quad by quad: quad i is the flat one moved by a product of rotations about ridges
-/// 0 … i (math.md#strip-folding), so lengths are kept whatever the parameters.
+/// 0 … i (math.md#strip-folding), so lengths are kept for any parameters.
 struct StripFold {
   std::vector<Frame> frames;              ///< frames[0] is the facet's, frames[i+1] that of quad i
   std::array<std::vector<Vec3>, 2> ends;  ///< of ridges 0 … quads
@@ -53,7 +53,7 @@ struct StripFold {
 };
 StripFold folded(const StripBase& base, const StripParameters& p);
 
-/// One twist a parameter. A fold angle turns about its ridge. A ridge end that slides along its
+/// One twist per parameter. A fold angle turns about its ridge. A ridge end that slides along its
 /// side by dx turns the ridge's line in the quad before it about the ridge's other end by w/l² dx;
 /// conjugating the fold with that turn moves what lies beyond by the difference of the turns about
 /// the normals before and after the fold.
@@ -65,7 +65,7 @@ Eigen::Matrix3Xd end_derivative(const StripBase& base, const StripFold& fold,
 /// Derivative of a vector fixed to the last quad.
 Eigen::Matrix3Xd direction_derivative(const std::vector<Twist>& twists, const Vec3& direction);
 
-/// As the public type has it.
+/// The fold as the public type.
 FoldedStrip folded_strip(const StripBase& base, const StripParameters& p);
 
 }  // namespace planish::slit_detail

@@ -32,7 +32,7 @@ Vec3 end_vector(EndCondition::Of of, const StripFold& fold, int quads) {
   return Vec3::Zero();
 }
 
-/// What a radius limit compares: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with
+/// The terms of a radius limit: 2 R tan(|θ|/2) l/w ≤ Δ, both sides in mean spacings, with
 /// derivatives.
 class RadiusTerm {
  public:

@@ -26,14 +26,14 @@ struct HalfSpace {
   Vec3 normal = Vec3::Zero();
   double offset = 0.0;
 };
-/// The arc that touches the quads on both sides of a ridge, within half of one of them, must have
-/// the least radius.
+/// The arc that touches the quads on both sides of a ridge, using half of one of them, must have at
+/// least the smallest radius.
 struct RadiusLimit {
   int ridge = 0;
   int side = 0;
   int quad = 0;  ///< ridge − 1 or ridge
 };
-/// Inequalities hold when none is broken by more (in strip lengths or mean spacings).
+/// Inequalities hold if none is broken by more than this (in strip lengths or mean spacings).
 constexpr double kHolds = 1e-7;
 
 struct Inequality {
@@ -47,19 +47,19 @@ struct StripAnchor {
   Vec3 at = Vec3::Zero();
 };
 
-/// What one strip is to become: end conditions, inequalities, and the objective of
+/// The problem of one strip: end conditions, inequalities, and the objective of
 /// math.md#strip-conditions as a sum of squares. Lengths are divided by the strip's length.
 ///
-/// Second differences of the angles are weighed by (quads/10)⁵: then their sum is that of ∫ κ″² and
-/// keeps its value when a strip is divided more finely; at ten quads the weight is that of the
-/// paper (bibliography.md#slits). Where a strip goes on in its mirror image so do the differences:
+/// Second differences of the angles are weighted by (quads/10)⁵: then their sum approximates ∫ κ″²
+/// and keeps its value when a strip is divided more finely; at ten quads the weight is that of the
+/// paper (bibliography.md#slits). If a strip continues in its mirror image, so do the differences:
 /// the last one is that of θ_M−2, θ_M−1 and its image θ_M−1. The barrier Σ 1/Δ of spacings whose
 /// sum is given equals Σ (Δ − h)²/(Δ h²) and a constant, h the mean: that is a sum of squares which
 /// vanish at equal spacing, so that Gauss–Newton steps converge. Its mean over the quads is taken.
 struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;
-  bool mirrored = false;  ///< the strip goes on smoothly in its mirror image
+  bool mirrored = false;  ///< the strip continues smoothly in its mirror image
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;
@@ -75,8 +75,8 @@ struct StripProblem {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// False where ridges of a quad cross or a fold reaches half a turn: no shape there. The Jacobian
-/// is left out where it is null. Half the sum of squares is the objective.
+/// False if ridges of a quad cross or a fold reaches half a turn: there is no shape. A null
+/// Jacobian is not computed. The objective is half the sum of squares.
 bool evaluate(const StripProblem& problem, const StripParameters& p,
               Eigen::Ref<Eigen::VectorXd> residuals, Eigen::Ref<RowMatrix>* jacobian);
 

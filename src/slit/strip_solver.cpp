@@ -13,13 +13,14 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then counts as much as its
+constexpr double kFirstPenalty = 1.0;  // a tenth of the strip's length then weighs as much as its
                                        // smoothness
 constexpr double kPenaltyGrowth = 4.0;
 constexpr int kRounds = 10, kStepsOfRound = 20;
-constexpr double kMargin = 2e-4;  // radii are led to so much more than they need, and then have it
+constexpr double kMargin = 2e-4;  // radii are solved for this much more than needed, so that they
+                                  // hold
 constexpr double kWorth = 20.0;   // times the objective that keeping an inequality may cost
-constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains at which a start and a round are left
+constexpr double kRoughly = 1e-3, kFine = 1e-6;  // gains at which a start and a round end
 
 bool same_place(const RadiusLimit& a, const RadiusLimit& b) {
   return a.ridge == b.ridge && a.side == b.side && a.quad == b.quad;
@@ -28,7 +29,7 @@ bool same_place(const HalfSpace& a, const HalfSpace& b) {
   return a.ridge == b.ridge && a.side == b.side && a.normal.dot(b.normal) > 0.5;
 }
 
-/// Adds what is not yet in the list; planes that moved take over their multiplier.
+/// Adds limits not yet in the list; planes that moved keep their multiplier.
 template <typename Limit>
 void add(std::vector<Inequality>& list, const Limit& limit) {
   for (Inequality& known : list)
@@ -39,7 +40,7 @@ void add(std::vector<Inequality>& list, const Limit& limit) {
   list.push_back({limit, 0.0});
 }
 
-/// Whether every other ridge is one that dividing the quads has put in, without a fold.
+/// Whether every other ridge was just inserted by subdivision, without a fold.
 bool just_divided(const StripBase& base, const StripParameters& p) {
   if (base.quads % 2 != 0) return false;
   bool any = false;
@@ -50,8 +51,8 @@ bool just_divided(const StripBase& base, const StripParameters& p) {
   return any;
 }
 
-/// New ridges take a quarter of each neighbour's fold: the shape stays nearly the same, and smooth
-/// where it was.
+/// New ridges take a quarter of each neighbour's fold: the shape stays nearly the same, and as
+/// smooth as it was.
 StripParameters shared_out(const StripBase& base, const StripParameters& p) {
   StripParameters shared = p;
   shared[0] = 0.75 * p[0];
@@ -62,7 +63,7 @@ StripParameters shared_out(const StripBase& base, const StripParameters& p) {
   return shared;
 }
 
-/// Folds evened out between neighbours, none lost.
+/// Folds averaged between neighbours; their sum is kept.
 StripParameters smoothed(const StripBase& base, const StripParameters& p) {
   StripParameters even = p;
   for (int ridge = 0; ridge < base.quads; ++ridge) {
@@ -72,7 +73,7 @@ StripParameters smoothed(const StripBase& base, const StripParameters& p) {
   return even;
 }
 
-/// What one strip is solved by.
+/// The data for solving one strip.
 struct Task {
   const DescentOptions& options;
   const PlanesBroken& planes_broken;
@@ -81,7 +82,7 @@ struct Task {
   bool stopped() const { return options.stop && options.stop(); }
 };
 
-/// Without what inequalities add to it.
+/// The objective without the terms of inequalities.
 double objective(const StripProblem& problem, const StripParameters& p) {
   StripProblem plain = problem;
   plain.inequalities.clear();
@@ -97,7 +98,7 @@ struct Found {
   bool met() const { return violation <= kEndsMet; }
 };
 
-/// What meeting the end conditions from a shape leads to, where that is nearer than `best`.
+/// The result of meeting the end conditions from a shape, if nearer than `best`.
 Found met_from(const StripProblem& problem, const StripParameters& from, Found best) {
   if (!is_shape(problem.base, from)) return best;
   const Reach reach = meet_ends(problem, from);
@@ -110,8 +111,9 @@ Found met_from(const StripProblem& problem, const StripParameters& from, Found b
   return best;
 }
 
-/// The divided shape is evened out more and more, and the one of least objective taken: in fine
-/// strips the least unevenness outweighs all else, and removing it step by step would crease them.
+/// The subdivided shape is smoothed more and more, and the one of least objective taken: in fine
+/// strips the slightest unevenness outweighs everything else, and removing it step by step would
+/// crease them.
 Found met_from_divided(const StripProblem& problem, StripParameters from) {
   Found last;
   std::optional<Found> best;
@@ -134,7 +136,7 @@ Found met_from_before(const StripProblem& problem, const StripParameters& from) 
   return found.met() ? found : met_from(problem, from, std::move(found));
 }
 
-/// A strip on its way down.
+/// A strip during its descent.
 struct Course {
   StripProblem problem;
   StripSolution solution;
@@ -162,7 +164,7 @@ Course descended(const Task& task, Course course, int iterations, double toleran
 }
 
 /// Going straight from a first shape to the places wanted leads into folds that no later step
-/// undoes; so the places first draw weakly, and need not be reached well.
+/// undoes; so the places first attract weakly, and need not be reached accurately.
 Course softly_descended(const Task& task, Course course) {
   constexpr int kSteps = 12;
   const SlitWeights given = course.problem.weights;
@@ -177,7 +179,7 @@ Course softly_descended(const Task& task, Course course) {
   return course;
 }
 
-/// From the shape that the strip has, or from the first of the first shapes that leads to its end.
+/// From the strip's present shape, or from the first of the first shapes that leads to its end.
 Course begun(const Task& task, StripProblem problem, const StripParameters& from) {
   Found found = met_from_before(problem, from);
   if (found.met()) return {std::move(problem), std::move(found.solution)};
@@ -198,7 +200,7 @@ bool is_too_tight(const Task& task, const Course& course) {
   return task.least_radius > 0.0 && course.radius() < task.least_radius;
 }
 
-/// The inequalities, with these planes and the radii that the shape breaks.
+/// The inequalities, with these planes and the radii that the shape violates.
 std::vector<Inequality> with_broken(const Task& task, const Course& course,
                                     const std::vector<HalfSpace>& planes) {
   std::vector<Inequality> inequalities = course.problem.inequalities;
@@ -219,8 +221,8 @@ bool radii_hold(const std::vector<Inequality>& inequalities, const Eigen::Vector
   return true;
 }
 
-/// Planes are only there to lead the strip out of what it runs through: a penalty does, and a
-/// multiplier would throw it into another shape.
+/// Planes only lead the strip out of its neighbours: a penalty suffices, and a multiplier would
+/// throw it into another shape.
 std::vector<Inequality> with_new_multipliers(std::vector<Inequality> inequalities,
                                              const Eigen::VectorXd& values, double penalty) {
   for (std::size_t i = 0; i < inequalities.size(); ++i)
@@ -230,7 +232,7 @@ std::vector<Inequality> with_new_multipliers(std::vector<Inequality> inequalitie
   return inequalities;
 }
 
-/// Rounds are meant to end before they converge; what counts is that there was time for all.
+/// Rounds are meant to end before they converge; only the time limit matters.
 bool had_time(const Task& task, const Course& course) {
   return !task.stopped() && course.descended < task.options.max_iterations;
 }
@@ -265,7 +267,7 @@ Course held(
   return course;
 }
 
-/// The course with a shape and inequalities that it had before.
+/// The course with an earlier shape and inequalities.
 Course taken_back(Course course, const StripSolution& before,
                   const std::vector<Inequality>& inequalities) {
   course.solution.p = before.p;
@@ -274,8 +276,7 @@ Course taken_back(Course course, const StripSolution& before,
   return course;
 }
 
-/// Where no shape was found that keeps the radii, the one bent least tightly at moderate cost
-/// stands.
+/// If no shape was found that keeps the radii, the least tight one at moderate cost is kept.
 Course radii_held(const Task& task, Course course) {
   const std::vector<Inequality> before = course.problem.inequalities;
   const double most = kWorth * course.objective();
@@ -291,8 +292,8 @@ Course radii_held(const Task& task, Course course) {
   return course;
 }
 
-/// First the radii alone. A strip that would be creased to get clear of its neighbour is left as it
-/// was.
+/// First only the radii. A strip that would be creased to get clear of its neighbour is left
+/// unchanged.
 Course all_held(const Task& task, Course course) {
   course = radii_held(task, std::move(course));
   if (!course.solution.converged || planes_now_broken(task, course).empty()) return course;

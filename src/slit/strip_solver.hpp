@@ -7,10 +7,10 @@
 
 namespace planish::slit_detail {
 
-/// The planes that a shape breaks; empty where it breaks none.
+/// The planes that a shape violates; empty if none.
 using PlanesBroken = std::function<std::vector<HalfSpace>(const FoldedStrip&)>;
 
-/// A strip solved, or as far as it came.
+/// A solved strip, or the best shape reached.
 struct StripSolution {
   StripParameters p;
   std::vector<Inequality> inequalities;  ///< that were needed
@@ -20,12 +20,12 @@ struct StripSolution {
   bool converged = false;
 };
 
-/// Meets the end conditions from the shape the strip has, from a first shape where it has none
-/// (empty) or where that one leads nowhere, and descends. Inequalities come in where the minimum
-/// breaks them: planes as a growing penalty until the strip is clear of what it ran through, radii
-/// as an augmented Lagrangian until they hold (`kHolds`); its multipliers are kept from
-/// one call to the next in `problem.inequalities`. What is still broken after 10 rounds stays so; a
-/// strip that would be creased to get clear is left as it was.
+/// Meets the end conditions from the strip's present shape, or from a first shape if it has none
+/// (empty) or that fails, and descends. Inequalities are added if the minimum violates them: planes
+/// as a growing penalty until the strip is clear of its neighbours, radii as an augmented
+/// Lagrangian until they hold (`kHolds`); its multipliers are kept from
+/// one call to the next in `problem.inequalities`. Inequalities still violated after 10 rounds stay
+/// so; a strip that would be creased to get clear is left unchanged.
 StripSolution solve_strip(StripProblem problem, const StripParameters& from,
                           const DescentOptions& options, const PlanesBroken& planes_broken);
 

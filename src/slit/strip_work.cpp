@@ -11,8 +11,8 @@
 namespace planish::slit_detail {
 namespace {
 
-/// A limit missed by more (of the radius, of the strip's length) is reported: ten times what the
-/// solver leaves.
+/// A limit missed by more (of the radius, of the strip's length) is reported: ten times the
+/// solver's tolerance.
 constexpr double kReported = 10.0 * kHolds;
 
 /// Ends that point the wrong way meet their condition as well as those that point the right way.
@@ -31,7 +31,7 @@ Eigen::AlignedBox3d box_of(const StripBase& base, const StripParameters& p) {
   return box;
 }
 
-/// What is reported of a strip, measured on its shape.
+/// The report on a strip, measured on its shape.
 StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
                     const StripSolution& solution) {
   const FoldedStrip shape = folded_strip(problem.base, solution.p);
@@ -153,7 +153,7 @@ int part_neighbours(Snapshot& now, const std::vector<int>& moved, const DescentO
     if (std::find(crosses.begin(), crosses.end(), strip + 1) != crosses.end())
       pairs.push_back(strip);
   }
-  // By what they are, not by their numbers, so that a mirrored sheet is parted in the mirrored way.
+  // By their properties, not their numbers, so that a mirrored sheet gives the mirrored result.
   std::stable_sort(pairs.begin(), pairs.end(),
                    [&](int a, int b) { return both(now, a) < both(now, b); });
   int iterations = 0;

@@ -58,7 +58,7 @@ Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, cons
       boundary.edges.push_back(edge);
     }
     for (GivenCorner corner : plane_element.corners) {
-      // Turned round, a element ends where it began.
+      // Reversed, an element ends where it began.
       const bool at_end = turned && corner.at == 0.0;
       corner.element = at_end ? (i + 1) % n : i;
       corner.at = turned && !at_end ? 1.0 - corner.at : corner.at;

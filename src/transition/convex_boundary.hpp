@@ -26,8 +26,8 @@ struct Element {
   std::optional<Circle> circle;
 };
 
-/// An edge or a corner of a profile as it was given: where it is on a boundary, as shares of an
-/// element's length. Corners at which a polygon goes straight on lie within elements.
+/// An edge or a corner of a profile as given: its place on a boundary, as shares of an element's
+/// length. Corners at which a polygon continues straight lie within elements.
 struct GivenEdge {
   int number = 0, element = 0;
   double from = 0.0, to = 1.0;
@@ -52,9 +52,9 @@ struct Boundary {
   bool corner_at(int i) const { return corner[((i % count()) + count()) % count()]; }
 };
 
-/// The boundary of a profile set `outwards` (mm, negative: inwards) in its plane, its axis on the
-/// side that `towards` points to. Corners of polygons stay corners. `pointer` is the profile's in
-/// the file. Errors: those of `make_transition` for one profile.
+/// The boundary of a profile offset `outwards` (mm, negative: inwards) in its plane, its axis on
+/// the side that `towards` points to. Corners of polygons stay corners. `pointer` is the profile's
+/// in the file. Errors: those of `make_transition` for one profile.
 Result<Boundary> boundary_of(const PlacedProfile& profile, double outwards, const Vec3& towards,
                              const std::string& pointer);
 

@@ -23,11 +23,11 @@ constexpr double kTouching = tolerance::kComputed;
 /// Places nearer to each other are one: the tangents of the other boundary lead to them.
 constexpr double kSamePlace = 5.0 * tolerance::kComputed;
 
-/// So far a place may lie before the last one and still count as the same.
+/// How far a place may lie before the last one and still count as the same.
 constexpr double kBack = 100.0 * tolerance::kComputed;
 
 /// A place on a boundary: element plus share of its parameter. Whole numbers are where elements
-/// meet. Places count on past the end, round after round.
+/// meet. Places continue past the end, round after round.
 using Place = double;
 
 /// A plane that touches both boundaries: on each from one place to another, the same unless the
@@ -138,7 +138,7 @@ Place first_place(const Boundary& first, const SpaceCurvePoint& line, Place low,
 }
 
 /// Tangent lines of the second boundary at which an element begins or ends between two events, and
-/// what their planes touch of what the first runs through meanwhile.
+/// what their planes touch on the first boundary meanwhile.
 std::vector<Event> events_between(const Boundaries& boundaries, const Event& last,
                                   const Event& next) {
   const auto& [first, second] = boundaries;
@@ -183,7 +183,7 @@ Result<std::vector<Event>> events_of(const Boundaries& boundaries, double in_pla
   return events;
 }
 
-/// What a boundary runs through between two places, within one element.
+/// The stretch of a boundary between two places in one element.
 Stretch stretch_between(const Boundary& boundary, Place from, Place to) {
   if (to - from < kSamePlace)
     to = from = std::abs(from - std::round(from)) < kSamePlace ? std::round(from) : from;
@@ -194,7 +194,7 @@ Stretch stretch_between(const Boundary& boundary, Place from, Place to) {
           from == to ? t_of(from) : t_of(to)};
 }
 
-/// True where `next` runs on along the curve on which `last` ends.
+/// Whether `next` continues along the curve on which `last` ends.
 bool runs_on(const Boundary& boundary, const Stretch& last, const Stretch& next) {
   const Element &a = boundary.element(last.element), &b = boundary.element(next.element);
   if (last.moves() != next.moves()) return false;
@@ -202,7 +202,7 @@ bool runs_on(const Boundary& boundary, const Stretch& last, const Stretch& next)
   return a.source == b.source && !a.straight && !b.straight;
 }
 
-/// One patch of two that follow each other, if they are parts of one curved surface.
+/// Makes two consecutive patches one, if they are parts of one curved surface.
 bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
   if (last.plane || next.plane) return false;
   for (std::size_t side = 0; side < 2; ++side)
@@ -216,7 +216,7 @@ bool join(const Hull& hull, HullPatch& last, const HullPatch& next) {
   return true;
 }
 
-/// Adds what lies between two rulings, unless both are one; what goes on with the last patch
+/// Adds the patch between two rulings, unless they are the same; a continuation of the last patch
 /// becomes part of it.
 void add_patch(Hull& hull, const std::array<Place, 2>& from, const std::array<Place, 2>& to,
                bool plane) {
@@ -230,7 +230,7 @@ void add_patch(Hull& hull, const std::array<Place, 2>& from, const std::array<Pl
     hull.patches.push_back(patch);
 }
 
-/// Where an element is highest or lowest between its ends; one of them where it is not.
+/// Where an element is highest or lowest between its ends; else one of the ends.
 double turning_point(const Element& element, const Vec3& up) {
   return root_between(
       [&](double t) {
@@ -290,7 +290,7 @@ Result<Hull> lateral_hull(Boundary first, Boundary second, double size) {
     add_patch(hull, here.from, here.to, true);
     add_patch(hull, here.to, next.from, false);
   }
-  // What begins and ends the round may be one patch too.
+  // The first and the last patch may also be one.
   if (hull.patches.size() > 1 && join(hull, hull.patches.back(), hull.patches.front()))
     hull.patches.erase(hull.patches.begin());
   return hull;

@@ -9,15 +9,15 @@
 
 namespace planish::transition_detail {
 
-/// A stretch of one boundary: a part t0 … t1 of an element's curve, or the point that both are.
+/// A stretch of one boundary: a part t0 … t1 of an element's curve, or a point if both are equal.
 struct Stretch {
   int element = 0;
   double t0 = 0.0, t1 = 0.0;
   bool moves() const { return t0 != t1; }
 };
 
-/// A part of the lateral hull between two rulings. Planes: an edge on one side or on both, the
-/// tangent plane stands still. Others: the plane turns; with one side standing still a cone.
+/// A part of the lateral hull between two rulings. Planes: an edge on one side or on both; the
+/// tangent plane stands still. Others: the plane turns; a cone if one side stands still.
 struct HullPatch {
   bool plane = false;
   std::array<Stretch, 2> sides;
@@ -26,8 +26,8 @@ struct HullPatch {
   std::vector<std::array<double, 2>> stops;
 };
 
-/// The two boundaries and the patches in the order in which both run, once round. Between two
-/// planes that follow each other the surface is folded sharply.
+/// The two boundaries, and the patches in order, once around. Between two consecutive planes the
+/// surface is folded sharply.
 struct Hull {
   std::array<Boundary, 2> boundaries;
   std::vector<HullPatch> patches;

@@ -71,7 +71,7 @@ class PartIntegral {
 
   double whole() const { return value(sum_, 1.0); }
   double first_half() const { return 0.5 * value(sum_, 0.5); }
-  /// Up to where it amounts to so much, from 0 to the whole.
+  /// The place up to which the integral is `amount`, from 0 to the whole.
   double place_of(double amount) const {
     return start_ + run_ * root_between(
                                [&](double x) {
@@ -93,8 +93,8 @@ class PartIntegral {
                                           ///< `sum_`, those of the integral but one
 };
 
-/// Appends parts from a to b, halved until integrals up to anywhere are known within 2e-9 of the
-/// whole, 2^10 parts at most.
+/// Appends parts from a to b, halved until integrals up to any place are within 2e-9 of the whole,
+/// 2^10 parts at most.
 template <typename Function>
 void add_parts(std::vector<PartIntegral>& parts, const Function& f, double a, double b) {
   const PartIntegral whole(f, a, b);
@@ -102,7 +102,7 @@ void add_parts(std::vector<PartIntegral>& parts, const Function& f, double a, do
                           int halvings) -> void {
     const double middle = 0.5 * (low + high);
     const PartIntegral left(f, low, middle), right(f, middle, high);
-    // In halves the error is a 2^6th of what is seen here.
+    // Halving reduces the error by 2^6.
     constexpr double kNear = 1e-7;
     if (halvings == 0 ||
         std::abs(left.whole() - part.first_half()) <= kNear * std::abs(whole.whole())) {

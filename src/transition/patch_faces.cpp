@@ -24,13 +24,13 @@ std::vector<RuledPatch::PanelCorner> RuledPatch::panel_corners(double from, doub
   struct Corner {
     Vec3 at;
     double cut = 0.0;
-    bool edge_after = false;  ///< what follows is an edge of a profile
+    bool edge_after = false;  ///< an edge of a profile follows
   };
   std::vector<Corner> corners{{p0, tips.at_from[0], !stands(0)}};
   if (!stands(0)) corners.push_back({p1, tips.at_to[0], false});
   if (!stands(1)) corners.push_back({q1, tips.at_to[1], true});
   corners.push_back({q0, tips.at_from[1], false});
-  // Room is needed beside folds; of a profile's edge a part is enough.
+  // Room is only needed beside folds; part of a profile's edge is enough.
   constexpr double kMostOfEdge = 0.4;
   const auto cut_on = [](const Corner& corner, const Vec3& towards, bool edge) -> Vec3 {
     const Vec3 way = towards - corner.at;

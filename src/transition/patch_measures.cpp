@@ -39,7 +39,7 @@ double RuledPatch::turn(double from, double to) const {
 double RuledPatch::turned(double from, double to) const {
   const Vec3 a = normal(from), b = normal(to);
   const double between = std::atan2(a.cross(b).norm(), a.dot(b));
-  // How far the normals go round their common axis, in steps of less than half a turn.
+  // How far the normals turn about their common axis, in steps of less than half a turn.
   constexpr int kSteps = 16;
   std::vector<Vec3> normals;
   Vec3 axis = Vec3::Zero();

@@ -17,7 +17,7 @@ class PeriodicSpline {
   /// Requires: at least three points, neighbours apart.
   explicit PeriodicSpline(std::vector<Vec2> points);
   PlanePoint operator()(double t) const;
-  /// Where its pieces meet: 0 … period.
+  /// Where its spans meet: 0 … period.
   const std::vector<double>& knots() const { return knots_; }
 
  private:

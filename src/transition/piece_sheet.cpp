@@ -99,7 +99,7 @@ Vec2 uv_of(const RuledPatch::Part& part, double at, const Vec3& p) {
   return {u, ruling_on(surface, u).dot(p - point_on(surface, {u, 0.0}))};
 }
 
-/// Names both ends of all rulings; a name that is the same as on the ruling before stands once.
+/// Names both ends of all rulings; a name equal to that on the previous ruling is not repeated.
 void add_labels(SheetBuilder& sheet, const Ring& ring, const std::vector<PartFace>& faces,
                 int piece, RulingNames& names) {
   std::array<std::string, 2> last;

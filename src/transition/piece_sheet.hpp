@@ -7,9 +7,9 @@
 
 namespace planish::transition_detail {
 
-/// The sheet of one piece, its flanges the planes, its bends what is curved and the sharp folds, in
-/// the order of `parts`. The ends of all its rulings that a template shows are named, as true
-/// lengths of that piece. Error: `invalid_sheet`.
+/// The sheet of one piece: flanges are the planes, bends the curved patches and the sharp folds, in
+/// the order of `parts`. Names the ends of all rulings that a template shows, as true lengths of
+/// that piece. Error: `invalid_sheet`.
 Result<Sheet> named_sheet(const Ring& ring, const TransitionSpec& spec,
                           const std::vector<PatchPart>& parts, int piece, RulingNames& names);
 

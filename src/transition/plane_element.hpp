@@ -10,7 +10,7 @@ namespace planish::transition_detail {
 
 using PlaneCurve = std::function<PlanePoint(double)>;
 
-/// A element in the profile's own plane, run counter-clockwise.
+/// An element in the profile's own plane, run counter-clockwise.
 struct PlaneElement {
   PlaneCurve curve;
   double t0 = 0.0, t1 = 1.0;
@@ -26,8 +26,8 @@ struct PlaneElement {
 
 PlaneElement straight(const Vec2& a, const Vec2& b, int source);
 
-/// The curve set off to the right by d (mm): outwards of one that runs counter-clockwise. Its third
-/// derivative is left zero: nobody needs it.
+/// The curve offset to the right by d (mm): outwards if it runs counter-clockwise. Its third
+/// derivative, which is not used, is left zero.
 PlaneCurve set_off(PlaneCurve curve, double d);
 
 /// The part of a circle or ellipse, set `outwards`, from one azimuth to the next, 90° further.

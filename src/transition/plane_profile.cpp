@@ -32,7 +32,7 @@ std::vector<Vec2> mitred(const std::vector<Vec2>& corners, double outwards) {
 /// A polygon run counter-clockwise, and the corners at which it turns.
 struct ConvexPolygon {
   std::vector<Vec2> corners;
-  bool reversed = false;   ///< against the way it was given
+  bool reversed = false;   ///< relative to the input
   std::vector<int> turns;  ///< rows of corners
 
   int count() const { return static_cast<int>(corners.size()); }
@@ -52,7 +52,7 @@ Result<ConvexPolygon> convex(const PolygonProfile& given, const std::string& pla
   return polygon;
 }
 
-/// The edges and corners that were given from turn k to the next, as shares of that length.
+/// The given edges and corners from turn k to the next, as shares of that length.
 void add_given(PlaneElement& plane_element, const ConvexPolygon& polygon, std::size_t k,
                double length) {
   const int n = polygon.count();

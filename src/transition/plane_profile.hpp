@@ -9,7 +9,7 @@
 
 namespace planish::transition_detail {
 
-/// The element of a profile in its own plane, set `outwards` (mm, negative: inwards), run
+/// The elements of a profile in its own plane, set `outwards` (mm, negative: inwards), run
 /// counter-clockwise: edges of polygons, and parts of curves that turn by at most 90°. Corners of
 /// polygons stay corners. `pointer` is the profile's place in the request. Errors: those of
 /// `make_transition` for one profile.

@@ -16,7 +16,7 @@ double wanted_presses(const RuledPatch& patch, double from, double to, const Pre
   const auto lines = [](double amount) { return std::max(1.0, std::ceil(amount - kExactly)); };
   if (const auto* count = std::get_if<PressCount>(&pressing)) {
     if (from == 0.0 && to == 1.0) return count->count;
-    // What a seam divides shares the lines.
+    // Parts divided by a seam share the lines.
     const double whole = patch.turn(0.0, 1.0);
     const auto up_to = [&](double at) {
       return std::round(count->count * patch.turn(0.0, at) / whole);
@@ -42,11 +42,12 @@ Result<void> check_presses(const Ring& ring, const std::vector<std::vector<Patch
       if (patch.plane()) continue;
       if (const double lines = wanted_presses(patch, part.from, part.to, pressing);
           lines > kMostLines)
-        return fail(ErrorCode::invalid_input,
-                    fmt::format("a bend would be pressed on {:.4g} lines; {:.0f} are the most: "
-                                "give a smaller count, or a larger angle or chord",
-                                lines, kMostLines),
-                    "/press_lines");
+        return fail(
+            ErrorCode::invalid_input,
+            fmt::format("a bend would be pressed on {:.4g} lines; at most {:.0f} are possible: "
+                        "give a smaller count, or a larger angle or chord",
+                        lines, kMostLines),
+            "/press_lines");
     }
   return {};
 }

@@ -12,8 +12,8 @@
 
 namespace planish::transition_detail {
 
-/// Corners that turn by less (sine) are straight on, edges shorter than this share of the extent
-/// are points.
+/// Corners that turn by less (sine) are straight; edges shorter than this share of the extent are
+/// points.
 inline constexpr double kNoCorner = tolerance::kComputed;
 
 // `place` is where an error is in the request, "/from/profile/polygon".
@@ -28,7 +28,7 @@ Result<void> check_radius(double tightest, double outwards, const std::string& p
 /// area).
 Result<void> check_polygon(const std::vector<Vec2>& corners, const std::string& place);
 
-/// Of a polygon that runs counter-clockwise; `given` numbers its corners as they were given.
+/// For a polygon that runs counter-clockwise; `given` maps its corners to their original numbers.
 /// Error: `profile_not_convex`.
 Result<void> check_convex(const std::vector<Vec2>& corners, const std::function<int(int)>& given,
                           const std::string& place);

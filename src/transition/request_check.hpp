@@ -5,7 +5,7 @@
 
 namespace planish::transition_detail {
 
-/// Whether the numbers of a request can be calculated with. Error: `invalid_input`.
+/// Whether the numbers of a request are usable. Error: `invalid_input`.
 Result<void> check_request(const TransitionSpec& spec);
 
 }  // namespace planish::transition_detail

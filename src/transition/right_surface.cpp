@@ -12,7 +12,7 @@ constexpr double kSame = tolerance::kRounding;
 /// Share of its distance from the origin by which a point may be off, from rounding.
 constexpr double kPointRounding = 1e-15;
 
-/// Where a side begins, and the circle that it is a part of.
+/// The start of a side, and the circle that it is part of.
 struct Arc {
   Circle circle;
   SpaceCurvePoint start;

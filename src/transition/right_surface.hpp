@@ -17,7 +17,7 @@ struct RightSurface {
 };
 
 /// The surface of a patch between two coaxial circles, or between a circle and a point of its axis;
-/// none where the patch is not a part of such a surface. Requires: a patch that is not a plane.
+/// empty if the patch is not a part of such a surface. Requires: a patch that is not a plane.
 std::optional<RightSurface> right_surface(const Hull& hull, const HullPatch& patch);
 
 }  // namespace planish::transition_detail

@@ -33,7 +33,8 @@ Vec3 middle_of(const Boundary& boundary) {
   return sum / boundary.count();
 }
 
-/// Both boundaries, the first one's axis towards the second, the second one's on.
+/// Both boundaries; the first one's axis points to the second, the second one's away from the
+/// first.
 Result<std::array<Boundary, 2>> boundaries_of(const TransitionSpec& spec) {
   const double outwards = set_off(spec);
   const auto first = boundary_of(spec.from, outwards, spec.from.frame.z, "/from/profile");

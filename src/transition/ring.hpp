@@ -9,7 +9,7 @@
 
 namespace planish::transition_detail {
 
-/// The patches of a hull in order, closed to a ring.
+/// The patches of a hull in order, closed into a ring.
 struct Ring {
   std::shared_ptr<const Hull> hull;
   std::vector<RuledPatch> patches;
@@ -19,9 +19,9 @@ struct Ring {
   const RuledPatch& patch(int i) const { return patches[((i % count()) + count()) % count()]; }
 };
 
-/// The neutral surface of a transition. Requires: numbers that `check_request` found sound. Errors:
-/// those of `boundary_of` and `lateral_hull`; `radius_too_small` where the neutral surface is
-/// curved more sharply than the thickness allows.
+/// The neutral surface of a transition. Requires: numbers accepted by `check_request`. Errors:
+/// those of `boundary_of` and `lateral_hull`; `radius_too_small` if the neutral surface is curved
+/// more sharply than the thickness allows.
 Result<Ring> ring_of(const TransitionSpec& spec, const TransitionOptions& options);
 
 }  // namespace planish::transition_detail

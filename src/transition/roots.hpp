@@ -32,9 +32,9 @@ double root_between(const Function& f, double a, double b) {
   return x;
 }
 
-/// Where f falls through zero between a and b. Tangents of a convex curve through one point are
-/// two, where f falls and where it rises, and close to the curve both may lie between a and b: then
-/// the interval is divided until a part falls.
+/// Where f falls through zero between a and b. A convex curve has two tangents through a point, one
+/// where f falls and one where it rises, and near the curve both may lie between a and b: then the
+/// interval is divided until f falls in a part.
 template <typename Function>
 double falling_root(const Function& f, double a, double b) {
   constexpr int kFinest = 256;

@@ -48,7 +48,7 @@ RuledPatch::RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch,
     base_ = hull_patch_.sides[0].moves() ? 0 : 1;
     return;
   }
-  // The surface is written about the side that nowhere stands still, or nearly so.
+  // The base side is the one that nowhere, or hardly anywhere, stands still.
   std::array<double, 2> slowest{1.0, 1.0};
   constexpr int kSamples = 16;
   for (std::size_t side = 0; side < 2; ++side)
@@ -85,8 +85,8 @@ RuledPatch::Pairing RuledPatch::pairing(double at) const {
   return pairing;
 }
 
-// Rulings are numbered by the mean of the shares of both curves that lie behind them, since either
-// may stand still for a moment. math.md#lateral-hull then fixes both.
+// Rulings are numbered by the mean of the shares of both curves up to them, since either may stand
+// still for a moment. math.md#lateral-hull then fixes both.
 RuledPatch::Pairing RuledPatch::solved(double at) const {
   const Stretch &a = hull_patch_.sides[0], &b = hull_patch_.sides[1];
   const double whole_a = a.t1 - a.t0, whole_b = b.t1 - b.t0;

@@ -20,7 +20,7 @@ double arc_length(const Element& element, double t0, double t1);
 /// One patch of the hull with its rulings numbered from 0 to 1, as the profiles run.
 class RuledPatch {
  public:
-  /// `tolerance`: mm that points of general developables may be off.
+  /// `tolerance`: largest error of points of general developables, mm.
   RuledPatch(std::shared_ptr<const Hull> hull, const HullPatch& patch, double tolerance);
 
   bool plane() const { return hull_patch_.plane; }
@@ -33,7 +33,7 @@ class RuledPatch {
   Vec3 normal(double at) const;
   /// The ruling that leaves a profile at the curve's parameter t (or share of an edge).
   double ruling_at(int side, double t) const;
-  /// The other way round.
+  /// The inverse.
   double parameter(int side, double at) const { return pairing(at).t[side]; }
   const HullPatch& hull_patch() const { return hull_patch_; }
 
@@ -41,18 +41,18 @@ class RuledPatch {
   double border_length(int side, double from, double to) const;
   /// By how much the normal turns.
   double turn(double from, double to) const;
-  /// By how much its end is turned against its start, as bends are measured: between the normals,
-  /// the long way round where it turns so far.
+  /// The bend angle from start to end: between the normals, the long way around if it turns that
+  /// far.
   double turned(double from, double to) const;
-  /// A ruling on which the sheet is pressed, and by how much (radians).
+  /// A ruling on which the sheet is pressed, and the angle (radians).
   struct Press {
     double at = 0.0, turn = 0.0;
   };
-  /// Presses by equal angles: what turns between `from` and `to` is divided into `count` parts,
-  /// each pressed in its middle.
+  /// Presses by equal angles: the turn between `from` and `to` is divided into `count` parts, each
+  /// pressed in its middle.
   std::vector<Press> evenly_turned(double from, double to, int count) const;
   /// Presses at equal distances along a side: its border is divided, each part pressed in its
-  /// middle by what turns along it.
+  /// middle by its share of the turn.
   std::vector<Press> evenly_along(int side, double from, double to, int count) const;
   /// Smallest radius of curvature between `from` and `to`: at mid-length of the rulings, and at the
   /// tighter of their ends (of cones: the one away from the apex).
@@ -62,21 +62,21 @@ class RuledPatch {
   Radii smallest_radii(double from, double to) const;
 
   /// The part between two rulings as a face. Its borders: first profile, ruling at `to`, second
-  /// profile, ruling at `from`; where a side stands still its border is a point (of bends), or left
-  /// out (of planes).
+  /// profile, ruling at `from`; if a side stands still, its border is a point (for bends) or
+  /// omitted (for planes).
   struct Part {
     Face face;
     std::array<int, 2> ruling_borders{};  ///< positions of the borders at `from` and `to`
     double u(double at) const { return u0 + (u1 - u0) * (at - from) / (to - from); }
     double from = 0.0, to = 1.0, u0 = 0.0, u1 = 1.0;
   };
-  /// `tips`: how much is cut off the corners that the patch has at both ends of both sides, mm
-  /// along its rulings (where a side stands still both are one).
+  /// `tips`: how much is cut off the patch's corners at both ends of both sides, mm along its
+  /// rulings (if a side stands still its two corners are one).
   struct Tips {
     std::array<double, 2> at_from{}, at_to{};
   };
   Part part(double from, double to, const Tips& tips) const;
-  /// Area of what `tips` cut off.
+  /// Area that `tips` cut off.
   double tip_area(double from, double to, const Tips& tips) const;
   /// Where the patch is a cone with its apex in a profile's corner: how far from there its radius
   /// is at least `radius`.
@@ -91,7 +91,7 @@ class RuledPatch {
   Pairing pairing(double at) const;
   Pairing solved(double at) const;
 
-  /// A ruling seen from the side that the surface is written about.
+  /// A ruling as seen from the base side.
   struct Local {
     Ruled::Knot knot;
     double length = 0.0, length_rate = 0.0;  ///< of the ruling
@@ -102,8 +102,8 @@ class RuledPatch {
   };
   Local local(double at) const;
 
-  /// The integral of `rate` from `from` to `to`, and the rulings behind which lie `shares`,
-  /// ascending, of it.
+  /// The integral of `rate` from `from` to `to`, and the rulings up to which it reaches `shares`
+  /// (ascending) of the whole.
   struct Divided {
     double whole = 0.0;
     std::vector<double> rulings;
@@ -133,7 +133,7 @@ class RuledPatch {
   std::array<const Element*, 2> curves_;
   double tolerance_;
   std::vector<double> breaks_;  ///< rulings at which one of the curves is less smooth, ascending
-  int base_ = 0;                ///< the side that the surface is written about: it moves
+  int base_ = 0;                ///< the base side, about which the surface is written; it moves
   std::optional<RightSurface> right_;  ///< of right cones and cylinders
 };
 

@@ -10,16 +10,16 @@
 
 namespace planish::transition_detail {
 
-/// Names of the ends of rulings, as templates have them: a corner of the first profile is A, B, C …
-/// and of the second a, b, c …, other points are numbered as they come, those of the second profile
-/// with a prime.
+/// Names of the ends of rulings, as on templates: corners of the first profile are A, B, C …, of
+/// the second a, b, c …; other points are numbered in order, those of the second profile with a
+/// prime.
 class RulingNames {
  public:
   /// Points within `near` (mm) of each other are one.
   RulingNames(const Hull& hull, double near) : hull_(hull), near_(near) {}
 
-  /// Names of both ends of a ruling, which is a true length of that piece from now on. One that is
-  /// known keeps its name and its piece.
+  /// Names both ends of a ruling, which becomes a true length of that piece. A known ruling keeps
+  /// its name and piece.
   std::array<std::string, 2> add(const std::array<Vec3, 2>& points, const std::string& press,
                                  int piece);
 

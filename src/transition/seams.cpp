@@ -13,11 +13,11 @@ namespace {
 
 /// Rulings whose lengths differ by less (a share) are equally long.
 constexpr double kAsLong = tolerance::kComputed;
-/// A place nearer to a corner is at it, a part narrower than that is a sliver: shares of the first
+/// A place closer to a corner is at the corner, a narrower part is a sliver: shares of the first
 /// profile's length.
 constexpr double kAtCorner = tolerance::kComputed;
 constexpr double kSliver = tolerance::kComputed;
-/// How closely the shortest ruling of a patch is looked for, in rulings.
+/// Accuracy with which the shortest ruling of a patch is sought, in rulings.
 constexpr double kShortestFound = 1e-6;
 
 double length_of(const RuledPatch& patch, double at) {
@@ -38,7 +38,8 @@ class Cutter {
         "/seam/edge");
   }
 
-  /// The middle of what turns about the corner, so that both planes beside it stay whole.
+  /// The middle of the patches that turn about the corner, so that both planes beside it stay
+  /// whole.
   Result<Cut> at(const SeamCorner& seam) const {
     for (const GivenCorner& corner : boundary_.corners)
       if (corner.number == seam.corner)
@@ -58,7 +59,7 @@ class Cutter {
     return at_length(start_of_profile() + (boundary_.turned ? -1.0 : 1.0) * seam.parameter * whole);
   }
 
-  /// Where welding is least work.
+  /// Where the weld is shortest.
   Cut shortest() const {
     Cut best;
     double least = std::numeric_limits<double>::infinity();
@@ -112,7 +113,7 @@ class Cutter {
     return whole;
   }
 
-  /// One between every two edges: at corners, or in the middle of what is round between.
+  /// One between every two edges: at corners, or in the middle of the round part between them.
   Result<std::vector<Cut>> between_edges() const {
     std::vector<Cut> cuts;
     double before = 0.0, round = 0.0;
@@ -135,11 +136,11 @@ class Cutter {
     }
     if (edges && cuts.size() > 1) return cuts;
     return fail(ErrorCode::invalid_input,
-                "the first profile has no sides to make a piece of each: give 1 or 2 pieces",
+                "the first profile has no sides, so there is no piece for each: give 1 or 2 pieces",
                 "/pieces");
   }
 
-  /// Cuts that would leave a sliver of a patch go to its end.
+  /// Moves a cut that would leave a sliver of a patch to its end.
   Cut settled(const Cut& cut) const {
     const double sliver = kSliver * perimeter();
     const auto narrow = [&](double from, double to) {
@@ -151,7 +152,7 @@ class Cutter {
   }
 
  private:
-  /// Between some rulings of a patch, by golden sections about the shortest of them.
+  /// Among some rulings of a patch, then by golden section about the shortest.
   Cut shortest_in(int number) const {
     const RuledPatch& patch = ring_.patch(number);
     constexpr int kSamples = 32;
@@ -212,7 +213,7 @@ class Cutter {
                        })->number);
   }
 
-  /// Length from the boundary's first element to where the profile begins that was given.
+  /// Length from the boundary's first element to the start of the given profile.
   double start_of_profile() const {
     for (const GivenEdge& edge : boundary_.edges)
       if (edge.number == 0)
@@ -242,7 +243,7 @@ class Cutter {
   Cut at_start_of(int element) const {
     const Vec3 corner = boundary_.element(element).curve(boundary_.element(element).t0).point;
     std::vector<int> standing;
-    int after = 0;  // the patch that runs on from the corner
+    int after = 0;  // the patch that continues from the corner
     for (int i = 0; i < ring_.count(); ++i) {
       const Stretch& side = ring_.patch(i).hull_patch().sides[0];
       if (ring_.hull->point(0, side, side.t0) != corner) continue;
@@ -255,8 +256,7 @@ class Cutter {
     for (const int i : standing)
       whole += ring_.patch(i).turn(0.0, 1.0);
     if (whole == 0.0) return {standing.empty() ? after : standing[standing.size() / 2], 0.0};
-    // Standing patches in the order in which they follow each other, which may run over the ring's
-    // end.
+    // Standing patches in order, which may wrap past the ring's end.
     std::sort(standing.begin(), standing.end(), [&](int a, int b) {
       return (a - after + ring_.count()) % ring_.count() <
              (b - after + ring_.count()) % ring_.count();

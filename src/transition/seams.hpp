@@ -9,7 +9,7 @@
 
 namespace planish::transition_detail {
 
-/// Parts whose normals differ by less (rad) go on smoothly: planes and what they touch agree to a
+/// Parts whose normals differ by less (rad) join smoothly: planes and their neighbours agree to a
 /// few 1e-9.
 inline constexpr double kNoFold = 100.0 * tolerance::kComputed;
 
@@ -24,7 +24,7 @@ struct Cut {
 Result<std::vector<Cut>> cuts_of(const Ring& ring, const std::optional<Seam>& seam,
                                  Division pieces);
 
-/// A ring whose only patch is closed, begun anew at a ruling of it.
+/// A ring whose only patch is closed, starting at another ruling.
 Ring begun_at(const Ring& ring, double at, double tolerance);
 
 /// A stretch of patches between two cuts.
@@ -34,11 +34,11 @@ struct PatchPart {
 };
 std::vector<PatchPart> parts_between(const Ring& ring, const Cut& begin, const Cut& end);
 
-/// The angle (rad) by which the sheet is folded sharply between two parts that follow each other; 0
-/// where it goes on smoothly.
+/// The angle (rad) by which the sheet is folded sharply between two consecutive parts; 0 if they
+/// join smoothly.
 double fold_between(const Ring& ring, const PatchPart& before, const PatchPart& after);
 
-/// Takes 0.005 mm from both ends of what closes to a ring. Returns the area that is missing.
+/// Takes 0.005 mm off both ends of parts that close into a ring. Returns the area removed.
 double open_seam(const Ring& ring, std::vector<PatchPart>& parts);
 
 }  // namespace planish::transition_detail

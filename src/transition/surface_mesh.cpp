@@ -7,8 +7,8 @@
 namespace planish::transition_detail {
 namespace {
 
-/// Facets of a patch, so that an arc of its widest radius leaves its chords by no more than
-/// `chord`.
+/// Number of facets of a patch, such that an arc of its widest radius deviates from its chords by
+/// at most `chord`.
 int facets_of(const RuledPatch& patch, double chord) {
   if (patch.plane()) return 1;
   const double length = std::max(patch.border_length(0, 0.0, 1.0),
@@ -19,7 +19,7 @@ int facets_of(const RuledPatch& patch, double chord) {
   return std::clamp(static_cast<int>(std::ceil(turn / widest)), 1, kMost);
 }
 
-/// Rows of both ends of a ruling in a mesh.
+/// Indices of both ends of a ruling in a mesh.
 using Ends = std::array<int, 2>;
 
 int add_point(Mesh& mesh, const Vec3& p) {
@@ -34,7 +34,7 @@ void add_facets(Mesh& mesh, const Ends& a, const Ends& b) {
       mesh.triangles.push_back(facet);
 }
 
-/// The last patch that moves on a side: where it ends, that side is round.
+/// The last patch that moves along a side: at its end the side is complete.
 int last_moving(const Ring& ring, int side) {
   int i = ring.count() - 1;
   while (i > 0 && ring.patch(i).stands(side))

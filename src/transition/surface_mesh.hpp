@@ -6,7 +6,7 @@
 
 namespace planish::transition_detail {
 
-/// Triangles of all patches of a ring, which is closed.
+/// Triangles of all patches of a closed ring.
 Mesh surface_mesh(const Ring& ring, double chord);
 
 }  // namespace planish::transition_detail

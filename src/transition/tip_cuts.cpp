@@ -10,9 +10,9 @@
 namespace planish::transition_detail {
 namespace {
 
-/// Inside radius of what is left, in thicknesses.
+/// Inside radius that remains, in thicknesses.
 constexpr double kInsideRadius = 0.1;
-/// Of a ruling may be cut off.
+/// Largest share of a ruling that may be cut off.
 constexpr double kMostOfRuling = 0.9;
 /// Corners of profiles that are one, a share of the extent.
 constexpr double kSameCorner = tolerance::kComputed;
@@ -46,8 +46,8 @@ std::vector<PanelCorner> corners_of(const RuledPatch& patch, const PatchPart& pa
           {1, q1, p1, q0, last_fold, 0.0}};
 }
 
-/// How far from a panel's corner its inside is as wide as wanted: folds move there into the panel
-/// by inside · tan(fold / 2).
+/// How far from a panel's corner its inside is wide enough: folds move into the panel by inside ·
+/// tan(fold / 2).
 double cut_of(const PanelCorner& corner, double inside, double radius) {
   const double opening = angle_between(corner.one_way - corner.at, corner.other_way - corner.at);
   const double moved = inside * (std::tan(0.5 * corner.fold) + std::tan(0.5 * corner.other_fold));

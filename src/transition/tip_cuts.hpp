@@ -6,9 +6,9 @@
 
 namespace planish::transition_detail {
 
-/// What is cut off at corners in which a sheet of real thickness has no room on its inside: where a
-/// cone has its apex, and where several folds meet. There the inside of what is left is as wide as
-/// that of a bend with an inside radius of a tenth of the thickness.
+/// The tips cut off at corners in which a sheet of real thickness has no room on its inside: at the
+/// apex of a cone, and where several folds meet. The inside radius that remains there is a tenth of
+/// the thickness.
 class TipCuts {
  public:
   using PieceParts = std::vector<std::vector<PatchPart>>;
@@ -17,7 +17,7 @@ class TipCuts {
 
   RuledPatch::Tips of(const RuledPatch& patch, double from, double to) const;
 
-  /// Errors: `radius_too_small` where the cuts at both ends of a ruling leave nothing of it.
+  /// Errors: `radius_too_small` if the cuts at both ends of a ruling leave nothing of it.
   Result<void> leave_room(const RuledPatch& patch, double from, double to) const;
 
  private:

@@ -14,13 +14,13 @@ namespace {
 using namespace transition_detail;
 
 /// Ends of rulings that are one point of a template; a share of the extent. The hull finds places
-/// to some 1e-9 of it.
+/// to about 1e-9 of it.
 constexpr double kSamePoint = 100.0 * tolerance::kComputed;
 
-/// A piece of which more is cut off cannot be folded.
+/// A piece that loses more than this share cannot be folded.
 constexpr double kMostCut = 0.1;
 
-/// The ring and what each piece is made of.
+/// The ring, and the parts of each piece.
 struct Division {
   Ring ring;
   std::vector<std::vector<PatchPart>> pieces;
@@ -71,7 +71,7 @@ Result<void> add_pieces(Transition& transition, const Division& division,
   return {};
 }
 
-/// What is missing of a piece once `tips` are cut off as well.
+/// The area missing from a piece once `tips` are cut off as well.
 Result<double> with_tips(double area, const Ring& ring, const std::vector<PatchPart>& parts,
                          const TipCuts& tips) {
   for (const PatchPart& part : parts) {

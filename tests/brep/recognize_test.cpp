@@ -25,6 +25,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 // Solids modelled with the kernel, as a CAD system would: what the recogniser must see in them, and
@@ -298,6 +299,18 @@ TEST(ReadStep, ConvertsInchesToMillimetres) {
   const auto recognized = recognize(file->bodies.front());
   ASSERT_TRUE(recognized) << recognized.error().message;
   EXPECT_NEAR(recognized->sheet.thickness, 0.25 * 25.4, 1e-6);
+}
+
+TEST(RecognizeOptions, MustBeAboveZero) {
+  const auto file = as_file(BRepPrimAPI_MakeBox(100, 50, 2).Shape());
+  ASSERT_TRUE(file);
+  for (const double wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(recognize(file->bodies[0], {.surface_tolerance = wrong}).error().code,
+              ErrorCode::bad_option);
+    EXPECT_EQ(recognize(file->bodies[0], {.thickness_tolerance = wrong}).error().code,
+              ErrorCode::bad_option);
+  }
+  EXPECT_DEATH(Body(nullptr), "shape_");
 }
 
 }  // namespace

@@ -73,5 +73,11 @@ TEST(FeasibleOffsets, AreThoseOfTheSlope) {
   EXPECT_NEAR(feasible_offsets(kParallel, EdgeKind::averted, 0.05)->high, -15.0, 1e-12);
 }
 
+TEST(Extension, StopsWithoutCorners) {
+  EXPECT_DEATH((void)extension_area({}, EdgeKind::facing, {0.0, 0.0}), "empty");
+  EXPECT_DEATH((void)smallest_extension({}, EdgeKind::facing), "empty");
+  EXPECT_DEATH((void)feasible_slopes({}, EdgeKind::facing), "empty");
+}
+
 }  // namespace
 }  // namespace planish::test

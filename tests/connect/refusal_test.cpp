@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <string>
 
 // Each refusal with its code, its place in the file, and numbers in its message.
@@ -203,6 +205,18 @@ TEST(ConnectRefuses, ARadiusOfAConeAndNamesTheNearestThatFits) {
   s.bends[0].inside_radius = std::stod(message.substr(at + 25)) * (1.0 - 1e-5);
   const auto fits = connect(s);
   EXPECT_TRUE(fits) << fits.error().message;
+}
+
+TEST(ConnectRefuses, OptionsThatMeanNothing) {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  for (const ConnectOptions& options :
+       {ConnectOptions{.k_factor = nan}, ConnectOptions{.k_factor = -1.0},
+        ConnectOptions{.k_factor = inf}, ConnectOptions{.smallest_slope = nan},
+        ConnectOptions{.alternatives = -1}, ConnectOptions{.planarity = inf}}) {
+    const auto result = connect(angle_pair(14.0), options);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+  }
 }
 
 }  // namespace

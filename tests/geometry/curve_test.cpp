@@ -183,5 +183,31 @@ TEST(Trimmed, AtJointsOfASplineLeavesWholePieces) {
     EXPECT_EQ(middle.poles[i], three.poles[3 + i]);
 }
 
+TEST(IsRegular, HoldsOfCurvesThatEveryFunctionCanTake) {
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const Curve2& sound :
+       {Curve2(Segment{{0, 0}, {1, 2}}), Curve2(Arc{{1, 2}, 3.0, -1.0, 2.0 * pi}),
+        Curve2(Arc{{0, 1e9}, 1e9, -pi / 2, 1e-6}),
+        Curve2(CubicSpline{{{0, 0}, {1, 0}, {2, 1}, {3, 1}}})})
+    EXPECT_TRUE(is_regular(sound));
+  for (const Curve2& broken :
+       {Curve2(Segment{{0, nan}, {1, 2}}), Curve2(Segment{{0, 0}, {1e8, 0}}),
+        Curve2(Arc{{0, 0}, 0.0, 0.0, 1.0}), Curve2(Arc{{0, 0}, -1.0, 0.0, 1.0}),
+        Curve2(Arc{{0, 0}, 1.0, 0.0, 6.3}), Curve2(Arc{{0, 0}, 1.0, 0.0, -1e9}),
+        Curve2(Arc{{0, 0}, 1.0, 1e300, 1.0}), Curve2(Arc{{0, 0}, 1.0, nan, 1.0}),
+        Curve2(Arc{{0, 0}, 1.0, 0.0, nan}), Curve2(Arc{{0, inf}, 1.0, 0.0, 1.0}),
+        Curve2(Arc{{0, 0}, inf, 0.0, 1.0}), Curve2(CubicSpline{}),
+        Curve2(CubicSpline{{{0, 0}, {1, 1}}}),
+        Curve2(CubicSpline{{{0, 0}, {1, 0}, {1e200, 0}, {3, 0}}})})
+    EXPECT_FALSE(is_regular(broken));
+  EXPECT_FALSE(is_regular(Loop{Segment{{0, 0}, {1, 0}}, CubicSpline{}}));
+}
+
+TEST(ASplineWithoutPoles, StopsAtAnAssertion) {
+  const Curve2 none = CubicSpline{};
+  EXPECT_DEATH((void)bounds(none), "poles");
+  EXPECT_DEATH((void)sampled(none, 0.1), "poles");
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -23,7 +23,7 @@ FlatPattern tab_without_relief() {
 }
 
 TEST(BendRelief, IsMissedAtBothEndsOfATabOnAnEdge) {
-  const auto found = check(tab_without_relief());
+  const auto found = findings_of(tab_without_relief());
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(messages(found), ElementsAre("bend B1 ends inside an edge at (-10, 0) without "
                                            "relief; it needs one 2 mm (T) wide and, from "
@@ -35,11 +35,11 @@ TEST(BendRelief, IsMissedAtBothEndsOfATabOnAnEdge) {
 
 TEST(BendRelief, IsMissedInALance) {
   // Slits of no width, down to the tangent line, the base going on beside the tab.
-  EXPECT_EQ(of_code(check(tab(15.0, 0.0, 0.0)), "bend_relief").size(), 2u);
+  EXPECT_EQ(of_code(findings_of(tab(15.0, 0.0, 0.0)), "bend_relief").size(), 2u);
 }
 
 TEST(BendRelief, HasNoWidthInADeepLance) {
-  const auto found = check(tab(15.0, 0.0, 6.0));
+  const auto found = findings_of(tab(15.0, 0.0, 6.0));
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(found[0].message, HasSubstr("at (-10, 0) is 0 mm wide"));
 }
@@ -57,7 +57,7 @@ TEST(BendRelief, IsMissedWhereBothFlangesGoOn) {
       points.emplace_back(-points[i].x(), points[i].y());
     FlatPattern pattern = flat_plate(polygon(points));
     test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(10, 0.5 * w)});
-    const auto found = check(pattern);
+    const auto found = findings_of(pattern);
     if (upper > 0.0) {
       EXPECT_TRUE(found.empty()) << text_of(found);
     } else {
@@ -69,21 +69,22 @@ TEST(BendRelief, IsMissedWhereBothFlangesGoOn) {
 }
 
 TEST(BendRelief, IsEnoughWhenAsWideAsTheSheetIsThick) {
-  EXPECT_TRUE(check(tab(15.0, 2.0, 1.0)).empty()) << text_of(check(tab(15.0, 2.0, 1.0)));
-  EXPECT_TRUE(check(tab(0.0, 2.0, 1.0)).empty());
+  EXPECT_TRUE(findings_of(tab(15.0, 2.0, 1.0)).empty())
+      << text_of(findings_of(tab(15.0, 2.0, 1.0)));
+  EXPECT_TRUE(findings_of(tab(0.0, 2.0, 1.0)).empty());
 }
 
 TEST(BendRelief, IsTooNarrowBelowTheThickness) {
-  const auto found = check(tab(15.0, 2.0 - kJustShort, 1.0));
+  const auto found = findings_of(tab(15.0, 2.0 - kJustShort, 1.0));
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_EQ(found[0].message,
             "the relief of bend B1 at (-10, 0) is 1.99 mm wide; at least 2 mm (T) is needed");
-  EXPECT_EQ(check(tab(0.0, 2.0 - kJustShort, 1.0)).size(), 2u);
+  EXPECT_EQ(findings_of(tab(0.0, 2.0 - kJustShort, 1.0)).size(), 2u);
 }
 
 TEST(BendRelief, MustReachTheTangentLine) {
   // R + T from the outside of the bend is the tangent line.
-  const auto found = check(tab(15.0, 3.0, -0.5));
+  const auto found = findings_of(tab(15.0, 3.0, -0.5));
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(found[0].message, HasSubstr("without relief"));
 }
@@ -91,9 +92,9 @@ TEST(BendRelief, MustReachTheTangentLine) {
 TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {
   Rules rules;
   rules.relief_depth_t = 1.5;  // 5 mm from the outside: 1 mm beyond the tangent line
-  EXPECT_TRUE(check(tab(15.0, 2.0, 1.0), rules).empty())
-      << text_of(check(tab(15.0, 2.0, 1.0), rules));
-  const auto found = check(tab(15.0, 2.0, 1.0 - kJustShort), rules);
+  EXPECT_TRUE(findings_of(tab(15.0, 2.0, 1.0), rules).empty())
+      << text_of(findings_of(tab(15.0, 2.0, 1.0), rules));
+  const auto found = findings_of(tab(15.0, 2.0, 1.0 - kJustShort), rules);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_EQ(found[0].message,
             "the relief of bend B1 at (-10, 0) is 4.99 mm deep from the outside of the bend; at "
@@ -102,7 +103,7 @@ TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {
 }
 
 TEST(BendRelief, IsNotAskedForWhereTheEdgeIsSteppedBack) {
-  EXPECT_TRUE(check(tab(-0.5, 2.0, 0.5)).empty());
+  EXPECT_TRUE(findings_of(tab(-0.5, 2.0, 0.5)).empty());
 }
 
 TEST(BendRelief, IsNotAskedForAtFreeEnds) {
@@ -114,7 +115,7 @@ TEST(BendRelief, IsNotAskedForAtFreeEnds) {
     FlatBend& bend = test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
     bend.tangent_lines = {{Vec2(-half, 0), Vec2(-half, 40 - half * slope)},
                           {Vec2(half, 0), Vec2(half, 40 + half * slope)}};
-    EXPECT_TRUE(check(pattern).empty()) << slope << text_of(check(pattern));
+    EXPECT_TRUE(findings_of(pattern).empty()) << slope << text_of(findings_of(pattern));
   }
 }
 
@@ -125,7 +126,7 @@ TEST(BendRelief, IsMissedOnceWhereTwoBendsMeetInACorner) {
       polygon({{0, -w - 20}, {40, -w - 20}, {40, 40}, {-w - 20, 40}, {-w - 20, 0}, {0, 0}}));
   test::add_bend(pattern, {Vec2(0, -0.5 * w), Vec2(40, -0.5 * w)});
   test::add_bend(pattern, {Vec2(-0.5 * w, 0), Vec2(-0.5 * w, 40)});
-  const Finding found = only(check(pattern), "bend_relief");
+  const Finding found = only(findings_of(pattern), "bend_relief");
   EXPECT_NEAR(found.at.at(0).norm(), 0.0, 1e-9);
 }
 
@@ -154,13 +155,13 @@ TEST(BendRelief, MayBeAHole) {
     loop.push_back(curve);
   FlatPattern pattern = flat_plate(loop);
   test::add_bend(pattern, {Vec2(-10, 0.5 * w), Vec2(8.8, 0.5 * w)});
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
 }
 
 TEST(BendRelief, CanBeSwitchedOff) {
   Rules rules;
   rules.relief_width_t = 0.0;
-  EXPECT_TRUE(check(tab_without_relief(), rules).empty());
+  EXPECT_TRUE(findings_of(tab_without_relief(), rules).empty());
 }
 
 }  // namespace

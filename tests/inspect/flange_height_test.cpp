@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(FlangeHeight, IsMeasuredFromTheOutsideOfTheBend) {
-  const Finding found = only(check(flat_l(50, 1 - kJustShort)), "flange_height");
+  const Finding found = only(findings_of(flat_l(50, 1 - kJustShort)), "flange_height");
   EXPECT_EQ(found.message,
             "the flange at bend B1 is 4.99 mm high from the outside of the bend; at least 5 mm "
             "(1.5 T + R) is needed");
@@ -18,13 +18,13 @@ TEST(FlangeHeight, IsMeasuredFromTheOutsideOfTheBend) {
 }
 
 TEST(FlangeHeight, IsEnoughAtTheLimit) {
-  EXPECT_TRUE(check(flat_l(1, 1)).empty()) << text_of(check(flat_l(1, 1)));
+  EXPECT_TRUE(findings_of(flat_l(1, 1)).empty()) << text_of(findings_of(flat_l(1, 1)));
 }
 
 TEST(FlangeHeight, NeedsTheSameFlatLengthAtEveryAngle) {
   for (const double degrees : {20.0, 45.0, 120.0, 160.0}) {
-    EXPECT_TRUE(check(flat_l(50, 1, {degrees})).empty()) << degrees;
-    only(check(flat_l(50, 1 - kJustShort, {degrees})), "flange_height");
+    EXPECT_TRUE(findings_of(flat_l(50, 1, {degrees})).empty()) << degrees;
+    only(findings_of(flat_l(50, 1 - kJustShort, {degrees})), "flange_height");
   }
 }
 
@@ -32,11 +32,11 @@ TEST(FlangeHeight, FollowsTheThresholds) {
   Rules rules;
   rules.flange_height_t = 4.0;
   rules.flange_height_r = 0.0;
-  EXPECT_TRUE(check(flat_l(50, 4), rules).empty());  // 8 mm from the outside
-  EXPECT_THAT(only(check(flat_l(50, 4 - kJustShort), rules), "flange_height").message,
+  EXPECT_TRUE(findings_of(flat_l(50, 4), rules).empty());  // 8 mm from the outside
+  EXPECT_THAT(only(findings_of(flat_l(50, 4 - kJustShort), rules), "flange_height").message,
               HasSubstr("8 mm (4 T)"));
   rules.flange_height_t = 0.0;
-  EXPECT_TRUE(check(flat_l(50, 0.01), rules).empty());
+  EXPECT_TRUE(findings_of(flat_l(50, 0.01), rules).empty());
 }
 
 TEST(FlangeHeight, LetsChamferedAndRoundedEndsPass) {
@@ -45,7 +45,7 @@ TEST(FlangeHeight, LetsChamferedAndRoundedEndsPass) {
   FlatPattern pattern = flat_plate(
       polygon({{-50, 0}, {x + 0.5, 0}, {x + 5, 4.5}, {x + 5, 35.5}, {x + 0.5, 40}, {-50, 40}}));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
 }
 
 TEST(FlangeHeight, SeesANotchInTheMiddle) {
@@ -59,7 +59,7 @@ TEST(FlangeHeight, SeesANotchInTheMiddle) {
                                             {x + 9, 40},
                                             {-50, 40}}));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
-  EXPECT_THAT(only(check(pattern), "flange_height").message, HasSubstr("4.7 mm high"));
+  EXPECT_THAT(only(findings_of(pattern), "flange_height").message, HasSubstr("4.7 mm high"));
 }
 
 TEST(FlangeHeight, IsToldOnceForTheWebBetweenTwoBends) {
@@ -67,7 +67,7 @@ TEST(FlangeHeight, IsToldOnceForTheWebBetweenTwoBends) {
   FlatPattern pattern = flat_plate(shifted(rectangle(60 + 2 * w, 40), Vec2(-30 - 0.5 * w, 0)));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
   test::add_bend(pattern, {Vec2(w + 0.6, 0), Vec2(w + 0.6, 40)});
-  EXPECT_EQ(only(check(pattern), "flange_height").message,
+  EXPECT_EQ(only(findings_of(pattern), "flange_height").message,
             "the flange between bends B1 and B2 is 4.6 mm high from the outside of the bend; at "
             "least 5 mm (1.5 T + R) is "
             "needed");
@@ -78,12 +78,13 @@ TEST(FlangeHeight, LetsBendsGoOnInOneAnother) {
   FlatPattern pattern = flat_plate(shifted(rectangle(60 + 2 * w, 40), Vec2(-30 - 0.5 * w, 0)));
   test::add_bend(pattern, {Vec2(0, 0), Vec2(0, 40)});
   test::add_bend(pattern, {Vec2(w, 0), Vec2(w, 40)});
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
 }
 
 TEST(FlangeHeight, LetsRolledBendsEndAtTheEdge) {
-  EXPECT_TRUE(check(flat_l(50, 0, {90, 40})).empty()) << text_of(check(flat_l(50, 0, {90, 40})));
-  EXPECT_THAT(only(check(flat_l(50, 0, {90, 4})), "flange_height").message,
+  EXPECT_TRUE(findings_of(flat_l(50, 0, {90, 40})).empty())
+      << text_of(findings_of(flat_l(50, 0, {90, 40})));
+  EXPECT_THAT(only(findings_of(flat_l(50, 0, {90, 4})), "flange_height").message,
               HasSubstr("is 6 mm high"));
 }
 
@@ -104,7 +105,7 @@ TEST(FlangeHeight, IsMeasuredToTheWindowATabIsCutFrom) {
                                     {edge, -10},
                                     {deep, -10}})));
     test::add_bend(pattern, {Vec2(0, -10), Vec2(0, 10)});
-    const auto found = check(pattern);
+    const auto found = findings_of(pattern);
     if (flat < 1.0) {
       EXPECT_THAT(only(found, "flange_height").message, HasSubstr("4.9 mm high"));
     } else {

@@ -17,10 +17,10 @@ TEST(OpeningToBend, IsMeasuredFromTheTangentLine) {
   const double tangent = 0.5 * test::zone_width();
   FlatPattern pattern = flat_l(50, 40);
   open(pattern, circular_opening({tangent + 4 + 3, 20}, 3));
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
   pattern.openings.clear();
   open(pattern, circular_opening({tangent + 4 + 3 - kJustShort, 20}, 3));
-  const Finding found = only(check(pattern), "opening_to_bend");
+  const Finding found = only(findings_of(pattern), "opening_to_bend");
   EXPECT_THAT(
       found.message,
       HasSubstr("is 3.99 mm from the tangent line of bend B1; at least 4 mm (2 T) is needed"));
@@ -39,7 +39,7 @@ TEST(OpeningToBend, HoldsForEveryShape) {
     for (const double distance : {4.0, 3.5}) {
       FlatPattern pattern = flat_l(50, 50);
       open(pattern, shifted(shape, Vec2(tangent + distance + reach, 20)));
-      const auto found = check(pattern);
+      const auto found = findings_of(pattern);
       if (distance < 4.0) {
         EXPECT_THAT(only(found, "opening_to_bend").message, HasSubstr("is 3.5 mm from"));
       } else {
@@ -60,10 +60,10 @@ TEST(OpeningToBend, DoesNotCountAcrossASlit) {
   Rules rules;
   rules.opening_to_bend_t = 3.0;
   rules.flange_height_t = 0.0;
-  EXPECT_TRUE(of_code(check(pattern, rules), "opening_to_bend").empty())
-      << text_of(check(pattern, rules));
+  EXPECT_TRUE(of_code(findings_of(pattern, rules), "opening_to_bend").empty())
+      << text_of(findings_of(pattern, rules));
   pattern.outer = flat_plate(shifted(rectangle(110, 40), Vec2(-50, 0))).outer;
-  EXPECT_EQ(of_code(check(pattern, rules), "opening_to_bend").size(), 1u);
+  EXPECT_EQ(of_code(findings_of(pattern, rules), "opening_to_bend").size(), 1u);
 }
 
 /// A sheet of one bend face, so that openings can say what they were cut from.
@@ -91,7 +91,7 @@ TEST(OpeningInBend, IsToldForAHoleBesideTheBendLine) {
   // Within the zone, but without touching any line: only its origin tells.
   FlatPattern pattern = flat_l(50, 40, {90, 12.0});
   open(pattern, circular_opening({5, 20}, 2));
-  EXPECT_TRUE(of_code(check(pattern), "opening_in_bend").empty());
+  EXPECT_TRUE(of_code(findings_of(pattern), "opening_in_bend").empty());
   pattern.openings[0].origins[0] = {Origin{{FaceId{0}, 1, 0}, false, pattern.openings[0].loop[0]}};
   only(check_rules(sheet_with_bend_face(), pattern, {}), "opening_in_bend");
 }
@@ -103,7 +103,7 @@ TEST(OpeningInBend, IsToldForAHoleOverOneTangentLine) {
   pattern.bends[0].tangent_lines = {{Vec2(-tangent, 0), Vec2(-tangent, 40)},
                                     {Vec2(tangent, 0), Vec2(tangent, 16)},
                                     {Vec2(tangent, 24), Vec2(tangent, 40)}};
-  const Finding found = only(check(pattern), "opening_in_bend");
+  const Finding found = only(findings_of(pattern), "opening_in_bend");
   EXPECT_THAT(found.message, HasSubstr("the opening 8 × 6 mm at"));
 }
 
@@ -119,7 +119,7 @@ TEST(OpeningInBend, IsAnInformationWhenCutThroughTheWholeBend) {
     bend.tangent_lines.push_back({Vec2(-tangent, from), Vec2(-tangent, to)});
     bend.tangent_lines.push_back({Vec2(tangent, from), Vec2(tangent, to)});
   }
-  const auto found = check(pattern);
+  const auto found = findings_of(pattern);
   ASSERT_EQ(found.size(), 1u) << text_of(found);
   EXPECT_EQ(found[0].code, "opening_in_bend");
   EXPECT_EQ(found[0].severity, Severity::info);
@@ -149,10 +149,10 @@ TEST(OpeningInBend, AgreesWithFlattenedSheets) {
 TEST(OpeningToEdge, IsAtLeastTwiceTheThickness) {
   FlatPattern pattern = flat_plate(rectangle(100, 60));
   open(pattern, circular_opening({7, 30}, 3));
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
   pattern.openings.clear();
   open(pattern, circular_opening({7 - kJustShort, 30}, 3));
-  const Finding found = only(check(pattern), "opening_to_edge");
+  const Finding found = only(findings_of(pattern), "opening_to_edge");
   EXPECT_EQ(found.message,
             "the opening Ø 6 mm at (6.99, 30) is 3.99 mm from the outer edge; at least 4 mm (2 T) "
             "is needed");
@@ -168,7 +168,7 @@ TEST(OpeningToEdge, HoldsTowardsCurvedEdges) {
     const double corner = 40 - 3.5;
     const Vec2 out = Vec2(1, 1).normalized();
     open(pattern, rectangular_opening(corner * out - Vec2(4, 4), 8, 8));
-    EXPECT_THAT(only(check(pattern), "opening_to_edge").message,
+    EXPECT_THAT(only(findings_of(pattern), "opening_to_edge").message,
                 HasSubstr("is 3.5 mm from the outer edge"));
   }
 }
@@ -177,10 +177,10 @@ TEST(OpeningToOpening, IsAtLeastFiveTimesTheThickness) {
   FlatPattern pattern = flat_plate(rectangle(100, 60));
   open(pattern, circular_opening({30, 30}, 5));
   open(pattern, rectangular_opening({50, 30}, 10, 12));
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
   pattern.openings.pop_back();
   open(pattern, rectangular_opening({50 - kJustShort, 30}, 10, 12));
-  const Finding found = only(check(pattern), "opening_to_opening");
+  const Finding found = only(findings_of(pattern), "opening_to_opening");
   EXPECT_EQ(found.message,
             "the opening Ø 10 mm at (30, 30) is 9.99 mm from the opening 12 × 10 mm at (49.99, "
             "30); at least 10 mm (5 T) "
@@ -195,7 +195,8 @@ TEST(OpeningToOpening, IsToldForEachNearestNeighbourOnce) {
   for (const double x : {20.0, 35.0, 48.0, 80.0})
     open(pattern, circular_opening({x, 30}, 4));
   // 35–48 are each other's nearest, 20 is nearest to 35, 80 is alone.
-  EXPECT_THAT(messages(check(pattern)), ElementsAre(HasSubstr("is 7 mm"), HasSubstr("is 5 mm")));
+  EXPECT_THAT(messages(findings_of(pattern)),
+              ElementsAre(HasSubstr("is 7 mm"), HasSubstr("is 5 mm")));
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace {
 TEST(SmallestOpening, IsTheDiameterOfACircle) {
   FlatPattern pattern = flat_plate(rectangle(100, 60));
   open(pattern, circular_opening({30, 30}, 1.0));
-  EXPECT_TRUE(check(pattern).empty());
+  EXPECT_TRUE(findings_of(pattern).empty());
   open(pattern, circular_opening({60, 30}, 0.95));
-  EXPECT_EQ(only(check(pattern), "smallest_opening").message,
+  EXPECT_EQ(only(findings_of(pattern), "smallest_opening").message,
             "the opening Ø 1.9 mm at (60, 30) is 1.9 mm wide; at least 2 mm (T) is needed");
 }
 
@@ -21,7 +21,7 @@ double width_seen(const Loop& opening) {
   open(pattern, opening);
   Rules rules;
   rules.smallest_opening_t = 10.0;
-  const auto found = of_code(check(pattern, rules), "smallest_opening");
+  const auto found = of_code(findings_of(pattern, rules), "smallest_opening");
   if (found.empty()) return 0.0;
   const std::string& message = found[0].message;
   return std::stod(message.substr(message.find(") is ") + 5));
@@ -53,7 +53,8 @@ TEST(SmallestOpening, DoesNotMindLinesCut) {
   FlatPattern pattern = flat_plate(rectangle(100, 60));
   open(pattern, polygon({{20, 20}, {20, 40}}));
   open(pattern, polygon({{50, 10}, {50, 30}, {70, 30}, {70, 10}, {70, 30}, {50, 30}}));
-  EXPECT_TRUE(of_code(check(pattern), "smallest_opening").empty()) << text_of(check(pattern));
+  EXPECT_TRUE(of_code(findings_of(pattern), "smallest_opening").empty())
+      << text_of(findings_of(pattern));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace planish::test {
 inline constexpr double kT = 2.0;
 inline constexpr double kJustShort = 0.01;
 
-inline std::vector<Finding> check(const FlatPattern& pattern, const Rules& rules = {}) {
+inline std::vector<Finding> findings_of(const FlatPattern& pattern, const Rules& rules = {}) {
   return check_rules({}, pattern, rules);
 }
 

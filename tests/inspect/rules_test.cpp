@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <random>
 
@@ -38,30 +39,30 @@ TEST(CheckRules, FindsNothingInGoodParts) {
   FlatPattern pattern = flat_l(50, 30);
   open(pattern, circular_opening({-30, 20}, 4));
   open(pattern, rectangular_opening({20, 20}, 10, 12));
-  EXPECT_TRUE(check(pattern).empty()) << text_of(check(pattern));
-  EXPECT_TRUE(check(flat_plate(rectangle(10, 10))).empty());
+  EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
+  EXPECT_TRUE(findings_of(flat_plate(rectangle(10, 10))).empty());
 }
 
-TEST(CheckRules, FindsNothingInNothing) { EXPECT_TRUE(check({}).empty()); }
+TEST(CheckRules, FindsNothingInNothing) { EXPECT_TRUE(findings_of({}).empty()); }
 
 TEST(CheckRules, FindsNothingWhenSwitchedOff) {
   FlatPattern pattern = flat_l(50, 0.1, {90, 0.5, 0.9});
   open(pattern, circular_opening({-49, 20}, 0.5));
-  EXPECT_GE(check(pattern).size(), 4u);
+  EXPECT_GE(findings_of(pattern).size(), 4u);
   Rules rules;
   rules.enabled = false;
-  EXPECT_TRUE(check(pattern, rules).empty());
+  EXPECT_TRUE(findings_of(pattern, rules).empty());
 }
 
 TEST(CheckRules, TellsManyOfAKindInOneSentence) {
   FlatPattern pattern = flat_plate(rectangle(500, 60));
   for (int i = 0; i < 10; ++i)
     open(pattern, circular_opening({20.0 + 20 * i, 6}, 3));
-  EXPECT_EQ(check(pattern).size(), 10u);
+  EXPECT_EQ(findings_of(pattern).size(), 10u);
   for (int i = 10; i < 23; ++i)
     open(pattern, circular_opening({20.0 + 20 * i, i == 15 ? 5.5 : 6.0}, 3));
   open(pattern, circular_opening({480, 7.5}, 4));
-  const auto found = check(pattern);
+  const auto found = findings_of(pattern);
   ASSERT_EQ(found.size(), 2u) << text_of(found);
   EXPECT_THAT(
       found[0].message,
@@ -76,7 +77,7 @@ TEST(CheckRules, TellsAPerforationInOneSentence) {
   for (int i = 0; i < 15; ++i)
     for (int k = 0; k < 15; ++k)
       open(pattern, circular_opening({10.0 + 10 * i, 10.0 + 10 * k}, 3));
-  const Finding found = only(check(pattern), "opening_to_opening");
+  const Finding found = only(findings_of(pattern), "opening_to_opening");
   EXPECT_THAT(found.message, HasSubstr("gaps between openings Ø 6 mm and Ø 6 mm are too narrow"));
 }
 
@@ -105,16 +106,25 @@ TEST(CheckRules, FindsTheSameInMovedAndMirroredPatterns) {
     }
     return result;
   };
-  const auto expected = summary(check(bad_part()));
-  EXPECT_GE(expected.size(), 8u) << text_of(check(bad_part()));
+  const auto expected = summary(findings_of(bad_part()));
+  EXPECT_GE(expected.size(), 8u) << text_of(findings_of(bad_part()));
   std::mt19937 random(3);
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (int i = 0; i < 12; ++i) {
     Isometry2 motion = Isometry2::Identity();
     motion.rotate(4.0 * any(random)).pretranslate(Vec2(300 * any(random), 300 * any(random)));
     if (i % 2 == 1) motion.linear().col(0) *= -1.0;
-    EXPECT_EQ(summary(check(test::moved(bad_part(), motion))), expected) << i;
+    EXPECT_EQ(summary(findings_of(test::moved(bad_part(), motion))), expected) << i;
   }
+}
+
+TEST(CheckRules, StopsAtThresholdsThatAreNotNumbers) {
+  const FlatPattern pattern = flatten(u_channel()).value();
+  Rules rules;
+  rules.flange_height_t = std::nan("");
+  EXPECT_DEATH((void)check_rules(u_channel(), pattern, rules), "isfinite");
+  rules.flange_height_t = -1.0;
+  EXPECT_DEATH((void)check_rules(u_channel(), pattern, rules), "isfinite");
 }
 
 }  // namespace

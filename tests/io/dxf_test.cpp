@@ -358,10 +358,12 @@ TEST(Dxf, RefusesAnUnsoundPattern) {
   std::get<Segment>(not_finite.outer.loop[2]).a.y() = std::numeric_limits<double>::quiet_NaN();
   FlatPattern no_extent = bracket();
   no_extent.openings.push_back({{Segment{{1, 1}, {1, 1}}}, {}});
-  for (const FlatPattern& pattern : {no_outer, not_finite, no_extent}) {
+  for (const auto& [pattern, code] : {std::pair{no_outer, ErrorCode::invalid_sheet},
+                                      std::pair{not_finite, ErrorCode::invalid_sheet},
+                                      std::pair{no_extent, ErrorCode::internal}}) {
     const auto text = dxf_text(pattern);
     ASSERT_FALSE(text);
-    EXPECT_EQ(text.error().code, ErrorCode::internal);
+    EXPECT_EQ(text.error().code, code);
   }
 }
 

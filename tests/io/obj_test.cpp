@@ -21,5 +21,12 @@ TEST(ObjText, HasTenDigits) {
   EXPECT_EQ(obj_text(mesh, "p"), "o p\nv 0.3333333333 666666.6667 0\n");
 }
 
+TEST(ObjText, StopsAtCornersThatTheMeshDoesNotHave) {
+  for (const int corner : {-1, 3, 99}) {
+    const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, corner}}};
+    EXPECT_DEATH((void)obj_text(mesh, "p"), "is_corner");
+  }
+}
+
 }  // namespace
 }  // namespace planish

@@ -36,7 +36,7 @@ Connection joined() {
   connection.structure.thickness = 2.0;
   connection.structure.plates = {{"base", {}, {}}, {"wall", {}, {}}};
   connection.sheet = test::l_bracket();
-  connection.sheet.volume = 0.0;  // the maker does not know it
+  connection.sheet.volume.reset();  // the maker does not know it
   FittedBend bend;
   bend.request.between = {"base", "wall"};
   bend.plates = {0, 1};

@@ -263,7 +263,7 @@ TEST(PlatesJson, RefusesBendsAndEdgesThatCannotBeMeant) {
   expect_mistake("/bends/0/between", {"A", "B", "C"}, "names 3 plates");
   expect_mistake("/bends/0/edges/C", {1}, "is not a plate of this bend, which has A and B");
   expect_mistake("/bends/0/edges/A", json::array(), "is empty");
-  expect_mistake("/bends/0/edges/A/1", 2, "is 2, which stands in the list already");
+  expect_mistake("/bends/0/edges/A/1", 2, "is 2, which is already in the list");
   expect_mistake("/plates/1/id", "A", "is \"A\", as is that of plate 0");
 }
 
@@ -288,7 +288,7 @@ TEST(PlatesJson, TakesNoKeyTwice) {
   const Error error = error_of(
       R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");
   EXPECT_EQ(error.code, ErrorCode::invalid_input);
-  EXPECT_THAT(error.message, HasSubstr("\"id\" stands twice"));
+  EXPECT_THAT(error.message, HasSubstr("\"id\" appears twice"));
 }
 
 TEST(PlatesJson, EscapesKeysInPointersAndKeepsMessagesShort) {

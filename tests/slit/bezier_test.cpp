@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace planish::test {
 namespace {
@@ -62,6 +63,18 @@ TEST(Bezier, PointsAtLengthsLieThere) {
   EXPECT_NEAR(points[1].x(), 2.5, 1e-3);
   EXPECT_NEAR(points[2].x(), 10.0, 1e-12);
   EXPECT_NEAR(points[3].x(), 10.0, 1e-12);
+}
+
+TEST(BezierCurve, StopsWherePolesAreNotFinite) {
+  for (const double far : {std::nan(""), std::numeric_limits<double>::infinity(), 1e300}) {
+    const BezierCurve curve{{{0, 0}, {1, far}, {2, 0}}};
+    EXPECT_FALSE(is_regular(curve));
+    EXPECT_DEATH((void)length(curve), "is_regular");
+    EXPECT_DEATH((void)points_at_lengths(curve, {1.0}), "is_regular");
+    EXPECT_DEATH((void)tightest_bend(curve), "is_regular");
+    EXPECT_DEATH((void)BezierSearch(curve), "is_regular");
+  }
+  EXPECT_FALSE(is_regular(BezierCurve{}));
 }
 
 }  // namespace

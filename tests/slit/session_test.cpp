@@ -406,5 +406,13 @@ TEST(SlitScan, IsAlignedByARigidMotion) {
                   0.0, 1.0);
 }
 
+TEST(SolvedSlitSheet, RefusesSubdivisionsOutsideTheirRange) {
+  for (const int subdivisions : {-1, kMostSubdivisions + 1, 1000000}) {
+    const auto result = solved_slit_sheet(chair(), subdivisions);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::bad_option);
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -2,6 +2,7 @@
 
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/flat_pattern.hpp>
+#include <planish/slit/mould.hpp>
 
 #include <cmath>
 
@@ -82,6 +83,29 @@ TEST(MeshOf, HasTheAreaOfTheSheetAndSharesRidges) {
   // Two points a ridge inside the strips, in both halves and on the symmetry plane; of each panel
   // its corners, the tops of facets being ridges.
   EXPECT_LE(mesh.points.size(), 2u * (6 * 10 * 2 + 14) + 6 * 2);
+}
+
+TEST(CheckFoldedSlitSheet, NamesTheRuleAndTheRow) {
+  const FoldedSlitSheet sound = solved(chair()).folded();
+  EXPECT_TRUE(check(sound));
+  const auto refused = [&](const char* where, auto inflict) {
+    FoldedSlitSheet broken = sound;
+    inflict(broken);
+    const auto result = check(broken);
+    ASSERT_FALSE(result) << where;
+    EXPECT_EQ(result.error().code, ErrorCode::invalid_sheet);
+    EXPECT_EQ(result.error().where, where);
+    EXPECT_EQ(mould_of(broken).error().code, ErrorCode::invalid_sheet) << where;
+    EXPECT_DEATH((void)sheet_of(broken), where);
+    EXPECT_DEATH((void)mesh_of(broken), where);
+  };
+  const double nan = std::nan("");
+  refused("sheet", [=](FoldedSlitSheet& f) { f.thickness = nan; });
+  refused("panel facet 1", [](FoldedSlitSheet& f) { f.panel[1].strip = 99; });
+  refused("panel facet 0", [=](FoldedSlitSheet& f) { f.panel[0].corners[2].x() = nan; });
+  refused("strip 1", [](FoldedSlitSheet& f) { f.strips[1].quads.clear(); });
+  refused("strip 0", [](FoldedSlitSheet& f) { f.strips[0].ridges.pop_back(); });
+  refused("strip 2", [=](FoldedSlitSheet& f) { f.strips[2].ridges[3].folded[1].z() = nan; });
 }
 
 }  // namespace

@@ -48,5 +48,14 @@ TEST(EqualStrips, LieSideBySide) {
   EXPECT_TRUE(equal_strips(-1, 10.0).empty());
 }
 
+TEST(SlitSheet, StopsAtStripsThatItDoesNotHave) {
+  const SlitSheet sheet = three_strips();
+  for (const int strip : {-1, 3, 99}) {
+    EXPECT_DEATH((void)sheet.left_of(strip), "has_strip");
+    EXPECT_DEATH((void)sheet.start_of(strip), "has_strip");
+    EXPECT_DEATH((void)sheet.end_of(strip), "has_strip");
+  }
+}
+
 }  // namespace
 }  // namespace planish::test

@@ -103,7 +103,7 @@ class Callers(StudioTest):
         done = subprocess.run([CLI, "studio", "--no-browser", "--port", str(self.studio.port)], capture_output=True, text=True, timeout=30)
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stdout, "")
-        self.assertIn(f"the port {self.studio.port} of 127.0.0.1 cannot be had", done.stderr)
+        self.assertIn(f"the port {self.studio.port} of 127.0.0.1 is not available", done.stderr)
 
 
 class Paths(StudioTest):

@@ -138,6 +138,7 @@ Sheet as_ruled(Sheet sheet, Angle step) {
         extent.add(bounds(border.curve));
     const double at = extent.lo.y();
     face.surface = ruled_from(*surface, extent, at, step.radians());
+    sheet.bends[std::get<BendId>(face.part_of)].kind = BendKind::general;
     for (BorderLoop& loop : face.loops)
       for (Border& border : loop)
         border.curve = shifted(border.curve, -at);

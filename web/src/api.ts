@@ -1,7 +1,7 @@
 import { decodeShape } from './shape.ts';
 import type { ApiProblem, Description, Example, OpenDocument, Progress, Request, Shape } from './types.ts';
 
-/** What went wrong, as the program says it. */
+/** An error, as worded by the program. */
 export class ApiError extends Error {
   readonly problem: ApiProblem;
   readonly status: number;
@@ -25,7 +25,7 @@ export class Api {
   example = async (name: string) =>
     (await this.call('GET', `/api/examples/${name.split('/').map(encodeURIComponent).join('/')}`)).arrayBuffer();
   documents = () => this.json<OpenDocument[]>('GET', '/api/documents');
-  /** A document that is not read yet: `open` does that. */
+  /** A document that is not read yet; `open` reads it. */
   create = (name: string, bytes: ArrayBuffer | Blob) =>
     this.json<{ id: string; name: string }>('POST', `/api/documents?name=${encodeURIComponent(name)}`, bytes);
   open = (id: string, signal?: AbortSignal) =>
@@ -64,7 +64,7 @@ export class Api {
       );
     }
     if (!answer.ok) throw new ApiError(await problemOf(answer), answer.status);
-    // What the program says of invalid input is an answer to the browser, which would note a failure on its console.
+    // A complaint about invalid input is an ordinary answer; for an error status the browser would log a failure.
     if (answer.headers.get('Content-Type')?.startsWith('application/problem+json'))
       throw new ApiError(await problemOf(answer), 422);
     return answer;

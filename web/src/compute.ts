@@ -6,11 +6,11 @@ import type { ApiProblem, Request } from './types.ts';
 const settle = 120; // ms without an edit before the whole result is asked for
 export const patience = 500; // ms before a bar is shown
 export const poll = 250;
-const restart = 120; // ms that a worker takes to be there again after a cancelled request
+const restart = 120; // ms that a worker takes to restart after a cancelled request
 
 /**
- * Keeps the shape in step with the input: drafts while it is edited, one at a time and always of the newest input, and
- * the result once it rests.
+ * Keeps the shape in step with the input: drafts during editing, one at a time and always of the newest input, and the
+ * result when editing pauses.
  */
 export class Computation {
   private draftWanted = false;
@@ -83,7 +83,7 @@ export class Computation {
     void this.next();
   }
 
-  /** A result that would keep the draft waiting for longer than a worker takes to come back. */
+  /** A result that would delay the draft for longer than a worker takes to restart. */
   private giveUpResult() {
     const { document } = this.store.state,
       left = this.resultTook - (performance.now() - this.startedAt);
@@ -92,7 +92,7 @@ export class Computation {
     this.superseded = true;
   }
 
-  /** Ends the request that runs, here at once and at the server; the next one waits until that has heard of it. */
+  /** Ends the running request, here at once and at the server; the next one waits until the server has done so. */
   private stop(id: string) {
     this.givenUp = this.api.cancel(id).catch(() => undefined);
     this.flight.abort();
@@ -134,7 +134,7 @@ export class Computation {
     void this.next();
   }
 
-  /** The next draft is asked for before this one is drawn: the server computes it meanwhile. */
+  /** The next draft is requested before this one is drawn, so that the server computes it meanwhile. */
   private askAhead(): boolean {
     if (!this.draftWanted || this.givenUp) return false;
     this.running = null;

@@ -48,7 +48,7 @@ export class Documents {
     });
   }
 
-  /** What was open here before the page was loaded again, else the file that was named on the command line. */
+  /** The file that was open here before a reload, else the file of the command line. */
   async begin() {
     const kept = keptDocument();
     await this.attempt(kept?.name ?? '', async (signal) => {
@@ -67,8 +67,7 @@ export class Documents {
   }
 
   /**
-   * The same file once more, when the server has let the document go; the edits stay. False where the file is not
-   * known.
+   * Opens the same file again if the server has dropped the document; the edits stay. False if the file is not known.
    */
   async reopen(): Promise<boolean> {
     const { file } = this;
@@ -79,12 +78,12 @@ export class Documents {
     return true;
   }
 
-  /** Gives up the file that is being opened: what was open before stays. */
+  /** Abandons the file being opened; the previous document stays. */
   cancel() {
     this.flight.abort();
   }
 
-  /** Documents that others opened are left to them. */
+  /** Documents opened by others are not closed. */
   leave(id: string | undefined) {
     if (id && id !== this.adopted) void this.api.close(id).catch(() => undefined);
   }
@@ -106,7 +105,7 @@ export class Documents {
     keepDocument(main, used);
   }
 
-  /** Has the server read a file. One that cannot be read, or that is given up, leaves no document behind. */
+  /** Has the server read a file. A file that cannot be read, or is abandoned, leaves no document behind. */
   private async read({ name, bytes }: Given, signal?: AbortSignal): Promise<OpenDocument> {
     const { id } = await this.api.create(name, bytes),
       watched = this.watch(id);
@@ -172,7 +171,7 @@ export class Documents {
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 
-  /** Opens what was asked for last: what is still being opened is given up. */
+  /** Opens the latest request; a file still being opened is abandoned. */
   private async attempt(name: string, work: (signal: AbortSignal) => Promise<void>) {
     this.flight.abort();
     const flight = new AbortController(),

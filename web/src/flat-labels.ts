@@ -16,8 +16,8 @@ interface Box {
 }
 
 /**
- * Writes labels that fit their room and cover none written before; what does not fit is shortened to its first word,
- * then left out. The more important ones come first.
+ * Writes labels that fit their room and cover no earlier label; one that does not fit is shortened to its first word,
+ * then left out. More important labels come first.
  */
 export class LabelWriter {
   private readonly taken: Box[] = [];

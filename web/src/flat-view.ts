@@ -23,7 +23,7 @@ export interface FlatScene {
 
 /** What is picked: a line, a flange, or a finding by its place in the list. */
 export type PickedInFlat = PickedLine | { finding: number };
-/** `facet`: what lies under all marks and lines. */
+/** `facet`: the facet below all marks and lines. */
 export type PickInFlat = (picked: PickedInFlat | null, facet: number | null) => void;
 
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
@@ -86,14 +86,14 @@ export class FlatView {
     this.draw();
   }
 
-  /** Where a point of the pattern is seen, in client coordinates: for tests. */
+  /** Where a point of the pattern appears, in client coordinates; for tests. */
   project(at: Vec2) {
     const r = this.canvas.getBoundingClientRect(),
       [x, y] = this.at(at[0], at[1]);
     return { x: r.left + x, y: r.top + y };
   }
 
-  /** What must be in sight along an axis: corners of the pattern, and its dimension lines. */
+  /** What must be visible along an axis: corners of the pattern, and its dimension lines. */
   private reach(axis: 0 | 1): Reach[] {
     const { x0, y0, x1, y1 } = this.bounds,
       corners = axis ? [y0, y1] : [x0, x1];
@@ -320,7 +320,7 @@ export class FlatView {
       if (!whose(i)) continue;
       const x = e[4 * i]!,
         y = e[4 * i + 1]!;
-      // What goes on where the last one ends is one line with it: ends cost more to draw than corners.
+      // A segment that starts where the last one ends continues its line: ends cost more to draw than corners.
       if (last !== i - 1 || x !== e[4 * i - 2] || y !== e[4 * i - 1]) c.moveTo(...this.at(x, y));
       c.lineTo(...this.at(e[4 * i + 2]!, e[4 * i + 3]!));
       last = i;
@@ -406,7 +406,7 @@ export class FlatView {
       lines = Array.from(shape.bend_line_part, (part, i) => ({ part, i })).sort(
         (a, b) => this.lengthOf(l, b.i) - this.lengthOf(l, a.i),
       );
-    const ridges = shape.handles.ridges !== undefined; // too many to be named; strips are
+    const ridges = shape.handles.ridges !== undefined; // too many to name; strips are named
     for (const { part, i } of [...lines.filter((x) => x.part === selected), ...(ridges ? [] : lines)]) {
       if (written.has(part)) continue;
       const a = this.at(l[4 * i]!, l[4 * i + 1]!),

@@ -25,7 +25,7 @@ import type { AnchorSpec, Shape, Vec3 } from './types.ts';
 export type StandardView = 'front' | 'top' | 'right' | 'iso';
 
 export interface FoldedViewEvents {
-  /** Whether a line was wanted; else what lies behind it is picked. */
+  /** Whether the line was used; else the part behind it is picked. */
   pickLine(line: PickedLine): boolean;
   pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
   pickAnchor(anchor: number): void;
@@ -91,7 +91,7 @@ export class FoldedView {
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
   private radius = 100;
-  // While nobody has zoomed or panned; `set`: the zoom that stands.
+  // Until the user zooms or pans; `set`: the zoom that was set.
   private fitted: { target: Vector3; zoom: number; set: number } | null = null;
 
   private readonly box: HTMLElement;
@@ -128,7 +128,7 @@ export class FoldedView {
     this.draw();
   }
 
-  /** Whether something is being dragged: a processor that draws has then more to do, and draws fewer pixels. */
+  /** Whether something is being dragged: software rendering then draws fewer pixels. */
   setMoving(moving: boolean) {
     const ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
     if (ratio === this.renderer.getPixelRatio()) return;
@@ -176,7 +176,7 @@ export class FoldedView {
     this.draw();
   }
 
-  /** Whether what is seen is as it was fitted, but for the direction. */
+  /** Whether the view is as fitted, except for its direction. */
   private get isFitted() {
     return (
       this.fitted !== null &&
@@ -186,8 +186,7 @@ export class FoldedView {
   }
 
   /**
-   * A sheet that unfolds grows: as far as it needs that, it is seen from farther away, and from as near as before once
-   * it is folded.
+   * A sheet grows as it unfolds: the view zooms out as far as needed, and returns once the sheet is folded.
    */
   private keepInSight() {
     const box = new Box3();
@@ -215,7 +214,7 @@ export class FoldedView {
     this.fit();
   }
 
-  /** Which axis of space stands upright. */
+  /** The axis of space that is upright. */
   setUp(up: 'y' | 'z') {
     if (up === this.upright) return;
     this.upright = up;
@@ -234,14 +233,14 @@ export class FoldedView {
     return orbit;
   }
 
-  /** Where a point in space is seen, in client coordinates: for tests. */
+  /** Where a point in space appears, in client coordinates; for tests. */
   project(at: Vec3): { x: number; y: number } {
     const p = this.toScreen(at),
       r = this.renderer.domElement.getBoundingClientRect();
     return { x: r.left + p.x, y: r.top + p.y };
   }
 
-  /** At which the box just fills the view whose middle is `center`. */
+  /** The zoom at which the box just fills the view centred on `center`. */
   private fittingZoom(box: Box3, direction: Vector3, center: Vector3): number {
     const right = new Vector3().crossVectors(this.camera.up, direction).normalize(),
       top = new Vector3().crossVectors(direction, right);
@@ -265,7 +264,7 @@ export class FoldedView {
     canvas.addEventListener('pointerup', (e) => this.up(e));
     this.gizmo.addEventListener('change', () => {
       if (!this.gizmo.dragging) this.draw();
-    }); // else the geometry that follows does
+    }); // else the next geometry does
     this.gizmo.addEventListener('dragging-changed', (e) => {
       this.orbit.enabled = !e.value;
       if (e.value) this.gripStart.copy(this.grip.matrixWorld);

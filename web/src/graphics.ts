@@ -1,6 +1,6 @@
 /**
- * Whether a processor does the work of a graphics card. Smooth edges then cost most of the time, and drawings are made
- * faster without the detour through what imitates the card.
+ * Whether graphics are rendered in software. Antialiasing then takes most of the time, and drawings are faster on a
+ * canvas without the emulated graphics card.
  */
 export const drawnInSoftware: boolean = (() => {
   const gl = document.createElement('canvas').getContext('webgl2'),

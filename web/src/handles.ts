@@ -16,7 +16,7 @@ import {
 import type { Palette } from './theme.ts';
 import type { AnchorSpec, Handles, Vec3 } from './types.ts';
 
-/** Curves and points that stand beside the sheet: what can be dragged, and what it is drawn after. */
+/** Curves and points beside the sheet: handles to drag, and the curves that the sheet follows. */
 export class HandleObjects {
   readonly group = new Group();
   private readonly disc: Texture = discTexture();
@@ -49,7 +49,7 @@ export class HandleObjects {
     if (selected.anchor !== null && at[selected.anchor]) this.points([at[selected.anchor]!], palette.selected, 17);
   }
 
-  /** Never culled: for that three.js would look at each point of what lives as long as a frame. */
+  /** Never culled: three.js would visit every point of geometry that lives for one frame. */
   private add(object: Line | Points) {
     object.frustumCulled = false;
     this.group.add(object);
@@ -62,7 +62,7 @@ export class HandleObjects {
     }
   }
 
-  /** Materials are kept: with the last one of a kind three.js lets its program go, which costs to make again. */
+  /** Materials are kept: with the last one of a kind three.js discards its program, which is costly to make again. */
   private material<M extends Material>(key: string, make: () => M): M {
     if (!this.materials.has(key)) this.materials.set(key, make());
     return this.materials.get(key) as M;
@@ -125,7 +125,7 @@ export interface RidgeEnd {
   at: Vec3;
 }
 
-/** Both ends of the ridges that stand from the start, `count` spans to a strip: those between came by halving. */
+/** Both ends of the original ridges, `count` quads per strip; those between come from subdivision. */
 export function ridgeEnds(handles: Handles, count: number): RidgeEnd[] {
   return (handles.ridges ?? []).flatMap((rows, strip) => {
     const step = Math.max(1, Math.round((rows.length - 1) / count));

@@ -1,6 +1,6 @@
 import type { Input } from './state.ts';
 
-/** What a tab needs to be as it was when it is loaded again: the file and its input, in the tab's own storage. */
+/** What a tab needs to restore its state after a reload: the file and its input, in the tab's own storage. */
 interface Kept {
   name: string;
   bytes: ArrayBuffer;

@@ -10,7 +10,7 @@ export interface Place {
 
 const grid = 14;
 
-/** By flange a place in its largest facet that is far from every edge, openings too. */
+/** For each flange a place in its largest facet that is far from every edge, including those of openings. */
 export function labelPlaces(shape: Shape): Map<number, Place> {
   const out = new Map<number, Place>();
   if (shape.facet_part.length > 1500) return out;
@@ -34,7 +34,7 @@ function placeIn(shape: Shape, f: number, least: number): Place | null {
   }
   if (Math.min(x1 - x0, y1 - y0) / 2 <= least) return null;
   let best: Place | null = null;
-  // The middle goes first, and a place must be clearly better to be preferred to it.
+  // The middle is tried first; another place must be clearly better to replace it.
   const middle: Vec2 = [(x0 + x1) / 2, (y0 + y1) / 2];
   const consider = (at: Vec2, gain: number) => {
     if (!insideFacet(shape, f, at[0], at[1])) return;

@@ -1,11 +1,11 @@
 import type { Shape } from './types.ts';
 
 /**
- * What of a shape is a line and can be picked: an edge of the outline by its number, or a bend by its row of `parts`.
+ * A line of a shape that can be picked: an edge of the outline by its number, or a bend by its row of `parts`.
  */
 export type PickedLine = { edge: number } | { part: number };
 
-/** Row of `parts` that edge `number` belongs to; null where there is no such edge. */
+/** Row of `parts` that edge `number` belongs to; null if there is no such edge. */
 export function partOfEdge(shape: Shape, number: number): number | null {
   const at = shape.edge_number.indexOf(number);
   return at < 0 ? null : shape.facet_part[shape.edge_facet[at]!]!;

@@ -180,7 +180,7 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
-/** What stands in a field that is being edited, as it was: Escape takes back what was typed. */
+/** The original text of the field being edited: Escape restores it. */
 const before = new WeakMap<EventTarget, string>();
 for (const type of ['focusin', 'change'] as const)
   window.addEventListener(type, ({ target }) => {

@@ -4,7 +4,7 @@ import { lengthText, unitName } from './units.ts';
 
 /** Row of `parts` that is picked: a bend, a flange, or a plate's flange. */
 export function pickedRow({ selection: { part, plate }, shape, shapeIsDraft, document }: State): number | null {
-  if (shapeIsDraft && document?.kind === 'slit') return null; // its bends are fewer, and have other names
+  if (shapeIsDraft && document?.kind === 'slit') return null; // it has fewer bends, with other names
   const row = (shape?.parts ?? []).findIndex((p) =>
     part !== null ? p.name === part : plate !== null && p.plate === plate,
   );

@@ -8,7 +8,7 @@ export function pieceOf(state: Pick<State, 'shape' | 'input'>): PieceReport | nu
   return pieces?.length ? (pieces[Math.min(state.input.options.piece ?? 0, pieces.length - 1)] ?? report) : report;
 }
 
-/** The same of the last report that had a pattern: what is refused leaves it in sight. */
+/** The same for the last report with a pattern, which stays visible after a refusal. */
 export function knownPiece(state: Pick<State, 'known' | 'input'>): PieceReport | null {
   return state.known ? pieceOf({ shape: { report: state.known } as Shape, input: state.input }) : null;
 }

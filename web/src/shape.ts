@@ -26,12 +26,12 @@ const empty: Facets = {
 export const arrayNames = Object.keys(empty);
 
 /**
- * The shape of an answer of the server. Arrays are views into `data`; those left out are empty. Throws where it is
- * none.
+ * The shape in an answer of the server. Arrays are views into `data`; missing ones are empty. Throws if it is not a
+ * shape.
  */
 export function decodeShape(data: ArrayBuffer): Shape {
   const bytes = new DataView(data);
-  if (data.byteLength < 8 || bytes.getUint32(0, false) !== 0x504c4e31) throw new Error('the answer is no shape');
+  if (data.byteLength < 8 || bytes.getUint32(0, false) !== 0x504c4e31) throw new Error('the answer is not a shape');
   const length = bytes.getUint32(4, true);
   if (8 + length > data.byteLength) throw new Error('the shape is cut off');
   const header = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 8, length))) as ShapeHeader;
@@ -51,12 +51,12 @@ export function decodeShape(data: ArrayBuffer): Shape {
 
 function view(data: ArrayBuffer, start: number, name: string, place: ArrayPlace) {
   const at = start + place.at;
-  if (at % 4 !== 0 || at + 4 * place.count > data.byteLength) throw new Error(`the shape's ${name} lie outside of it`);
+  if (at % 4 !== 0 || at + 4 * place.count > data.byteLength) throw new Error(`the shape's ${name} lie outside it`);
   if (place.type === 'f32') return new Float32Array(data, at, place.count);
   return place.type === 'i32' ? new Int32Array(data, at, place.count) : new Uint32Array(data, at, place.count);
 }
 
-/** The other way round, for tests and the stand-in for the server. */
+/** The inverse, for tests and the stand-in for the server. */
 export function encodeShape(header: Omit<ShapeHeader, 'arrays'>, arrays: Partial<Facets>): ArrayBuffer {
   const places: Record<string, ArrayPlace> = {};
   let at = 0;

@@ -1,7 +1,7 @@
 import { DoubleSide, ShaderMaterial } from 'three';
 
-// Light from above, from the upper left of the viewer and from the viewer, reckoned at corners: sheets are shaded by
-// few and large triangles, and a picture costs little even where a processor draws it.
+// Light from above, from the upper left of the viewer and from the viewer, computed at corners: sheets are shaded by
+// few and large triangles, and a picture is cheap even if drawn by the CPU.
 const vertexShader = /* glsl */ `
   uniform bool twoSided;
   attribute vec3 tint;

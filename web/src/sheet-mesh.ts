@@ -4,7 +4,7 @@ import { insideFacet } from './facet.ts';
 import type { Shape } from './types.ts';
 
 /**
- * What of a shape does not change while it is folded: triangles, rim and lines over *corners*, points of the flat
+ * The parts of a shape that do not change during folding: triangles, rim and lines over *corners*, points of the flat
  * pattern on one facet each. Corners on hinges are mitred, so that the skins of neighbouring facets meet.
  */
 export interface SheetMesh {

@@ -8,7 +8,7 @@ import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec3 } from './types.ts';
 
-/** Which line of the sheet, and where it is. */
+/** A line of the sheet, and its place. */
 export interface SheetLine {
   line: PickedLine;
   ends: [Vec3, Vec3];
@@ -115,7 +115,7 @@ export class SheetObject {
     color.needsUpdate = true;
   }
 
-  /** The lines of what is picked: an edge, or a sharp bend, which has no facets that could be painted. */
+  /** The lines of what is picked: an edge, or a sharp bend, which has no facets to paint. */
   private mark() {
     const { part, edge } = this.picked,
       on = part !== null || edge !== null;
@@ -130,7 +130,7 @@ export class SheetObject {
     this.marked.geometry = new LineSegmentsGeometry().setPositions(ends);
   }
 
-  /** All lines that can be picked, on both skins, as the sheet stands. */
+  /** All lines that can be picked, on both skins, at the present share of the fold. */
   lines(): SheetLine[] {
     const position = this.skin.geometry.getAttribute('position') as BufferAttribute | undefined;
     if (!this.mesh || !position) return [];

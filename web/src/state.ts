@@ -63,11 +63,11 @@ export interface State {
   tab: Tab;
   units: DisplayUnit;
   theme: Theme;
-  description: Description; // without rows until the server has said it
+  description: Description; // without rows until the server has sent it
   examples: Example[];
   opening: Opening | null;
   problem: ApiProblem | null;
-  stale: boolean; // what is shown is not of this input, which could not be computed
+  stale: boolean; // what is shown does not belong to this input, which could not be computed
   note: string | null;
   busy: boolean; // for longer than half a second
   computing: boolean;
@@ -208,8 +208,8 @@ export function reduce(state: State, action: Action): State {
 }
 
 /**
- * Whether what went wrong is the matter with what is shown. Else, say of a file that could not be opened, it is over
- * once it was read.
+ * Whether an error concerns what is shown. Others, such as a file that could not be opened, are done once they were
+ * read.
  */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
@@ -225,7 +225,7 @@ function opened(state: State, document: OpenDocument, spec: Spec | null): State 
   };
 }
 
-/** The page speaks the unit of the file. */
+/** The page uses the unit of the file. */
 const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
   spec?.units === 'inch' || /^inch/i.test(document.info?.file_units ?? '') ? 'inch' : 'mm';
 
@@ -272,10 +272,10 @@ function redone(state: State): State {
 
 function shaped(state: State, shape: Shape, draft: boolean): State {
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
-  // A refusal without a shape leaves the last one in sight; its sentence says that it is not this input's.
+  // After a refusal without a shape the last shape stays visible; the message says that it is not this input's.
   const shown =
     hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
-  // Edges are numbered anew where there are more or fewer of them.
+  // Edges are renumbered if their number changes.
   const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
   return {
     ...state,
@@ -290,7 +290,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
 }
 
 /**
- * The last shape, with the plates of an input that cannot be computed: they can be seen and taken hold of until it can.
+ * The last shape, with the plates of an input that cannot be computed, so that they can still be seen and dragged.
  */
 function withPlates({ shape, document, input }: State): Shape | null {
   if (!shape || document?.kind !== 'connect') return shape;

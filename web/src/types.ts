@@ -51,7 +51,7 @@ export interface OpenDocument {
   text?: string | null;
 }
 
-/** The content of a file that an option names. */
+/** The content of a file given to an option. */
 export interface OptionFile<Content> {
   name?: string;
   content: Content;
@@ -79,7 +79,7 @@ export interface Options {
   write_overlapping?: boolean;
 }
 
-/** What can be opened, asked and written: the menus are made of it. */
+/** What can be opened, asked and written; the menus are built from it. */
 export interface Description {
   makers: MakerRow[];
   artifacts: ArtifactRow[];

@@ -2,7 +2,7 @@ import type { Action, State, Theme } from './state.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
 import type { StandardView } from './folded-view.ts';
 
-/** What panels may see and do. `edit` with `live` belongs to a drag that `commit` ends. */
+/** What panels may see and do. `edit` with `live` is part of a drag, which `commit` ends. */
 export interface Ui {
   state: State;
   dispatch(action: Action): void;
@@ -16,7 +16,7 @@ export interface Ui {
   /** `artifact`: of the description, or "spec", the edited input. */
   download(artifact: string, suffix: string, profile?: string): void;
   cancel(): void;
-  /** Has the result computed that was given up. */
+  /** Computes the result that was abandoned. */
   finish(): void;
   look(view: StandardView): void;
   fit(): void;
@@ -28,5 +28,5 @@ export const platesOf = (ui: Ui) => ui.state.input.spec as PlatesSpec;
 export const transitionOf = (ui: Ui) => ui.state.input.spec as TransitionSpec;
 export const slitOf = (ui: Ui) => ui.state.input.spec as SlitSpec;
 
-/** The input before the drag that is going on: ranges of sliders rest on it, so that they stand still. */
+/** The input before the current drag: slider ranges are based on it, so that they do not move. */
 export const restingSpec = <S extends Spec>(ui: Ui) => (ui.state.pending ?? ui.state.input).spec as S;

@@ -14,7 +14,7 @@ export const fileDigits = (unit: LengthUnit | undefined) => ({ mm: 3, inch: 4, m
 export const convert = (value: number, from: LengthUnit | undefined, to: LengthUnit) =>
   (value * millimetres(from)) / inMm[to];
 
-/** A length to be read: hundredths of a millimetre, thousandths of an inch. */
+/** A length for display: hundredths of a millimetre, thousandths of an inch. */
 export function lengthText(value: number | null | undefined, from: LengthUnit | undefined, to: DisplayUnit): string {
   if (value === null || value === undefined || !Number.isFinite(value)) return '–';
   return clean(convert(value, from, to), to === 'inch' ? 3 : 2);
@@ -26,7 +26,7 @@ export const residualText = (value: number, from: LengthUnit | undefined, to: Di
 
 export const unitName = (unit: DisplayUnit) => (unit === 'mm' ? 'mm' : 'in');
 
-/** `value` with at most `digits` decimals, none that are zero, never −0. */
+/** `value` with at most `digits` decimals, without trailing zeros, never −0. */
 export function clean(value: number, digits: number): string {
   const text = value.toFixed(digits);
   const short = text.includes('.') ? text.replace(/\.?0+$/, '') : text;
@@ -35,7 +35,7 @@ export function clean(value: number, digits: number): string {
 
 export const round = (value: number, digits = 6) => Number(value.toFixed(digits)) + 0;
 
-/** 3e-9 rather than 3.141e-9: of residuals only the size matters. */
+/** 3e-9 rather than 3.141e-9: only the size of residuals matters. */
 export function sizeText(value: number): string {
   if (value === 0) return '0';
   const e = Math.floor(Math.log10(Math.abs(value)));

@@ -15,7 +15,7 @@ import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
 import type { Ui } from './ui.ts';
 import { millimetres } from './units.ts';
 
-/** Both views, told of what changed, and what is done in them made into edits. */
+/** Both views: tells them what changed, and turns actions in them into edits. */
 export class Views {
   readonly folded: FoldedView;
   readonly flat: FlatView;
@@ -23,7 +23,7 @@ export class Views {
   private readonly dragged: (at: number) => void;
   private palette = readPalette();
   private shown: string | null = null;
-  private resultShown: string | null = null; // of sheets that are solved step by step the first draft may be far off
+  private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void) {
@@ -130,7 +130,7 @@ export class Views {
     };
   }
 
-  /** Whoever sets a bend's edges sees which is which. */
+  /** Shows edge numbers while a bend's edges are being set. */
   private numbered(state: State): string[] {
     if (state.document?.kind !== 'connect') return [];
     return knownPiece(state)?.flat?.bends.find((b) => b.id === state.selection.part)?.between ?? [];
@@ -158,7 +158,7 @@ export class Views {
     if (state.pick === 'root' || state.pick === 'up') {
       const face = part?.kind === 'flange' ? part.faces[0] : undefined;
       if (face === undefined && !(part && state.pick === 'up'))
-        return this.ui.dispatch({ type: 'note', note: 'That is no flange.' });
+        return this.ui.dispatch({ type: 'note', note: 'That is not a flange.' });
       this.ui.dispatch({ type: 'pick', pick: 'none' });
       return state.pick === 'up' ? this.ui.faceUp(upper) : this.ui.editOptions((o) => ({ ...o, root: face }));
     }

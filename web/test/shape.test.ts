@@ -13,8 +13,8 @@ test('a shape comes out as it was put in', () => {
   assert.equal(shape.overlaps.length, 0);
 });
 
-test('what is no shape is said to be none', () => {
-  assert.throws(() => decodeShape(new TextEncoder().encode('{"code": "no"}').buffer as ArrayBuffer), /no shape/);
+test('bytes that are not a shape are refused', () => {
+  assert.throws(() => decodeShape(new TextEncoder().encode('{"code": "no"}').buffer as ArrayBuffer), /not a shape/);
   assert.throws(() => decodeShape(twoFlangesShape().slice(0, 200)), /cut off/);
   const data = twoFlangesShape();
   assert.throws(() => decodeShape(data.slice(0, data.byteLength - 4)), /outside/);

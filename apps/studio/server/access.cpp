@@ -10,14 +10,14 @@
 namespace planish::studio {
 namespace {
 
-constexpr auto kOtherPages = "requests of other pages are not answered";
+constexpr auto kOtherPages = "requests from other pages are not answered";
 
 }  // namespace
 
 Result<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
-    return fail(ErrorCode::internal, "the system gives no random numbers");
+    return fail(ErrorCode::internal, "the system supplies no random numbers");
   std::string token;
   for (const unsigned char byte : bytes)
     token += fmt::format("{:02x}", byte);
@@ -46,7 +46,8 @@ bool Access::is_own_origin(const std::string& origin) const {
 }
 
 std::optional<std::string> Access::host_refusal(const Caller& caller) const {
-  // A page elsewhere may have its name resolved to this machine; its name then stands in Host.
+  // Another site's name may be made to resolve to this machine (DNS rebinding); Host then has that
+  // name.
   if (caller.hosts.size() != 1 || !is_own_host(caller.hosts.front()))
     return "this server answers 127.0.0.1 and localhost only";
   for (const std::string& origin : caller.origins)

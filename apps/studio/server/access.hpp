@@ -8,24 +8,24 @@
 
 namespace planish::studio {
 
-/// 128 random bits as 32 hexadecimal digits. Error: `internal` where the system has none.
+/// 128 random bits as 32 hexadecimal digits. Error: `internal` if the system cannot supply them.
 Result<std::string> random_token();
 
-/// Whether both are the same, in a time that tells nothing of where they differ.
+/// Whether both are equal, in a time that does not reveal where they differ.
 bool same_secret(const std::string& a, const std::string& b);
 
-/// What a request says of where it comes from; headers that are given twice stand twice.
+/// What a request says about its origin; a header given twice appears twice.
 struct Caller {
   std::vector<std::string> hosts, origins, tokens;
 };
 
-/// Who may ask: those who know the address that was printed.
+/// Admits callers who know the address that was printed.
 class Access {
  public:
   Access(int port, std::string token);
 
-  /// A sentence for a caller that is turned away. `host_refusal` for what everyone may see, the
-  /// page itself.
+  /// A sentence for a rejected caller; empty for others. `host_refusal` suffices for the page
+  /// itself, which anyone may see.
   std::optional<std::string> host_refusal(const Caller& caller) const;
   std::optional<std::string> refusal(const Caller& caller) const;
 

@@ -67,7 +67,7 @@ Answer examples(const ApiRequest& request) {
   return embedded_answer("examples/" + request.path.substr(kFolder.size()), request.path);
 }
 
-/// What stands at /api/documents/…, by method and the parts of the path behind "documents".
+/// Answers /api/documents/…, by method and the parts of the path after "documents".
 Answer documents(DocumentStore& store, const ApiRequest& request,
                  const std::vector<std::string>& at, std::string body) {
   const std::string& method = request.method;

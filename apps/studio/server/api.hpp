@@ -8,22 +8,22 @@
 
 namespace planish::studio {
 
-/// What of an HTTP request matters here.
+/// The parts of an HTTP request that matter here.
 struct ApiRequest {
   std::string method;
   std::string path;  ///< decoded, "/api/documents/d1/draft"
-  std::string name;  ///< of the query
+  std::string name;  ///< from the query
   Caller caller;
 };
 
 constexpr std::size_t kLargestBody = std::size_t{64} << 20;
 
-/// Everything that docs/studio-api.md says, and the page itself. Thread-safe.
+/// Everything in docs/studio-api.md, and the page itself. Thread-safe.
 class Api {
  public:
   Api(Access access, DocumentStore& store) : access_(std::move(access)), store_(store) {}
 
-  /// 403 for callers who may not ask this, before their body is read; empty for all others.
+  /// 403 for callers without access, before their body is read; empty for all others.
   std::optional<Answer> turned_away(const ApiRequest& request) const;
   Answer answer(const ApiRequest& request, std::string body);
 

@@ -18,7 +18,7 @@ namespace {
 
 bool has_desktop() { return std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY"); }
 
-/// A session of its own: the browser goes on when the studio ends.
+/// In a session of its own, so that the browser outlives the studio.
 void start_apart(std::string program, std::string argument) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

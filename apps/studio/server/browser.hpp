@@ -5,9 +5,9 @@
 
 namespace planish::studio {
 
-/// Opens an address in the user's browser, where there is a desktop with xdg-open. Command lines
-/// can be read by everyone on the machine, so the browser is given a file in `folder` that leads to
-/// the address.
+/// Opens an address in the user's browser, if there is a desktop with xdg-open. Everyone on the
+/// machine can read command lines, so the browser gets a file in `folder` that redirects to the
+/// address.
 void open_in_browser(const std::string& address, const std::filesystem::path& folder);
 
 }  // namespace planish::studio

@@ -6,8 +6,8 @@
 
 namespace planish::studio {
 
-/// What can be opened, asked and written, as docs/studio-api.md has it: the page makes its menus
-/// of it.
+/// What can be opened, asked and written, as in docs/studio-api.md; the page builds its menus from
+/// it.
 Answer description(const job::Catalogue& catalogue);
 
 }  // namespace planish::studio

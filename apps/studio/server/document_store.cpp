@@ -20,7 +20,7 @@ Answer no_document(const std::string& id) {
   return failure(404, "no_such_document", fmt::format("there is no document \"{}\"", id), id);
 }
 
-/// −1 for what is none.
+/// −1 if it is not the id of a document.
 int number_of(const std::string& id) {
   int number = -1;
   if (id.size() < 2 || id.front() != 'd') return -1;
@@ -48,7 +48,7 @@ Answer DocumentStore::take(const std::string& name, const std::string& bytes, Or
   return {200, kJsonType, nlohmann::ordered_json{{"id", id}, {"name", name}}.dump()};
 }
 
-/// For a document that is about to be written. Empty where there is no room for one more.
+/// For a document about to be written. Empty if there is no room for another.
 std::optional<int> DocumentStore::new_number() {
   const std::lock_guard lock(mutex_);
   if (closed_ || !make_room()) return std::nullopt;
@@ -134,7 +134,7 @@ Answer DocumentStore::cancel(const std::string& id) {
 void DocumentStore::close_all() {
   std::map<int, std::shared_ptr<ServedDocument>> documents;
   {
-    // Those that are being written now would be written where nothing is any more.
+    // Documents being written now would be written into a folder that no longer exists.
     std::unique_lock lock(mutex_);
     closed_ = true;
     taken_.wait(lock, [this] { return taking_ == 0; });

@@ -11,9 +11,9 @@
 
 namespace planish::studio {
 
-/// The documents there are, at most 8: beyond that one that cannot be read is closed, or the one
-/// longest unused if nobody has used it for a minute, else none is taken (429). At most two of them
-/// compute at once. Thread-safe.
+/// The open documents, at most 8. To make room for another, closes one that cannot be read, or the
+/// least recently used if idle for a minute; otherwise refuses (429). At most two compute at once.
+/// Thread-safe.
 class DocumentStore {
  public:
   /// `limit`: the time for one task of a worker.
@@ -22,16 +22,16 @@ class DocumentStore {
 
   /// Keeps a file under a new id, unread.
   Answer take(const std::string& name, const std::string& bytes, Origin origin);
-  /// Has it read: what there is to know of it before anything is computed.
+  /// Has it read, and answers what is known of it before anything is computed.
   Answer open(const std::string& id);
-  /// Those that could be read.
+  /// The documents that could be read.
   Answer list() const;
   Answer close(const std::string& id);
   Answer attach(const std::string& id, const std::string& name, const std::string& bytes);
   Answer work(const std::string& id, const Task& task);
   Answer progress(const std::string& id) const;
   Answer cancel(const std::string& id);
-  /// Ends all workers, what they compute ends with 409; from now on none is taken.
+  /// Ends all workers; what they compute ends with 409. No document is accepted from now on.
   void close_all();
 
  private:

@@ -15,7 +15,7 @@ std::string kind_of(std::string_view name) {
   return name.ends_with(".json") ? std::string(name.substr(0, name.find('/'))) : "";
 }
 
-/// "Square to round" of "transition/a_square_to_round.json": letters that only order the files are
+/// "Square to round" for "transition/a_square_to_round.json"; letters that only order the files are
 /// left out.
 std::string title_of(std::string_view name) {
   name.remove_prefix(name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1);

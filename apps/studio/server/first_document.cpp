@@ -41,7 +41,8 @@ std::string shown_name(const std::filesystem::path& file) {
   if (!name.empty() && name.front() == '.') name.front() = '_';
   constexpr std::size_t kLongest = 100;
   std::size_t from = name.size() > kLongest ? name.size() - kLongest : 0;
-  const auto within = [](unsigned char c) { return (c & 0xC0U) == 0x80U; };  // a UTF-8 character
+  const auto within = [](unsigned char c) { return (c & 0xC0U) == 0x80U; };  // inside a UTF-8
+                                                                             // character
   while (from > 0 && from < name.size() && within(static_cast<unsigned char>(name[from])))
     ++from;
   name.erase(0, from);
@@ -50,7 +51,7 @@ std::string shown_name(const std::filesystem::path& file) {
   return name;
 }
 
-/// What has no end, or none that a worker could bear, is not even begun to be read.
+/// Devices, which may have no end, and files too large for a worker are not read at all.
 Result<void> check_size(const std::filesystem::path& file) {
   std::error_code unknown;
   const auto type = std::filesystem::status(file, unknown).type();
@@ -81,7 +82,7 @@ Result<void> open_first(DocumentStore& store, const std::filesystem::path& file)
   const Answer opened = store.open(id);
   if (opened.status != 200) return tl::unexpected(error_of(opened));
   for (const auto& [name, pointer] : files_named_in(file.string(), *bytes)) {
-    // What lies elsewhere is missed when it is asked for.
+    // A file elsewhere is reported as missing when it is needed.
     const auto content = is_plain_name(name) ? job::read_text(file.parent_path() / name, "file")
                                              : fail(ErrorCode::cannot_read, "");
     if (content) store.attach(id, name, *content);

@@ -13,13 +13,13 @@ constexpr auto kHost = "127.0.0.1";
 constexpr auto kAnyPath = R"(/.*)";
 constexpr std::size_t kLongestTarget = 2048;
 
-// A connection takes a thread while it is open. It carries one request: what of a request that is
-// turned away was not read would be taken for the next one.
+// A connection takes a thread while it is open. It carries one request: the unread rest of a
+// rejected request would be taken for the next one.
 constexpr std::size_t kThreads = 64;
 constexpr std::size_t kRequestsOfAConnection = 1;
 constexpr time_t kIdleSeconds = 5;
 
-// Styles may be set by scripts on elements; scripts come from this server alone.
+// Scripts may set styles on elements; scripts come only from this server.
 constexpr auto kContentPolicy =
     "default-src 'self'; script-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: "
     "blob:; connect-src 'self'; "
@@ -51,8 +51,8 @@ ApiRequest api_request(const httplib::Request& request) {
            values_of(request, "X-Planish-Token")}};
 }
 
-// What the program says of invalid input. Somebody who drags passes such input all the time, and
-// browsers log every answer of a status like this one as a failure of the page.
+// Status for invalid input. Dragging passes through invalid input all the time, and browsers log
+// every answer with such a status as a failure of the page.
 constexpr int kInvalidInput = 422;
 constexpr auto kProblemType = "application/problem+json";
 
@@ -67,8 +67,7 @@ Answer too_large() {
                  fmt::format("the body is larger than {} MiB", kLargestBody >> 20));
 }
 
-/// The rest of a request that is turned away: a connection that is closed with something unread
-/// loses the answer.
+/// Reads the rest of a rejected request: a connection closed with unread data loses the answer.
 void skip_body(const httplib::Request& request, const httplib::ContentReader& reader) {
   std::size_t left = kLargestBody;
   const auto skip = [&left](const char*, std::size_t count) {
@@ -81,17 +80,17 @@ void skip_body(const httplib::Request& request, const httplib::ContentReader& re
     reader(skip);
 }
 
-/// The body, or how it is answered that there is none.
+/// The body, or the answer if it cannot be had.
 tl::expected<std::string, Answer> body_of(const httplib::Request& request,
                                           const httplib::Response& response,
                                           const httplib::ContentReader& reader) {
   if (request.is_multipart_form_data()) {
     skip_body(request, reader);
-    return tl::unexpected(failure(400, "bad_request", "forms are not understood"));
+    return tl::unexpected(failure(400, "bad_request", "forms are not supported"));
   }
   std::string body;
   bool fits = true;
-  // What is compressed may be far larger than its length says.
+  // A compressed body may be far larger than its length says.
   const bool read = reader([&](const char* bytes, std::size_t count) {
     fits = body.size() + count <= kLargestBody;
     if (fits) body.append(bytes, count);
@@ -119,14 +118,14 @@ void without_body(Api& api, const httplib::Request& request, httplib::Response& 
   send(response, no ? *no : api.answer(asked, {}));
 }
 
-/// The library would compress texts as hard as can be, which takes seconds where sending them takes
-/// none. It has no switch for that but what the browser accepts; the request is its own and not
-/// constant.
+/// The library would compress texts at the highest level, which takes seconds, while sending them
+/// takes none. Its only switch is what the browser accepts; the request belongs to the library and
+/// is not constant.
 void answer_uncompressed(const httplib::Request& request) {
   const_cast<httplib::Request&>(request).headers.erase("Accept-Encoding");
 }
 
-/// What the library says by itself has no body.
+/// Answers of the library itself have no body.
 void explain(const httplib::Request& request, httplib::Response& response) {
   if (!response.body.empty()) return;
   send(response,
@@ -150,7 +149,7 @@ HttpServer::HttpServer() : content_(std::make_unique<Content>()) {
   server.set_keep_alive_max_count(kRequestsOfAConnection);
   server.set_keep_alive_timeout(kIdleSeconds);
   server.set_payload_max_length(kLargestBody);
-  // The library would let a second server take the same port and half of the requests.
+  // By default the library lets a second server take the same port and half of the requests.
   server.set_socket_options([](socket_t socket) {
     const int yes = 1;
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
@@ -170,7 +169,7 @@ Result<int> HttpServer::bind(int port) {
   if (taken > 0) return taken;
   return fail(
       ErrorCode::bad_option,
-      fmt::format("the port {} of {} cannot be had: another program has it, or it is reserved",
+      fmt::format("the port {} of {} is not available: another program uses it, or it is reserved",
                   port, kHost),
       "--port");
 }
@@ -180,7 +179,7 @@ void HttpServer::serve(Api& api) {
   server.set_default_headers(security_headers());
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
     answer_uncompressed(request);
-    // Before paths are matched, which takes memory by their length.
+    // Checked before paths are matched, which takes memory in proportion to their length.
     if (request.target.size() <= kLongestTarget) return httplib::Server::HandlerResponse::Unhandled;
     send(response, failure(400, "bad_request", "the address is too long"));
     return httplib::Server::HandlerResponse::Handled;

@@ -7,7 +7,7 @@
 
 namespace planish::studio {
 
-/// HTTP on 127.0.0.1. What is asked is answered by an `Api`; here are only headers, limits and
+/// HTTP on 127.0.0.1. An `Api` answers the requests; this class only handles headers, limits and
 /// threads.
 class HttpServer {
  public:
@@ -16,7 +16,7 @@ class HttpServer {
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
 
-  /// Takes a port; 0: any that is free. Error: `bad_option` (it cannot be had).
+  /// Takes a port; 0: any free one. Error: `bad_option` (the port is not available).
   Result<int> bind(int port);
   /// Answers on threads of its own, from now to the end of the process.
   void serve(Api& api);

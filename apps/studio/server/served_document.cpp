@@ -14,7 +14,7 @@ namespace {
 
 using Cause = job::ChildEnd::Cause;
 
-constexpr int kUnreadable = 422;  // status of what the program says of a file
+constexpr int kUnreadable = 422;  // status for a file that the program cannot read
 
 }  // namespace
 
@@ -40,7 +40,7 @@ ServedDocument::~ServedDocument() {
 }
 
 Answer ServedDocument::open(Turns& turns) {
-  // At once, whatever else is being computed.
+  // Immediately, whatever else is being computed.
   if (const auto answer = known()) return *answer;
   return work({"", "", ""}, turns);
 }
@@ -95,12 +95,12 @@ Answer ServedDocument::read() {
   Answer answer = labelled(asked({"open", label_.name, *bytes}));
   if (answer.status != 200) replace_worker(nullptr);
   const std::lock_guard lock(state_);
-  // Whatever else was answered may be otherwise the next time.
+  // Any other answer may be different next time.
   if (answer.status == 200 || answer.status == kUnreadable) known_ = answer;
   return answer;
 }
 
-/// What a worker says of a file does not hold whose it is.
+/// A worker does not know the document's id and origin.
 Answer ServedDocument::labelled(Answer answer) const {
   if (answer.status != 200) return answer;
   const bool given = label_.origin == Origin::command_line;
@@ -127,7 +127,7 @@ Answer ServedDocument::asked(const Task& task) {
     stage_ = std::move(stage);
   });
   if (!answer) return worker_lost(answer.error().cause);
-  // Whoever ran out of memory once has it in pieces.
+  // After running out of memory a worker's heap is fragmented.
   if (answer->status == 409) replace_worker(nullptr);
   return std::move(*answer);
 }
@@ -138,7 +138,7 @@ Answer ServedDocument::worker_lost(Cause cause) {
   if (cause == Cause::out_of_time)
     return failure(
         409, "worker_timeout",
-        fmt::format("the request took longer than {} s and was given up", limit_.count()));
+        fmt::format("the request took longer than {} s and was stopped", limit_.count()));
   return failure(
       409, "worker_ended",
       "the worker that computed the request ended unexpectedly; the document is as it was");
@@ -175,10 +175,10 @@ Answer ServedDocument::attach(const std::string& name, const std::string& bytes)
   if (!known && std::distance(fs::directory_iterator(attachments(), ignored),
                               fs::directory_iterator()) >= kMost)
     return failure(422, "invalid_input",
-                   fmt::format("a document has {} attachments at the most", kMost), name);
+                   fmt::format("a document has at most {} attachments", kMost), name);
   if (auto written = write_file(attachments() / name, bytes); !written)
     return failure(written.error());
-  // What the worker remembers was made without it.
+  // The worker's state was made without this file.
   replace_worker(nullptr);
   return {204, "", ""};
 }
@@ -189,7 +189,7 @@ ServedDocument::Worker ServedDocument::worker() const {
 }
 
 void ServedDocument::replace_worker(Worker worker) {
-  // The one before is waited for without the lock.
+  // Waits for the previous worker without holding the lock.
   const std::lock_guard lock(state_);
   worker_.swap(worker);
 }

@@ -22,12 +22,12 @@ struct DocumentLabel {
 };
 
 /// A document as the server keeps it: its file and attachments in a folder, and the worker that
-/// computes it, which may end at any time and is then replaced. One task at a time, the others
+/// computes it, which may end at any time and is then replaced. Runs one task at a time; the others
 /// wait. Thread-safe.
 class ServedDocument {
  public:
-  /// Writes the file into `folder`, which is made. A task that takes longer than `limit` is given
-  /// up. Error: `cannot_write`.
+  /// Creates `folder` and writes the file into it. A task that takes longer than `limit` is
+  /// abandoned. Error: `cannot_write`.
   static Result<std::shared_ptr<ServedDocument>> make(std::filesystem::path folder,
                                                       DocumentLabel label,
                                                       std::chrono::seconds limit,
@@ -36,21 +36,21 @@ class ServedDocument {
   ServedDocument& operator=(const ServedDocument&) = delete;
   ~ServedDocument();
 
-  /// Has a worker read the file, once: what it said then is answered again.
+  /// Has a worker read the file, once; later calls repeat its answer.
   Answer open(Turns& turns);
-  /// What reading it has come to, and whether that was that it cannot be read.
+  /// The answer to reading it, if known, and whether it cannot be read.
   std::optional<Answer> known() const;
   bool is_unreadable() const;
-  /// Has the worker, who reads the file first if it has not, do a task. 409 with `cancelled`,
+  /// Has the worker do a task, after reading the file if it has not yet. 409 with `cancelled`,
   /// `worker_ended`, `worker_timeout`.
   Answer work(const Task& task, Turns& turns);
-  /// What is being computed is given up: its worker ends.
+  /// Abandons the running task: its worker ends.
   void cancel();
-  /// And so is all that waits, now and from now on.
+  /// Abandons also all waiting and future tasks.
   void close();
-  /// What is being computed, `{"stage", "share"}`, or `null`.
+  /// Progress of the running task, `{"stage", "share"}`, or `null`.
   Answer progress() const;
-  /// Adds a file (plain name), in place of one of that name. 422 for too many.
+  /// Adds a file (plain name), or replaces the one of that name. 422 for too many.
   Answer attach(const std::string& name, const std::string& bytes);
 
   bool is_idle_since(Moment moment) const;
@@ -78,7 +78,7 @@ class ServedDocument {
   const std::filesystem::path folder_;
   const DocumentLabel label_;
   const std::chrono::seconds limit_;  ///< of one task
-  std::mutex turn_;                   ///< held by who works, throughout
+  std::mutex turn_;                   ///< held throughout a task
 
   mutable std::mutex state_;  ///< of all below, held for a moment only
   Worker worker_;

@@ -18,11 +18,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kPrefix = "planish-studio-";
-// Held by the process whose folder it is; the system lets go of it when that ends, however it ends.
+// Held by the process that owns the folder; the system releases it when that process ends, in any
+// way.
 constexpr auto kLock = "lock";
 constexpr mode_t kOwner = 0600;
 
-/// −1 where there is none, or it is another user's.
+/// −1 if there is none, or it is another user's.
 int own_lock(const fs::path& folder) {
   const int lock = open((folder / kLock).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   struct stat found {};
@@ -64,7 +65,7 @@ Result<TempFolder> TempFolder::make() {
     const int lock = open((fs::path(name) / kLock).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC,
                           kOwner);
     flock(lock, LOCK_EX);
-    // Another studio that starts at this moment may have had the lock first, and removed it.
+    // Another studio starting at this moment may have taken the lock first and removed the folder.
     if (lock < 0 || fs::exists(fs::path(name) / kLock, ignored)) return TempFolder(name, lock);
     close(lock);
   }

@@ -7,11 +7,11 @@
 
 namespace planish::studio {
 
-/// A new folder that nobody else may look into, removed with all it holds at the end.
+/// A new private folder, removed with its content at the end.
 class TempFolder {
  public:
-  /// Removes also what processes of this user that were killed have left of this kind. Error:
-  /// `cannot_write` with the reason of the system.
+  /// Also removes such folders left by killed processes of this user. Error: `cannot_write` with
+  /// the system's reason.
   static Result<TempFolder> make();
   TempFolder(TempFolder&& other) noexcept
       : path_(std::exchange(other.path_, {})), lock_(std::exchange(other.lock_, -1)) {}
@@ -23,7 +23,7 @@ class TempFolder {
  private:
   TempFolder(std::filesystem::path path, int lock) : path_(std::move(path)), lock_(lock) {}
   std::filesystem::path path_;
-  int lock_;  ///< descriptor of a file in it, by which others see that it is in use
+  int lock_;  ///< descriptor of a file in it that shows others that it is in use
 };
 
 }  // namespace planish::studio

@@ -6,12 +6,12 @@
 
 namespace planish::studio {
 
-/// Lets so many at once, the others wait.
+/// Admits a number of callers at once; the others wait.
 class Turns {
  public:
   explicit Turns(int most) : free_(most) {}
 
-  /// A place that is given back at the end; without one if `given_up` became true while waiting.
+  /// A place, given back on destruction; holds none if `given_up` became true while waiting.
   class Turn {
    public:
     explicit Turn(Turns* of) : of_(of) {}

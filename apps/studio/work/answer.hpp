@@ -6,15 +6,15 @@
 
 namespace planish::studio {
 
-/// What a worker is asked: `open` (argument: the file's name; body: its bytes), `draft`, `result`
-/// and `files` (argument: the format; body: a request as docs/studio-api.md has it).
+/// A task of a worker: `open` (argument: the file's name; body: its bytes), `draft`, `result` and
+/// `files` (argument: the format; body: a request as docs/studio-api.md has it).
 struct Task {
   std::string verb;
   std::string argument;
   std::string body;
 };
 
-/// An HTTP status with what goes with it.
+/// An HTTP status with its content.
 struct Answer {
   int status = 200;
   std::string type;  ///< of the content
@@ -27,7 +27,7 @@ constexpr auto kJsonType = "application/json";
 Answer failure(int status, const std::string& code, const std::string& message,
                const std::string& where = {});
 
-/// The same for what the program says: 409 for `cancelled`, 500 for `internal`, else 422.
+/// The same for an error of the program: 409 for `cancelled`, 500 for `internal`, else 422.
 Answer failure(const Error& error);
 
 }  // namespace planish::studio

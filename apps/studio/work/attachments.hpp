@@ -12,12 +12,12 @@ namespace planish::studio {
 /// leading dot.
 bool is_plain_name(const std::string& name);
 
-/// Looks at the names of files that a spec names. Errors: `invalid_input` for a name that is not
+/// Checks the names of files that a spec refers to. Errors: `invalid_input` for a name that is not
 /// plain (`where` is `name` and JSON pointer).
 Result<void> check_names(const job::Maker& maker, const std::string& spec, const std::string& name);
 
-/// The same before anything opens one of them. Errors: besides, `cannot_read` for one that is not
-/// among the attachments.
+/// The same, before any of them is opened. Also `cannot_read` for a file that is not among the
+/// attachments.
 Result<void> check_attachments(const job::Maker& maker, const std::string& spec,
                                const std::string& name, const std::filesystem::path& attachments);
 

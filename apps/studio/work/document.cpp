@@ -7,7 +7,7 @@
 namespace planish::studio {
 namespace {
 
-/// The report of the piece that is looked at; the whole where refusal left none.
+/// The report of the piece shown; the whole's if a refusal left no pieces.
 Result<const job::Report*> piece_of(const job::Made& made, int piece) {
   if (piece < made.pieces()) return &made.piece(piece);
   if (made.report().refusal) return &made.report();
@@ -55,8 +55,8 @@ job::Request Document::request_of(const Asked& asked, job::Effort effort) const 
 Result<void> Document::take_spec(const Asked& asked) {
   if (maker_->format.empty()) return {};
   if (asked.spec.empty())
-    return fail(ErrorCode::bad_option,
-                "the request holds no spec, which this kind of document needs", "/spec");
+    return fail(ErrorCode::bad_option, "the request has no spec, which this kind of document needs",
+                "/spec");
   if (auto there = check_attachments(*maker_, asked.spec, name_, attachments_); !there)
     return there;
   return work_->edit({name_, asked.spec, attachments_});

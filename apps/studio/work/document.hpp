@@ -13,18 +13,18 @@
 
 namespace planish::studio {
 
-/// One opened file with what is kept between requests: the maker's work, and the last whole result,
-/// because files are mostly asked for after the result of the same request.
+/// An opened file with the state kept between requests: the maker's work, and the last full result,
+/// because files are mostly requested after the result of the same request.
 class Document {
  public:
-  /// Opens a file by its content. `attachments` is the folder of the files that it may name, which
-  /// may come later. Errors: those of `Catalogue::maker_for` and of the maker.
+  /// Opens a file by its content. `attachments` is the folder of the files that it may refer to,
+  /// which may be added later. Errors: those of `Catalogue::maker_for` and of the maker.
   static Result<Document> open(const job::Catalogue& catalogue, const std::string& name,
                                const std::string& content, std::filesystem::path attachments,
                                const Progress& progress);
 
   const job::Maker& maker() const { return *maker_; }
-  /// What `planish info` says of it, as JSON text; "null" where it says nothing.
+  /// The output of `planish info`, as JSON text; "null" if there is none.
   std::string info(const Progress& progress) const { return work_->info(progress); }
 
   /// Errors of both: those of the maker; `bad_option` for a request without spec where the maker

@@ -18,7 +18,7 @@ std::string place_of(const std::string& text, std::size_t byte) {
 }  // namespace
 
 Result<Json> parse_json(const std::string& text, const std::string& what) {
-  // Whoever walks through a document calls itself once a level.
+  // Functions that walk a document recurse once per level.
   constexpr int kDeepest = 100;
   bool too_deep = false;
   const auto watch = [&](int depth, Json::parse_event_t, Json&) {
@@ -44,7 +44,7 @@ Result<Json> parse_json(const std::string& text, const std::string& what) {
 std::string without_indents(const std::string& json) {
   std::string text;
   text.reserve(json.size());
-  // Strings hold no line break: there it is written as an escape.
+  // Strings contain no line breaks: JSON writes them as escapes.
   for (std::size_t at = 0; at < json.size();) {
     const std::size_t end = std::min(json.find('\n', at), json.size());
     text.append(json, at, end - at);

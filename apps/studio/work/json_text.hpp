@@ -8,14 +8,14 @@
 
 namespace planish::studio {
 
-/// Keys stay in the order in which they stand, so that files that are edited here look as they did.
+/// Keys keep their order, so that files edited here look as before.
 using Json = nlohmann::ordered_json;
 
 /// Errors: `invalid_input` for text that is not JSON, or nested more than 100 deep. `what` names it
 /// in messages.
 Result<Json> parse_json(const std::string& text, const std::string& what);
 
-/// The same JSON without line breaks and what indents lines.
+/// The same JSON without line breaks and indentation.
 std::string without_indents(const std::string& json);
 
 /// Bytes that are not UTF-8 become U+FFFD. `indent` −1: one line.

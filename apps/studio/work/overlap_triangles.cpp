@@ -34,7 +34,7 @@ std::vector<Vec2> ring_triangles(std::vector<Vec2> ring) {
     std::size_t ear = 0;
     while (ear < ring.size() && !is_ear(ring, ear))
       ++ear;
-    // Rounding may leave no ear of a sliver: a corner is dropped all the same.
+    // Because of rounding a sliver may have no ear: drop a corner anyway.
     const std::size_t n = ring.size(), at = ear % n;
     if (ear < n)
       for (const std::size_t j : {at + n - 1, at, at + 1})

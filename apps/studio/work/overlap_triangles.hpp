@@ -6,12 +6,11 @@
 
 namespace planish::studio {
 
-/// Triangles, three points each, of what two faces cover both in the flat pattern of a sheet of
-/// that thickness.
+/// Triangles, three points each, of the areas that two faces share in the flat pattern of a sheet
+/// of that thickness.
 std::vector<Vec2> overlap_triangles(const Layout& layout, double thickness);
 
-/// Triangles of the inside of a ring that does not cross itself, by cutting off ears. O(n³), n² for
-/// most.
+/// Triangles of a ring that does not cross itself, by ear clipping. O(n³), mostly n².
 std::vector<Vec2> ring_triangles(std::vector<Vec2> ring);
 
 }  // namespace planish::studio

@@ -7,7 +7,7 @@
 
 namespace planish::studio {
 
-/// A request of docs/studio-api.md, read.
+/// A parsed request of docs/studio-api.md.
 struct Asked {
   std::string key;   ///< the whole request as text: equal requests have equal keys
   std::string spec;  ///< JSON text; empty: none
@@ -15,7 +15,7 @@ struct Asked {
 };
 
 /// Errors: `invalid_input` for anything that is not JSON, unknown keys, options that the maker does
-/// not take, values of another kind or outside their range (`where` is the JSON pointer).
+/// not take, values of the wrong type or out of range (`where` is the JSON pointer).
 Result<Asked> parse_asked(const std::string& json, const job::Maker& maker);
 
 }  // namespace planish::studio

@@ -37,8 +37,8 @@ Json arrays_json(const Shape& shape) {
 }
 
 std::string header(const Shape& shape, double seconds) {
-  // The report is text already; reading it again only to write it would cost more than all the
-  // rest. Half of it may be indents, which the browser would read.
+  // The report is already text; parsing it only to write it again would cost more than all the
+  // rest. Up to half of it is indentation, which the browser would have to read.
   std::string text = "{\"report\": " +
                      (shape.report.empty() ? "null" : without_indents(shape.report));
   const auto add = [&](const char* key, const Json& value) {

@@ -13,14 +13,14 @@
 
 namespace planish::studio {
 
-/// One array of numbers as it is sent: little endian, four bytes each.
+/// An array of numbers as sent: little endian, four bytes each.
 struct ShapeArray {
   std::string name;
   const char* type;
   std::string bytes;
 };
 
-/// What a request looks like: docs/studio-api.md, "shape".
+/// What the page shows of a result: docs/studio-api.md, "shape".
 struct Shape {
   std::string report;  ///< JSON text
   Json parts = Json::array();
@@ -33,15 +33,15 @@ struct Shape {
   void add(const std::string& name, const std::vector<std::int32_t>& values);
 };
 
-/// Flanges and bends as rows of `parts`: first the flanges, then the bends, each in the sheet's
-/// order. Then the facets with their outline, the lines at which it bends, and where the pattern
-/// covers itself. Nothing for a report that knows no pattern. Drafts have fewer facets.
+/// Adds flanges and bends as rows of `parts`, first the flanges, then the bends, each in the
+/// sheet's order; then the facets with their outline, the bend lines, and where the pattern covers
+/// itself. Adds nothing for a report without a pattern. Drafts have fewer facets.
 void add_sheet(Shape& shape, const job::Report& report, job::Effort effort);
 
-/// A solid to look at.
+/// Adds a solid to show.
 void add_space(Shape& shape, const Mesh& mesh);
 
-/// The bytes, with the time that it took to compute them.
+/// The bytes, with the time taken to compute them.
 std::string encoded(const Shape& shape, double seconds);
 
 }  // namespace planish::studio

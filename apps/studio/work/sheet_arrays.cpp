@@ -13,7 +13,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-// What is seen for a moment, shaded smoothly: 0.15 mm, 10°.
+// Drafts are seen for a moment, shaded smoothly: 0.15 mm, 10° will do.
 const FacetOptions kOfDrafts{0.15, Angle::degrees(10.0)};
 
 std::uint32_t count_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
@@ -117,8 +117,8 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   shape.root = facets.root;
 }
 
-/// Closed lines to be filled, counter-clockwise outside and clockwise about openings: filling all
-/// facets instead costs a browser twenty times as much.
+/// Closed lines to fill, counter-clockwise outside and clockwise about openings; filling all facets
+/// instead costs a browser twenty times as much.
 class Contours {
  public:
   explicit Contours(double chord) : chord_(chord) {}

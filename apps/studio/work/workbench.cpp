@@ -9,7 +9,7 @@
 namespace planish::studio {
 namespace {
 
-/// What is wrong with a request as such; what this kind of document cannot do is a problem.
+/// 400 for a malformed request; `failure` if it is valid but this kind of document cannot do it.
 Answer bad_request(const Error& error) {
   if (error.code == ErrorCode::bad_option) return failure(error);
   return failure(400, "bad_request", error.message, error.where);
@@ -42,7 +42,7 @@ Answer Workbench::shape(const Task& task, job::Effort effort, const Progress& pr
 Answer Workbench::file(const Task& task, const Progress& progress) {
   const auto asked = parse_asked(task.body, document_->maker());
   if (!asked) return bad_request(asked.error());
-  // The input itself, as it was edited.
+  // The edited input itself.
   if (task.argument == "spec" && !asked->spec.empty())
     return {200, kJsonType, json_text(*parse_json(asked->spec, "spec"), 2) + "\n"};
   auto made = document_->file(*asked, task.argument, progress);

@@ -11,8 +11,7 @@
 
 namespace planish::studio {
 
-/// Where one document is worked on: requests become answers, without processes or sockets. Not
-/// thread-safe.
+/// Answers requests about one document, without processes or sockets. Not thread-safe.
 class Workbench {
  public:
   /// `attachments`: the folder of the files that were added to the document.
@@ -20,8 +19,8 @@ class Workbench {
                      const job::Catalogue& catalogue = job::built_in())
       : catalogue_(catalogue), attachments_(std::move(attachments)) {}
 
-  /// Answers as docs/studio-api.md has them; what is opened has no "id" and no "given" yet.
-  /// Whatever a task throws becomes an answer: 409 `out_of_memory`, else 500 `internal`.
+  /// Answers as in docs/studio-api.md; the answer to `open` has no "id" and no "given" yet. An
+  /// exception becomes an answer: 409 `out_of_memory`, else 500 `internal`.
   Answer perform(const Task& task, const Progress& progress = {});
 
  private:

@@ -9,8 +9,8 @@
 namespace planish::studio {
 namespace {
 
-/// What one draft gives back the next one takes again. If the system had it in between, each page
-/// of it would be a fault.
+/// Memory that one draft frees the next one needs again. If it went back to the system in between,
+/// each page would fault.
 void keep_memory() {
   constexpr int kMost = 256 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that is allowed

@@ -10,9 +10,9 @@
 
 namespace planish {
 
-/// Rows that are named by a strong id: `enum class FaceId : int {}`, from 0 on. A subscript takes
-/// the id and nothing else, so a bend's id never finds a face; one that names no row stops at an
-/// assertion. Iterators run over the rows, `ids()` over their names.
+/// A vector indexed by a strong id: `enum class FaceId : int {}`, from 0 on. A subscript takes only
+/// that id, so a bend's id never finds a face; an id out of range fails an assertion. Iterators run
+/// over the elements, `ids()` over their ids.
 template <typename Id, typename T>
 class IdVector {
  public:
@@ -34,7 +34,7 @@ class IdVector {
     return rows_[static_cast<std::size_t>(id)];
   }
 
-  /// The id of the row that was added.
+  /// Returns the id of the added element.
   Id push_back(T row) {
     rows_.push_back(std::move(row));
     return static_cast<Id>(rows_.size() - 1);

@@ -11,7 +11,7 @@ namespace planish {
 /// reports (formats.md#reason), `exit_status` the status a program ends with.
 enum class ErrorCode {
   // The request is wrong (exit status 2).
-  bad_option,    ///< an option value outside its range or not understood
+  bad_option,    ///< an option value out of range or unknown
   no_such_body,  ///< --body names a body that the file does not hold
   no_such_face,  ///< --root or --up names a face that the body does not have
   // The input cannot be read or is invalid (exit status 3).
@@ -29,7 +29,7 @@ enum class ErrorCode {
   unknown_edge,     ///< edges that a plate does not have, or that cannot carry one bend together
   unknown_seam,     ///< an edge or corner for the seam that the profile does not have
   bend_loop,        ///< bends given that close a loop of plates
-  not_connected,    ///< bends given that leave a plate alone
+  not_connected,    ///< bends given that leave a plate unconnected
   unknown_strip,    ///< a strip that the slit sheet does not have
   unknown_ridge,    ///< a ridge that a strip does not have
   empty_scan,       ///< a scan without points
@@ -40,9 +40,10 @@ enum class ErrorCode {
   kernel_failed,    ///< the CAD kernel gave up with an exception
   crashed,          ///< work in a process of its own ended with a crash
   // Understood, but no flat pattern exists (exit status 4).
-  not_a_sheet,             ///< no two skins at one distance: a solid block, casting, machined part
+  not_a_sheet,             ///< no two skins at a constant distance: a solid block, casting,
+                           ///< machined part
   thickness_not_constant,  ///< skins exist but their distance varies
-  doubly_curved,           ///< a bend or flange is curved two ways (drawn, not bent)
+  doubly_curved,           ///< a bend or flange is curved in two directions (drawn, not bent)
   closed_loop,             ///< a loop of flanges and bends with nothing to open it
   overlap,                 ///< the flat pattern covers itself
   plates_intersect,        ///< two plates pass through each other
@@ -56,16 +57,15 @@ enum class ErrorCode {
   profile_not_convex,      ///< a profile of a transition that turns inwards somewhere
   profiles_meet,      ///< profiles of a transition that touch each other's plane, or lie in one
   profile_hidden,     ///< a part of a profile would be hidden inside the transition
-  curve_too_short,    ///< a curve that ends before the slit sheet along it does
-  curve_too_long,     ///< a curve that the slit sheet along it does not cover
+  curve_too_short,    ///< a curve shorter than the slit sheet along it
+  curve_too_long,     ///< a curve longer than the slit sheet along it
   out_of_reach,       ///< a place that a strip is too short to reach
   pattern_wrong,      ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   out_of_time,        ///< the time allowed has passed
   out_of_memory,      ///< the memory allowed does not suffice
   // Others.
-  invalid_sheet,  ///< a sheet that breaks a rule of `check`: a defect of who made it (exit status
-                  ///< 1)
+  invalid_sheet,  ///< a sheet that breaks a rule of `check`: a defect of its maker (exit status 1)
   cancelled,      ///< the caller asked to stop (exit status 1)
   internal,       ///< a defect of Planish or its kernel (exit status 1)
 };

@@ -5,7 +5,7 @@
 
 namespace planish {
 
-/// Sets of the numbers 0 … count − 1 that grow together. Nearly constant time an operation.
+/// Disjoint sets of the numbers 0 … count − 1. Nearly constant time per operation.
 class UnionFind {
  public:
   explicit UnionFind(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -17,7 +17,7 @@ class UnionFind {
     return i;
   }
   bool same(int i, int j) { return root(i) == root(j); }
-  /// False where both were in one set already.
+  /// False if both were already in one set.
   bool unite(int i, int j) {
     i = root(i);
     j = root(j);

@@ -21,7 +21,7 @@ class Body {
   explicit Body(std::shared_ptr<const Shape> shape);
   const Shape& shape() const { return *shape_; }
   const std::string& name() const;  ///< STEP product name, or "body-<n>"
-  int quantity() const;             ///< how many identical ones the file holds (same hand)
+  int quantity() const;             ///< number of identical bodies in the file (not mirrored)
   int face_count() const;
   double volume() const;  ///< mm³
   Vec3 size() const;      ///< extents along x, y, z, mm
@@ -33,7 +33,7 @@ class Body {
 /// What a STEP file holds. Lengths are mm whatever the file's unit was.
 struct StepFile {
   std::string schema;        ///< e.g. "AP214 (AUTOMOTIVE_DESIGN)"
-  std::string cad_system;    ///< originating system as the header states it
+  std::string cad_system;    ///< originating system as stated in the header
   std::string unit;          ///< length unit of the file, "mm", "inch", …
   std::vector<Body> bodies;  ///< distinct bodies in file order
   int surface_bodies = 0;    ///< shells that are not part of a solid
@@ -48,55 +48,55 @@ Result<StepFile> read_step_text(const std::string& text, const std::string& name
                                 const Progress& progress = {});
 
 struct RecognizeOptions {
-  double surface_tolerance = 0.01;  ///< mm: a spline surface this near a plane, cylinder, … is one
+  double surface_tolerance = 0.01;  ///< mm: a spline surface this near a plane, cylinder, … counts
+                                    ///< as one
   double thickness_tolerance = 0.02;  ///< of the thickness: spread allowed between skins
 };
 
-/// A recognised sheet with the measures that certify needs.
+/// A recognised sheet with the distances that `certify` needs.
 struct Recognized {
   Sheet sheet;
   EdgeDistance distance;
-  std::vector<std::string> notes;  ///< what was noticed, one sentence each
+  std::vector<std::string> notes;  ///< observations, one sentence each
 };
 
 /// Finds the sheet in a solid: thickness, two skins, flanges, bends, features. Errors:
 /// `not_a_sheet`, `thickness_not_constant`, `doubly_curved`, `closed_loop`, `unsupported_shape`.
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options = {});
 
-/// Flat solid of the sheet's thickness as STEP text (AP214, mm): the pattern in z = −t … 0.
+/// Flat solid of the sheet's thickness as STEP text (AP214, mm): the pattern extruded over z = −t …
+/// 0.
 Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name);
 
-/// Folded solid of a sheet of real thickness as STEP text: planes, cylinders and cones stay
+/// Folded solid of a sheet with its real thickness as STEP text: planes, cylinders and cones stay
 /// analytic.
 Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name);
 
-/// The sheet's reference surface as STEP text (AP214, mm): an open shell, its faces' outsides those
-/// of the sheet. Planes, cylinders and cones stay analytic; faces share the edge of a joint, smooth
-/// or sharp, so nothing is sewn. Borders that a joint names but that lie more than 1e-3 mm apart
-/// (strips that do not reach each other) are left free, so that the gap is seen; parts that nothing
-/// else connects are shells of their own. Errors: `invalid_input` (joints that do not fit, no
-/// faces), `unsupported_shape` (a bend whose surface has no radius), `internal` (the kernel finds
-/// the result invalid).
+/// The sheet's reference surface as STEP text (AP214, mm): an open shell whose faces are oriented
+/// as in the sheet. Planes, cylinders and cones stay analytic; faces share the edge of a joint,
+/// smooth or sharp, so nothing is sewn. Joined borders more than 1e-3 mm apart (strips that do not
+/// reach each other) are left free, so that the gap shows; unconnected parts are separate shells.
+/// Errors: `invalid_input` (joints that do not fit, no faces), `unsupported_shape` (a bend surface
+/// of radius zero), `internal` (the kernel finds the result invalid).
 Result<std::string> folded_surface_step(const Sheet& sheet, const std::string& name);
 
 /// The solids bounded by a closed mesh as STEP text (AP214, mm): one for each connected part.
 /// Triangles in one plane become one face. Errors: `invalid_input` (a triangle without area, corner
-/// numbers that do not exist, sides not shared by two triangles that run them opposite ways, a part
-/// of no or negative volume), `internal` (the kernel refuses).
+/// indices out of range, edges not shared by two triangles in opposite directions, a part whose
+/// volume is not positive), `internal` (the kernel fails).
 Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name);
 
-/// The same solid as a closed mesh: every triangle side is shared with one neighbour, which runs it
-/// the other way. Corner points lie on the solid, triangles within `chord` mm of it, and along
+/// The folded solid as a closed mesh: every triangle edge is shared with one neighbour, which runs
+/// it the other way. Corner points lie on the solid, triangles within `chord` mm of it, and along
 /// curved borders neighbouring chords turn by at most 10°, so that small radii look round. Points
-/// and triangles come in the order of the sheet's faces. Cost: grows with the number of triangles,
-/// about with 1/√chord where bends are cylinders. Errors: `bad_option` (chord not positive), those
-/// of a sheet that has no solid as `folded_solid_step` has them, `internal` (the kernel's mesh has
-/// a gap).
+/// and triangles come in the order of the sheet's faces. Cost: proportional to the number of
+/// triangles, for cylindrical bends about 1/√chord. Errors: `bad_option` (chord not positive),
+/// those of `folded_solid_step` for a sheet that has no solid, `internal` (the kernel's mesh has a
+/// gap).
 Result<Mesh> folded_mesh(const Sheet& sheet, double chord = 0.05);
 
-/// A body as it was read, as a mesh: as `folded_mesh`, but where the kernel leaves gaps (in bodies
-/// that are not quite closed) it has them too. Errors: `bad_option` (chord not positive),
-/// `internal` (no triangles).
+/// Mesh of a body as read. Like `folded_mesh`, but gaps that the kernel leaves (in bodies that are
+/// not quite closed) remain. Errors: `bad_option` (chord not positive), `internal` (no triangles).
 Result<Mesh> body_mesh(const Body& body, double chord = 0.05);
 
 }  // namespace planish

@@ -33,7 +33,7 @@ struct BendFrame {
   }
 };
 
-/// Another way to join the same plates, as a request that asks for it.
+/// Another way to join the same plates, as the request for it.
 struct BendAlternative {
   BendRequest request;
   BendKind kind = BendKind::cylinder;
@@ -41,10 +41,10 @@ struct BendAlternative {
   double width = 0.0, span = 0.0;
 };
 
-/// A bend that was fitted, with everything that was chosen. Lengths on the mid-surface, mm.
+/// A fitted bend, with everything that was chosen. Lengths on the mid-surface, mm.
 struct FittedBend {
   BendRequest request;                    ///< as it was given
-  std::vector<int> plates;                ///< rows of the structure's plates: two, one or none
+  std::vector<int> plates;                ///< indices into the structure's plates: two, one or none
   std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
   EdgeKind edge_kind = EdgeKind::facing;
   BendKind kind = BendKind::cylinder;
@@ -59,16 +59,16 @@ struct FittedBend {
   double width = 0.0, span = 0.0;  ///< of the edges, math.md#widest-bend
   double extension_area = 0.0;     ///< math.md#least-extension, at `line`
   std::vector<BendAlternative> alternatives;
-  BendId bend{};  ///< row of the sheet's bends
+  BendId bend{};  ///< index into the sheet's bends
 };
 
-/// Plates made one: a sheet whose flange i is plate i, extended, and how they were joined.
+/// Joined plates: a sheet whose flange i is plate i, extended, and how they were joined.
 struct Connection {
   PlateStructure structure;
   Sheet sheet;
   std::vector<FittedBend> bends;
   std::vector<FaceId> plate_faces;  ///< by plate
-  FaceId root{};  ///< face of the root plate; of the first bend where there is no plate
+  FaceId root{};                    ///< face of the root plate; without plates, of the first bend
 };
 
 struct ConnectOptions {
@@ -77,29 +77,28 @@ struct ConnectOptions {
   double k_factor = 0.44;
   /// Cones of a smaller slope become cylinders.
   double smallest_slope = 1e-3;
-  /// How many other ways to join the same two plates each bend reports at most.
+  /// The largest number of other ways to join the same two plates that each bend reports.
   int alternatives = 3;
-  double planarity = 1e-3;  ///< mm that a corner may lie off its plate's plane
+  double planarity = 1e-3;  ///< how far a corner may lie off its plate's plane, mm
 };
 
-/// Joins plates by bends, finding what is not given of them (math.md#bend-fitting). To join the
+/// Joins plates by bends and chooses what is not given of them (math.md#bend-fitting). To join the
 /// same plates again after one has moved, give the requests of the bends that were found. `where`
 /// of an error is the place of its cause in the structure, written as a JSON pointer
-/// (formats.md#plates): "/plates/2/outline/3",
-/// "/bends/0/inside_radius".
+/// (formats.md#plates): "/plates/2/outline/3", "/bends/0/inside_radius".
 /// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
 /// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,
-/// `unknown_edge`, `bend_loop`, `not_connected` (bends given that leave a plate alone).
+/// `unknown_edge`, `bend_loop`, `not_connected` (the bends given leave a plate unconnected).
 /// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset`
-/// (parallel planes, no half-turn reaches both), `no_bend_fits` (with the feasible range of what
-/// was given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,
+/// (parallel planes that no half-turn joins), `no_bend_fits` (with the feasible range of what was
+/// given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,
 /// `no_common_width`, `overlap` (the extensions of a plate run into each other or over it).
 /// Error (exit status 1): `cancelled`.
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
                            const Progress& progress = {});
 
-/// The sheet as a solid can have it: the ends of a section that turns once round stand 0.01 mm
-/// apart, since a solid may not touch itself. Other sheets stay as they are.
+/// The sheet with its seam open for a solid: the ends of a section that closes on itself are set
+/// 0.01 mm apart, since a solid may not touch itself. Other sheets are unchanged.
 Sheet with_open_seam(const Sheet& sheet);
 
 }  // namespace planish

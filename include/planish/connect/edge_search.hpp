@@ -19,21 +19,21 @@ enum class EdgeKind { facing, averted };
 
 /// A maximal run of consecutive edges of one kind that can carry a bend, x growing: edges[j] joins
 /// corners[j] and corners[j + 1]. Edges that cross the intersection line (y changes sign) or are
-/// parallel to the y axis carry none.
+/// parallel to the y axis cannot carry a bend.
 struct Chain {
   EdgeKind kind = EdgeKind::facing;
   std::vector<Vec2> corners;
   std::vector<int> edges;  ///< numbers of the edges in the plate's outline
 };
 
-/// Viable chains of an outline (either way round), those with y ≥ 0 only, in the order of their
-/// first edge number. Edges of one kind never close a loop. Edges whose |Δx| is below 1e-9 of
+/// Viable chains of an outline (either way round) with y ≥ 0, in the order of their first edge
+/// number. Edges of one kind never close a loop. Edges whose |Δx| is below 1e-9 of
 /// the outline's extent count as parallel to the y axis, corners with |y| below that as y = 0.
 std::vector<Chain> viable_chains(const std::vector<Vec2>& outline);
 
 /// Ψ(φ) of math.md#arc-factor for the slope k = tan φ: arc length of the circular directrix over
-/// the height of its ends above the intersection line; `beta` = angle between the plates' sides e₁
-/// and e₂, in (0, π). Averted: with the averted azimuth.
+/// the height of its ends above the intersection line; `beta` is the angle between the plates'
+/// sides e₁ and e₂, in (0, π). For averted edges with the averted azimuth.
 double arc_factor(Angle beta, EdgeKind kind, double slope);
 
 /// The slope at which the thesis linearises Ψ [thesis 94].
@@ -46,7 +46,7 @@ struct TangentLine {
   double at(double x) const { return slope * x - offset; }
 };
 
-/// What is given of the tangent line. At most two of them; `offset` is q.
+/// What is given of the tangent line: at most two members; `offset` is q.
 struct GivenLine {
   std::optional<double> slope = std::nullopt;
   std::optional<double> offset = std::nullopt;
@@ -66,15 +66,15 @@ struct EdgeChoice {
   std::array<Run, 2> runs;
   double width = 0.0;
   double span = 0.0;  ///< smallest over the tangent lines allowed
-  TangentLine line;   ///< for which the span is that
+  TangentLine line;   ///< for which the span is smallest
 };
 
 struct EdgeSearchOptions {
   double trade_off = 1.0;  ///< γ ≥ 0
   GivenLine line;
-  /// Edges that a bend must use, by outline number, all of them and no others; per side.
+  /// Edges that the bend must use, per side, by outline number: all of them and no others.
   std::array<std::optional<std::vector<int>>, 2> edges;
-  int alternatives = 3;  ///< how many next best choices to give at most
+  int alternatives = 3;  ///< largest number of next best choices to return
 };
 
 struct EdgeSearch {
@@ -82,27 +82,25 @@ struct EdgeSearch {
                          ///< is S_ref
   double reference_length = 0.0;  ///< the objective of math.md#shortest-bend
   EdgeChoice best;
-  /// Next best ones: of other pairs of chains or of the other kind, each the best of its own,
-  /// widest first.
+  /// Next best choices: the best of each other pair of chains or of the other kind, widest first.
   std::vector<EdgeChoice> alternatives;
 };
 
 /// Exact optimum of math.md#widest-bend over all runs of both sides and both kinds: the widest bend
-/// whose span exceeds that of the reference by at most γ times what it is wider. Ties (widths
-/// within 1e-9 of the extent): the smaller span, then the smaller edge numbers. Exact to rounding:
-/// span and width agree with the mixed-integer programs [thesis 99, 114] to 1e-9 of the extent.
-/// Errors: `no_bend_fits` when no pair of edges admits a tangent line (facing needs 0 ≤ k x − q ≤ y
-/// at every corner, averted k x − q ≥ y), also when that is because of what is given;
-/// `unknown_edge` when given edges are not consecutive edges of one viable chain. Cost: a
-/// best-first branch and bound over the ends of the runs; near-linear in practice, see
-/// docs/connect.md for measurements.
+/// whose span exceeds the reference's by at most γ times the gain in width. Ties (widths within
+/// 1e-9 of the extent): the smaller span, then the smaller edge numbers. Exact to rounding: span
+/// and width agree with the mixed-integer programs [thesis 99, 114] to 1e-9 of the extent. Errors:
+/// `no_bend_fits` when no pair of edges admits a tangent line (facing needs 0 ≤ k x − q ≤ y at
+/// every corner, averted k x − q ≥ y), also if only because of what is given; `unknown_edge` when
+/// given edges are not consecutive edges of one viable chain. Cost: a best-first branch and bound
+/// over the ends of the runs; near-linear in practice, see docs/connect.md for measurements.
 Result<EdgeSearch> search_edges(const std::array<std::vector<Chain>, 2>& sides, Angle beta,
                                 const EdgeSearchOptions& options = {});
 
 /// Tangent line of least plate extension for given runs (math.md#least-extension): minimises the
 /// sum over both sides of the area between the run and the tangent line, lateral edges along y.
-/// Exact: a linear program in (k, q), solved at its vertices. Where the optimum is not unique, the
-/// smallest |k|.
+/// Exact: a linear program in (k, q), solved at its vertices. If the optimum is not unique, the one
+/// with the smallest |k|.
 struct SmallestExtension {
   TangentLine line;
   double area = 0.0;  ///< mm², ≥ 0
@@ -116,8 +114,8 @@ Result<SmallestExtension> smallest_extension(const std::array<std::vector<Vec2>,
 double extension_area(const std::array<std::vector<Vec2>, 2>& corners, EdgeKind kind,
                       const TangentLine& line);
 
-/// Smallest and largest values that a tangent line may have, for messages; nothing where no value
-/// is feasible.
+/// Smallest and largest feasible values of a tangent line, for messages; empty if no value is
+/// feasible.
 struct Range {
   double low = 0.0, high = 0.0;  ///< may be infinite
 };

@@ -22,16 +22,16 @@ struct Plate {
 /// both plates.
 enum class SurfaceChoice { automatic, cylinder, cone, general };
 
-/// math.md#lateral-boundaries. `automatic`: straight where the corners of both plates lie near
-/// enough, else corner.
+/// math.md#lateral-boundaries. `automatic`: straight if the corners of both plates are near enough,
+/// else corner.
 enum class LateralBoundary { automatic, straight, arc, corner };
 
-/// What is given of a bend; what is not is chosen. Lengths in mm.
+/// What is given of a bend; the rest is chosen. Lengths in mm.
 struct BendRequest {
-  /// Ids of the plates: two; one, for a curved section that ends free; or none, for a section of
-  /// its own (a pipe).
+  /// Ids of the plates: two; one, for a curved section with a free end; or none, for a section by
+  /// itself (a pipe).
   std::vector<std::string> between = {};
-  /// Edges of each of them, consecutive ones in any order.
+  /// Consecutive edges of each plate, in any order.
   std::array<std::optional<std::vector<int>>, 2> edges = {};
   SurfaceChoice surface = SurfaceChoice::automatic;
   std::optional<double> inside_radius = std::nullopt;  ///< of a cylinder; of a cone at mid-length
@@ -41,8 +41,8 @@ struct BendRequest {
   std::optional<double> slope = std::nullopt;    ///< k of the tangent lines, math.md#tangent-lines
   std::optional<double> apex = std::nullopt;     ///< x₀ = q/k of the tangent lines,
                                                  ///< math.md#tangent-lines
-  /// Of a general bend: where the tangents at both ends of its outer arc meet, on the line of the
-  /// planes.
+  /// Of a general bend: where the tangents at both ends of its outer arc meet, on the planes'
+  /// intersection line.
   std::optional<Vec3> tangent_point = std::nullopt;
   LateralBoundary lateral = LateralBoundary::automatic;
   double trade_off = 1.0;                       ///< γ of math.md#widest-bend, ≥ 0
@@ -50,8 +50,8 @@ struct BendRequest {
   std::optional<double> length = std::nullopt;  ///< of a section without plates, along its rulings
 };
 
-/// Plates to be made of one sheet, and what is given of the bends between them. `bends` empty: the
-/// program finds which plates to join.
+/// Plates to be joined to one sheet, and what is given of the bends between them. If `bends` is
+/// empty, the program finds which plates to join.
 struct PlateStructure {
   double thickness = 0.0;  ///< mm
   std::vector<Plate> plates;

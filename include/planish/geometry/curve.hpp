@@ -23,7 +23,7 @@ struct Arc {
   double sweep = 0.0;
 };
 
-/// A chain of cubic Bézier spans: poles 3i … 3i+3 are span i; 3n+1 poles in all. Fitted chains
+/// A chain of cubic Bézier spans: poles 3i … 3i+3 form span i; 3n+1 poles in all. Fitted chains
 /// are tangent-continuous.
 struct CubicSpline {
   std::vector<Vec2> poles;
@@ -31,27 +31,39 @@ struct CubicSpline {
 
 using Curve2 = std::variant<Segment, Arc, CubicSpline>;
 
-/// Consecutive curves, each starting where the one before ends, the last ending where the first
+/// The farthest out that points of a curve may lie, mm: beyond, doubles no longer place them to the
+/// micrometre that a chord is held to. Arcs that are nearly straight may have their centre
+/// `kLargestRadius` away.
+inline constexpr double kFarthest = 1e7, kLargestRadius = 1e15;
+
+/// Whether a curve is one: numbers finite and in reach, an arc with a radius above 0 and
+/// `|sweep| <= 2π`, a spline of 3n+1 poles. Every other function here takes that for granted.
+bool is_regular(const Curve2& curve);
+
+/// Consecutive curves: each starts where the one before ends, and the last ends where the first
 /// starts. Outer loops run counter-clockwise, openings clockwise.
 using Loop = std::vector<Curve2>;
 
+/// Whether each curve is.
+bool is_regular(const Loop& loop);
+
 /// Point at `t` in [0, 1]; for a spline each span takes an equal share of t.
 Vec2 point_at(const Curve2& curve, double t);
-/// Derivative with respect to that t.
+/// Derivative with respect to `t`.
 Vec2 derivative_at(const Curve2& curve, double t);
 Vec2 start_of(const Curve2& curve);
 Vec2 end_of(const Curve2& curve);
 Curve2 reversed(const Curve2& curve);
-/// Loop run through the other way.
+/// The loop run the other way.
 Loop reversed(const Loop& loop);
-/// Exact for segments, arcs and splines; reflections turn an arc's sweep round.
+/// Exact for segments, arcs and splines; reflections reverse an arc's sweep.
 Curve2 transformed(const Curve2& curve, const Isometry2& motion);
 Loop transformed(const Loop& loop, const Isometry2& motion);
 
 /// Length: exact for segments and arcs, relative error below 1e-12 for splines (adaptive Gauss).
 double length(const Curve2& curve);
 double length(const Loop& loop);
-/// Part of the Green integral ½∮(x dy − y dx) along this curve; exact for all three kinds.
+/// The curve's share of the Green integral ½∮(x dy − y dx); exact for all three kinds.
 double green_area(const Curve2& curve);
 /// Signed enclosed area, positive for counter-clockwise loops.
 double signed_area(const Loop& loop);
@@ -73,7 +85,7 @@ struct Box2 {
     return lo.x() < b.hi.x() && b.lo.x() < hi.x() && lo.y() < b.hi.y() && b.lo.y() < hi.y();
   }
 };
-/// Exact bounding box for segments and arcs; for splines of the curve itself (extrema solved).
+/// Exact bounding box; of a spline that of the curve, not of its poles (extrema solved).
 Box2 bounds(const Curve2& curve);
 Box2 bounds(const Loop& loop);
 

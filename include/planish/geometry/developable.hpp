@@ -24,11 +24,11 @@ struct Cone {
 
 /// General developable x(u, v) = b(u) + v·g(u), |g| = 1, det(b′, g, g′) = 0
 /// (math.md#general-developable), given by two or more knots with growing u. b is interpolated by
-/// cubic Hermite spans, g by such spans scaled to unit length; past the first and last knot the
-/// end spans go on. The normal is b′ × g, normalised; b′ and g must never be parallel. Between
-/// knots h apart the spans leave the surface meant by O(h⁴), their normal by O(h³): whoever makes
-/// the knots chooses h for the accuracy wanted. The surface ends at its edge of regression: it is
-/// the side on which b lies (v = 0).
+/// cubic Hermite spans, g by such spans scaled to unit length; beyond the first and last knot the
+/// end spans continue. The normal is b′ × g, normalised; b′ and g must never be parallel. Between
+/// knots h apart the spans deviate from the intended surface by O(h⁴), their normal by O(h³):
+/// choose h for the accuracy wanted. The surface ends at its edge of regression, on the side where
+/// b lies (v = 0).
 struct Ruled {
   struct Knot {
     double u;
@@ -52,10 +52,10 @@ Vec3 normal_on(const Developable& surface, double u);
 /// Unit direction of the ruling through u, towards growing v.
 Vec3 ruling_on(const Developable& surface, double u);
 
-/// (u, v) of the point of the surface nearest to p. Where several are equally near, as at every
-/// turn of a cylinder or at the seam of a closed ruled surface, the one with u nearest to `u_near`.
-/// A cone ends at its apex; the rulings of a ruled surface run on to the edge of regression, and a
-/// p past its first or last ruling gets that ruling or one slightly past it.
+/// (u, v) of the point of the surface nearest to p. If several are equally near, as at every turn
+/// of a cylinder or at the seam of a closed ruled surface, the one with u nearest to `u_near`. A
+/// cone ends at its apex; the rulings of a ruled surface extend to the edge of regression, and a p
+/// beyond its first or last ruling gets that ruling or one slightly beyond it.
 /// Cost: constant for cylinder and cone, linear in the knots of a ruled surface.
 Vec2 parameters_of(const Developable& surface, const Vec3& p, double u_near);
 
@@ -72,23 +72,23 @@ class RuledImage;
 /// Accuracy: cylinder and cone to machine precision; ruled surfaces to 1e-10 of their extent.
 class Development {
  public:
-  /// `u_near` chooses the turn that `fold` returns on a cone, of whose image every point has
-  /// azimuths 2π/sin(half-angle) apart: the one nearest to `u_near`. The middle of the patch is a
-  /// good choice. Cylinders and ruled surfaces do not need it.
+  /// `u_near` chooses the turn that `fold` returns on a cone. Each point of a cone's image has
+  /// several azimuths, 2π/sin(half-angle) apart; `fold` returns the one nearest to `u_near`. The
+  /// middle of the face is a good choice. Cylinders and ruled surfaces do not need it.
   /// Cost for a ruled surface: linear in its knots, some 20 evaluations each.
   Development(const Developable& surface, double offset, double u_near = 0.0);
 
   /// Image in the plane of the point with parameters uv.
   Vec2 develop(const Vec2& uv) const;
   /// Parameters of the point whose image is p; the inverse of `develop`. Where the image of a ruled
-  /// surface covers itself, the point nearest to b along its ruling; a p past its first or last
-  /// ruling gets that ruling or one slightly past it.
+  /// surface covers itself, the point nearest to b along its ruling; a p beyond its first or last
+  /// ruling gets that ruling or one slightly beyond it.
   Vec2 fold(const Vec2& p) const;
   /// Derivative of `develop`: columns are ∂/∂u and ∂/∂v. Its determinant is positive.
   Eigen::Matrix2d jacobian(const Vec2& uv) const;
   /// Image of a curve given in (u, v). Segments along rulings, and segments and splines on a
-  /// cylinder, are exact; a segment of constant v on a cone is an exact arc; all else is fitted to
-  /// `tolerance` (within the limit on spans of `fit_cubics`). Ends are the images of the ends.
+  /// cylinder, are exact; a segment of constant v on a cone is an exact arc; everything else is
+  /// fitted to `tolerance` (within the limit on spans of `fit_cubics`). Ends map to ends.
   Curve2 develop(const Curve2& uv_curve, double tolerance) const;
 
  private:

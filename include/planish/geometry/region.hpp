@@ -10,7 +10,7 @@ struct Region {
   std::vector<Loop> openings;
 };
 
-/// A polygon with holes, for overlay; rings closed implicitly.
+/// A polygon with holes, for overlay; its rings are closed implicitly.
 struct Polygon {
   std::vector<Vec2> outer;
   std::vector<std::vector<Vec2>> holes;
@@ -22,7 +22,7 @@ double ring_area(const std::vector<Vec2>& ring);
 /// Even-odd test of a point against rings.
 bool inside(const std::vector<std::vector<Vec2>>& rings, const Vec2& p);
 
-/// One place where two of the polygons cover the same area.
+/// A place where two of the polygons cover the same area.
 struct Overlap {
   int first = 0;
   int second = 0;

@@ -14,12 +14,12 @@ struct Ruling {
   double reach = 0.0;
 };
 
-/// The developable through given rulings, from the first to the last of `breaks` (growing; a
-/// knot is placed at each, so name the places where the rulings are less smooth). Accuracy: points
-/// at v = 0 and at the reach are within `tolerance` (mm) of where the meant surface has those of
-/// the same (u, v); normals are within (tolerance / s)^¾ radians, s the largest reach. Knots are
-/// placed by halving, 4096 intervals at most between two breaks; below some 1e-13 s the tolerance
-/// is rounding's. Requires: tolerance > 0; b′ nowhere along g. Cost: intervals × some 10 rulings;
+/// The developable through given rulings, from the first to the last of `breaks` (growing; a knot
+/// is placed at each, so list the places where the rulings are less smooth). Accuracy: points at v
+/// = 0 and at the reach are within `tolerance` (mm) of the intended surface's points at the same
+/// (u, v); normals are within (tolerance / s)^¾ radians, s the largest reach. Knots are placed by
+/// halving, 4096 intervals at most between two breaks; below about 1e-13 s rounding limits the
+/// accuracy. Requires: tolerance > 0; b′ nowhere along g. Cost: about 10 rulings per interval;
 /// intervals grow with (s / tolerance)^¼.
 Ruled ruled_through(const std::function<Ruling(double)>& ruling, const std::vector<double>& breaks,
                     double tolerance);

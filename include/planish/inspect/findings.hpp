@@ -22,8 +22,8 @@ struct Finding {
   std::vector<Vec2> at;  ///< where in the pattern; may be several places
 };
 
-/// Thresholds of shop-floor.md#rules-of-manufacture. Lengths as factors of thickness T and inside
-/// radius R where the names say so; all editable in a JSON file (see docs). A threshold of 0
+/// Thresholds of shop-floor.md#rules-of-manufacture. Names ending in _t and _r are factors of the
+/// thickness T and the inside radius R. All can be set in a JSON file (see docs). A threshold of 0
 /// switches its rule off.
 struct Rules {
   double flange_height_t = 1.5;  ///< smallest flange height = this·T + flange_height_r·R
@@ -43,7 +43,7 @@ struct Rules {
   bool enabled = true;
 };
 
-/// A threshold of `Rules` as data, so that files, help and forms need not repeat the names.
+/// A threshold of `Rules` as data, so that files, help and forms need no lists of their own.
 struct RuleField {
   std::string_view name;  ///< key in files; the member's name
   double Rules::*value;
@@ -54,36 +54,37 @@ struct RuleField {
 /// Every threshold of `Rules` (all but `enabled`), in the order of its members.
 std::span<const RuleField> rule_fields();
 
-/// Share of the thickness by which regions of a pattern may cover each other and still only touch.
-/// A laser's kerf is a hundred times as wide.
+/// Regions of a pattern that overlap by at most this share of the thickness only touch. A laser's
+/// kerf is a hundred times as wide.
 inline constexpr double kContactShare = 1e-3;
 
 /// Where the pattern covers itself: findings with code "overlap", severity error, largest first,
-/// one for each pair of flanges or bends, with their area in the message and the outlines of what
-/// they share as place; then contours that cross themselves, unless a pair has already told so.
-/// Flanges are counted from 1. Regions may touch: overlaps less deep than 2 `kContactShare` (or
-/// than curve tolerance and `closure`, if larger) are not seen, and slits without width do not
-/// count. `layout` and `pattern` are those of one `FlatSheet`. Cost: near-linear in the number of
-/// faces when little overlaps.
+/// one for each pair of flanges or bends, with the shared area in the message and its outlines as
+/// places; then contours that cross themselves, unless a pair already shows it. Flanges are counted
+/// from 1. Regions may touch: overlaps shallower than 2 `kContactShare` (or than curve tolerance
+/// and `closure`, if larger) are ignored, and so are slits without width. `layout` and `pattern`
+/// are those of one `FlatSheet`. Cost: near-linear in the number of faces when little overlaps.
 std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
                                    const FlatPattern& pattern);
 
-/// Manufacturability warnings by the rules. What misses a limit by less than 0.001 mm satisfies it.
+/// Manufacturability warnings by the rules. A value that misses a limit by less than 0.001 mm
+/// satisfies it.
 /// - flange_height: the shortest flat length beside a bend, to the edge or the next bend, given as
 ///   the height from the outside of the bend. 1.5 T + R leaves 0.5 T flat at 90°, and as much at
-///   any angle. Chamfered ends, hems, bends that run into one another and rolled ones (R > 10 T)
-///   that end at the edge are accepted.
-/// - bend_relief: at ends of bends with sheet beside them; depth from the outside of the bend,
-///   where R + T is the tangent line.
+/// any angle. Chamfered ends, hems, bends that run into one another, and rolled bends (R > 10 T)
+/// that end at the edge are accepted.
+/// - bend_relief: at bend ends with sheet beside them; depth is measured from the outside of the
+///   bend, where R + T is the tangent line.
 /// - hem: bends of 170° and more, the return measured from the outside of the bend;
 ///   inside_radius: all other bends.
 /// - opening_to_bend, opening_to_edge, opening_to_opening: the distance of nearest points, through
 ///   material only; an opening is compared with its nearest neighbour.
 /// - opening_in_bend: an opening takes material from a bend zone; info if it is cut through from
-///   flange to flange. Rolled bends are exempt, and windows and reliefs at which the bend ends.
+/// flange to flange. Rolled bends are exempt, and so are windows and reliefs at which the bend
+/// ends.
 /// - smallest_opening: the largest circle that fits; slits without width are exempt.
 /// - k_factor: one finding for each value of K.
-/// More than ten findings of a rule that differ only by their place become one with all places.
+/// More than ten findings of a rule that differ only in place become one with all places.
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
                                  const Rules& rules);
 

@@ -24,22 +24,22 @@ struct DxfOptions {
   double arc_tolerance = 0.01;      ///< mm
   LengthUnit units = LengthUnit::mm;
   BendMarks bend_marks = BendMarks::lines;
-  double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line
+  double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line's length
   bool tangent_lines = false;  ///< ignored where the profile has no layer for them
 };
 
 /// DXF text of a flat pattern by the rules of shop-floor.md#dxf: one closed polyline (or circle)
-/// per contour, bend lines with layer, colour and DASHED linetype at once, units in the header.
+/// per contour; bend lines with layer, colour and DASHED linetype; units in the header.
 ///
 /// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE
 /// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a
 /// spline is a chain of LINE, ARC and SPLINE whose ends meet within 1e-9 of the unit; all others,
-/// and all with `arcs`, are closed polylines, whose arcs turn by half a turn at most. Reals are
-/// written so that they read back as the same double; the enclosed area is that of the pattern,
-/// except where splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7,
-/// openings 4, bend up 5, bend down 1, bend zone 8, formed features 3.
+/// and all with `arcs`, are closed polylines with arcs of at most half a turn. Reals are written so
+/// that they read back as the same double; the enclosed area is that of the pattern, except where
+/// splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
+/// bend up 5, bend down 1, bend zone 8, formed features 3.
 ///
-/// Errors: `bad_option` (arc_tolerance or tick_length not positive), `internal` (a contour that is
+/// Errors: `bad_option` (arc_tolerance or tick_length is not positive), `internal` (a contour is
 /// empty, has no extent or is not finite).
 Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options = {});
 
@@ -54,15 +54,14 @@ struct SvgOptions {
 /// the size of the part. The page grows beyond pattern and margin where a label needs it.
 std::string svg_text(const FlatPattern& pattern, const SvgOptions& options = {});
 
-/// Writes beside the target and renames, so that a half-written file is never seen under the name.
-/// A symbolic link is followed and the file that it names replaced; a device or pipe is written
-/// directly.
-/// Errors: `cannot_write` with the reason of the system; then the target is as it was.
+/// Writes beside the target and renames, so that a half-written file never appears under its name.
+/// A symbolic link is followed and its target replaced; a device or pipe is written directly.
+/// Errors: `cannot_write` with the system's reason; the target is then unchanged.
 Result<void> write_file(const std::filesystem::path& target, const std::string& content);
 
-/// Layer names of a profile. `bend_zone` is empty where the profile has none. The system behind
-/// `inventor` names a layer for formed features; the others get one in the same manner, with
-/// neither BEND nor TANGENT in its name, because readers go by these words.
+/// Layer names of a profile. `bend_zone` is empty where the profile has none. Inventor names a
+/// layer for formed features; the other profiles get a similar one, with neither BEND nor TANGENT
+/// in its name, because readers look for these words.
 struct LayerNames {
   std::string outer, openings, bend_up, bend_down, bend_zone, features;
 };

@@ -8,51 +8,51 @@
 
 namespace planish::job {
 
-/// What an artifact is of, and the option that asks for its files.
+/// What an artifact shows, and the option that asks for its files.
 enum class Role { flat, folded, mould, report };
 
-/// One row of the table of artifacts: a file that can be written of what was made.
+/// An entry in the table of artifacts: a file that can be written from what was made.
 struct Artifact {
-  std::string_view name;  ///< "flat.step": in requests, and of downloads
+  std::string_view name;  ///< "flat.step": in requests and in names of downloads
   Role role;
   Source source;
   std::string_view suffix;       ///< ".step"
-  std::string_view file_end;     ///< of a file that nobody named: "_flat.step"
+  std::string_view file_end;     ///< ends default file names: "_flat.step"
   std::string_view media_type;   ///< "model/step"
   std::string_view description;  ///< "STEP, flat solid"
-  /// The file's bytes; `made` has no refusal, but for reports. Errors: those of the writers.
+  /// The file's bytes. `made` must not be refused, except for reports. Errors: those of the
+  /// writers.
   Result<std::string> (*write)(const Made& made, int piece, const Request& request);
 
   /// Whether each piece has a file of its own.
   bool by_piece() const { return source == Source::pattern || source == Source::folded_solid; }
 };
 
-/// The artifacts of Planish, a row each; the first of a role is what is written where nothing else
-/// is asked for.
+/// The artifacts of Planish; the first of each role is written by default.
 const std::vector<Artifact>& artifacts();
 
-/// Makers and artifacts that belong together: what a program offers.
+/// The makers and artifacts that a program offers.
 struct Catalogue {
   std::vector<Maker> makers;
   std::vector<Artifact> artifacts;
 
-  /// Null where there is none of that name.
+  /// Null for an unknown name.
   const Maker* maker(std::string_view name) const;
-  /// The one whose format an input has: by "format", else by its mark, STEP for what is not JSON.
-  /// Errors: `invalid_input`.
+  /// The maker that reads an input's format: by its "format" key, else by its mark; STEP if it is
+  /// not JSON. Errors: `invalid_input`.
   Result<const Maker*> maker_for(const std::string& name, const std::string& content) const;
   /// What a maker can write, in the order of the table.
   std::vector<const Artifact*> written_by(const Maker& maker) const;
   std::vector<const Artifact*> written_by(const Maker& maker, Role role) const;
-  /// The one of that name, else the first with that suffix ("step" of what has no folded solid is
-  /// the flat one); null where the maker writes none.
+  /// The artifact of that name, else the first with that suffix ("step" is the flat solid where
+  /// there is no folded one); null if the maker writes neither.
   const Artifact* artifact(const Maker& maker, std::string_view name) const;
 };
 
 /// All of `makers` and `artifacts`.
 const Catalogue& built_in();
 
-/// An artifact's bytes and the name of its file: "part.dxf", of several pieces "part-1.dxf".
+/// An artifact's bytes and file name: "part.dxf", or "part-1.dxf" for one of several pieces.
 struct WrittenArtifact {
   const Artifact* artifact = nullptr;
   std::string name, bytes;

@@ -11,22 +11,22 @@
 
 namespace planish::job {
 
-/// What came of it. The connection holds what was known when it was refused.
+/// The result of a connect request. If refused, `connection` holds what was known by then.
 struct ConnectReport : Report {
   Connection connection;
-  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report);
-  /// empty in a report refused before.
+  /// The folded solid as STEP text, or why the kernel could not make it (a warning in the report);
+  /// empty if the request was refused earlier.
   Result<std::string> solid;
 };
 
-/// Joins the plates, lays the sheet flat and certifies it: its volume is measured on the folded
-/// solid, as the kernel has it, edges and refolding against the sheet's own borders. An error means
-/// that the file could not be read or is invalid; plates that cannot be joined give a report with
-/// `refusal`. `where` of both is the file's name, followed by the JSON pointer of the cause.
-/// Errors: `cannot_read`, those of `parse_plates`, those of `planish::connect` with exit status 3.
+/// Joins the plates, lays the sheet flat and certifies it: the volume against the kernel's folded
+/// solid, edge lengths and refolding against the sheet's own borders. An error means that the file
+/// could not be read or is invalid; plates that cannot be joined give a report with `refusal`.
+/// `where` of both is the file's name, followed by the JSON pointer of the cause. Errors:
+/// `cannot_read`, those of `parse_plates`, those of `planish::connect` with exit status 3.
 Result<ConnectReport> connect(const Request& request, const Progress& progress = {});
 
-/// The part of it that begins with a file already read (`request.input` only names it).
+/// The same for a file already read (`request.input` only names it).
 Result<ConnectReport> connect_plates(const PlatesFile& file, const Request& request,
                                      const Progress& progress = {});
 

@@ -16,7 +16,7 @@ struct StepFile;
 
 namespace planish::job {
 
-/// What `planish info` is asked.
+/// A request to `planish info`.
 struct InfoRequest {
   std::filesystem::path input;  ///< "-" reads standard input
   std::string body;             ///< number (1-based) or name; empty: all
@@ -30,7 +30,7 @@ struct FlangeFaceInfo {
   double area = 0.0;  ///< mm²
 };
 
-/// The sheet found in a body, or why there is none.
+/// The sheet found in a body, or why it was refused.
 struct SheetInfo {
   std::optional<Error> refusal;
   double thickness = 0.0;
@@ -47,7 +47,7 @@ struct BodyInfo {
   std::optional<SheetInfo> sheet;
 };
 
-/// What a STEP file holds, or why it cannot be said. Lengths are mm; `units` is for the reports.
+/// What a STEP file holds, or why it could not be read. Lengths are mm; `units` is for the reports.
 struct InfoReport {
   std::string input;
   std::optional<Error> refusal;
@@ -60,13 +60,13 @@ struct InfoReport {
 /// Errors: those of `read_step`, and `no_such_body`.
 Result<InfoReport> info(const InfoRequest& request, const Progress& progress = {});
 
-/// The part of it that begins with a file already read (`request.input` only names it).
+/// The same for a file already read (`request.input` only names it).
 Result<InfoReport> info_of(const StepFile& file, const InfoRequest& request,
                            const Progress& progress = {});
 
 /// JSON text; `status` and `reason` as in a report (formats.md#report).
 std::string info_json(const InfoReport& report);
-/// As a person reads it; `refusal` is not looked at.
+/// Text for a terminal; `refusal` is ignored.
 std::string info_text(const InfoReport& report);
 
 }  // namespace planish::job

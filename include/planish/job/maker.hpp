@@ -28,8 +28,8 @@ enum class Source {
   report,
 };
 
-/// What a maker made of one request: the report, and what artifacts are written from. Functions of
-/// sources that the maker does not name in its row are not called.
+/// What a maker made for one request: the report, and the sources of its artifacts. Functions for
+/// sources that the maker's entry does not list are never called.
 class Made {
  public:
   Made() = default;
@@ -39,16 +39,15 @@ class Made {
 
   virtual const Report& report() const = 0;
   virtual Report& report() = 0;
-  /// Report as JSON text with the keys of formats.md#report, and as a person reads it on a
-  /// terminal.
+  /// Report as JSON text with the keys of formats.md#report, and as text for a terminal.
   virtual std::string json() const = 0;
   virtual std::string text() const = 0;
 
-  /// A part may be laid flat in several pieces, each with a pattern of its own.
+  /// A part may be laid flat in several pieces, each with its own pattern.
   virtual int pieces() const { return 1; }
   virtual const Report& piece(int) const { return report(); }
 
-  /// What the sources of the same names give. Errors: the reason why there is none.
+  /// The sources of the same names. Errors: why it could not be made.
   virtual Result<std::string> folded_solid(int piece) const;
   virtual Result<Mesh> folded_mesh() const;
   virtual Result<Mesh> mould_mesh() const;
@@ -56,25 +55,25 @@ class Made {
 
   /// What a page can drag, as the text of a JSON object (docs/studio-api.md).
   virtual std::string handles() const { return "{}"; }
-  /// Names that the input gives to flanges, in the sheet's order; empty where it gives none.
+  /// Names that the input gives to flanges, in the sheet's order; empty if it gives none.
   virtual std::vector<std::string> flange_names() const { return {}; }
-  /// Of what was refused, the solid to look at.
+  /// For a refused input, the solid to show.
   virtual std::optional<Mesh> refused_solid() const { return std::nullopt; }
 };
 
-/// An input file: its bytes, what messages call it, and where files that it names are. Without a
-/// folder these are left unread.
+/// An input file: its bytes, its name in messages, and the folder of the files that it refers to.
+/// Without a folder these are not read.
 struct InputFile {
   std::string name, content;
   std::optional<std::filesystem::path> folder;
 };
 
-/// Reads it; "-" reads standard input, which has no folder of its own. `kind` names it in messages
+/// Reads an input file; "-" reads standard input, which has no folder. `kind` is for messages
 /// ("plates file"). Errors: `cannot_read`.
 Result<InputFile> read_input_file(const std::filesystem::path& file, const std::string& kind);
 
-/// One opened input with what is kept between requests: a file that was read, sheets that were
-/// found, strips as they are bent. Not thread-safe.
+/// An opened input with the state kept between requests: the file as read, the sheets found, the
+/// strips as bent. Not thread-safe.
 class Work {
  public:
   Work() = default;
@@ -82,24 +81,24 @@ class Work {
   Work& operator=(const Work&) = delete;
   virtual ~Work() = default;
 
-  /// Takes an edited input in the place of what it has. Errors: those of the parser, and what it
-  /// had stays; `bad_option` of inputs that cannot be edited.
+  /// Replaces the input by an edited one. Errors: those of the parser (the previous input stays);
+  /// `bad_option` for inputs that cannot be edited.
   virtual Result<void> edit(const InputFile& input);
-  /// An error means that the input or the request is wrong; what cannot be made gives a report
+  /// An error means that the input or the request is invalid; what cannot be made gives a report
   /// with `refusal`. `where` of both is the input's name, followed by the JSON pointer of the
   /// cause, or the name of an option.
   virtual Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
-  /// What the input holds, as JSON text; "null" where there is nothing to say beyond itself.
+  /// What the input holds, as JSON text; "null" if there is nothing to add to the input itself.
   virtual std::string info(const Progress&) const { return "null"; }
 };
 
-/// One row of the table of makers. All texts are for people.
+/// An entry in the table of makers. All texts are for people.
 struct Maker {
   std::string_view name = {};         ///< "connect": subcommand, kind of a document
   std::string_view description = {};  ///< "join plates by bends to one sheet"
   std::string_view input = {};        ///< "plates": its file is the "plates file"
   std::string_view format = {};       ///< "planish/plates", its schema "plates"; empty: STEP
-  std::string_view mark = {};         ///< a key that files of this format alone have
+  std::string_view mark = {};         ///< a key that only files of this format have
   std::string_view help = {};         ///< examples and exit status, below the options
   std::vector<Source> sources = {};
   std::vector<OptionUse> options = {};
@@ -110,22 +109,22 @@ struct Maker {
   Result<std::unique_ptr<Work>> (*open)(const InputFile& input, const Progress& progress) = nullptr;
   /// The report of a request that ended with an error.
   std::unique_ptr<Made> (*failed)(const Request& request, const Error& error) = nullptr;
-  /// Further files that an input names, valid or not; null: none.
+  /// Other files that an input refers to, valid or not; null: none.
   std::vector<NamedFile> (*named_files)(const std::string& content) = nullptr;
 
   bool makes(Source source) const;
   bool takes(std::string_view option) const;
   /// "plates file", "STEP file"
   std::string input_kind() const;
-  /// What stands behind the "/" of the format.
+  /// The part of the format after "/".
   std::string schema_name() const;
 };
 
-/// Opens what a request names as its input. Errors: `cannot_read`, those of the maker.
+/// Opens the input file of a request. Errors: `cannot_read`, those of the maker.
 Result<std::unique_ptr<Work>> open_input(const Maker& maker, const Request& request,
                                          const Progress& progress);
 
-/// The makers of Planish, a row each.
+/// The makers of Planish.
 const std::vector<Maker>& makers();
 
 }  // namespace planish::job

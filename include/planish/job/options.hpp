@@ -33,8 +33,8 @@ struct OptionFile {
 using OptionValue = std::variant<bool, double, std::string, OptionFile,
                                  std::vector<std::pair<std::string, double>>>;
 
-/// One thing that can be asked of makers, under one name everywhere: `name` is its key in requests,
-/// and on a command line its "_" are "-" behind "--".
+/// An option of a request, with the same name everywhere: `name` is its key in requests; on the
+/// command line it follows "--", with "-" for "_".
 struct Option {
   std::string_view name;
   OptionKind kind;
@@ -45,38 +45,39 @@ struct Option {
   std::vector<std::string_view> words = {};
   std::string_view file_type = {};  ///< "FILE.csv"
   bool on_command_line = true;
-  /// Enters a value of the option's kind. Errors: `invalid_input` for the content of files.
+  /// Stores a value of the option's kind in the request. Errors: `invalid_input` for the content of
+  /// files.
   Result<void> (*set)(Request& request, const OptionValue& value) = nullptr;
 };
 
-/// An option that a maker takes, and its default in words where the maker decides that.
+/// An option that a maker takes, and its default in words if the maker sets one.
 struct OptionUse {
   std::string_view name;
   std::string_view otherwise = {};
 };
 
-/// Every option of the built-in makers, in the order in which help lists them.
+/// Every option of the built-in makers, in the order of the help.
 std::span<const Option> options();
-/// Requires that there is one.
+/// The option of that name, which must exist.
 const Option& option(std::string_view name);
 
 /// Values that were given, in any order.
 class OptionValues {
  public:
-  /// One value as text, as a command line has it; of `by_bend` "B1=0.4", added to those before.
-  /// Flags take "true" and "false". Files stay unread. Errors: `bad_option` with what the value
-  /// must be; `where` is the option's name.
+  /// Sets a value given as text on a command line; for `by_bend` "B1=0.4", which is added to
+  /// earlier ones. Flags take "true" and "false". Files are not read yet. Errors: `bad_option`,
+  /// saying what the value must be; `where` is the option's name.
   Result<void> set_text(const Option& option, const std::string& text);
   void set(const Option& option, OptionValue value);
 
   bool given(std::string_view name) const;
-  /// The text of a word, face, name or path; empty where it was not given.
+  /// The text of a word, face, name or path; empty if not given.
   std::string text(std::string_view name) const;
 
-  /// What is wrong with options that are each right by themselves: `bad_option`, names of options
-  /// between backquotes.
+  /// Checks options that are each valid but may contradict one another. Errors: `bad_option`,
+  /// option names in backquotes.
   Result<void> check_together() const;
-  /// Enters all in a request, and reads the files whose paths were given. Errors: those of
+  /// Stores all values in a request and reads the files whose paths were given. Errors: those of
   /// `check_together`, `cannot_read`, `invalid_input`.
   Result<void> enter(Request& request) const;
 
@@ -84,7 +85,7 @@ class OptionValues {
   std::vector<std::pair<const Option*, OptionValue>> values_;
 };
 
-/// A finite number, the whole text and nothing else, with a decimal point.
+/// The finite number that the whole text spells, with a decimal point; empty otherwise.
 std::optional<double> parse_number(const std::string& text);
 
 }  // namespace planish::job

@@ -11,13 +11,13 @@
 namespace planish::job {
 
 /// A body's name as part of a file name: ASCII letters, digits, '-', '_', '.' and letters of other
-/// scripts stay, every run of anything else becomes one '_'; no '.' or '-' in front, no '.' or '_'
-/// at the end; at most 100 bytes; "body" where nothing is left.
+/// scripts stay, every run of anything else becomes one '_'; no leading '.' or '-', no trailing '.'
+/// or '_'; at most 100 bytes; "body" if nothing is left.
 std::string safe_name(const std::string& name);
 
-/// One stem a report, "<safe name>_t<thickness in mm>"; where two would be one file (also for file
-/// systems that take capitals for small letters), the later ones end in "-2", "-3", …. Empty for a
-/// report without pattern.
+/// One stem per report, "<safe name>_t<thickness in mm>"; where two would name the same file
+/// (ignoring case, as some file systems do), the later ones end in "-2", "-3", …. Empty for a
+/// report without a pattern.
 std::vector<std::string> stems(const std::vector<UnfoldReport>& reports);
 
 }  // namespace planish::job

@@ -9,7 +9,7 @@
 
 namespace planish::job {
 
-/// What a plates file says (formats.md#plates; docs/connect.md), lengths in mm.
+/// The content of a plates file (formats.md#plates; docs/connect.md), lengths in mm.
 struct PlatesFile {
   PlateStructure structure;
   std::optional<double> k_factor;
@@ -17,9 +17,9 @@ struct PlatesFile {
 };
 
 /// Reads a plates file. Errors: `invalid_input` for anything that is not JSON (`where` is
-/// name:line:column), unknown, repeated and missing keys, values of another kind or outside their
-/// range, two plates of one id, and things said of a bend that exclude each other (`where` is name
-/// and JSON pointer). Whether plates and edges exist and bends fit is left to `connect`.
+/// name:line:column), unknown, repeated and missing keys, values of the wrong type or out of range,
+/// two plates with one id, and properties of a bend that exclude each other (`where` is name and
+/// JSON pointer). `connect` checks that plates and edges exist and that bends fit.
 Result<PlatesFile> parse_plates(const std::string& json, const std::string& name);
 
 }  // namespace planish::job

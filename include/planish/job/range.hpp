@@ -5,12 +5,12 @@
 
 namespace planish::job {
 
-/// The numbers that a place takes, and how messages say so.
+/// A range of allowed numbers, and how messages describe it.
 struct Range {
   std::string_view words;  ///< "a number above 0"
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  bool low_too = true, high_too = true;  ///< the limits themselves
+  bool low_too = true, high_too = true;  ///< whether the limits are included
 
   bool holds(double x) const {
     return (low_too ? x >= low : x > low) && (high_too ? x <= high : x < high);

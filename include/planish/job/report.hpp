@@ -15,23 +15,22 @@ namespace planish::job {
 struct SheetSummary {
   double thickness = 0.0, thickness_spread = 0.0, volume = 0.0;
   int flanges = 0, bends = 0;
-  std::optional<double> k_factor;  ///< of all bends; of the rule without bends; empty where they
-                                   ///< differ
-  std::string k_source;            ///< likewise, "mixed" where they differ
+  std::optional<double> k_factor;  ///< of all bends, or of the rule if there are none; empty if
+                                   ///< they differ
+  std::string k_source;            ///< likewise; "mixed" if they differ
 };
 
 enum class Status { ok, warning, refused };
 
-/// What every command reports of a flat pattern. `refusal` set: there is no pattern; `summary`
-/// (thickness > 0) and `flat` (outer contour not empty) then hold what was known. Lengths are mm;
-/// `units` is for the reports.
+/// What every command reports about a flat pattern. With `refusal` there is no pattern; `summary`
+/// (if its thickness > 0) and `flat` (if its outer contour is not empty) hold what was known.
+/// Lengths are mm; `units` is for the reports.
 struct Report {
   std::string input;
-  std::string body;  ///< name of the part: of the body in its file, or of the file that describes
-                     ///< it
+  std::string body;  ///< name of the part: of the body in its file, or of its input file
   std::optional<Error> refusal;
   SheetSummary summary;
-  Sheet sheet;  ///< whose faces and bends `flat` names; no faces where it was not known
+  Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known
   FlatPattern flat;
   Layout layout;             ///< how the faces of `sheet` lie in `flat`, before slits are cut
   Vec2 size = Vec2::Zero();  ///< smallest enclosing rectangle, longer side first, mm
@@ -39,7 +38,7 @@ struct Report {
   std::vector<Finding> findings;
   std::vector<std::string> notes;
   std::optional<double> mass;      ///< kg, when the density is known
-  std::vector<std::string> files;  ///< written, as the one who wrote them names them
+  std::vector<std::string> files;  ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;
   double read_seconds = 0.0, unfold_seconds = 0.0;
   bool has_pattern() const { return !refusal; }

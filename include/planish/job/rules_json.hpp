@@ -7,12 +7,12 @@
 
 namespace planish::job {
 
-/// Rules of manufacture as the JSON text of a rules file: one key for every one of `rule_fields`,
-/// besides "enabled", "format" ("planish/rules") and "version" (1).
+/// Rules of manufacture as the JSON text of a rules file: one key for each of `rule_fields`, and
+/// "enabled", "format" ("planish/rules") and "version" (1).
 std::string rules_json(const Rules& rules);
 
 /// Reads a rules file. Keys left out keep the defaults. Errors: `invalid_input` for anything that
-/// is not JSON (`where` is name:line:column), unknown keys, and values that are no number ≥ 0
+/// is not JSON (`where` is name:line:column), unknown keys, and values other than numbers ≥ 0
 /// (`where` is name and JSON pointer).
 Result<Rules> parse_rules(const std::string& json, const std::string& name);
 

@@ -7,11 +7,11 @@
 
 namespace planish::job {
 
-/// Names of all schemas: of the makers' inputs, "rules", "request", and of what is written:
-/// "report", "summary", "info".
+/// Names of all schemas: those of the makers' inputs, "rules", "request", and the outputs "report",
+/// "summary", "info".
 std::vector<std::string> schema_names(const Catalogue& catalogue = built_in());
 
-/// JSON Schema (2020-12) as text; empty for a name that there is not.
+/// JSON Schema (2020-12) as text; empty for an unknown name.
 std::string schema_text(const std::string& name, const Catalogue& catalogue = built_in());
 
 }  // namespace planish::job

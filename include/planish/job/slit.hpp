@@ -12,38 +12,38 @@
 
 namespace planish::job {
 
-/// Whether a report has a row for every ridge, or none.
+/// Whether a report lists every ridge.
 enum class Ridges { told, left_out };
 
-/// What came of a request to bend a slit sheet. Without a pattern there may still be a shape: that
-/// of strips some of which stay out of reach.
+/// The result of bending a slit sheet. There may be a shape even without a pattern, if some strips
+/// stay out of reach.
 struct SlitReport : Report {
   SlitDesign design;  ///< as solved: ridges as subdivided
   std::vector<StripState> strips;
   FoldedSlitSheet folded;
   double gap = 0.0;             ///< largest of all strips, mm
-  double flat_deviation = 0.0;  ///< largest distance of a corner of the developed sheet from where
-                                ///< it was cut, mm
-  Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< of aligned scans
+  double flat_deviation = 0.0;  ///< largest distance of a corner of the developed sheet from its
+                                ///< place in the sheet as cut, mm
+  Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< that aligned the scans
 };
 
-/// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the one
+/// Solves the strips coarse to fine, lays the folded sheet flat and certifies that it is the sheet
 /// that was cut. An error means that the file could not be read or is invalid; strips out of reach
 /// give a report with `refusal`. `where` of both is the file's name, followed by the JSON pointer
-/// of the cause. Of the request's rules none apply: they are those of press brakes. Errors:
+/// of the cause. The request's rules do not apply: they are for press brakes. Errors:
 /// `cannot_read`, those of `parse_slits`, those of `SlitSession::start` with exit status 3.
 Result<SlitReport> slit(const Request& request, const Progress& progress = {});
 
-/// The part of it that begins with a file already read (`request.input` only names it).
+/// The same for a file already read (`request.input` only names it).
 Result<SlitReport> slit_sheet(const SlitFile& file, const Request& request,
                               const Progress& progress = {});
 
-/// The part of both that begins with a session, as it is solved now (of `file` its kerf, stop holes
-/// and units are read).
+/// The same for a session in its current state (of `file`, only kerf, stop holes and units are
+/// used).
 Result<SlitReport> slit_solved(const SlitSession& session, const SlitFile& file,
                                const Request& request, const Progress& progress = {});
 
-/// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
+/// Report as JSON text with the keys of formats.md#report, and as text for a terminal.
 std::string report_json(const SlitReport& report, Ridges ridges = Ridges::told);
 std::string report_text(const SlitReport& report);
 

@@ -7,8 +7,8 @@
 
 namespace planish::job {
 
-/// A file's bytes, or those of standard input for "-"; `what` names its part in messages ("plates
-/// file"). Errors: `cannot_read` with the reason of the system.
+/// A file's bytes, or those of standard input for "-"; `what` names the kind of file in messages
+/// ("plates file"). Errors: `cannot_read` with the system's reason.
 Result<std::string> read_text(const std::filesystem::path& file, const std::string& what);
 
 }  // namespace planish::job

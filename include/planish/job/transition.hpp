@@ -12,13 +12,13 @@ namespace planish::job {
 
 /// One piece of a transition, laid flat.
 struct TransitionPiece : Report {
-  /// The folded solid as STEP text, or why the kernel could make none (a warning of the report);
-  /// empty in a report refused before.
+  /// The folded solid as STEP text, or why the kernel could not make it (a warning in the report);
+  /// empty if the request was refused earlier.
   Result<std::string> solid;
 };
 
-/// What came of a request to make a transition: of the only piece, or of all of several, whose
-/// findings it has too.
+/// The result of a transition request. As a report it is that of the only piece, or covers all
+/// pieces and includes their findings.
 struct TransitionReport : Report {
   TransitionSpec spec;
   Transition transition;
@@ -32,11 +32,11 @@ struct TransitionReport : Report {
 /// 3, `bad_option` (`request.allowance` is a rule that needs inside radii).
 Result<TransitionReport> transition(const Request& request, const Progress& progress = {});
 
-/// The part of it that begins with a file already read (`request.input` only names it).
+/// The same for a file already read (`request.input` only names it).
 Result<TransitionReport> transition_between(const TransitionFile& file, const Request& request,
                                             const Progress& progress = {});
 
-/// Report as JSON text with the keys of formats.md#report, and as a person reads it on a terminal.
+/// Report as JSON text with the keys of formats.md#report, and as text for a terminal.
 std::string report_json(const TransitionReport& report);
 std::string report_text(const TransitionReport& report);
 

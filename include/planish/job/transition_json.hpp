@@ -8,16 +8,15 @@
 
 namespace planish::job {
 
-/// What a transition file says (formats.md#transition; docs/transition.md), lengths in mm.
+/// The content of a transition file (formats.md#transition; docs/transition.md), lengths in mm.
 struct TransitionFile {
   TransitionSpec spec;
   LengthUnit units = LengthUnit::mm;  ///< of the file
 };
 
 /// Reads a transition file. Errors: `invalid_input` for anything that is not JSON (`where` is
-/// name:line:column), unknown, repeated and missing keys, values of another kind or outside their
-/// range
-/// (`where` is name and JSON pointer). What profiles must be is left to `make_transition`.
+/// name:line:column), unknown, repeated and missing keys, values of the wrong type or out of range
+/// (`where` is name and JSON pointer). `make_transition` checks the profiles themselves.
 Result<TransitionFile> parse_transition(const std::string& json, const std::string& name);
 
 }  // namespace planish::job

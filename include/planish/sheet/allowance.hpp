@@ -9,10 +9,10 @@
 
 namespace planish {
 
-/// What a bend takes of the flat sheet, and where the number came from (math.md#bend-allowance).
-/// Lengths in mm. Of the two readings of the deduction beyond 90° this is the one to the outer
-/// mould line (where the outside faces would meet); at 180°, where they do not, the one to the
-/// tangent plane (r + t).
+/// The length of flat sheet that a bend takes, and the source of the number
+/// (math.md#bend-allowance). Lengths in mm. Beyond 90° the deduction is measured to the outer mould
+/// line (where the outside faces would meet), not to the tangent plane (r + t); at 180°, where
+/// there is no mould line, to the tangent plane.
 struct BendAllowance {
   double k_factor = 0.0;   ///< neutral surface at k·t from the inside face
   double allowance = 0.0;  ///< BA = α (r + k t)
@@ -28,7 +28,7 @@ struct ConstantK {
 struct Din6935 {};
 
 /// A bend table (shop-floor.md#bend-tables): K by R/T, or K, BA or BD by radius, thickness, angle.
-/// BA and BD without angles are those of 90° bends; BD is read as `BendAllowance` says.
+/// BA and BD without angles are for 90° bends; BD as defined at `BendAllowance`.
 struct BendTable {
   enum class Value { k_factor, allowance, deduction };
   struct Row {
@@ -46,38 +46,38 @@ struct BendTable {
 
 using AllowanceRule = std::variant<ConstantK, Din6935, BendTable>;
 
-/// Allowance of one bend. Every row of a table of BA or BD is the K that gives it, with the row's
-/// own radius, thickness and angle. K is interpolated linearly, between the rows of the two nearest
-/// thicknesses, in those between the two nearest angles, in those between the two nearest radii,
-/// and held constant outside; a thickness that agrees within 1e-6 needs no second one. `source`
-/// names the rows, counted from 1. Errors: `bad_option` when the thickness is not positive, radius
-/// or angle are negative, the table is empty, or the resulting K is not finite or outside [0, 1].
-/// The result depends on (thickness, inside radius, angle) only, so the same bend has the same K
-/// whichever side of the sheet is looked at.
+/// Allowance of one bend. Each row of a BA or BD table is converted to K with its own radius,
+/// thickness and angle. K is interpolated linearly between the two nearest thicknesses, within each
+/// between the two nearest angles, and within these between the two nearest radii; outside it is
+/// constant. A thickness that agrees within 1e-6 is used alone. `source` names the rows, counted
+/// from 1. Errors: `bad_option` when the thickness is not positive, radius or angle are negative,
+/// the table is empty, or the resulting K is not finite or outside [0, 1]. The result depends on
+/// (thickness, inside radius, angle) only, so a bend has the same K seen from either side of the
+/// sheet.
 Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
                                      double inside_radius, Angle angle);
 
-/// OSSB = (r + t) tan(α/2) for α < 180°, r + t (to the tangent plane) from there on. What comes
-/// within 1e-6 rad of 180° counts as 180°: a hem in a CAD file is seldom closer, and the tangent
-/// has no meaning there.
+/// OSSB = (r + t) tan(α/2) for α < 180°, r + t (to the tangent plane) from there on. An angle
+/// within 1e-6 rad of 180° counts as 180°: a hem in a CAD file is seldom more exact, and the
+/// tangent has no meaning there.
 double outside_setback(double inside_radius, double thickness, Angle angle);
 
-/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (math.md#din-6935), not
-/// below 0, which the formula is for r/t < 0.0501. At r/t = 5 the standard's table has 1, its
+/// DIN 6935 k (refers to t/2): 0.65 + 0.5 log10(r/t), 1 from r/t = 5 on (math.md#din-6935), and 0
+/// for r/t < 0.0501, where the formula is negative. At r/t = 5 the standard's table has 1, its
 /// formula 0.9995.
 double din6935_k(double inside_radius, double thickness);
 
 /// DIN 6935 compensation v, by opening angle β = 180° − α: flat length = sum of both legs,
 /// measured outside, + v. v = BA − 2 (r + t) for β ≤ 90° (legs to the tangent plane), BA −
 /// 2 (r + t) tan(α/2) above (legs to the outer mould line). From β = 165° on the standard neglects
-/// v; here the formula goes on.
+/// v; this function does not.
 double din6935_compensation(double inside_radius, double thickness, Angle opening_angle);
 
 /// Reads a CSV bend table: one material, rows in any order. The header row names the columns, in
 /// any order and case: `r/t` or `r` and `t`, optional `angle`, and one of `k`, `ba`, `bd`. Long
 /// names
 /// ("Inside radius", "K-factor", "Bend deduction"), DIN's k, the Y-factor and opening angles are
-/// known too; columns of other names are skipped. Units may follow in brackets (mm, inch, deg,
+/// accepted too; other columns are skipped. Units may follow in brackets (mm, inch, deg,
 /// rad). Fields are separated by commas, semicolons or tabs and may be quoted; `#` starts a
 /// comment; a comma within a field is a decimal comma. Errors: `invalid_input`, `where` is
 /// name:line.

@@ -7,13 +7,13 @@
 
 namespace planish {
 
-/// The residuals that show a flat pattern right; none of what could not be measured.
+/// The residuals that show a flat pattern right; empty where they could not be measured.
 struct Certificate {
   double flat_area_half = 0.0;  ///< flat area at K = ½, mm²
   /// flat_area_half · thickness / volume of the solid (math.md#volume-identity).
   std::optional<double> volume_ratio = {};
-  /// The same for the solid without what its formed features and mitred corners add or take: 1 when
-  /// nothing was missed.
+  /// The same for the solid corrected for its formed features and mitred corners: 1 if nothing was
+  /// missed.
   std::optional<double> explained_ratio = {};
   /// Largest |length of developed skin border − length of the solid's edge|, mm.
   double length_error = 0.0;
@@ -28,20 +28,22 @@ struct Certificate {
 /// Distance from a point in space to an edge of the solid, by the edge's number. Makers supply it.
 using EdgeDistance = std::function<double(int edge, const Vec3& point)>;
 
-/// For a sheet that was made and not found in a solid: its edges are the sheet's own borders,
-/// mapped into space at their `edge_depth`. An edge of several borders is where the nearest of them
-/// is, one of none infinitely far. Exact on flanges; on bends to 1e-9 of the border's length.
+/// For a sheet that was made, not found in a solid: its edges are the sheet's own borders, mapped
+/// into space at their `edge_depth`. The distance to an edge of several borders is that to the
+/// nearest; to an edge without borders it is infinite. Exact on flanges; on bends to 1e-9 of the
+/// border's length.
 EdgeDistance border_distance(const Sheet& sheet);
 
-/// Measures a pattern as it is written (its contours, and of each bend the K-factor and allowance)
-/// against the sheet, and by `distance` against the solid it came from. It shares no placement,
-/// tree, contour or origin with what made the pattern (math.md#certificate-independence): it
+/// Measures a pattern as written (its contours, and the K-factor and allowance of each bend)
+/// against the sheet, and by `distance` against the solid it came from. It uses no placement, tree,
+/// contour or origin of the code that made the pattern (math.md#certificate-independence): it
 /// develops each face anew, lays the faces out over a tree of its own from where the pattern says
 /// its root lies, and looks for every border among the contours and for every contour among the
-/// borders. What was lost or added on the way is therefore a deviation, and so is a face in the
-/// wrong place. Certify first, cut slits then. `curve_tolerance`: to which developed curves are
-/// fitted, mm. Errors: those of `check`, `pattern_wrong` (the pattern leaves out a bend of the
-/// sheet or has no outer contour), `not_a_sheet` (faces that no joint leads to).
+/// borders. Anything lost or added is therefore a deviation, and so is a misplaced face. Certify
+/// before cutting slits. `curve_tolerance`: fitting tolerance of developed curves, mm. Errors:
+/// those of `check`, `bad_option` (a tolerance of 0 or less), `pattern_wrong` (the pattern leaves
+/// out a bend of the sheet, has no outer contour or a root that is not a face of the sheet),
+/// `not_a_sheet` (faces that no joint leads to).
 Result<Certificate> certify(const Sheet& sheet, const FlatPattern& pattern,
                             const EdgeDistance& distance, double curve_tolerance = kImageTolerance);
 

@@ -4,10 +4,10 @@
 
 namespace planish {
 
-/// Where a contour curve came from: border pieces of the sheet it covers, in order.
+/// Where a contour curve came from: the borders of the sheet that it covers, in order.
 struct Origin {
   BorderRef border;
-  bool gap = false;  ///< a straight piece across a sharp bend, which no border gives
+  bool gap = false;  ///< a segment across a sharp bend, not given by a border
   Curve2 image;      ///< exact image in the pattern, before recognition and merging
 };
 
@@ -28,10 +28,12 @@ struct FlatBend {
   double inside_radius = 0.0;
   BendAllowance allowance;
   BendDirection direction = BendDirection::up;
-  std::vector<Segment> lines;          ///< bend line or press lines, cut where there is no material
-  std::vector<Angle> line_angles;      ///< what the sheet is bent by at each of `lines`
-  std::vector<Segment> tangent_lines;  ///< limits of the bend zone, cut likewise
-  double length = 0.0;  ///< sum of the lengths of `lines`; of press lines, side by side, their mean
+  std::vector<Segment> lines;          ///< bend line or press lines, interrupted where there is no
+                                       ///< material
+  std::vector<Angle> line_angles;      ///< by which the sheet is bent at each of `lines`
+  std::vector<Segment> tangent_lines;  ///< limits of the bend zone, interrupted likewise
+  double length = 0.0;  ///< sum of the lengths of `lines`; for press lines, which lie side by side,
+                        ///< their mean
 };
 
 /// A formed feature in the flat pattern: outlines only.
@@ -55,15 +57,23 @@ struct FlatPattern {
   std::vector<FlatBend> bends;
   std::vector<FlatFeature> features;
   std::vector<FlatLabel> labels;
-  double area = 0.0;       ///< of one side, openings taken out, mm²
+  double area = 0.0;       ///< of one skin, without openings, mm²
   double perimeter = 0.0;  ///< all cutting length, slits once, mm
   double closure = 0.0;    ///< largest mismatch met where joints close a cycle, mm
-  FaceId root{};           ///< the face that the rest was laid around…
+  FaceId root{};           ///< the face around which the rest was laid…
   Isometry2 root_placement = Isometry2::Identity();  ///< …and where its developed plane lies
 };
 
-/// Sides of the smallest rectangle, in any direction, that the pattern is cut from, longer first,
-/// mm; zero for an empty pattern. Curves are measured to 1e-4 mm.
+/// Checks what everything that writes or measures a pattern relies on: sizes are numbers in range,
+/// contours and outlines have regular curves, each line of a bend has its angle. An empty pattern
+/// is one. Error: `invalid_sheet`, with the rule that is broken; `where` names the item ("opening
+/// 3").
+Result<void> check(const FlatPattern& pattern);
+/// Stops at an assertion that names the rule and the item: for functions that return no `Result`.
+void require_valid(const FlatPattern& pattern);
+
+/// Sides of the smallest rectangle, at any angle, that contains the pattern, longer first, mm; zero
+/// for an empty pattern. Curves are measured to 1e-4 mm.
 Vec2 blank_size(const FlatPattern& pattern);
 
 /// A sheet laid flat: how its faces lie, and the pattern in the same coordinates.
@@ -72,9 +82,9 @@ struct FlatSheet {
   FlatPattern pattern;
 };
 
-/// Lays the sheet out, chains its free borders to contours and turns the whole as the options say.
-/// Errors: those of `lay_out`, `unsupported_shape` (a sharp bend whose faces are too narrow to be
-/// set back), and that of a formed feature that reaches the outer contour.
+/// Lays the sheet out, chains its free borders to contours and orients the result as the options
+/// say. Errors: those of `lay_out`, `unsupported_shape` (a sharp bend whose faces are too narrow to
+/// be set back), and that of a formed feature that reaches the outer contour.
 Result<FlatSheet> flat_sheet(const Sheet& sheet, const FlattenOptions& options = {});
 
 /// The pattern of `flat_sheet`.

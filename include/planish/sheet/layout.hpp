@@ -12,35 +12,35 @@ namespace planish {
 
 enum class UpSide { automatic, reference, other };
 
-/// How closely the images of borders are fitted that are neither lines nor arcs, mm.
+/// Fitting tolerance for images of borders that are neither lines nor arcs, mm.
 inline constexpr double kImageTolerance = 1e-4;
 
 struct FlattenOptions {
   AllowanceRule allowance = ConstantK{};
-  std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends, before `allowance`
+  std::vector<std::pair<BendId, double>> bend_k = {};  ///< K of single bends; overrides `allowance`
   /// The face that stays where it is; default: the largest face of a flange.
   std::optional<FaceId> root = std::nullopt;
-  /// The pattern stays in the coordinates of the root face; else it is laid along the axes, the
-  /// longest bend line along x, its lower left corner at the origin.
+  /// Keeps the pattern in the coordinates of the root face; otherwise the longest bend line lies
+  /// along x and the pattern's lower left corner at the origin.
   bool keep_root = false;
-  UpSide up = UpSide::automatic;  ///< automatic: the side from which more bends go up
+  UpSide up = UpSide::automatic;  ///< automatic: the side seen from which more bends go up
   double curve_tolerance = kImageTolerance;
   double merge_tolerance = 1e-5;    ///< mm: recognition of lines, arcs, circles
-  double closure_tolerance = 0.01;  ///< mm: cycles of joints that close within this are no loop
+  double closure_tolerance = 0.01;  ///< mm: a cycle of joints that closes within this can lie flat
 };
 
 /// How a sheet lies in the plane: each bend developed once at its neutral surface, each face
 /// placed, each border imaged. Flat pattern, facets, checks and drawings all read this. It
-/// describes the sheet as it was laid: with its outwardly sharp bends set back, before slits are
-/// cut.
+/// describes the sheet as laid: with sharp bends set back if the reference skin is outside, before
+/// slits are cut.
 ///
 /// The coordinates are those of the flat pattern, mm. A pattern that shows the sheet from its other
 /// side has placements that reflect.
 struct Layout {
   FaceId root{};          ///< the face that the tree grew from
-  std::vector<int> tree;  ///< joints that hold it together: a spanning tree, longest joints first
+  std::vector<int> tree;  ///< the joints kept: a spanning tree, longest joints first
   IdVector<BendId, BendAllowance> allowance;
-  IdVector<BendId, std::optional<Development>> development;  ///< none of sharp bends
+  IdVector<BendId, std::optional<Development>> development;  ///< empty for sharp bends
   IdVector<FaceId, double> neutral_offset;     ///< neutral surface from the reference surface, mm
   IdVector<FaceId, Isometry2> placement;       ///< developed plane → flat pattern
   IdVector<FaceId, std::vector<Loop>> images;  ///< of the borders, by loop
@@ -48,7 +48,7 @@ struct Layout {
 
   const Curve2& image(const BorderRef& ref) const;
   const Loop& outline(FaceId face) const { return images[face].front(); }
-  /// Outline and openings of a face, as they lie.
+  /// Outline and openings of a face, in the flat pattern.
   Region region(FaceId face) const;
 
   /// Image of a point of a face, given by its (u, v); exact.
@@ -56,7 +56,7 @@ struct Layout {
   /// (u, v) of the point of a face whose image is p: the inverse of `develop`.
   Vec2 fold(const Sheet& sheet, FaceId face, const Vec2& p) const;
 
-  /// Moves all of it; a reflection shows the sheet from its other side.
+  /// Moves the whole layout; a reflection shows the sheet from its other side.
   void move(const Isometry2& motion);
 };
 

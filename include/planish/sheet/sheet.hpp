@@ -13,7 +13,7 @@
 
 namespace planish {
 
-/// Which row of the sheet is meant.
+/// Indices into the sheet's lists.
 enum class FaceId : int {};
 enum class FlangeId : int {};
 enum class BendId : int {};
@@ -30,25 +30,25 @@ using PartId = std::variant<FlangeId, BendId>;
 /// geometry/developable.hpp for bends.
 struct Border {
   Curve2 curve;
-  /// The edge that the border came from: of the solid, or, of a sheet that was made, the border's
-  /// own number. A certificate measures against it. None: what closes a gap of the file.
+  /// The solid's edge that the border came from; in a sheet that was made, the border's own number.
+  /// A certificate measures against it. Empty for a border that closes a gap in the file.
   std::optional<int> edge = {};
   double edge_depth = 0.0;                 ///< of that edge below the reference surface, mm
-  std::optional<double> edge_length = {};  ///< measured on that edge, mm; none: not known
-  std::optional<FeatureId> feature = {};   ///< into which the material goes on beyond this border
+  std::optional<double> edge_length = {};  ///< measured on that edge, mm; empty: not known
+  std::optional<FeatureId> feature = {};   ///< into which the material continues beyond this border
 };
 using BorderLoop = std::vector<Border>;
 
-/// A piece of the sheet's reference surface: a plane region (of a flange) or a region of a
-/// developable surface (of a bend). `sense` is +1 when the skin's outward normal (away from the
-/// material) is the surface's normal, −1 when it is the opposite; planes always have +1 (their z).
-/// Loops keep the face on their left seen from outside the material; loops[0] is the outer one.
+/// A region of the sheet's reference surface: on a plane (of a flange) or on a developable surface
+/// (of a bend). `sense` is +1 when the skin's outward normal (away from the material) is the
+/// surface's normal, −1 when it is the opposite; planes always have +1 (their z). Loops keep the
+/// face on their left seen from outside the material; loops[0] is the outer one.
 struct Face {
   std::variant<Frame, Developable> surface;
   int sense = 1;
   std::vector<BorderLoop> loops;
   PartId part_of;
-  std::optional<int> source_face = {};  ///< its number in the solid, from 1 as `info` counts
+  std::optional<int> source_face = {};  ///< its number in the solid, from 1 as in `info`
   std::vector<int> merged_faces = {};   ///< numbers of coplanar faces that became part of this one
 };
 
@@ -61,7 +61,7 @@ struct BorderRef {
 };
 
 /// Two faces meeting along a border: the two borders are the same edge, run in opposite directions.
-/// Smooth (`sharp` empty) or folded sharply, then `sharp` names a bend without faces.
+/// Smooth if `sharp` is empty; else folded sharply, and `sharp` is a bend without faces.
 struct Joint {
   BorderRef a;
   BorderRef b;
@@ -75,7 +75,8 @@ struct Flange {
 
 enum class BendKind { cylinder, cone, general, sharp };
 
-/// A ruling of a bend where the press brake strikes, and by how much; all of them make the bend.
+/// A ruling of a bend where the press brake strikes, and the angle there; together they make the
+/// bend.
 struct PressLine {
   double u = 0.0;  ///< of the ruling, on the surface of the bend's faces
   Angle angle;
@@ -92,16 +93,17 @@ struct Bend {
   std::vector<PressLine> press_lines = {};  ///< u growing; empty: one in the middle, or rolled
 };
 
-/// What a maker saw that a flat pattern only outlines. Contours made of borders marked with the
-/// feature are drawn, not cut; `outlines` adds loops that bound no material (a countersink's rim).
+/// A feature that a flat pattern only outlines. Contours made of borders marked with the feature
+/// are drawn, not cut; `outlines` adds loops that are not borders of the material (a countersink's
+/// rim).
 struct FormedFeature {
   /// "countersink", "slanted cut", "pocket", "chamfer", or "formed" (emboss, louvre, lance, burr,
   /// boss).
   std::string kind;
-  FaceId face{};                        ///< face on which `outlines` are given
+  FaceId face{};                        ///< the face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
-  Error at_rim;  ///< why there is no flat pattern when it reaches the outer contour
+  Error at_rim;                         ///< the refusal if it reaches the outer contour
 };
 
 /// The name of a point of a face, for drawings and templates.
@@ -112,29 +114,29 @@ struct PointLabel {
 };
 
 /// A sheet: one flat, inextensible region and the way it is folded. The reference surface is one of
-/// its two skins, the other lies `thickness` towards the material; or it is a surface between them,
-/// `reference_depth` below the skin it stands for. Where the neutral surface is that one, sharp
-/// bends are hinges that take no allowance.
+/// its two skins, with the other `thickness` away through the material; or a surface between them,
+/// `reference_depth` below that skin. If it is also the neutral surface, sharp bends are hinges
+/// without allowance.
 ///
-/// A value: makers build it (`SheetBuilder`), what uses one only reads it. What `check` holds of it
-/// is taken for granted everywhere.
+/// A value: makers build it (`SheetBuilder`), everything else only reads it, and relies on what
+/// `check` guarantees.
 struct Sheet {
   double thickness = 0.0;         ///< mm
   double reference_depth = 0.0;   ///< mm, 0 to the thickness
   double thickness_spread = 0.0;  ///< largest − smallest distance of the skins found, mm
-  std::optional<double> volume;   ///< of the solid, mm³; none: not measured, or there is no solid
+  std::optional<double> volume;   ///< of the solid, mm³; empty: not measured, or no solid
   IdVector<FaceId, Face> faces;
   std::vector<Joint> joints;
   IdVector<FlangeId, Flange> flanges;
   IdVector<BendId, Bend> bends;
   IdVector<FeatureId, FormedFeature> features;
   std::vector<PointLabel> labels;
-  /// What the features add to the plain sheet (pockets: negative), mm³; none where one of them
-  /// cannot be measured.
+  /// What the features add to the plain sheet (pockets: negative), mm³; empty if one of them cannot
+  /// be measured.
   std::optional<double> forms_volume = 0.0;
-  double mitres_volume = 0.0;  ///< what corners folded sharply hold more than a bend's arc, mm³
+  double mitres_volume = 0.0;  ///< what sharply folded corners hold beyond a bend's arc, mm³
 
-  /// The row of an id. Ids and positions that are not of this sheet stop at an assertion.
+  /// The item of an id. Ids and positions outside this sheet fail an assertion.
   const Face& operator[](FaceId id) const { return faces[id]; }
   const Flange& operator[](FlangeId id) const { return flanges[id]; }
   const Bend& operator[](BendId id) const { return bends[id]; }
@@ -142,9 +144,9 @@ struct Sheet {
   const Border& operator[](const BorderRef& ref) const;
   Border& operator[](const BorderRef& ref);
 
-  /// Whether the face has such a loop, and that such a border.
+  /// Whether the face has that loop, and the loop that border.
   bool has(const BorderRef& ref) const;
-  /// The faces of a flange or a bend; none of a sharp one.
+  /// The faces of a flange or a bend; empty for a sharp bend.
   const std::vector<FaceId>& faces_of(PartId part) const;
 };
 
@@ -155,11 +157,14 @@ Vec3 skin_point(const Face& face, const Vec2& uv);
 /// Box of the outer loop in (u, v).
 Box2 parameter_box(const Face& face);
 
-/// Whether the sheet is one that everything here can rely on: sizes are numbers in their range,
-/// every id names a row, faces and their parts name each other, planes belong to flanges and
-/// developable surfaces to bends, no border is in two joints, a sharp joint names a bend without
-/// faces. Error: `invalid_sheet`, with the rule that is broken; `where` names the row ("face 3,
-/// loop 0, border 2"). O(borders).
+/// Checks what all functions of a sheet rely on: sizes are numbers in range, frames are
+/// right-handed, every id exists, faces and their parts refer to each other, planes belong to
+/// flanges and surfaces of a bend's kind to bends, loops are closed to 0.1 mm, no border is in two
+/// joints, sharp joints and bends without faces refer to each other, press lines are rulings of
+/// their bend. Error: `invalid_sheet`, with the rule that is broken; `where` names the item ("face
+/// 3, loop 0, border 2"). O(borders).
 Result<void> check(const Sheet& sheet);
+/// Stops at an assertion that names the rule and the row: for functions that return no `Result`.
+void require_valid(const Sheet& sheet);
 
 }  // namespace planish

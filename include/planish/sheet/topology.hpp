@@ -7,19 +7,18 @@
 
 namespace planish {
 
-/// Where a border stands among all borders of a sheet: face by face, loop by loop.
+/// The position of a border among all borders of a sheet: face by face, loop by loop.
 enum class BorderId : int {};
 constexpr int index_of(BorderId id) { return static_cast<int>(id); }
 
-/// How the faces of a sheet hang together: which border lies across each joint, where a contour
-/// goes on, which flanges and bends touch. Requires the positions in the sheet's joints to exist
-/// (`check`); a snapshot, which outlives the sheet and knows nothing of later changes. O(borders).
+/// How the faces of a sheet are connected: the border across each joint, the next border along a
+/// contour, the flanges and bends that touch. Requires the positions in the sheet's joints to exist
+/// (`check`). A snapshot: it may outlive the sheet and does not follow later changes. O(borders).
 class Topology {
  public:
   explicit Topology(const Sheet& sheet);
 
-  // --- borders
-  // ------------------------------------------------------------------------------------
+  // Borders.
 
   const BorderRef& operator[](BorderId id) const { return rows_[id].ref; }
   BorderId id_of(const BorderRef& ref) const;
@@ -28,7 +27,7 @@ class Topology {
 
   /// The border that follows in the loop.
   BorderId next(BorderId id) const { return rows_[id].next; }
-  /// The border across the joint; none of a free border.
+  /// The border across the joint; empty for a free border.
   std::optional<BorderId> twin(BorderId id) const { return rows_[id].twin; }
   bool is_free(BorderId id) const { return !rows_[id].twin; }
   bool is_free(const BorderRef& ref) const { return is_free(id_of(ref)); }
@@ -43,16 +42,16 @@ class Topology {
   };
   Step along_contour(BorderId id) const;
 
-  // --- flanges and bends, as nodes
-  // ------------------------------------------------------------------
+  // Flanges and bends, as nodes.
 
   /// Flanges come first, then bends.
   int node_of(PartId part) const;
   int node_of(FaceId face) const { return node_of_face_[face]; }
   int node_count() const { return static_cast<int>(joints_of_.size()); }
   PartId part_at(int node) const;
-  /// Joints between a node and others; a sharp one joins the flanges or bends on both of its sides.
-  const std::vector<int>& joints_of(int node) const { return joints_of_[node]; }
+  /// Joints between a node and others; a sharp joint connects the flanges or bends on its two
+  /// sides.
+  const std::vector<int>& joints_of(int node) const;
   /// Whether joints lead from every face to every other.
   bool is_connected() const { return connected_; }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <planish/geometry/frame.hpp>
+#include <planish/geometry/curve.hpp>
 
 #include <vector>
 
@@ -11,6 +11,10 @@ struct BezierCurve {
   std::vector<Vec2> poles;
   friend bool operator==(const BezierCurve&, const BezierCurve&) = default;
 };
+
+/// Whether a curve has poles, all of them finite and within `kFarthest`. The functions here take
+/// that for granted.
+bool is_regular(const BezierCurve& curve);
 
 /// A point of a curve with its first two derivatives with respect to t.
 struct BezierPoint {
@@ -23,22 +27,22 @@ struct BezierPoint {
 /// O(degree²).
 BezierPoint bezier_at(const BezierCurve& curve, double t);
 
-/// Arc length, mm, to 1e-12 of the length of the control polygon where the curve has no cusp.
+/// Arc length, mm, to 1e-12 of the length of the control polygon if the curve has no cusp.
 double length(const BezierCurve& curve);
 
-/// Points at arc lengths (mm) from the curve's start, to 1e-4 of the curve's length; its ends for
-/// lengths beyond them.
+/// Points at arc lengths (mm) from the curve's start, to 1e-4 of its length; lengths beyond the
+/// ends give the ends.
 std::vector<Vec2> points_at_lengths(const BezierCurve& curve, const std::vector<double>& lengths);
 
 /// Smallest radius of curvature between two parameters and where it is. Infinite for straight
-/// lines, 0 at a cusp. Found on 64 samples a degree, refined between its neighbours.
+/// lines, 0 at a cusp. Found on 64 samples per degree, then refined between neighbouring samples.
 struct TightestBend {
   double radius = 0.0;  ///< mm
   double t = 0.0;
 };
 TightestBend tightest_bend(const BezierCurve& curve, double from = 0.0, double to = 1.0);
 
-/// Finds nearest points of one curve: among samples first, then by Newton's method on
+/// Finds nearest points on one curve: among samples first, then by Newton's method on
 /// (p − c)·c′ = 0.
 class BezierSearch {
  public:

@@ -10,8 +10,8 @@
 namespace planish {
 
 /// A ridge: its ends, left then right, on the flat sheet and in space, and the angle by which the
-/// sheet is folded there; positive turns the strip away from the sheet's front, whose normal is
-/// along × across.
+/// sheet is folded there. A positive angle turns the strip away from the sheet's front, whose
+/// normal is along × across.
 struct SlitRidge {
   std::array<Vec2, 2> flat;
   std::array<Vec3, 2> folded;
@@ -25,12 +25,12 @@ struct FoldedStrip {
   std::vector<Frame> quads;
 };
 
-/// An upright plane piece of the panel: between two parallels of the flat sheet at which a strip
+/// An upright facet of the panel, between two parallel lines of the flat sheet at which a strip
 /// begins or ends.
 struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
-  int strip = -1;               ///< that begins at its top; −1 without one
+  int strip = -1;               ///< the strip that begins at its top; −1: none
 };
 
 /// The folded sheet, or the modelled half of a symmetric one.
@@ -42,13 +42,20 @@ struct FoldedSlitSheet {
   std::vector<FoldedStrip> strips;
 };
 
-/// The whole sheet, both halves of symmetric ones, as a Sheet: every plane piece is a face; ridges
-/// and the edges between the panel's facets are sharp bends where they fold by more than rounding,
-/// else their faces are one flange. The reference surface is the middle one, and hinges take no
-/// allowance at K = ½: flattened with it, the sheet is the one that was cut (its coordinates:
-/// along, across). Borders carry edge numbers and lengths for `certify`, labels the numbers of the
-/// strips. Strips that do not reach the symmetry plane leave a gap there, but are joined
-/// nevertheless.
+/// Checks what all functions of a folded sheet rely on: numbers are finite, each strip has ridges
+/// and a quad between any two, each facet of the panel refers to a strip or to none. Error:
+/// `invalid_sheet`, with the rule that is broken; `where` names the item ("strip 3").
+Result<void> check(const FoldedSlitSheet& folded);
+/// Stops at an assertion that names the rule and the item.
+void require_valid(const FoldedSlitSheet& folded);
+
+/// The whole sheet, both halves of symmetric ones, as a Sheet: every quad and panel facet is a
+/// face; ridges and the edges between the panel's facets are sharp bends if they fold by more than
+/// rounding, else their faces are one flange. The reference surface is the middle surface, where
+/// hinges take no allowance at K = ½: flattened with this K, the sheet is the one that was cut
+/// (coordinates along, across). Borders carry edge numbers and lengths for `certify`; labels carry
+/// the numbers of the strips. Strips that do not reach the symmetry plane leave a gap there, but
+/// are joined nevertheless.
 Sheet sheet_of(const FoldedSlitSheet& folded);
 
 /// Triangles of the mid-surface of the whole sheet, fronts counter-clockwise; corners on one ridge

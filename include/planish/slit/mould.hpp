@@ -10,8 +10,8 @@
 
 namespace planish {
 
-/// The side of the sheet that lies on the mould; the front is the one that `SlitRidge` says.
-/// `ground`: the one that more of the strips' area turns to the ground.
+/// The skin of the sheet that lies on the mould; `SlitRidge` defines the front. `ground`: the skin
+/// that more of the strips' area turns to the ground.
 enum class MouldSide { ground, back, front };
 
 struct MouldOptions {
@@ -19,30 +19,29 @@ struct MouldOptions {
   MouldSide side = MouldSide::ground;
   /// Direction in which the sheet is lifted off, from the base to the sheet. Default: up (y) on the
   /// ground's side, down on the other; leaned in steps of 5° (in symmetric sheets within the
-  /// symmetry plane) where ribs of half their strips' width would not stand apart.
+  /// symmetry plane) if ribs of half their strips' width would not stand apart.
   std::optional<Vec3> up = {};
   double base = 20.0;  ///< from the lowest point of the working surfaces down to the base plane, mm
-  /// How much narrower a rib is than its strip, on each side, mm. Default: the thickness; where
-  /// ribs would overlap or pass through a strip, an eighth, a quarter or, at last, three eighths of
-  /// the strip's width.
+  /// How much narrower a rib is than its strip, on each side, mm. Default: the thickness; if ribs
+  /// would overlap or pass through a strip, an eighth, then a quarter, then three eighths of the
+  /// strip's width.
   std::optional<double> inset = {};
   Angle draft = Angle::degrees(5);  ///< quads that face `up` by less than this are left bare
 };
 
-/// Where a strip lies: its quads counted over both halves of symmetric sheets, from one panel to
-/// the other.
+/// A quad of a strip, counted over both halves of symmetric sheets, from one panel to the other.
 struct StripQuad {
   int strip = 0;
   int quad = 0;
 };
 
-/// A body under one strip: its working surface, upright walls below the strip's sides and ends, and
-/// the base.
+/// A body under one strip: its working surface, upright walls below the strip's long edges and
+/// ends, and the base.
 struct MouldRib {
   int strip = 0;
   int first_quad = 0;
-  /// A plane facet a quad, in their order: left near, left far, right far, right near; left and
-  /// right as on the strip's modelled half.
+  /// One plane facet per quad, in order; corners: left near, left far, right far, right near, with
+  /// left and right as on the strip's modelled half.
   std::vector<std::array<Vec3, 4>> facets;
   std::vector<Vec2> footprint;  ///< on the base plane, counter-clockwise seen from the sheet
   Mesh mesh;                    ///< closed, outside counter-clockwise
@@ -58,20 +57,20 @@ struct Mould {
 };
 
 /// The form on which the strips are laid. Every facet is parallel to its quad, half the thickness
-/// from it towards the mould's side; neighbouring facets meet in a line below their ridge (a
-/// mitre), so the sheet lies on all of them at once, its mid-surface where it was designed
-/// (math.md#mould). Where a strip is too steep, or hangs over, it is left bare, and what comes
-/// after it stands on a rib of its own; the panel needs no support.
+/// away on the mould's side; neighbouring facets meet in a line below their ridge (a mitre), so the
+/// sheet lies on all of them at once, its mid-surface where it was designed (math.md#mould). Where
+/// a strip is too steep or overhangs it is left bare, and the part after that stands on a rib of
+/// its own; the panel needs no support.
 ///
-/// A mould can be cast, milled or printed without undercut, and the sheet lifted off: every rib
-/// stands upright on its base, which lies flat on the table while the sheet's ground may lean.
+/// A mould can be cast, milled or printed without undercuts, and the sheet can be lifted off: every
+/// rib stands upright on its base, which lies flat on the table even if the sheet's ground leans.
 ///
-/// Errors: `bad_option` (options not finite or outside their range, an inset that leaves nothing of
-/// a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too thick
-/// for the fold there), `unsupported_shape` (no part of the strips faces `up`; ribs would overlap
-/// or pass through strips: choose another `up`, a larger inset, or the other side). `where` names
-/// an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads) for each inset
-/// and lean that is tried.
+/// Errors: `bad_option` (options not finite or outside their range, an inset that leaves no width
+/// of a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too
+/// thick for the folds there), `unsupported_shape` (no part of the strips faces `up`; ribs would
+/// overlap or pass through strips: choose another `up`, a larger inset, or the other side). `where`
+/// names an option (JSON pointer) or "strip i, quad j". Accuracy: rounding. Cost: O(quads) for each
+/// inset and lean tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
 /// All ribs in one mesh, each closed.

@@ -10,13 +10,14 @@
 namespace planish {
 
 /// The flat sheet lies in coordinates (along, across), mm: along from the panel's free edge (0)
-/// towards the strips, across from the sheet's left side (0). Folded, y is up and the ground plane
+/// towards the strips, across from the sheet's left edge (0). Folded, y is up and the ground plane
 /// is (x, z).
 ///
-/// A strip as it is cut. Left is the side of the smaller across.
+/// A strip as cut. Left is where across is smaller.
 struct SlitStrip {
   double width = 0.0;
-  double gap = 0.0;  ///< to the strip before, or to the sheet's side; the panel goes on behind it
+  double gap = 0.0;  ///< to the previous strip, or to the sheet's edge; the panel continues behind
+                     ///< it
   /// Where the slits on its left and on its right begin, along the sheet; default: the panel's
   /// height. The strip's first ridge joins both.
   std::optional<double> left_start = {}, right_start = {};
@@ -33,13 +34,14 @@ struct SlitSheet {
   double half_length = 0.0;  ///< of the strips, from the panel to the symmetry plane or to the free
                              ///< end
   std::vector<SlitStrip> strips;
-  double margin = 0.0;  ///< between the last strip and the sheet's right side
+  double margin = 0.0;  ///< between the last strip and the sheet's right edge
   bool symmetric = true;
-  double min_inside_radius = 0.0;  ///< what the material may be bent to, mm
+  double min_inside_radius = 0.0;  ///< the smallest that the material allows, mm
   /// Width across, and the largest along.
   double width() const;
   double reach() const;
-  /// Of strip i: across of its left side, start of both slits, end.
+  bool has_strip(int strip) const { return strip >= 0 && strip < std::ssize(strips); }
+  /// Of strip i: across of its left edge, start of both slits, end.
   double left_of(int strip) const;
   std::array<double, 2> start_of(int strip) const;
   double end_of(int strip) const;
@@ -51,7 +53,7 @@ struct SlitSheet {
 /// `count` equal strips side by side.
 std::vector<SlitStrip> equal_strips(int count, double width);
 
-/// The two ends of a ridge, and the two long sides of a strip.
+/// The two ends of a ridge, and the two long edges of a strip.
 enum class StripEdge { left, right };
 
 /// A place that one end of a ridge should be near. Ridges count from 0 (on the panel) to the
@@ -64,11 +66,11 @@ struct SlitAnchor {
   friend bool operator==(const SlitAnchor&, const SlitAnchor&) = default;
 };
 
-/// Where the free end of a strip (not in symmetric sheets) must be; what is not given is free.
+/// Where the free end of a strip must be (not in symmetric sheets); members not given are free.
 struct StripEnd {
   std::optional<Vec3> position = {};   ///< of the middle of the last ridge
   std::optional<Vec3> direction = {};  ///< in which the strip ends: away from the panel, along its
-                                       ///< sides
+                                       ///< long edges
   std::optional<Vec3> across = {};     ///< of the last ridge, from left to right
   friend bool operator==(const StripEnd&, const StripEnd&) = default;
 };
@@ -82,36 +84,36 @@ struct SlitScan {
 
 /// How the strips meet the symmetry plane. `right_angle`: the last quad is perpendicular to it, so
 /// that both halves join smoothly. `level`: (v_M−1 − v_M)·y = 0, the end term of the paper [slits
-/// 3]; it says the same, except that it says nothing where the last ridge is upright. `free`: the
+/// 3]; equivalent, except that it constrains nothing if the last ridge is upright. `free`: the
 /// halves may meet in a fold.
 enum class EndAngle { right_angle, level, free };
 
-/// The weights of what is wanted (math.md#strip-conditions). Lengths count in thirtieths of the
-/// strip's length, angles in radians, so a form does not depend on the unit or the size; sums over
-/// ridges are weighed so that subdivision keeps them.
+/// The weights of the objective (math.md#strip-conditions). Lengths count in thirtieths of the
+/// strip's length, angles in radians, so a form does not depend on unit or size; sums over ridges
+/// are weighted so that subdivision preserves them.
 struct SlitWeights {
   double smooth = 0.04;   ///< second differences of the fold angles [slits 3]
   double spacing = 0.01;  ///< barrier that keeps ridges apart [slits 4]
   double anchors = 0.03;  ///< distance to anchors [slits 5]
   double seat = 0.03;     ///< distance of the strips' ends to the seat curve [slits 5]
-  /// Distance of the strips' ends to their places on the seat curve: in the order of the strips,
-  /// from one end of the curve to the other, evenly apart. Without it strips leave holes where
-  /// their neighbours crowd.
+  /// Distance of the strips' ends to their places on the seat curve, evenly spaced from one end to
+  /// the other in the order of the strips. Without it strips leave gaps where their neighbours
+  /// crowd.
   double spread = 0.003;
   double scan = 0.03;  ///< distance of the ridges' ends to scanned points [slits 6]
   friend bool operator==(const SlitWeights&, const SlitWeights&) = default;
 };
 
-/// A slit sheet and the form that it is to take: the content of a file (formats.md#slits).
+/// A slit sheet and the form that it shall take: the content of a file (formats.md#slits).
 struct SlitDesign {
   SlitSheet sheet;
   BezierCurve leg_curve;  ///< (x, z): what the panel stands over, from the sheet's left side
   std::optional<BezierCurve> seat_curve;  ///< (y, z): section wanted in the symmetry plane
-  int ridges = 10;                        ///< of each strip at the start, and as many plane quads
+  int ridges = 10;                        ///< of each strip at the start; there are as many quads
   EndAngle end_angle = EndAngle::right_angle;
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;
-  std::vector<StripEnd> ends;  ///< by strip; those left out are free. Not in symmetric sheets
+  std::vector<StripEnd> ends;  ///< by strip; missing ones are free. Not in symmetric sheets
   std::vector<SlitScan> scans;
 };
 

@@ -18,18 +18,18 @@ struct EllipseProfile {
   double rx = 0.0, ry = 0.0;
 };
 
-/// A rectangle about the origin, its corners rounded. Edges 0 … 3: below, right, above, left.
+/// A rectangle about the origin with rounded corners. Edges 0 … 3: bottom, right, top, left.
 struct RoundedRectangleProfile {
   double width = 0.0, height = 0.0, radius = 0.0;
 };
 
-/// Two half circles about the origin, `length` apart at their far ends along x, with straight
-/// sides.
+/// Two half circles with straight sides between them, centred on the origin; `length` overall,
+/// along x.
 struct ObroundProfile {
   double length = 0.0, width = 0.0;
 };
 
-/// The closed C² cubic spline through points, with their chords' lengths as parameter.
+/// The closed C² cubic spline through points, parametrised by chord length.
 struct SplineProfile {
   std::vector<Vec2> points;
 };

@@ -30,9 +30,9 @@ struct SeamParameter {
 };
 using Seam = std::variant<SeamEdge, SeamCorner, SeamParameter>;
 
-/// How the curved patches are pressed, each: by a number of lines, by the largest angle of a line,
-/// or by the largest distance of lines along the wider profile. Lines by count or angle bend by
-/// equal angles, lines by chord are equally far from each other.
+/// How each curved patch is pressed: by a number of lines, by the largest angle of a line, or by
+/// the largest distance between lines along the wider profile. Lines by count or angle bend by
+/// equal angles; lines by chord are equally spaced.
 struct PressCount {
   int count = 1;
 };
@@ -61,7 +61,7 @@ struct TransitionSpec {
 enum class PatchKind { plane, cone, general };
 
 /// A part of the surface between two rulings: a plane (triangle or quadrilateral), a cone with its
-/// apex in a corner or anywhere, a developable between two curves.
+/// apex in a corner or anywhere, or a developable between two curves.
 struct TransitionPatch {
   PatchKind kind = PatchKind::plane;
   double area = 0.0;               ///< of the neutral surface, mm²
@@ -76,58 +76,58 @@ struct TrueLength {
   std::array<Vec3, 2> points{};
   double length = 0.0;  ///< mm
   int piece = 0;
-  std::string press;  ///< number of the press line, as flat patterns number bends: "B2.3"; empty
-                      ///< where it is not one
+  std::string press;  ///< number of the press line, as in flat patterns: "B2.3"; empty for other
+                      ///< rulings
 };
 
 /// A developable surface between two profiles, as sheets that lie flat.
 struct Transition {
-  /// One a piece. Their reference surface is the neutral one; flanges are the planes, bends what is
-  /// curved and the sharp folds, in the order of the profile. Labels name the ends of all true
-  /// lengths.
+  /// One per piece. Their reference surface is the neutral one; flanges are the planes, bends the
+  /// curved patches and the sharp folds, in the order of the profile. Labels name the ends of all
+  /// true lengths.
   std::vector<Sheet> pieces;
-  std::vector<TransitionPatch> patches;  ///< as the profile runs; what a seam divides is one
+  std::vector<TransitionPatch> patches;  ///< in the order of the profile; a patch divided by a seam
+                                         ///< counts once
   std::vector<TrueLength> true_lengths;
   double area = 0.0;                   ///< of the neutral surface, mm²
   std::array<double, 2> perimeters{};  ///< of the neutral surface's borders on both profiles, mm
-  /// The neutral surface, its outside facing out: a closed ring without a seam; corners on one
-  /// ruling are shared.
+  /// The neutral surface, facing outwards: a closed ring without a seam; corners on one ruling are
+  /// shared.
   Mesh mesh;
 };
 
-/// A piece as a solid can be made of it: corners in which cones or several folds meet are cut off
-/// where their inside radius would be less than a tenth of the thickness, and the seam of a sheet
-/// in one piece stands open by 0.01 mm, so that both its edges are seen as two.
+/// A piece prepared to become a solid: corners where cones or several folds meet are cut off if
+/// their inside radius would be less than a tenth of the thickness, and the seam of a transition in
+/// one piece is 0.01 mm open, so that its two edges are distinct.
 struct FoldedPiece {
   Sheet sheet;
-  double cut_area = 0.0;  ///< of the neutral surface, mm²: what is missing
+  double cut_area = 0.0;  ///< of the neutral surface, mm²: what was cut off
 };
 
 struct TransitionOptions {
-  /// Share of the profiles' extent that points of general developables may be off.
+  /// Largest error of points of general developables, as a share of the profiles' extent.
   double tolerance = 1e-11;
-  /// By how much facets of the mesh leave the surface, about and at most; mm.
+  /// Largest distance of the mesh's facets from the surface, approximately; mm.
   double mesh_chord = 0.05;
 };
 
 /// The surface that bounds the opening between two convex profiles in two planes: the lateral
 /// boundary of their convex hull (math.md#lateral-hull), made of planes, cones and general
-/// developables whose tangent plane touches both profiles. Profiles are set in or out, in their
-/// planes, from the face that they are given for to the neutral surface; so the surface meets what
-/// is joined to it in its own neutral surface. `where` of an error is the place of its cause in the
-/// request, written as a JSON pointer ("/from/profile/polygon/2"). Errors (exit status 3):
-/// `invalid_input` (numbers not finite, or sizes not positive), `too_few_corners`,
-/// `repeated_corner`, `self_crossing`, `unknown_seam`. Errors (exit status 4):
-/// `profile_not_convex`, `profiles_meet` (they touch, pierce each other or lie in one plane),
-/// `profile_hidden` (one lies on both sides of the other's plane, so that a part of it is inside
-/// the hull), `radius_too_small` (thickness too large for a profile or a bend). Error (exit status
-/// 2): `bad_option` (a tolerance or a chord that is not positive). Error (exit status 1):
-/// `cancelled`.
+/// developables whose tangent plane touches both profiles. Profiles are offset in their planes from
+/// the face that they are given for to the neutral surface, so the surface meets an adjoining sheet
+/// at its neutral surface. `where` of an error is the place of its cause in the request, written as
+/// a JSON pointer ("/from/profile/polygon/2"). Errors (exit status 3): `invalid_input` (numbers not
+/// finite, or sizes not positive), `too_few_corners`, `repeated_corner`, `self_crossing`,
+/// `unknown_seam`. Errors (exit status 4): `profile_not_convex`, `profiles_meet` (they touch,
+/// pierce each other or lie in one plane), `profile_hidden` (one crosses the other's plane, so that
+/// a part of it is inside the hull), `radius_too_small` (thickness too large for a profile or a
+/// bend). Error (exit status 2): `bad_option` (a tolerance or a chord is not positive). Error (exit
+/// status 1): `cancelled`.
 Result<Transition> make_transition(const TransitionSpec& spec,
                                    const TransitionOptions& options = {},
                                    const Progress& progress = {});
 
-/// The same pieces as solids can be made of them. Errors: those of `make_transition`;
+/// The same pieces, prepared to become solids. Errors: those of `make_transition`;
 /// `radius_too_small` also where the thickness leaves too little between corners.
 Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
                                                const TransitionOptions& options = {});

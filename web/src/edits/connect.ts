@@ -60,7 +60,7 @@ export const surfacePatch = (surface: string): Partial<BendSpec> => ({
   surface: surface === 'auto' ? undefined : surface,
 });
 
-/** The patch that gives a bend its radius, instead of what else would say it. */
+/** The patch that gives a bend its radius and removes other keys that would set it. */
 export const radiusPatch = (inside_radius: number): Partial<BendSpec> => ({
   ...without(['inside_radii', 'aperture', 'apex']),
   inside_radius,
@@ -71,7 +71,7 @@ export const addBend = (spec: PlatesSpec, rows: BendRow[], a: string, b: string)
   bends: [...named(spec, rows), { between: [a, b] }],
 });
 
-/** Without the bend at `index` of `bendsOf`; where none remains the program chooses again. */
+/** Without the bend at `index` of `bendsOf`; if none remains the program chooses again. */
 export const removeBend = (spec: PlatesSpec, rows: BendRow[], index: number): PlatesSpec =>
   withBends(
     spec,
@@ -98,7 +98,7 @@ function freeId(spec: PlatesSpec, stem: string, from: number): string {
 export const newPlateId = (spec: PlatesSpec) => freeId(spec, 'P', 1);
 export const copyId = (spec: PlatesSpec, id: string) => freeId(spec, `${id.replace(/-\d+$/, '')}-`, 2);
 
-const room = 0.1; // between a plate that is new and what it stands beside, as a share of its size
+const room = 0.1; // between a new plate and the one beside it, as a share of its size
 
 /**
  * A rectangle of a size in the plane of plate `beside`, or else in that of x and y, where it covers nothing along u.
@@ -124,7 +124,7 @@ export function copyPlate(spec: PlatesSpec, id: string): PlatesSpec {
   return movePlate({ ...spec, plates: [...spec.plates, { ...plate, id: copy }] }, copy, (p) => plus(p, by));
 }
 
-/** Without the plate, and without what names it. */
+/** Without the plate and all references to it. */
 export function removePlate(spec: PlatesSpec, id: string): PlatesSpec {
   const { root, ...rest } = withBends(
     spec,
@@ -137,7 +137,7 @@ export function removePlate(spec: PlatesSpec, id: string): PlatesSpec {
   };
 }
 
-/** Another name wherever the plate is named. Null where it is none, or another plate's. */
+/** Renames a plate everywhere. Null if the name is empty or another plate's. */
 export function renamePlate(spec: PlatesSpec, id: string, to: string): PlatesSpec | null {
   if (to === '' || spec.plates.some((p) => p.id === to)) return null;
   const name = (s: string) => (s === id ? to : s);
@@ -163,7 +163,7 @@ function withoutHoles(bend: BendSpec): BendSpec {
   return Object.fromEntries(Object.entries(bend).filter(([, v]) => v !== undefined)) as unknown as BendSpec;
 }
 
-/** Every corner of plate `id` taken elsewhere. */
+/** Every corner of plate `id` moved. */
 export function movePlate(spec: PlatesSpec, id: string, to: (p: Vec3) => Vec3): PlatesSpec {
   const place = (p: Vec3) => to(p).map((v) => round(v)) as Vec3;
   const moved = (plate: PlateSpec): PlateSpec => ({
@@ -194,7 +194,7 @@ export function turned(p: Vec3, middle: Vec3, axis: 0 | 1 | 2, degrees: number):
   return out;
 }
 
-/** "2 3", "2, 3" or "2…9"; empty: chosen by the program. Null where it is no list. */
+/** "2 3", "2, 3" or "2…9"; empty: chosen by the program. Null if it is not a list. */
 export function parseEdges(text: string): number[] | undefined | null {
   const words = text
     .replace(/\s*(?:…|–|-|\.\.+)\s*/g, '…')
@@ -212,7 +212,7 @@ export function parseEdges(text: string): number[] | undefined | null {
 
 const mostEdges = 10000;
 
-/** The other way round; three and more in a row are named by the first and the last. */
+/** The inverse; three or more in a row are written as the first and the last. */
 export function edgesText(edges: number[]): string {
   const runs: [number, number][] = [];
   for (const e of edges) {

@@ -11,7 +11,7 @@ export interface Directions {
   v: Vec3;
 }
 
-const level = 1e-6; // sine of a slope that is none
+const level = 1e-6; // sine of a slope that counts as level
 
 export function directionsOf(outline: Vec3[]): Directions {
   const n = normalOf(outline),
@@ -23,7 +23,7 @@ export function directionsOf(outline: Vec3[]): Directions {
   return { u, v: scaled(v, Math.sign(v[2])) };
 }
 
-/** Newell's. Up, where there is none. */
+/** By Newell's method; up if there is none. */
 function normalOf(outline: Vec3[]): Vec3 {
   const [o] = outline;
   if (!o) return [0, 0, 1];
@@ -79,7 +79,7 @@ export function moveCorner(
   );
 }
 
-/** One more corner in the middle of the edge that begins at `corner`. A bend at that edge takes both halves. */
+/** Adds a corner in the middle of the edge that begins at `corner`. A bend at that edge takes both halves. */
 export function addCorner(spec: PlatesSpec, id: string, ring: number, corner: number): PlatesSpec {
   const more = withRing(spec, id, ring, (corners) => {
     const middle = placed(scaled(plus(corners[corner]!, corners[(corner + 1) % corners.length]!), 0.5));
@@ -88,7 +88,7 @@ export function addCorner(spec: PlatesSpec, id: string, ring: number, corner: nu
   return ring === 0 ? withEdges(more, id, (e) => (e < corner ? [e] : e === corner ? [e, e + 1] : [e + 1])) : more;
 }
 
-/** One corner less: the edges at both sides of it become one. */
+/** Removes a corner: the edges on both sides of it become one. */
 export function removeCorner(spec: PlatesSpec, id: string, ring: number, corner: number): PlatesSpec {
   const count = ringsOf(spec.plates.find((p) => p.id === id)!)[ring]!.length - 1;
   if (count < 3) return spec;
@@ -96,7 +96,7 @@ export function removeCorner(spec: PlatesSpec, id: string, ring: number, corner:
   return ring === 0 ? withEdges(less, id, (e) => [e < corner ? e : (e - 1 + count) % count]) : less;
 }
 
-/** Edges that bends name, where their numbers have changed. */
+/** Updates the edges of bends whose numbers have changed. */
 function withEdges(spec: PlatesSpec, id: string, to: (edge: number) => number[]): PlatesSpec {
   if (!spec.bends) return spec;
   const bends = spec.bends.map((b) =>
@@ -105,9 +105,9 @@ function withEdges(spec: PlatesSpec, id: string, to: (edge: number) => number[])
   return { ...spec, bends };
 }
 
-const share = 1 / 6; // of the plate's extent, for a hole that is new
+const share = 1 / 6; // of the plate's extent, for a new hole
 
-/** A rectangle as near to the middle as keeps clear of the other holes. */
+/** A rectangle as near the middle as possible, clear of the other holes. */
 export function addHole(spec: PlatesSpec, id: string): PlatesSpec {
   return withRings(spec, id, ([outline, ...holes]) => [outline!, ...holes, newHole(outline!, holes)]);
 }

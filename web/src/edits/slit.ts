@@ -16,7 +16,7 @@ function bezierAt(control: Vec2[], t: number): Vec2 {
   return [x[0] ?? 0, y[0] ?? 0];
 }
 
-const lengths = new WeakMap<Vec2[], number>(); // of curves that stand while another one is dragged
+const lengths = new WeakMap<Vec2[], number>(); // of curves that do not change while another one is dragged
 
 export function lengthOf(control: Vec2[]): number {
   const known = lengths.get(control);
@@ -27,7 +27,7 @@ export function lengthOf(control: Vec2[]): number {
   return length;
 }
 
-/** The same curve with one control point more. */
+/** The same curve with one more control point. */
 export function raised(control: Vec2[]): Vec2[] {
   const n = control.length;
   return Array.from({ length: n + 1 }, (_, i) => {
@@ -47,7 +47,7 @@ export function fitted(control: Vec2[], length: number): Vec2[] {
   return control.map((p) => [round(o[0] + s * (p[0] - o[0]), 4), round(o[1] + s * (p[1] - o[1]), 4)]);
 }
 
-/** Without an inner control point: the ends of the curve stay. */
+/** Without an inner control point; the ends of the curve stay. */
 export const lowered = (control: Vec2[], index: number): Vec2[] =>
   index > 0 && index < control.length - 1 ? control.filter((_, i) => i !== index) : control;
 

@@ -12,7 +12,7 @@ export const stripsOf = ({ strips, strip_width }: Sheet): StripSpec[] =>
 const widthOf = (sheet: Sheet) => stripsOf(sheet).reduce((sum, s) => sum + s.width + (s.gap ?? 0), sheet.margin ?? 0);
 export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
 
-/** Another sheet. The leg curve, along which the sheet's side lies, grows and shrinks with its width. */
+/** Another sheet. The leg curve grows and shrinks with the sheet's width. */
 function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
   const before = widthOf(spec.sheet),
     after = widthOf(sheet),
@@ -26,18 +26,18 @@ export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec =>
 
 export const setMargin = (spec: SlitSpec, margin: number): SlitSpec => withSheet(spec, { ...spec.sheet, margin });
 
-/** So many strips of one width. */
+/** A number of strips of one width. */
 export function setStripCount(spec: SlitSpec, strips: number): SlitSpec {
   return renumbered(withSheet(spec, { ...spec.sheet, strips }), (i) => (i < strips ? i : null));
 }
 
-/** Each strip with a width of its own, the sheet as it is. */
+/** Gives each strip its own width, leaving the sheet unchanged. */
 export function ownWidths(spec: SlitSpec): SlitSpec {
   const { strip_width: _one, ...sheet } = spec.sheet;
   return { ...spec, sheet: { ...sheet, strips: stripsOf(spec.sheet) } };
 }
 
-/** As many strips of one width without gaps, on a sheet as wide as it was. */
+/** The same number of strips, of one width without gaps, on a sheet of the same width. */
 export function uniform(spec: SlitSpec): SlitSpec {
   const strips = stripsOf(spec.sheet).length;
   return {
@@ -53,21 +53,21 @@ export function setStrip(spec: SlitSpec, index: number, patch: Partial<StripSpec
   return withSheet(spec, { ...spec.sheet, strips: stripsOf(spec.sheet).map((s, i) => (i === index ? changed(s) : s)) });
 }
 
-/** One more strip like the one at `index`, behind it. */
+/** Adds a strip like the one at `index`, after it. */
 export function addStrip(spec: SlitSpec, index: number): SlitSpec {
   const strips = stripsOf(spec.sheet),
     sheet = { ...spec.sheet, strips: [...strips.slice(0, index + 1), strips[index]!, ...strips.slice(index + 1)] };
   return renumbered(withSheet(spec, sheet), (i) => (i > index ? i + 1 : i));
 }
 
-/** One strip less, with what belongs to it. The last one stays. */
+/** Removes a strip with everything that belongs to it. The last one stays. */
 export function removeStrip(spec: SlitSpec, index: number): SlitSpec {
   const strips = stripsOf(spec.sheet).filter((_, i) => i !== index);
   if (!strips.length) return spec;
   return renumbered(withSheet(spec, { ...spec.sheet, strips }), (i) => (i === index ? null : i > index ? i - 1 : i));
 }
 
-/** What names strips, where their numbers have changed; null: the strip is gone. */
+/** Updates references to strips whose numbers have changed; null: the strip is gone. */
 function renumbered(spec: SlitSpec, to: (strip: number) => number | null): SlitSpec {
   const of = <T extends { strip: number }>(list: T[] | undefined) =>
     list?.flatMap((item) => {
@@ -81,7 +81,7 @@ function renumbered(spec: SlitSpec, to: (strip: number) => number | null): SlitS
 
 export const endOf = (spec: SlitSpec, strip: number): StripEnd | undefined => spec.ends?.find((e) => e.strip === strip);
 
-/** `patch` on where a strip ends; what is undefined is free, and an end that is free in all is not named. */
+/** `patch` on a strip's end; undefined members are free, and a completely free end is omitted. */
 export function setEnd(spec: SlitSpec, strip: number, patch: Omit<Partial<StripEnd>, 'strip'>): SlitSpec {
   const end = Object.fromEntries(
     Object.entries({ ...endOf(spec, strip), strip, ...patch }).filter(([, v]) => v !== undefined),

@@ -17,7 +17,7 @@ export function halfSize(p: Profile): Vec2 {
 
 export type SeamKind = 'edge' | 'corner' | 'parameter';
 
-/** At how many straight edges or sharp corners of a profile a seam may lie; anywhere is one. */
+/** The number of straight edges or sharp corners of a profile at which a seam may lie; anywhere counts as one. */
 export function seamPlaces(p: Profile, kind: SeamKind): number {
   if (kind === 'parameter') return 1;
   if ('polygon' in p) return p.polygon.length;
@@ -25,8 +25,8 @@ export function seamPlaces(p: Profile, kind: SeamKind): number {
 }
 
 /**
- * Another profile at one end. A seam at an edge or a corner that the first profile does not have any more is where it
- * is shortest again.
+ * Another profile at one end. If the first profile no longer has the seam's edge or corner, the seam returns to where
+ * it is shortest.
  */
 export function withProfile(spec: TransitionSpec, end: 'from' | 'to', profile: Profile): TransitionSpec {
   const out = { ...spec, [end]: { ...spec[end], profile } };

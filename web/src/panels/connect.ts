@@ -56,7 +56,7 @@ export function connectPanel(ui: Ui) {
       ? html`<button
           class="link"
           data-testid="bends-free"
-          title="Forget all that is set and let the program choose"
+          title="Discard all bends given here and let the program choose"
           @click=${() => set({ bends: undefined })}
         >
           let the program choose
@@ -143,7 +143,7 @@ function bendFields(
   ${own?.inside_radius !== undefined
     ? html`<p class="row">
         <button class="link" data-testid="bend-radius-free" @click=${() => set({ inside_radius: undefined })}>
-          as large as extends the plates least
+          the radius that extends the plates least
         </button>
       </p>`
     : nothing}

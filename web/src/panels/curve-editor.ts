@@ -70,7 +70,7 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
       <span class="hint">${lengthText(lengthOf(o.control), o.units, units)} long${o.note ?? nothing}</span>
       <button
         class="link"
-        title="One control point more"
+        title="Add a control point"
         data-testid="curve-${o.name}-raise"
         @click=${() => o.on(raised(o.control), false)}
       >
@@ -80,10 +80,10 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
     ${pointFields(ui, o, chosen)}`;
 }
 
-/** The point that is chosen, in numbers; the row is there without one too, so that nothing moves under a drag. */
+/** The chosen point, in numbers; the row is present without one too, so that nothing moves during a drag. */
 function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
   const p = chosen === null ? undefined : o.control[chosen];
-  if (chosen === null || !p) return html`<p class="hint point">Drag a point, or click it to enter where it is.</p>`;
+  if (chosen === null || !p) return html`<p class="hint point">Drag a point, or click it to enter its coordinates.</p>`;
   const remove = () => {
     ui.edit<SlitSpec>((s) => removePoint(s, o.name, chosen));
     ui.dispatch({ type: 'select', selection: {} });
@@ -101,7 +101,7 @@ function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
     )}
     <button
       class="link"
-      title="Without this point; the ends of the curve stay"
+      title="Remove this point; the ends of the curve stay"
       data-testid="curve-${o.name}-remove"
       ?disabled=${lowered(o.control, chosen) === o.control}
       @click=${remove}

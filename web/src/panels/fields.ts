@@ -12,16 +12,16 @@ export interface NumberOptions {
   digits?: number;
   min?: number;
   max?: number;
-  momentary?: boolean; // a step that is taken, not a value that stays
-  placeholder?: string; // an empty field is allowed where there is one: the program chooses
+  momentary?: boolean; // an action, not a lasting value
+  placeholder?: string; // with a placeholder the field may be empty: the program chooses
 }
 
-// what is beyond is no number of a workshop, in whatever unit, and beyond what its squares can be computed with
+// larger than any length in a workshop, in any unit; beyond it squares could not be computed accurately
 const largest = 1e8;
 
 const isSound = (value: number) => Number.isFinite(value) && Math.abs(value) <= largest;
 
-/** A number that is taken when it is entered; what is none, or outside of its range, is put back. */
+/** A number, applied when entered; invalid or out-of-range entries are reverted. */
 export function numberField(o: NumberOptions): TemplateResult {
   const text = o.value === null || o.value === undefined ? '' : clean(o.value, o.digits ?? 4);
   const change = (e: Event) => {
@@ -73,7 +73,7 @@ export interface SliderOptions {
   value: number;
   min: number;
   max: number;
-  least?: number; // of what is entered, which may leave the slider's range otherwise
+  least?: number; // smallest value that may be entered; otherwise entries may exceed the slider's range
   step: number;
   testid: string;
   unit?: string;

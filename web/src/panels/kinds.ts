@@ -7,8 +7,8 @@ import { transitionPanel } from './transition.ts';
 import { unfoldPanel } from './unfold.ts';
 
 /**
- * How the input of each maker is edited; a maker without a row is shown and downloaded all the same.
- * `edits`: a file of ours.
+ * How the input of each maker is edited; a maker without a row can still be shown and downloaded.
+ * `edits`: a JSON file.
  */
 export const panels: Record<Kind, { draw: (ui: Ui) => TemplateResult; edits: boolean }> = {
   unfold: { draw: unfoldPanel, edits: false },

@@ -4,14 +4,14 @@ import type { State } from '../state.ts';
 import type { ApiProblem, Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
 
-/** One line that is always there, so that nothing moves when it has something to say. */
+/** A line that is always present, so that nothing moves when a message appears. */
 export function messageBar(ui: Ui) {
   const { problem, note, opening, busy, progress } = ui.state,
     shown = opening?.name ? null : problem;
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
     <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}
       >${shown
-        ? html`${shown.message}${wantsScans(shown) ? '; drop the files of points on the page as well' : nothing}<small
+        ? html`${shown.message}${wantsScans(shown) ? '; drop its files of points on the page too' : nothing}<small
               >[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small
             >`
         : opening?.name
@@ -26,7 +26,7 @@ export function messageBar(ui: Ui) {
           : unfinished(ui.state)
             ? html`<button
                 data-testid="finish"
-                title="Verify it, look for findings, divide strips as finely as the file says"
+                title="Verify it, look for findings, subdivide strips as the file says"
                 @click=${ui.finish}
               >
                 Finish
@@ -35,7 +35,7 @@ export function messageBar(ui: Ui) {
     >`;
 }
 
-/** A draft whose result was given up. */
+/** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
 
 const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/points$/.test(p.where ?? '');
@@ -46,7 +46,7 @@ function bar(ui: Ui, progress: Progress | null, otherwise: string) {
     <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>`;
 }
 
-/** What says nothing of the input. */
+/** Errors that say nothing about the input. */
 const ofServer = new Set([
   'worker_ended',
   'worker_timeout',
@@ -75,8 +75,8 @@ const tone = (s: State) =>
   (({ ok: 'good', warning: 'warning', refused: 'error', error: 'error' }) as Record<string, string>)[statusOf(s)] ?? '';
 
 function hint(s: State): string {
-  if (s.pick === 'root') return 'Click the flange that stays where it is. Esc ends it.';
-  if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc ends it.';
+  if (s.pick === 'root') return 'Click the flange that should stay in place. Esc cancels.';
+  if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc cancels.';
   const edge = pickedEdgeText(s);
   if (edge) return edge;
   const count = s.result && !s.shapeIsDraft ? s.result.report.checks.length : 0;

@@ -12,7 +12,7 @@ export function startScreen(ui: Ui) {
     <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>
     <p><button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button></p>
     ${firsts.length
-      ? html`<h2>or begin with an example</h2>
+      ? html`<h2>or start with an example</h2>
           <div class="tiles">
             ${firsts.map(
               (e) =>
@@ -34,7 +34,7 @@ const keys: [string, string][] = [
   ['Space', 'fold and unfold'],
   ['Delete', 'remove the plate, anchor or control point that is chosen'],
   ['M, T', 'move, turn the plate that is chosen'],
-  ['Esc', 'choose nothing'],
+  ['Esc', 'clear the selection'],
   ['?', 'this list'],
 ];
 

@@ -27,7 +27,7 @@ import { convert } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { lengthField, numberField } from './fields.ts';
 
-/** Plates to choose from, what can be done with the one that is chosen, and new ones. */
+/** Plates to choose from, actions on the chosen one, and new plates. */
 export function platesPart(ui: Ui, spec: PlatesSpec, rows: BendRow[]) {
   const plate = spec.plates.find((p) => p.id === ui.state.selection.plate);
   return html`<div class="chips">
@@ -173,7 +173,7 @@ function cornerRow(ui: Ui, spec: PlatesSpec, id: string, ring: number, corner: n
     ${field('u', 0)}${field('v', 1)}
     <button
       class="link"
-      title="One more after it"
+      title="Add a corner after it"
       aria-label="Add a corner after corner ${corner}"
       data-testid="corner-${ring}-${corner}-add"
       @click=${() => ui.edit<PlatesSpec>((s) => addCorner(s, id, ring, corner))}

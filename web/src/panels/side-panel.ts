@@ -38,7 +38,8 @@ function content(ui: Ui, tab: Tab) {
   if (tab === 'findings') return findingsList(ui);
   if (tab === 'certificate') return certificate(ui);
   const panel = panels[ui.state.document?.kind ?? ''];
-  if (!panel || (panel.edits && !ui.state.input.spec)) return html`<p class="hint">The file cannot be edited here.</p>`;
+  if (!panel || (panel.edits && !ui.state.input.spec))
+    return html`<p class="hint">This file cannot be edited here.</p>`;
   return panel.draw(ui);
 }
 

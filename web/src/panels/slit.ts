@@ -66,7 +66,7 @@ function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
       <button
         class="link"
         data-testid="curve-leg-fit"
-        title="As long as the sheet is wide"
+        title="Make it as long as the sheet is wide"
         @click=${() => set({ leg_curve: { bezier: fitted(spec.leg_curve.bezier, width) } })}
       >
         Fit
@@ -83,8 +83,8 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
     const width = sheetWidth(spec),
       high = spec.sheet.panel_height;
     return html`<p class="hint">
-      None is asked
-      for.${spec.symmetric === false
+      There is
+      none.${spec.symmetric === false
         ? ' Seat curves belong to symmetric sheets.'
         : html` <button
             class="link"
@@ -101,7 +101,7 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
                 },
               })}
           >
-            Ask for one
+            Add one
           </button>`}
     </p>`;
   }
@@ -115,9 +115,7 @@ function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
       enter: (bezier) => set({ seat_curve: { bezier } }),
     })}
     <p class="row">
-      <button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>
-        Ask for none
-      </button>
+      <button class="link" data-testid="seat-remove" @click=${() => set({ seat_curve: undefined })}>Remove it</button>
     </p>`;
 }
 
@@ -171,11 +169,11 @@ function anchorBlock(ui: Ui, spec: SlitSpec, a: AnchorSpec, i: number) {
   </div>`;
 }
 
-/** How far each strip is from what was asked for. */
+/** How far each strip is from its targets. */
 function stripTable(ui: Ui, spec: SlitSpec) {
   const strips = ui.state.shape?.report.slit?.strips ?? [],
     from = ui.state.shape?.report.units;
-  if (!strips.length) return html`<p class="hint">Nothing is solved yet.</p>`;
+  if (!strips.length) return html`<p class="hint">No strip is solved yet.</p>`;
   const text = (v: number | null | undefined) => lengthText(v, from, ui.state.units);
   const columns: [string, (s: StripRow) => string][] = [
     ['Gap', (s) => sizeText(convert(s.gap, from, ui.state.units))],

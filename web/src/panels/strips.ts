@@ -21,8 +21,8 @@ import { choice, lengthField, numberField, toggle } from './fields.ts';
 type Change = (change: (s: SlitSpec) => SlitSpec) => void;
 
 /**
- * How the sheet is divided: into strips of one width, or of a width each; and where they end, of sheets that are not
- * symmetric.
+ * How the sheet is divided: into strips of one width, or each of its own width; and, if it is not symmetric, where they
+ * end.
  */
 export function stripFields(ui: Ui, spec: SlitSpec) {
   const edit: Change = (change) => ui.edit<SlitSpec>(change),
@@ -58,7 +58,7 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
       })}`}
   ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
   ${lengthField(ui, {
-    label: 'Margin behind the last',
+    label: 'Margin after the last',
     testid: 'margin',
     value: spec.sheet.margin,
     from: spec.units,
@@ -142,7 +142,7 @@ const ends: [EndKey, string][] = [
   ['across', 'Its last ridge is set'],
 ];
 
-/** Where a strip ends in space; what is switched on begins with what it is. */
+/** Where a strip ends in space; what is switched on starts from its present value. */
 function endFields(ui: Ui, spec: SlitSpec, i: number) {
   const end = endOf(spec, i),
     now = endAsItIs(spec, ui.state.shape?.handles.ridges?.[i] ?? [], millimetres(spec.units));

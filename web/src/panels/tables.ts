@@ -32,7 +32,7 @@ export function bendTable(ui: Ui): TemplateResult {
       </tbody>
     </table>
     ${rows.length > most
-      ? html`<p class="hint">${rows.length} bends, of which ${most} are shown; the report has all.</p>`
+      ? html`<p class="hint">${rows.length} bends; ${most} are shown, the report has all.</p>`
       : nothing}`;
 }
 
@@ -74,7 +74,7 @@ function kCell(ui: Ui, r: BendRow) {
   };
   return html`<input
     class="cell ${own ? 'own' : ''}"
-    title="K-factor of this bend; empty: that of the part"
+    title="K-factor of this bend; empty: the part's"
     data-testid="bend-k-${r.id}"
     .value=${text}
     @click=${(e: Event) => {
@@ -87,8 +87,8 @@ function kCell(ui: Ui, r: BendRow) {
 
 export function findingsList(ui: Ui): TemplateResult {
   const findings = findingsOf(ui);
-  if (!ui.state.result) return html`<p class="hint">Findings come with the whole result.</p>`;
-  if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">Nothing was found.</p>`;
+  if (!ui.state.result) return html`<p class="hint">Findings appear with the full result.</p>`;
+  if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">No findings.</p>`;
   return html`<ol class="findings ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="findings">
     ${findings.map(
       (f, i) =>
@@ -107,7 +107,7 @@ export function findingsOf(ui: Ui): Finding[] {
   return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
 }
 
-const least = 1e-3; // mm: what a certificate may be off by
+const least = 1e-3; // mm: the largest residual of a good certificate
 
 export function certificate(ui: Ui): TemplateResult {
   const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null,
@@ -132,7 +132,7 @@ export function certificate(ui: Ui): TemplateResult {
   )
     said.push([
       `${sizeText(Math.abs(v.volume_ratio - 1))} of the volume is explained.`,
-      'By what the folded solid cannot have: corners that are cut off, seams that stand open.',
+      'By parts missing from the folded solid: corners cut off, open seams.',
       true,
     ]);
   if (v.length_error !== null)
@@ -143,13 +143,13 @@ export function certificate(ui: Ui): TemplateResult {
     ]);
   if (v.refold_deviation !== null && v.refold_deviation !== undefined)
     said.push([
-      `Folded up again, the pattern meets the part within ${length(v.refold_deviation)}.`,
-      'The pattern is folded by its bends alone and compared with what it came from.',
+      `Folded again, the pattern meets the part within ${length(v.refold_deviation)}.`,
+      'The pattern is folded using only its bends and compared with the part.',
       small(v.refold_deviation),
     ]);
   if (v.closure !== null && v.closure !== undefined)
     said.push([
-      `Loops of faces close within ${length(v.closure)}.`,
+      `Cycles of faces close within ${length(v.closure)}.`,
       'Where faces meet again around a hole or a corner.',
       small(v.closure),
     ]);

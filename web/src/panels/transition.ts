@@ -313,15 +313,15 @@ function pressFields(ui: Ui, spec: TransitionSpec, set: Set) {
     kind,
     [
       ['rolled', 'rolled'],
-      ['count', 'pressed, so many lines'],
+      ['count', 'pressed, number of lines'],
       ['max_angle', 'pressed, angle of a line'],
-      ['chord', 'pressed, distance of lines'],
+      ['chord', 'pressed, distance between lines'],
     ] as const,
     (v) => set({ press_lines: make(v) }),
   )}
   ${lines && 'count' in lines
     ? slider({
-        label: 'Lines of a bend',
+        label: 'Lines per bend',
         testid: 'press-count',
         value: lines.count,
         min: 1,

@@ -61,7 +61,7 @@ export function unfoldPanel(ui: Ui) {
     html` ${pickRow(
         ui,
         'root',
-        'Stays where it is',
+        'Stays in place',
         options.root === undefined || options.root === 'largest' ? 'the largest flange' : `face ${options.root}`,
         () => set({ root: undefined }),
       )}

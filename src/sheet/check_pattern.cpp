@@ -1,0 +1,78 @@
+#include <planish/base/assert.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace planish {
+namespace {
+
+using PatternFault = std::optional<Error>;
+
+PatternFault pattern_fault(std::string rule, std::string where) {
+  return Error{ErrorCode::invalid_sheet, std::move(rule), std::move(where)};
+}
+
+bool are_regular(const std::vector<Segment>& lines) {
+  return std::ranges::all_of(lines, [](const Segment& line) { return is_regular(Curve2(line)); });
+}
+
+PatternFault fault_of_loop(const Loop& loop, const std::string& where) {
+  if (loop.empty()) return pattern_fault("A contour has curves.", where);
+  if (!is_regular(loop))
+    return pattern_fault("A contour is made of lines, arcs and splines of finite size.", where);
+  return {};
+}
+
+PatternFault fault_of_bend(const FlatBend& bend) {
+  const std::string where = fmt::format("bend {}", bend.id);
+  if (!are_regular(bend.lines) || !are_regular(bend.tangent_lines))
+    return pattern_fault("The lines of a bend have ends of finite size.", where);
+  if (!bend.line_angles.empty() && bend.line_angles.size() != bend.lines.size())
+    return pattern_fault("Each line of a bend has its angle.", where);
+  const double sizes[] = {bend.angle.radians(), bend.inside_radius, bend.length};
+  if (!std::ranges::all_of(sizes, [](double x) { return std::isfinite(x) && x >= 0.0; }))
+    return pattern_fault("Angle, inside radius and length of a bend are numbers of at least 0.",
+                         where);
+  return {};
+}
+
+PatternFault fault_of(const FlatPattern& pattern) {
+  if (!(pattern.thickness >= 0.0 && pattern.thickness <= kFarthest))
+    return pattern_fault("The thickness of a pattern is a number of at least 0.", "pattern");
+  if (!std::isfinite(pattern.area) || !std::isfinite(pattern.perimeter) ||
+      !(pattern.closure >= 0.0 && std::isfinite(pattern.closure)))
+    return pattern_fault("Area, perimeter and closure of a pattern are numbers.", "pattern");
+  if (!pattern.outer.loop.empty())
+    if (auto found = fault_of_loop(pattern.outer.loop, "outer contour")) return found;
+  for (std::size_t i = 0; i < pattern.openings.size(); ++i)
+    if (auto found = fault_of_loop(pattern.openings[i].loop, fmt::format("opening {}", i)))
+      return found;
+  if (!are_regular(pattern.slits)) return pattern_fault("Slits have ends of finite size.", "slits");
+  for (const FlatBend& bend : pattern.bends)
+    if (auto found = fault_of_bend(bend)) return found;
+  for (std::size_t f = 0; f < pattern.features.size(); ++f)
+    for (const Loop& outline : pattern.features[f].outlines)
+      if (auto found = fault_of_loop(outline, fmt::format("feature {}", f))) return found;
+  for (const FlatLabel& label : pattern.labels)
+    if (!is_regular(Curve2(Segment{label.at, label.at})))
+      return pattern_fault("A label stands at a point of finite size.",
+                           fmt::format("label {}", label.text));
+  return {};
+}
+
+}  // namespace
+
+Result<void> check(const FlatPattern& pattern) {
+  if (auto found = fault_of(pattern)) return tl::unexpected(std::move(*found));
+  return {};
+}
+
+void require_valid(const FlatPattern& pattern) {
+  if (const auto found = fault_of(pattern)) rule_broken(found->where, found->message);
+}
+
+}  // namespace planish
