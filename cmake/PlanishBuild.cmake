@@ -59,6 +59,9 @@ if(PLANISH_WERROR)
   add_compile_options(-Werror)
 endif()
 
+if(PLANISH_LIBFUZZER)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 if(PLANISH_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)

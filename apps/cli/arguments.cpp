@@ -1,5 +1,6 @@
 #include "arguments.hpp"
 
+#include "apart.hpp"
 #include "option_parts.hpp"
 
 #include <planish/job/rules_json.hpp>
@@ -166,6 +167,7 @@ CLI::App* add_maker(CLI::App& app, const job::Catalogue& catalogue, const Maker&
     add_outputs(*command, catalogue, maker, arguments);
   add_report_options(*command, arguments);
   add_options(*command, maker, arguments.options, false);
+  add_limits(*command, arguments.limits);
   if (maker.takes("rules")) add_print_rules(*command);
   command->footer(std::string(maker.help));
   return command;

@@ -16,6 +16,7 @@ struct InfoArguments {
   std::string json;  ///< file, or "-"; empty: none
   bool sheets = false;
   job::OptionValues options;  ///< body, units
+  job::Limits limits;
 };
 
 /// Defines the subcommand `info`; parsing fills `arguments`, which must outlive `app`.

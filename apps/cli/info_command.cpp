@@ -1,7 +1,6 @@
+#include "apart.hpp"
 #include "commands.hpp"
 #include "option_parts.hpp"
-#include "output_files.hpp"
-#include "terminal.hpp"
 
 #include <planish/job/info.hpp>
 
@@ -23,18 +22,39 @@ job::InfoRequest request_of(const InfoArguments& arguments) {
   return {arguments.input, asked.body, arguments.sheets, asked.units.value_or(LengthUnit::mm)};
 }
 
-int end_failed(const InfoArguments& arguments, const Error& error) {
-  const int status = complain(error);
-  if (error.code == ErrorCode::cancelled) return status;
-  job::InfoReport failed;
-  failed.input = arguments.input;
-  failed.refusal = error;
-  failed.units = request_of(arguments).units;
-  if (const auto unwritten = write_report(arguments.json, job::info_json(failed))) {
-    complain(*unwritten);
+/// Errors of the command line, before any work.
+std::optional<Error> unwritable(const InfoArguments& arguments) {
+  for (const auto& file : files_named({arguments.json})) {
+    if (arguments.input != "-")
+      if (const auto spared = spare_inputs(file, {arguments.input}); !spared) return spared.error();
+    if (const auto exists = folder_exists(file); !exists) return exists.error();
+    if (const auto fine = check_writable(file); !fine) return fine.error();
   }
-  return status;
+  return std::nullopt;
 }
+
+class Info : public Command {
+ public:
+  explicit Info(const InfoArguments& arguments) : arguments_(arguments) {}
+
+  Outcome make(const job::Parent& parent) override {
+    const auto report = job::info(request_of(arguments_), parent.progress);
+    if (!report) return failed(report.error());
+    const bool printed = arguments_.json != "-";
+    return {.json = job::info_json(*report), .output = printed ? job::info_text(*report) : ""};
+  }
+
+  Outcome failed(const Error& error) const override {
+    job::InfoReport failed;
+    failed.input = arguments_.input;
+    failed.refusal = error;
+    failed.units = request_of(arguments_).units;
+    return {.json = job::info_json(failed), .error = error};
+  }
+
+ private:
+  const InfoArguments& arguments_;
+};
 
 }  // namespace
 
@@ -52,27 +72,15 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
            "the same as JSON; - writes it to standard output");
   add_option(*command, units, "unit of the lengths printed; default mm", type_name(units),
              arguments.options);
+  add_limits(*command, arguments.limits);
   command->footer(kExamples);
   return command;
 }
 
 int run_info(const InfoArguments& arguments) {
-  if (arguments.input != "-" && !arguments.json.empty()) {
-    const auto spared = spare_inputs(arguments.json, {arguments.input});
-    if (!spared) return complain(spared.error());
-  }
-  for (const auto& file : files_named({arguments.json})) {
-    if (const auto exists = folder_exists(file); !exists) return complain(exists.error());
-    if (const auto fine = check_writable(file); !fine) return complain(fine.error());
-  }
-  ProgressLine line(true);
-  const auto report = job::info(request_of(arguments), line.progress());
-  if (!report) return end_failed(arguments, report.error());
-  if (const auto error = write_report(arguments.json, job::info_json(*report))) {
-    return complain(*error);
-  }
-  if (arguments.json != "-") fmt::print("{}", job::info_text(*report));
-  return 0;
+  if (const auto error = unwritable(arguments)) return complain(*error);
+  Info info(arguments);
+  return run_apart(info, {arguments.input, arguments.json, false, arguments.limits});
 }
 
 }  // namespace planish::cli

@@ -1,7 +1,7 @@
+#include "apart.hpp"
 #include "commands.hpp"
 #include "output_files.hpp"
 #include "plan.hpp"
-#include "terminal.hpp"
 
 #include <planish/job/outputs.hpp>
 #include <planish/job/unfold.hpp>
@@ -9,6 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace planish::cli {
 namespace {
@@ -18,31 +23,8 @@ using job::UnfoldReport;
 
 constexpr int kFileStatus = 3;  // exit status: a file cannot be read, is invalid or not written
 
-Error stopped() { return {ErrorCode::cancelled, "cancelled", {}}; }
-
-/// Prints what was done, unless quiet; on standard error if the JSON report goes to standard
-/// output.
-void print_summary(const Arguments& arguments, const std::string& text) {
-  if (!arguments.quiet) fmt::print(arguments.json == "-" ? stderr : stdout, "{}", text);
-}
-
-/// Ends a request that failed as a whole: prints the error and writes it as a report, so that
-/// scripts find the reason in one place; unless the report is what cannot be written.
-int end_failed(const Arguments& arguments, const job::Request& request, const Error& failure) {
-  Error error = failure;
-  if (error.code == ErrorCode::no_such_body && request.body.empty())
-    error.message += "; or take all of them with --all -o FOLDER/";
-  const int status = complain(error);
-  const bool of_report = error.code == ErrorCode::cannot_write && error.where == arguments.json;
-  if (error.code == ErrorCode::cancelled || of_report) return status;
-  const auto failed = arguments.maker->failed(request, error);
-  if (const auto unwritten = write_report(arguments.json, failed->json())) complain(*unwritten);
-  return status;
-}
-
-/// A contradictory command line gives no report; a file that cannot be read or written does.
-int end_unplanned(const Arguments& arguments, const Error& error) {
-  if (exit_status(error.code) != kFileStatus) return complain(error);
+/// What is known of a request before it is understood.
+job::Request begun(const Arguments& arguments) {
   job::Request request;
   request.input = arguments.input;
   request.body = arguments.options.text("body");
@@ -51,16 +33,36 @@ int end_unplanned(const Arguments& arguments, const Error& error) {
     request.units = units == "inch" ? LengthUnit::inch
                     : units == "m"  ? LengthUnit::m
                                     : LengthUnit::mm;
-  return end_failed(arguments, request, error);
+  return request;
 }
 
-/// The report of what was written was written with it.
-int end_reported(const Arguments& arguments, const Made& made) {
-  if (made.report().refusal || arguments.json == "-")
-    if (const auto error = write_report(arguments.json, made.json())) return complain(*error);
-  if (made.report().refusal) return complain(*made.report().refusal);
-  print_summary(arguments, made.text());
-  return 0;
+/// The end of a request that failed as a whole: the error, also as a report, so that scripts find
+/// the reason in one place.
+Outcome failed_outcome(const Arguments& arguments, const job::Request& request,
+                       const Error& failure) {
+  Error error = failure;
+  if (error.code == ErrorCode::no_such_body && request.body.empty())
+    error.message += "; or take all of them with --all -o FOLDER/";
+  return {.json = arguments.maker->failed(request, error)->json(), .error = error};
+}
+
+/// A contradictory command line gives no report; a file that cannot be read or written does.
+Outcome unplanned(const Arguments& arguments, const Error& error) {
+  if (exit_status(error.code) != kFileStatus) return {.error = error};
+  return failed_outcome(arguments, begun(arguments), error);
+}
+
+/// The report, as one of the files where it goes into a file and there are others; and what was
+/// done, unless quiet: on standard error if the report goes to standard output.
+void add_report(Outcome& outcome, const Arguments& arguments, std::string json,
+                std::string summary) {
+  if (outcome.files.empty() || arguments.json == "-")
+    outcome.json = std::move(json);
+  else
+    for (std::filesystem::path& file : files_named({arguments.json}))
+      outcome.files.push_back({std::move(file), json});
+  if (!arguments.quiet)
+    (arguments.json == "-" ? outcome.aside : outcome.output) = std::move(summary);
 }
 
 // net.dxf; for several pieces net-1.dxf, net-2.dxf, …
@@ -87,105 +89,134 @@ Result<std::vector<OutputFile>> files_of(const Made& made, const Plan& plan) {
   return files;
 }
 
-void add_report(std::vector<OutputFile>& files, const std::string& json_option,
-                const std::string& text) {
-  for (const std::filesystem::path& file : files_named({json_option}))
-    files.push_back({file, text});
-}
+/// One part, and its files.
+class OnePart : public Command {
+ public:
+  OnePart(const job::Catalogue& catalogue, const Arguments& arguments)
+      : catalogue_(catalogue), arguments_(arguments) {}
 
-/// What was made, and the report that names its files.
-std::optional<Error> write_made(Made& made, const Arguments& arguments, const Plan& plan) {
-  auto files = files_of(made, plan);
-  if (!files) return files.error();
-  if (interrupted()) return stopped();
-  for (const OutputFile& file : *files)
-    if (file.path.has_parent_path())
-      if (auto error = make_folder(file.path.parent_path())) return error;
-  append_names(made.report().files, *files);
-  add_report(*files, arguments.json, made.json());
-  auto error = write_all(*files, plan.inputs);
-  if (error) made.report().files.clear();
-  return error;
-}
-
-Result<std::unique_ptr<Made>> make(const Arguments& arguments, const Plan& plan,
-                                   ProgressLine& line) {
-  const Progress progress = line.progress();
-  const auto work = job::open_input(*arguments.maker, plan.request, progress);
-  if (!work) return tl::unexpected(work.error());
-  return (*work)->make(plan.request, progress);
-}
-
-int run_one(const Arguments& arguments, const Plan& plan) {
-  ProgressLine line(!arguments.quiet);
-  const auto made = make(arguments, plan, line);
-  if (!made) return end_failed(arguments, plan.request, made.error());
-  if (interrupted()) return complain(stopped());
-  if ((*made)->report().has_pattern())
-    (*made)->report().refusal = write_made(**made, arguments, plan);
-  if (interrupted()) return complain(stopped());
-  return end_reported(arguments, **made);
-}
-
-/// Writes the patterns of all bodies that have one into the folder, and the summary.
-std::optional<Error> write_bodies(std::vector<UnfoldReport>& reports, const Arguments& arguments,
-                                  const Plan& plan) {
-  const std::vector<std::string> stems = job::stems(reports);
-  std::vector<OutputFile> all;
-  for (std::size_t i = 0; i < reports.size(); ++i) {
-    if (!reports[i].has_pattern()) continue;
-    Plan own = plan;
-    for (const job::Artifact* format : plan.formats)
-      own.targets.push_back({plan.folder / (stems[i] + std::string(format->file_end)), format});
-    auto files = files_of(*job::made_of(reports[i]), own);
-    // A body whose pattern cannot be written must not stop the others.
-    if (!files) {
-      reports[i].refusal = files.error();
-      continue;
-    }
-    append_names(reports[i].files, *files);
-    for (OutputFile& file : *files)
-      all.push_back(std::move(file));
+  Outcome make(const job::Parent& parent) override {
+    const auto plan = planned(catalogue_, arguments_);
+    if (!plan) return unplanned(arguments_, plan.error());
+    const auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
+    if (!work) return failed_outcome(arguments_, plan->request, work.error());
+    const auto made = (*work)->make(plan->request, parent.progress);
+    if (!made) return failed_outcome(arguments_, plan->request, made.error());
+    return outcome_of(**made, *plan);
   }
-  if (auto error = make_folder(plan.folder)) return error;
-  all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
-  all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
-  add_report(all, arguments.json, job::summary_json(reports));
-  return write_all(all, plan.inputs);
-}
 
-int end_all(const Arguments& arguments, const std::vector<UnfoldReport>& reports) {
-  if (arguments.check || arguments.json == "-")
-    if (const auto error = write_report(arguments.json, job::summary_json(reports)))
-      return complain(*error);
-  print_summary(arguments, job::summary_text(reports));
-  if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
-    return 0;
-  // The first reason is returned; the table shows them all.
-  Error none = *reports.front().refusal;
-  if (reports.size() > 1)
-    none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
-                               reports.size(), none.message);
-  return complain(none);
-}
+  Outcome failed(const Error& error) const override {
+    return failed_outcome(arguments_, begun(arguments_), error);
+  }
 
-int run_all(const Arguments& arguments, const Plan& plan) {
-  ProgressLine line(!arguments.quiet);
-  auto reports = job::unfold_all(plan.request, line.progress());
-  if (!reports) return end_failed(arguments, plan.request, reports.error());
-  if (interrupted()) return complain(stopped());
-  if (!arguments.check)
-    if (const auto error = write_bodies(*reports, arguments, plan))
-      return end_failed(arguments, plan.request, *error);
-  return end_all(arguments, *reports);
-}
+ private:
+  Outcome outcome_of(Made& made, const Plan& plan) const {
+    job::Report& report = made.report();
+    Outcome outcome;
+    if (report.has_pattern()) {
+      auto files = files_of(made, plan);
+      if (files)
+        outcome = {.files = std::move(*files), .inputs = plan.inputs};
+      else
+        report.refusal = files.error();
+    }
+    if (report.refusal) return {.json = made.json(), .error = report.refusal};
+    append_names(report.files, outcome.files);
+    add_report(outcome, arguments_, made.json(), made.text());
+    return outcome;
+  }
+
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+};
+
+/// Every body of a file. One that crashes the process is left out of the next.
+class AllParts : public Command {
+ public:
+  AllParts(const job::Catalogue& catalogue, const Arguments& arguments)
+      : catalogue_(catalogue), arguments_(arguments) {}
+
+  Outcome make(const job::Parent& parent) override {
+    const auto plan = planned(catalogue_, arguments_);
+    if (!plan) return unplanned(arguments_, plan.error());
+    const auto begins = [&](int body) { parent.note({std::to_string(body)}); };
+    auto reports = job::unfold_all(plan->request, parent.progress, {given_up_, begins});
+    if (!reports) return failed_outcome(arguments_, plan->request, reports.error());
+    Outcome outcome;
+    if (!arguments_.check)
+      outcome = {.files = files_of_bodies(*reports, *plan, begins), .inputs = plan->inputs};
+    parent.note({});
+    add_report(outcome, arguments_, job::summary_json(*reports), job::summary_text(*reports));
+    outcome.error = reason_of(*reports);
+    return outcome;
+  }
+
+  Outcome failed(const Error& error) const override {
+    return failed_outcome(arguments_, begun(arguments_), error);
+  }
+
+  void hear(const job::Texts& note) override {
+    body_ = note.empty() ? std::nullopt : std::optional(std::atoi(note.front().c_str()));
+  }
+
+  bool leaves_out(const Error& crash) override {
+    return body_ && given_up_.emplace(*std::exchange(body_, std::nullopt), crash).second;
+  }
+
+ private:
+  /// The patterns of all bodies that have one, and the summary.
+  static std::vector<OutputFile> files_of_bodies(std::vector<UnfoldReport>& reports,
+                                                 const Plan& plan,
+                                                 const std::function<void(int)>& begins) {
+    const std::vector<std::string> stems = job::stems(reports);
+    std::vector<OutputFile> all;
+    for (std::size_t i = 0; i < reports.size(); ++i) {
+      if (!reports[i].has_pattern()) continue;
+      begins(static_cast<int>(i));
+      Plan own = plan;
+      for (const job::Artifact* format : plan.formats)
+        own.targets.push_back({plan.folder / (stems[i] + std::string(format->file_end)), format});
+      auto files = files_of(*job::made_of(reports[i]), own);
+      // A body whose pattern cannot be written must not stop the others.
+      if (!files) {
+        reports[i].refusal = files.error();
+        continue;
+      }
+      append_names(reports[i].files, *files);
+      std::move(files->begin(), files->end(), std::back_inserter(all));
+    }
+    all.push_back({plan.folder / "summary.csv", job::summary_csv(reports)});
+    all.push_back({plan.folder / "summary.json", job::summary_json(reports)});
+    return all;
+  }
+
+  /// Why none of them has a pattern: the first reason; the table shows them all.
+  static std::optional<Error> reason_of(const std::vector<UnfoldReport>& reports) {
+    if (std::any_of(reports.begin(), reports.end(), [](const auto& r) { return r.has_pattern(); }))
+      return std::nullopt;
+    Error none = *reports.front().refusal;
+    if (reports.size() > 1)
+      none.message = fmt::format("none of the {} bodies has a flat pattern, the first because: {}",
+                                 reports.size(), none.message);
+    return none;
+  }
+
+  const job::Catalogue& catalogue_;
+  const Arguments& arguments_;
+  std::map<int, Error> given_up_;
+  std::optional<int> body_;  ///< that is being tried, from 0
+};
 
 }  // namespace
 
 int run_maker(const job::Catalogue& catalogue, const Arguments& arguments) {
-  const auto plan = planned(catalogue, arguments);
-  if (!plan) return end_unplanned(arguments, plan.error());
-  return arguments.all ? run_all(arguments, *plan) : run_one(arguments, *plan);
+  const Running running{arguments.input, arguments.json, arguments.quiet, arguments.limits};
+  if (arguments.all) {
+    AllParts parts(catalogue, arguments);
+    return run_apart(parts, running);
+  }
+  OnePart part(catalogue, arguments);
+  return run_apart(part, running);
 }
 
 }  // namespace planish::cli

@@ -17,7 +17,12 @@ void silence_kernel() {
 Error foreign_error(const std::string& kind, const char* message, std::string where) {
   std::string text = "The CAD kernel failed (" + kind;
   if (message != nullptr && *message != '\0') text += ": " + std::string(message);
-  return {ErrorCode::internal, text + ").", std::move(where)};
+  return {ErrorCode::kernel_failed, text + ").", std::move(where)};
+}
+
+Error no_memory(std::string where) {
+  return {ErrorCode::out_of_memory, "The CAD kernel needs more memory than there is.",
+          std::move(where)};
 }
 
 }  // namespace planish::brep

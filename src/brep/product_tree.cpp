@@ -1,5 +1,6 @@
 #include "product_tree.hpp"
 
+#include "coordinate_bound.hpp"
 #include "mend_where_needed.hpp"
 
 #include <IFSelect_WorkLibrary.hxx>
@@ -13,6 +14,7 @@
 #include <StepBasic_Product.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionFormation.hxx>
+#include <StepData_StepModel.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
@@ -55,6 +57,12 @@ class Translating : public Message_ProgressIndicator {
   }
   const Progress& progress_;
 };
+
+double millimetres_in(const std::string& unit) {
+  constexpr double kMetre = 1000.0, kInch = 25.4;
+  if (unit.empty() || unit == "millimetre" || unit == "MILLIMETRE") return 1.0;
+  return unit == "metre" || unit == "METRE" ? kMetre : kInch;  // others are smaller than a metre
+}
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location()); }
 
@@ -125,6 +133,10 @@ class Content {
  public:
   /// False when the text is not STEP.
   bool parse(std::istream& text, const fs::path& path) { return session_->read(text, path); }
+
+  std::optional<Error> point_too_far_away(const std::string& name) {
+    return brep::point_too_far_away(*reader_.StepModel(), millimetres_in(unit()), name);
+  }
 
   /// False when it holds nothing that is a shape.
   bool translate(const Message_ProgressRange& range) {
@@ -281,7 +293,9 @@ class Walk {
     if (!open.insert(path.lexically_normal()).second) return;
     std::ifstream text(path, std::ios::binary);
     Content content;
-    if (!text || !content.parse(text, path) || !content.translate({})) return;
+    if (!text || !content.parse(text, path) || content.point_too_far_away({}) ||
+        !content.translate({}))
+      return;
     Walk(content, path.parent_path(), std::move(open), tree_).add_first(place, name);
   }
 
@@ -305,6 +319,7 @@ Result<ProductTree> read_products(std::istream& text, const fs::path& path, cons
     return fail(ErrorCode::invalid_input,
                 fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
                 name);
+  if (auto error = content.point_too_far_away(name)) return tl::unexpected(std::move(*error));
   if (progress.should_stop()) return stopped();
   progress.at("translating", kParsed);
   const Handle(Translating) translating = new Translating(progress);

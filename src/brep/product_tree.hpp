@@ -27,8 +27,8 @@ struct ProductTree {
 };
 
 /// Reads a STEP text. Files that it refers to are looked for beside `path`, its own place. Errors:
-/// `invalid_input` (broken syntax), `no_solid` (nothing in it is a shape), `cancelled`; they call
-/// the file `name`. Requires the exchange lock.
+/// `invalid_input` (broken syntax), `too_far_away`, `no_solid` (nothing in it is a shape),
+/// `cancelled`; they call the file `name`. Requires the exchange lock.
 Result<ProductTree> read_products(std::istream& text, const std::filesystem::path& path,
                                   const std::string& name, const Progress& progress);
 

@@ -1,4 +1,5 @@
 #include "body.hpp"
+#include "coordinate_bound.hpp"
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
 #include "identical.hpp"

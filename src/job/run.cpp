@@ -114,6 +114,45 @@ Result<std::unique_ptr<Made>> make(const Asked& asked, const Progress& progress)
   return made;
 }
 
+Result<RunResult> done(const Asked& asked, const Progress& progress) {
+  const auto made = make(asked, progress);
+  if (!made) return tl::unexpected(at_pointer(made.error(), kOptions));
+  RunResult result;
+  Report& report = (*made)->report();
+  const std::string stem = report.body;
+  for (const Artifact* artifact : asked.artifacts) {
+    if (report.refusal && artifact->role != Role::report) continue;
+    auto files = write(*artifact, **made, asked.request, stem);
+    if (!files) return tl::unexpected(files.error());
+    for (WrittenArtifact& file : *files)
+      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
+                                  std::string(artifact->media_type), std::move(file.bytes)});
+  }
+  result.status = report.status();
+  result.report = (*made)->json();
+  return result;
+}
+
+Texts texts_of(const RunResult& result) {
+  Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report};
+  for (const ArtifactFile& file : result.artifacts)
+    texts.insert(texts.end(), {file.artifact, file.name, file.media_type, file.bytes});
+  return texts;
+}
+
+std::optional<RunResult> result_in(const Texts& texts) {
+  constexpr std::size_t kOfResult = 3, kOfFile = 4;
+  if (texts.size() < kOfResult || texts[0] != "result") return std::nullopt;
+  if ((texts.size() - kOfResult) % kOfFile != 0) return std::nullopt;
+  RunResult result;
+  for (const Status status : {Status::ok, Status::warning, Status::refused})
+    if (texts[1] == std::to_string(static_cast<int>(status))) result.status = status;
+  result.report = texts[2];
+  for (std::size_t i = kOfResult; i < texts.size(); i += kOfFile)
+    result.artifacts.push_back({texts[i], texts[i + 1], texts[i + 2], texts[i + 3]});
+  return result;
+}
+
 }  // namespace
 
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
@@ -130,22 +169,27 @@ Result<RunResult> run(const std::string& request, const Progress& progress,
                       const Catalogue& catalogue) {
   const auto asked = read_request(request, catalogue);
   if (!asked) return tl::unexpected(asked.error());
-  const auto made = make(*asked, progress);
-  if (!made) return tl::unexpected(at_pointer(made.error(), kOptions));
-  RunResult result;
-  Report& report = (*made)->report();
-  const std::string stem = report.body;
-  for (const Artifact* artifact : asked->artifacts) {
-    if (report.refusal && artifact->role != Role::report) continue;
-    auto files = write(*artifact, **made, asked->request, stem);
-    if (!files) return tl::unexpected(files.error());
-    for (WrittenArtifact& file : *files)
-      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
-                                  std::string(artifact->media_type), std::move(file.bytes)});
-  }
-  result.status = report.status();
-  result.report = (*made)->json();
-  return result;
+  return done(*asked, progress);
+}
+
+Result<RunResult> run_apart(const std::string& request, const Progress& progress,
+                            const Limits& limits, const Catalogue& catalogue) {
+  const auto answering = [&](const Texts&, const Parent& parent) {
+    const auto asked = read_request(request, catalogue);
+    if (!asked) return texts_of(asked.error());
+    parent.note({asked->request.input.string()});
+    const auto result = done(*asked, parent.progress);
+    return result ? texts_of(*result) : texts_of(result.error());
+  };
+  const auto child = ChildProcess::copy(answering, limits.memory);
+  if (!child) return tl::unexpected(child.error());
+  std::string input = "the request";
+  const auto name = [&](const Texts& note) { input = note.empty() ? input : note.front(); };
+  const auto answer = (*child)->ask({}, limits.time, {progress, name});
+  if (!answer) return tl::unexpected(error_of(answer.error(), input, limits));
+  if (auto error = error_in(*answer)) return tl::unexpected(std::move(*error));
+  if (auto result = result_in(*answer)) return std::move(*result);
+  return tl::unexpected(error_of({{}, kDamagedAnswer}, input, limits));
 }
 
 }  // namespace planish::job

@@ -34,9 +34,9 @@ Result<UnfoldReport> unfold_carefully(const Body& body, const Request& request,
   try {
     return unfold_body(body, request, progress);
   } catch (const std::exception& defect) {
-    return fail(ErrorCode::internal, defect.what());
+    return fail(ErrorCode::crashed, fmt::format("unfolding it crashed ({})", defect.what()));
   } catch (...) {
-    return fail(ErrorCode::internal, "an exception of unknown type");
+    return fail(ErrorCode::crashed, "unfolding it crashed (an exception of unknown type)");
   }
 }
 
@@ -83,7 +83,8 @@ Result<UnfoldReport> unfold(const Request& request, const Progress& progress) {
   return report;
 }
 
-Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress) {
+Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress,
+                                             const AllBodies& all) {
   const auto read = timed_read(request, progress);
   if (!read) return tl::unexpected(read.error());
   std::vector<UnfoldReport> reports;
@@ -92,7 +93,11 @@ Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progr
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
     if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
-    auto report = unfold_carefully(body, request, share_of(unfolding, i, count, body.name()));
+    if (all.begins) all.begins(i);
+    const auto given_up = all.given_up.find(i);
+    auto report = given_up != all.given_up.end()
+                      ? Result<UnfoldReport>(tl::unexpect, given_up->second)
+                      : unfold_carefully(body, request, share_of(unfolding, i, count, body.name()));
     if (!report && report.error().code == ErrorCode::cancelled) {
       return tl::unexpected(report.error());
     }

@@ -41,7 +41,7 @@ TEST(ErrorCodes, HaveTheExitStatusOfTheirGroup) {
     int expected = 4;
     if (code <= ErrorCode::no_such_face) {
       expected = 2;
-    } else if (code <= ErrorCode::shell_not_solid) {
+    } else if (code <= ErrorCode::crashed) {
       expected = 3;
     } else if (code >= ErrorCode::invalid_sheet) {
       expected = 1;

@@ -18,10 +18,10 @@ TEST(Guarded, HandsBackWhatTheFunctionReturns) {
             ErrorCode::no_solid);
 }
 
-TEST(Guarded, TurnsExceptionsIntoInternalErrors) {
+TEST(Guarded, TurnsExceptionsIntoErrors) {
   const auto kernel = guarded([]() -> int { throw Standard_OutOfRange("row 7"); }, "body-1");
   ASSERT_FALSE(kernel);
-  EXPECT_EQ(kernel.error().code, ErrorCode::internal);
+  EXPECT_EQ(kernel.error().code, ErrorCode::kernel_failed);
   EXPECT_NE(kernel.error().message.find("row 7"), std::string::npos);
   EXPECT_NE(kernel.error().message.find("Standard_OutOfRange"), std::string::npos);
   EXPECT_EQ(kernel.error().where, "body-1");
@@ -29,6 +29,15 @@ TEST(Guarded, TurnsExceptionsIntoInternalErrors) {
   const auto library = guarded([] { throw std::runtime_error("disc full"); });
   ASSERT_FALSE(library);
   EXPECT_NE(library.error().message.find("disc full"), std::string::npos);
+}
+
+TEST(Guarded, SaysThatMemoryIsWanting) {
+  const auto kernel = guarded([]() -> int { throw Standard_OutOfMemory("row 7"); }, "body-1");
+  ASSERT_FALSE(kernel);
+  EXPECT_EQ(kernel.error().code, ErrorCode::out_of_memory);
+  const auto library = guarded([] { throw std::bad_alloc(); });
+  ASSERT_FALSE(library);
+  EXPECT_EQ(library.error().code, ErrorCode::out_of_memory);
 }
 
 TEST(StepString, SpellsWhatIsNotAscii) {

@@ -12,6 +12,8 @@ namespace planish::studio {
 namespace fs = std::filesystem;
 namespace {
 
+using Cause = job::ChildEnd::Cause;
+
 constexpr int kUnreadable = 422;  // status for a file that the program cannot read
 
 }  // namespace
@@ -73,7 +75,7 @@ void ServedDocument::end() {
 
 Answer ServedDocument::computed(const Task& task, Turns& turns) {
   const auto turn = turns.take([this] { return is_cancelled(); });
-  if (!turn || is_cancelled()) return worker_lost(WorkerEnd::died);
+  if (!turn || is_cancelled()) return worker_lost(Cause::crashed);
   if (const auto answer = known(); answer && (task.verb.empty() || answer->status != 200))
     return *answer;
   const Worker last = worker();
@@ -87,7 +89,7 @@ Answer ServedDocument::computed(const Task& task, Turns& turns) {
 Answer ServedDocument::read() {
   const auto bytes = job::read_text(file(), "document");
   if (!bytes) return failure(bytes.error());
-  auto started = WorkerProcess::start(attachments());
+  auto started = start_worker(attachments());
   if (!started) return failure(started.error());
   replace_worker(std::move(*started));
   Answer answer = labelled(asked({"open", label_.name, *bytes}));
@@ -118,22 +120,22 @@ bool ServedDocument::is_unreadable() const {
 }
 
 Answer ServedDocument::asked(const Task& task) {
-  if (is_cancelled()) return worker_lost(WorkerEnd::died);
+  if (is_cancelled()) return worker_lost(Cause::crashed);
   const Worker asked_worker = worker();
-  auto answer = asked_worker->ask(task, limit_, [this](Stage stage) {
+  auto answer = ask(*asked_worker, task, limit_, [this](Stage stage) {
     const std::lock_guard lock(state_);
     stage_ = std::move(stage);
   });
-  if (!answer) return worker_lost(answer.error());
+  if (!answer) return worker_lost(answer.error().cause);
   // After running out of memory a worker's heap is fragmented.
   if (answer->status == 409) replace_worker(nullptr);
   return std::move(*answer);
 }
 
-Answer ServedDocument::worker_lost(WorkerEnd end) {
+Answer ServedDocument::worker_lost(Cause cause) {
   replace_worker(nullptr);
   if (is_cancelled()) return failure(409, "cancelled", "cancelled");
-  if (end == WorkerEnd::late)
+  if (cause == Cause::out_of_time)
     return failure(
         409, "worker_timeout",
         fmt::format("the request took longer than {} s and was stopped", limit_.count()));

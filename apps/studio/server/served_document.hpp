@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../worker/worker_process.hpp"
+#include "../worker/worker.hpp"
 #include "turns.hpp"
 
 #include <chrono>
@@ -10,6 +10,8 @@
 #include <string>
 
 namespace planish::studio {
+
+using Moment = std::chrono::steady_clock::time_point;
 
 /// Who brought a document: the page, or the command line.
 enum class Origin { page, command_line };
@@ -58,7 +60,7 @@ class ServedDocument {
   ServedDocument(std::filesystem::path folder, DocumentLabel label, std::chrono::seconds limit)
       : folder_(std::move(folder)), label_(std::move(label)), limit_(limit) {}
 
-  using Worker = std::shared_ptr<WorkerProcess>;
+  using Worker = std::shared_ptr<job::ChildProcess>;
 
   void begin();
   void end();
@@ -69,7 +71,7 @@ class ServedDocument {
   Worker worker() const;
   void replace_worker(Worker worker);
   bool is_cancelled() const;
-  Answer worker_lost(WorkerEnd end);
+  Answer worker_lost(job::ChildEnd::Cause cause);
   std::filesystem::path file() const { return folder_ / "document"; }
   std::filesystem::path attachments() const { return folder_ / "attachments"; }
 

@@ -36,6 +36,9 @@ enum class ErrorCode {
   scan_too_large,   ///< a scan of more points than are searched
   no_solid,         ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
+  too_far_away,     ///< coordinates beyond what can be computed with
+  kernel_failed,    ///< the CAD kernel gave up with an exception
+  crashed,          ///< work in a process of its own ended with a crash
   // Understood, but no flat pattern exists (exit status 4).
   not_a_sheet,             ///< no two skins at a constant distance: a solid block, casting,
                            ///< machined part
@@ -59,6 +62,8 @@ enum class ErrorCode {
   out_of_reach,       ///< a place that a strip is too short to reach
   pattern_wrong,      ///< the certificate's residuals exceed what can be trusted
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
+  out_of_time,        ///< the time allowed has passed
+  out_of_memory,      ///< the memory allowed does not suffice
   // Others.
   invalid_sheet,  ///< a sheet that breaks a rule of `check`: a defect of its maker (exit status 1)
   cancelled,      ///< the caller asked to stop (exit status 1)

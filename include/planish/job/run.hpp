@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/job/artifact.hpp>
+#include <planish/job/child_process.hpp>
 
 #include <string>
 #include <vector>
@@ -30,6 +31,14 @@ struct RunResult {
 /// that of the option, "/options/bend_k/B99"), those of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
+
+/// The same in a separate process, a copy of this one (see `ChildProcess::copy` for when a copy may
+/// be made): a file that crashes the CAD kernel ends that process, not this one. Time and memory
+/// are limited; cancelling through `progress` ends the process immediately. Costs some milliseconds
+/// more. Errors beyond those of `run`: `crashed`, `out_of_time`, `out_of_memory`, each with the
+/// stage that was reached, and `internal` if the system cannot start a process.
+Result<RunResult> run_apart(const std::string& request, const Progress& progress = {},
+                            const Limits& limits = {}, const Catalogue& catalogue = built_in());
 
 /// Option values from the text of a JSON object, like the "options" of a request. With
 /// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...}.

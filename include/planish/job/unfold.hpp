@@ -5,6 +5,8 @@
 #include <planish/job/report.hpp>
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -30,9 +32,16 @@ struct UnfoldReport : Report {
 /// `bad_option`.
 Result<UnfoldReport> unfold(const Request& request, const Progress& progress = {});
 
+/// Settings for unfolding all bodies; bodies count from 0.
+struct AllBodies {
+  std::map<int, Error> given_up;    ///< bodies to skip, each with its refusal
+  std::function<void(int)> begins;  ///< called before each body
+};
+
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. If one body
 /// fails, its report has the refusal, and the others continue.
-Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {});
+Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progress& progress = {},
+                                             const AllBodies& all = {});
 
 /// The same for a body already read (`request.input` and `request.body` are ignored; `input`,
 /// `number`, `bodies_in_file` and `read_seconds` of the report are not set).

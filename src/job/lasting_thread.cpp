@@ -3,7 +3,7 @@
 #include <csignal>
 #include <thread>
 
-namespace planish::studio {
+namespace planish::job {
 
 LastingThread& LastingThread::of_process() {
   static auto* const one = new LastingThread();  // never ended, and so never destroyed
@@ -39,4 +39,4 @@ void LastingThread::work_on() {
   }
 }
 
-}  // namespace planish::studio
+}  // namespace planish::job

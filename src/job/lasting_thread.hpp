@@ -6,10 +6,10 @@
 #include <mutex>
 #include <queue>
 
-namespace planish::studio {
+namespace planish::job {
 
-/// A thread that lives as long as the process. Workers are started from it, because the system ends
-/// a worker with the thread that started it (PR_SET_PDEATHSIG).
+/// A thread that lives as long as the process. Children are started from it, because the system
+/// ends a child with the thread that started it (PR_SET_PDEATHSIG).
 class LastingThread {
  public:
   static LastingThread& of_process();
@@ -26,4 +26,4 @@ class LastingThread {
   std::queue<std::packaged_task<int()>> tasks_;
 };
 
-}  // namespace planish::studio
+}  // namespace planish::job
