@@ -11,17 +11,20 @@ namespace planish::inspect_detail {
 /// curves are flattened, so that what was drawn at the limit passes.
 constexpr double kDrawn = 10.0 * 1e-4;  // mm
 
-/// One violation, before many of a kind become one finding.
+/// One place where a rule is broken, before all places of a rule become one finding.
 struct Observation {
-  Finding finding;
-  std::string kind;   ///< those of one code and kind differ by their place only
-  std::string many;   ///< follows the count: "openings Ø 3 mm are …"
+  const char* code = "";
+  FindingPlace place;
   double excess = 0;  ///< measured less wanted, mm: the smallest is the worst
 };
 
-/// Findings in the order of the observations. Where a code and kind has more than ten, they become
-/// one finding with their count, the worst of them and all their places.
-std::vector<Finding> grouped(std::vector<Observation> observations);
+/// Warning where a measure falls below this share of its limit, and everywhere if the rules are
+/// strict.
+Severity severity_of(double measured, double limit, double share, const Rules& rules);
+
+/// One finding a code, in the order of the first observations; its places the worst first: warnings
+/// before info, then by excess.
+std::vector<Finding> grouped(const std::vector<Observation>& observations);
 
 /// A number as a shop writes it: at most three decimals, no zeros at their end.
 std::string number_text(double value);

@@ -20,12 +20,16 @@ std::span<const RuleField> rule_fields() {
                 "smallest distance of an opening from a bend's tangent line, in T",
                 "shops: 2; Creo: 2.5 T + R from the bend"},
       RuleField{"opening_to_edge_t", &Rules::opening_to_edge_t,
-                "smallest distance of an opening from the outer contour, in T", "Creo: 2"},
+                "smallest distance of an opening from the outer contour, in T",
+                "laser shops: 1; punching shops and Creo: 2"},
       RuleField{"opening_to_opening_t", &Rules::opening_to_opening_t,
-                "smallest distance between two openings, in T", "Creo: 5"},
+                "smallest distance between two openings, in T",
+                "laser shops: 1; punching shops: 2 to 5; Creo: 5"},
+      RuleField{"opening_to_opening_mm", &Rules::opening_to_opening_mm,
+                "smallest distance between two openings of thin sheet, mm", "laser shops: 0.8"},
       RuleField{"smallest_opening_t", &Rules::smallest_opening_t,
                 "diameter of the circle that must fit into every opening, in T",
-                "shops: 1; punching 1.2, laser 0.5"},
+                "laser shops: 0.5, some 1; punching shops: 1.2"},
       RuleField{"inside_radius_t", &Rules::inside_radius_t,
                 "smallest inside radius of a bend, in T",
                 "shops: 1; low-carbon steel 0.5, and not below 0.8 mm"},
@@ -33,7 +37,7 @@ std::span<const RuleField> rule_fields() {
                 "smallest width of the relief where a bend ends inside an edge, in T; 0 switches "
                 "the rule "
                 "off",
-                "shops: 1"},
+                "laser: the kerf is enough in soft steel; where it must not tear, and punched: 1"},
       RuleField{"relief_depth_r", &Rules::relief_depth_r,
                 "share of the inside radius R in the smallest relief depth", "shops: 1"},
       RuleField{"relief_depth_t", &Rules::relief_depth_t,
@@ -49,6 +53,17 @@ std::span<const RuleField> rule_fields() {
   return kFields;
 }
 
+Rules rules_for(Process process) {
+  Rules rules;
+  if (process == Process::laser) return rules;
+  rules.opening_to_edge_t = 2.0;
+  rules.opening_to_opening_t = 2.0;
+  rules.opening_to_opening_mm = 0.0;
+  rules.smallest_opening_t = 1.2;
+  rules.relief_width_t = 1.0;
+  return rules;
+}
+
 std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
                                  const Rules& rules) {
   if (!rules.enabled) return {};
@@ -60,7 +75,7 @@ std::vector<Finding> check_rules(const Sheet& sheet, const FlatPattern& pattern,
     for (Observation& one : observe(workpiece, rules))
       all.push_back(std::move(one));
   }
-  return grouped(std::move(all));
+  return grouped(all);
 }
 
 }  // namespace planish
