@@ -129,11 +129,14 @@ void add_report_options(CLI::App& app, Arguments& to) {
 }
 
 void add_print_rules(CLI::App& app) {
-  const auto print = [] {
-    fmt::print("{}", job::rules_json(Rules{}));
+  const auto print = [&app] {
+    const CLI::Option* process = app.get_option("--process");
+    const bool punch = process->count() > 0 && process->results().back() == "punch";
+    fmt::print("{}", job::rules_json(rules_for(punch ? Process::punch : Process::laser)));
     throw CLI::Success();
   };
-  app.add_flag_callback("--print-rules", print, "print the rules file with all defaults, and exit")
+  app.add_flag_callback("--print-rules", print,
+                        "print the rules file with all limits of the process, and exit")
       ->group("Checks");
 }
 

@@ -27,6 +27,7 @@ struct ZoneCorner {
 struct Relief {
   Vec2 at = Vec2::Zero();
   bool missing = false;
+  bool flush = false;  // missing, and the sheet beside the bend ends where the bend begins
   double width = std::numeric_limits<double>::infinity();
   double depth = std::numeric_limits<double>::infinity();  // beyond the tangent line
 };
@@ -75,10 +76,15 @@ bool flange_goes_on(const Workpiece& workpiece, const ZoneCorner& corner, double
 /// beside the bend, not even around a relief: at free ends, and at the side of a tab, where the
 /// slit beside it is not a relief.
 Relief relief_at(const Workpiece& workpiece, const ZoneCorner& corner, const Limits& limits,
-                 double reach) {
+                 double outside) {
+  const double reach = kReach * outside;
   Relief relief{corner.at};
   relief.missing = flange_goes_on(workpiece, corner, kBeside, 0.5 * kAcross);
-  if (relief.missing) return relief;
+  if (relief.missing) {
+    relief.flush = !workpiece.material(corner.at + kBeside * corner.beyond -
+                                       kQuarter * outside * corner.outward);
+    return relief;
+  }
   const Vec2 level = corner.at + kBeside * corner.beyond + kAcross * corner.outward;
   const double width = workpiece.material(level)
                            ? 0.0
@@ -101,6 +107,16 @@ double excess(const Relief& relief, const Limits& limits) {
   return std::min(relief.width - limits.width, relief.depth - limits.depth);
 }
 
+/// A bend beside sheet that goes on tears it; where that sheet's edge is flush with the bend, its
+/// corner only bulges.
+Severity severity(const FlatBend& bend, const Relief& relief, const Limits& limits,
+                  const Rules& rules, double thickness) {
+  if (rules.strict) return Severity::warning;
+  if (relief.missing) return relief.flush ? Severity::info : Severity::warning;
+  const double setback = measured_setback(bend, thickness);
+  return severity_of(relief.depth + setback, limits.depth + setback, kHalf, rules);
+}
+
 std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits& limits,
                         const Rules& rules, double thickness) {
   const double setback = measured_setback(bend, thickness);
@@ -110,10 +126,11 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
                                         factors_text(rules.relief_depth_t, rules.relief_depth_r));
   if (relief.missing) {
     return fmt::format(
-        "bend {} ends inside an edge at {} without relief; it needs one {} wide and, from the "
+        "bend {} ends {} at {} without relief; it needs one {} wide and, from the "
         "outside of the bend, {} "
         "deep",
-        bend.id, point_text(relief.at), width, depth);
+        bend.id, relief.flush ? "flush with an edge" : "inside an edge", point_text(relief.at),
+        width, depth);
   }
   if (relief.width < limits.width - kDrawn) {
     return fmt::format("the relief of bend {} at {} is {} wide; at least {} is needed", bend.id,
@@ -125,9 +142,8 @@ std::string relief_text(const FlatBend& bend, const Relief& relief, const Limits
 }
 
 bool seen_already(const std::vector<Observation>& observations, const Vec2& p, double near) {
-  return std::any_of(observations.begin(), observations.end(), [&](const Observation& o) {
-    return (o.finding.at.front() - p).norm() <= near;
-  });
+  return std::any_of(observations.begin(), observations.end(),
+                     [&](const Observation& o) { return (o.place.at.front() - p).norm() <= near; });
 }
 
 }  // namespace
@@ -149,20 +165,19 @@ std::vector<Observation> observe_reliefs(const Workpiece& workpiece, const Rules
       Relief worst;
       for (const ZoneCorner& corner :
            corners_towards(workpiece, b, forward ? along : Vec2(-along))) {
-        const Relief relief = relief_at(workpiece, corner, limits, kReach * outside);
-        if (excess(relief, limits) < excess(worst, limits)) worst = relief;
+        const Relief relief = relief_at(workpiece, corner, limits, outside);
+        const bool same = worst.missing && relief.missing;
+        if (same ? worst.flush && !relief.flush : excess(relief, limits) < excess(worst, limits))
+          worst = relief;
       }
       // Bends that meet in a corner lack only one relief between them.
       if (excess(worst, limits) >= -kDrawn || seen_already(result, worst.at, workpiece.thickness))
         continue;
-      result.push_back(
-          {{"bend_relief",
-            Severity::warning,
-            relief_text(bend, worst, limits, rules, workpiece.thickness),
-            {worst.at}},
-           worst.missing ? "missing" : "small",
-           worst.missing ? "ends of bends lack a relief" : "reliefs of bends are too small",
-           excess(worst, limits)});
+      result.push_back({"bend_relief",
+                        {severity(bend, worst, limits, rules, workpiece.thickness),
+                         relief_text(bend, worst, limits, rules, workpiece.thickness),
+                         {worst.at}},
+                        excess(worst, limits)});
     }
   }
   return result;

@@ -15,11 +15,8 @@ std::vector<Vec2> middle_of(const Workpiece& workpiece, size_t bend) {
 }
 
 Observation bend_observation(const Workpiece& workpiece, size_t bend, const char* code,
-                             std::string message, std::string many, double excess) {
-  return {{code, Severity::warning, std::move(message), middle_of(workpiece, bend)},
-          many,
-          many,
-          excess};
+                             Severity severity, std::string message, double excess) {
+  return {code, {severity, std::move(message), middle_of(workpiece, bend)}, excess};
 }
 
 void observe_radius(const Workpiece& workpiece, size_t b, const Rules& rules,
@@ -27,12 +24,11 @@ void observe_radius(const Workpiece& workpiece, size_t b, const Rules& rules,
   const FlatBend& bend = workpiece.pattern.bends[b];
   const double limit = rules.inside_radius_t * workpiece.thickness;
   if (bend.inside_radius >= limit - kDrawn) return;
-  const std::string radius = mm_text(bend.inside_radius);
+  // A shop bends with the tools that it has; its radius changes the flat length a little.
   result.push_back(bend_observation(
-      workpiece, b, "inside_radius",
-      fmt::format("the inside radius of bend {} is {}; at least {} ({}) is needed", bend.id, radius,
-                  mm_text(limit), factors_text(rules.inside_radius_t)),
-      fmt::format("bends have an inside radius of {}, which is too small", radius),
+      workpiece, b, "inside_radius", rules.strict ? Severity::warning : Severity::info,
+      fmt::format("the inside radius of bend {} is {}; at least {} ({}) is needed", bend.id,
+                  mm_text(bend.inside_radius), mm_text(limit), factors_text(rules.inside_radius_t)),
       bend.inside_radius - limit));
 }
 
@@ -43,10 +39,10 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   const double least_diameter = rules.hem_diameter_t * workpiece.thickness;
   if (diameter < least_diameter - kDrawn) {
     result.push_back(bend_observation(
-        workpiece, b, "hem",
+        workpiece, b, "hem", severity_of(diameter, least_diameter, kHalf, rules),
         fmt::format("the hem at bend {} is {} wide inside; at least {} ({}) is needed", bend.id,
                     mm_text(diameter), mm_text(least_diameter), factors_text(rules.hem_diameter_t)),
-        "hems are too narrow inside", diameter - least_diameter));
+        diameter - least_diameter));
   }
   const double least_return = rules.hem_return_t * workpiece.thickness;
   const double outside = bend.inside_radius + workpiece.thickness;
@@ -59,17 +55,17 @@ void observe_hem(const Workpiece& workpiece, size_t b, const Rules& rules,
   const double measured = shortest.length + outside;
   if (measured >= least_return - kDrawn) return;
   Observation one = bend_observation(
-      workpiece, b, "hem",
+      workpiece, b, "hem", severity_of(measured, least_return, kHalf, rules),
       fmt::format("the return of the hem at bend {} is {} long from the outside "
                   "of the bend; at least {} ({}) is needed",
                   bend.id, mm_text(measured), mm_text(least_return),
                   factors_text(rules.hem_return_t)),
-      "hems have too short a return", measured - least_return);
-  one.finding.at = {shortest.at};
+      measured - least_return);
+  one.place.at = {shortest.at};
   result.push_back(std::move(one));
 }
 
-/// K is a property of material and tool, so all bends with the same wrong K give one finding.
+/// K is a property of material and tool, so all bends with the same wrong K are one place.
 void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
                        std::vector<Observation>& result) {
   constexpr double kSame = tolerance::kWrittenDigits;
@@ -96,8 +92,7 @@ void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
     const std::string source = first.allowance.source.empty()
                                    ? ""
                                    : fmt::format(" ({})", first.allowance.source);
-    Finding finding{
-        "k_factor",
+    FindingPlace place{
         Severity::warning,
         fmt::format("{} {} the K-factor {}{}, outside [{}, {}], the range of measured ones", who,
                     group.size() == 1 ? "has" : "have", number_text(first.allowance.k_factor),
@@ -105,8 +100,8 @@ void observe_k_factors(const Workpiece& workpiece, const Rules& rules,
         {}};
     for (const size_t b : group)
       for (const Vec2& p : middle_of(workpiece, b))
-        finding.at.push_back(p);
-    result.push_back({std::move(finding), number_text(first.allowance.k_factor), "", 0.0});
+        place.at.push_back(p);
+    result.push_back({"k_factor", std::move(place)});
   }
 }
 

@@ -93,14 +93,12 @@ std::vector<Observation> observe_flange_heights(const Workpiece& workpiece, cons
                                                 workpiece.pattern.bends[*flat.other_bend].id)
                                   : fmt::format("at bend {}", bend.id);
     result.push_back(
-        {{"flange_height",
-          Severity::warning,
+        {"flange_height",
+         {Severity::warning,
           fmt::format(
               "the flange {} is {} high from the outside of the bend; at least {} ({}) is needed",
               where, mm_text(flat.length + setback), mm_text(wanted + setback), rule),
           {flat.at}},
-         "",
-         "flanges are too low to be bent",
          flat.length - wanted});
   }
   return result;

@@ -1,48 +1,76 @@
 #include "observation.hpp"
 
+#include <planish/base/assert.hpp>
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
 
 namespace planish::inspect_detail {
 namespace {
-
-constexpr size_t kMany = 10;
 
 std::string term_text(double factor, const char* name) {
   return factor == 1.0 ? name : fmt::format("{} {}", number_text(factor), name);
 }
 
-Finding merged(const std::vector<const Observation*>& alike) {
-  const Observation* worst = alike.front();
-  Finding result = alike.front()->finding;
-  result.at.clear();
+/// What the places of a rule have in common; follows their number.
+const char* many_of(std::string_view code) {
+  static const std::map<std::string_view, const char*> kMany{
+      {"flange_height", "flanges are too low to be bent"},
+      {"bend_relief", "ends of bends lack a relief, or have too small a one"},
+      {"inside_radius", "bends have too small an inside radius"},
+      {"hem", "hems are too narrow inside or have too short a return"},
+      {"k_factor", "K-factors lie outside the range of measured ones"},
+      {"opening_to_bend", "openings are too near to bends"},
+      {"opening_in_bend", "openings reach into bends"},
+      {"opening_to_edge", "openings are too near to the outer edge"},
+      {"opening_to_opening", "gaps between openings are too narrow"},
+      {"smallest_opening", "openings are too small"}};
+  const auto found = kMany.find(code);
+  PLANISH_ASSERT(found != kMany.end());
+  return found->second;
+}
+
+Finding finding_of(const char* code, std::vector<const Observation*> alike) {
+  std::stable_sort(alike.begin(), alike.end(), [](const Observation* a, const Observation* b) {
+    if (a->place.severity != b->place.severity) return a->place.severity > b->place.severity;
+    return a->excess < b->excess;
+  });
+  const FindingPlace& worst = alike.front()->place;
+  Finding result{code, worst.severity, worst.message, {}};
+  if (alike.size() > 1)
+    result.message = fmt::format("{} {}; the worst: {}", alike.size(), many_of(code),
+                                 worst.message);
   for (const Observation* one : alike) {
-    if (one->excess < worst->excess) worst = one;
-    result.at.insert(result.at.end(), one->finding.at.begin(), one->finding.at.end());
+    result.places.push_back(one->place);
+    result.at.insert(result.at.end(), one->place.at.begin(), one->place.at.end());
   }
-  result.message = fmt::format("{} {}; the worst: {}", alike.size(), worst->many,
-                               worst->finding.message);
   return result;
 }
 
 }  // namespace
 
-std::vector<Finding> grouped(std::vector<Observation> observations) {
-  std::map<std::pair<std::string, std::string>, std::vector<const Observation*>> kinds;
-  const auto key = [](const Observation& o) { return std::pair{o.finding.code, o.kind}; };
-  for (const Observation& one : observations)
-    kinds[key(one)].push_back(&one);
-  std::vector<Finding> findings;
+Severity severity_of(double measured, double limit, double share, const Rules& rules) {
+  return rules.strict || measured < share * limit - kDrawn ? Severity::warning : Severity::info;
+}
+
+std::vector<Finding> grouped(const std::vector<Observation>& observations) {
+  std::vector<std::pair<const char*, std::vector<const Observation*>>> rules;
   for (const Observation& one : observations) {
-    const auto& alike = kinds[key(one)];
-    if (alike.size() <= kMany) {
-      findings.push_back(one.finding);
-    } else if (alike.front() == &one) {
-      findings.push_back(merged(alike));
-    }
+    const auto same = std::find_if(rules.begin(), rules.end(), [&](const auto& rule) {
+      return std::string_view(rule.first) == one.code;
+    });
+    if (same == rules.end())
+      rules.push_back({one.code, {&one}});
+    else
+      same->second.push_back(&one);
   }
+  std::vector<Finding> findings;
+  for (auto& [code, alike] : rules)
+    findings.push_back(finding_of(code, std::move(alike)));
   return findings;
 }
 

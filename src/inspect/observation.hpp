@@ -11,17 +11,23 @@ namespace planish::inspect_detail {
 /// curves are flattened, so that a feature drawn at the limit passes.
 constexpr double kDrawn = 10.0 * 1e-4;  // mm
 
-/// One violation, before many of a kind become one finding.
+/// One place where a rule is broken, before all places of a rule become one finding.
 struct Observation {
-  Finding finding;
-  std::string kind;   ///< observations of one code and kind differ only in place
-  std::string many;   ///< follows the count: "openings Ø 3 mm are …"
+  const char* code = "";
+  FindingPlace place;
   double excess = 0;  ///< measured less wanted, mm: the smallest is the worst
 };
 
-/// Findings in the order of the observations. More than ten of one code and kind become one finding
-/// with their count, the worst of them and all their places.
-std::vector<Finding> grouped(std::vector<Observation> observations);
+/// Shares of a limit below which a shop would call, not shrug.
+constexpr double kHalf = 0.5, kQuarter = 0.25;
+
+/// Warning where a measure falls below this share of its limit, and everywhere if the rules are
+/// strict.
+Severity severity_of(double measured, double limit, double share, const Rules& rules);
+
+/// One finding for each code, in the order of the first observations; its places the worst first:
+/// warnings before info, then by excess.
+std::vector<Finding> grouped(const std::vector<Observation>& observations);
 
 /// A number as a shop writes it: at most three decimals, no trailing zeros.
 std::string number_text(double value);

@@ -27,26 +27,18 @@ Observation in_bend(const Workpiece& workpiece, const Opening& opening, size_t b
   // A cut from flange to flange is deliberate; an edge within the zone tears open.
   const bool through = limits_cut == 2;
   const std::string what = opening_text(opening);
-  if (through) {
-    return {{"opening_in_bend",
-             Severity::info,
+  if (through)
+    return {"opening_in_bend",
+            {Severity::info,
              fmt::format("{} is cut through bend {}; its edges in the bend will be distorted", what,
                          bend.id),
-             {opening.center}},
-            "through " + opening.size_text,
-            fmt::format("openings {} are cut through bends", opening.size_text),
-            0.0};
-  }
-  return {
-      {"opening_in_bend",
-       Severity::warning,
-       fmt::format("{} reaches into bend {}, where it will be distorted; move it away or extend "
-                   "it through the whole bend",
-                   what, bend.id),
-       {opening.center}},
-      opening.size_text,
-      fmt::format("openings {} reach into bends", opening.size_text),
-      0.0};
+             {opening.center}}};
+  return {"opening_in_bend",
+          {Severity::warning,
+           fmt::format("{} reaches into bend {}, where it will be distorted; move it away or "
+                       "extend it through the whole bend",
+                       what, bend.id),
+           {opening.center}}};
 }
 
 /// An opening too near to a tangent line.
@@ -87,14 +79,12 @@ std::vector<Observation> observe_openings_by_bends(const Workpiece& workpiece, c
         result.push_back(in_bend(workpiece, opening, b));
     for (const auto& [gap, bend] : near_bends(workpiece, opening, limit)) {
       result.push_back(
-          {{"opening_to_bend",
-            Severity::warning,
+          {"opening_to_bend",
+           {severity_of(gap.distance, limit, kQuarter, rules),
             fmt::format("{} is {} from the tangent line of bend {}{}", opening_text(opening),
                         mm_text(gap.distance), workpiece.pattern.bends[bend].id,
                         wanted_text(limit, rules.opening_to_bend_t)),
             {gap.a}},
-           opening.size_text,
-           fmt::format("openings {} are too near to bends", opening.size_text),
            gap.distance - limit});
     }
   }
@@ -114,13 +104,11 @@ std::vector<Observation> observe_openings_by_edges(const Workpiece& workpiece, c
     });
     if (nearest.distance >= limit - kDrawn) continue;
     result.push_back(
-        {{"opening_to_edge",
-          Severity::warning,
+        {"opening_to_edge",
+         {severity_of(nearest.distance, limit, kHalf, rules),
           fmt::format("{} is {} from the outer edge{}", opening_text(opening),
                       mm_text(nearest.distance), wanted_text(limit, rules.opening_to_edge_t)),
           {nearest.a}},
-         opening.size_text,
-         fmt::format("openings {} are too near to the outer edge", opening.size_text),
          nearest.distance - limit});
   }
   return result;
@@ -160,26 +148,25 @@ std::vector<Neighbour> nearest_neighbours(const Workpiece& workpiece, double lim
 
 std::vector<Observation> observe_openings_by_openings(const Workpiece& workpiece,
                                                       const Rules& rules) {
-  const double limit = rules.opening_to_opening_t * workpiece.thickness;
+  const double by_thickness = rules.opening_to_opening_t * workpiece.thickness;
+  const bool is_thin = by_thickness < rules.opening_to_opening_mm && by_thickness > 0.0;
+  const double limit = is_thin ? rules.opening_to_opening_mm : by_thickness;
+  const std::string wanted = is_thin ? fmt::format("; at least {} is needed", mm_text(limit))
+                                     : wanted_text(limit, rules.opening_to_opening_t);
   const auto& openings = workpiece.openings;
   const std::vector<Neighbour> nearest = nearest_neighbours(workpiece, limit);
   std::vector<Observation> result;
   for (size_t i = 0; i < openings.size(); ++i) {
     const Neighbour& n = nearest[i];
     if (!(n.gap.distance < limit)) continue;
-    if (n.other < i && nearest[n.other].other == i)
-      continue;  // already reported with the other
-                 // one
-    const auto& [first, second] = std::minmax(openings[i].size_text, openings[n.other].size_text);
-    result.push_back({{"opening_to_opening",
-                       Severity::warning,
-                       fmt::format("{} is {} from {}{}", opening_text(openings[i]),
-                                   mm_text(n.gap.distance), opening_text(openings[n.other]),
-                                   wanted_text(limit, rules.opening_to_opening_t)),
-                       {n.gap.a, n.gap.b}},
-                      first + " " + second,
-                      fmt::format("gaps between openings {} and {} are too narrow", first, second),
-                      n.gap.distance - limit});
+    if (n.other < i && nearest[n.other].other == i) continue;  // reported with the other
+    result.push_back(
+        {"opening_to_opening",
+         {severity_of(n.gap.distance, limit, kHalf, rules),
+          fmt::format("{} is {} from {}{}", opening_text(openings[i]), mm_text(n.gap.distance),
+                      opening_text(openings[n.other]), wanted),
+          {n.gap.a, n.gap.b}},
+         n.gap.distance - limit});
   }
   return result;
 }

@@ -93,14 +93,12 @@ std::vector<Observation> observe_opening_sizes(const Workpiece& workpiece, const
     if (opening.is_cut) continue;
     const double width = 2.0 * inscribed_radius(opening, 0.5 * (limit - kDrawn));
     if (width >= limit - kDrawn) continue;
-    result.push_back({{"smallest_opening",
-                       Severity::warning,
+    result.push_back({"smallest_opening",
+                      {Severity::warning,
                        fmt::format("the opening {} at {} is {} wide; at least {} ({}) is needed",
                                    opening.size_text, point_text(opening.center), mm_text(width),
                                    mm_text(limit), factors_text(rules.smallest_opening_t)),
                        {opening.center}},
-                      opening.size_text,
-                      fmt::format("openings {} are too small", opening.size_text),
                       width - limit});
   }
   return result;

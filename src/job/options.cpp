@@ -23,8 +23,13 @@ Done set_k_table(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_process(Request& to, const OptionValue& value) {
+  to.rules = rules_for(text_of(value) == "punch" ? Process::punch : Process::laser);
+  return {};
+}
+
 Done set_rules(Request& to, const OptionValue& value) {
-  const auto rules = parse_rules(file_of(value).text, file_of(value).name);
+  const auto rules = parse_rules(file_of(value).text, file_of(value).name, to.rules);
   if (!rules) return tl::unexpected(rules.error());
   to.rules = *rules;
   return {};
@@ -200,10 +205,17 @@ const std::vector<Option>& dxf_options() {
 
 const std::vector<Option>& check_options() {
   static const std::vector<Option> table{
+      {.name = "process",
+       .kind = OptionKind::word,
+       .group = "Checks",
+       .description = "how openings and contours are cut: the rules' limits depend on it",
+       .otherwise = "laser",
+       .words = {"laser", "punch"},
+       .set = set_process},
       {.name = "rules",
        .kind = OptionKind::file,
        .group = "Checks",
-       .description = "thresholds of the rules of manufacture",
+       .description = "thresholds of the rules of manufacture, instead of the process's",
        .file_type = "FILE.json",
        .set = set_rules},
       {.name = "no_rules",

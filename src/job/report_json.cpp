@@ -117,14 +117,25 @@ Json verification_json(const Report& report, const Units& units) {
   return json;
 }
 
+Json points_json(const std::vector<Vec2>& points, const Units& units) {
+  Json json = Json::array();
+  for (const Vec2& p : points)
+    json.push_back(point_json(p, units));
+  return json;
+}
+
 Json check_json(const Finding& finding, const Units& units) {
   Json json;
   json["code"] = finding.code;
   json["severity"] = severity_name(finding.severity);
   json["message"] = finding.message;
-  json["at"] = Json::array();
-  for (const Vec2& p : finding.at)
-    json["at"].push_back(point_json(p, units));
+  json["at"] = points_json(finding.at, units);
+  if (finding.places.empty()) return json;
+  json["count"] = finding.places.size();
+  for (const FindingPlace& place : finding.places)
+    json["places"].push_back({{"severity", severity_name(place.severity)},
+                              {"message", place.message},
+                              {"at", points_json(place.at, units)}});
   return json;
 }
 

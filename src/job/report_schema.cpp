@@ -59,9 +59,12 @@ Schema verification_schema() {
 }
 
 Schema check_schema() {
-  return object({required("code", text()),
-                 required("severity", words({"info", "warning", "error"})),
-                 required("message", any_text()), required("at", list(report_point()))});
+  const auto severity = [] { return words({"info", "warning", "error"}); };
+  const Schema place = object({required("severity", severity()), required("message", any_text()),
+                               required("at", list(report_point()))});
+  return object({required("code", text()), required("severity", severity()),
+                 required("message", any_text()), required("at", list(report_point())),
+                 optional("count", whole(1)), optional("places", list(place))});
 }
 
 std::vector<Field> common_fields(const std::vector<Field>& bend_details) {

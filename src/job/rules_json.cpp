@@ -16,11 +16,17 @@ Schema make_schema() {
   std::vector<Field> fields = header_fields(kFormat, kVersion);
   fields.push_back(
       optional("enabled", flag().defaulting(usual.enabled).said("false turns every rule off")));
+  fields.push_back(optional(
+      "strict",
+      flag().defaulting(true).said("whether every breach is a warning; false: info where the "
+                                   "guidelines keep a margin")));
+  fields.push_back(
+      optional("sources", map(any_text()).said("where thresholds come from, by key; not read")));
   for (const RuleField& field : rule_fields())
-    fields.push_back(optional(std::string(field.name), number(kAtLeastZero)
-                                                           .defaulting(usual.*(field.value))
-                                                           .said(std::string(field.description))));
-  return object(std::move(fields)).said("Thresholds of the rules of manufacture");
+    fields.push_back(optional(std::string(field.name),
+                              number(kAtLeastZero).said(std::string(field.description))));
+  return object(std::move(fields))
+      .said("Thresholds of the rules of manufacture; those left out are those of the process");
 }
 
 }  // namespace
@@ -30,9 +36,12 @@ std::string rules_json(const Rules& rules) {
   json["format"] = kFormat;
   json["version"] = kVersion;
   json["enabled"] = rules.enabled;
+  json["strict"] = rules.strict;
   for (const RuleField& field : rule_fields()) {
     json[std::string(field.name)] = rules.*(field.value);
   }
+  for (const RuleField& field : rule_fields())
+    json["sources"][std::string(field.name)] = field.origin;
   return text_of(json);
 }
 
@@ -41,13 +50,15 @@ const Schema& rules_schema() {
   return schema;
 }
 
-Result<Rules> parse_rules(const std::string& text, const std::string& name) {
+Result<Rules> parse_rules(const std::string& text, const std::string& name, const Rules& usual) {
   JsonReading reading(text, "rules file", name, rules_schema());
   const JsonPlace file(reading);
-  Rules rules;
+  Rules rules = usual;
   rules.enabled = file["enabled"].yes();
+  rules.strict = file["strict"].yes();
   for (const RuleField& field : rule_fields())
-    rules.*(field.value) = file[std::string(field.name)].number();
+    if (const auto value = file[std::string(field.name)].maybe_number())
+      rules.*(field.value) = *value;
   if (rules.k_low > rules.k_high) {
     file["k_low"].mistake(
         fmt::format("is {}, above k_high, which is {}", rules.k_low, rules.k_high));

@@ -74,6 +74,7 @@ Maker transition_maker() {
       .options = with_pattern_options({{"units", "that of the transition file"},
                                        {"piece"},
                                        {"k", "that of the transition file, or 0.5"},
+                                       {"process"},
                                        {"rules"},
                                        {"no_rules"}}),
       .schema = transition_schema,

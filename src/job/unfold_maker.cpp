@@ -122,6 +122,7 @@ Maker unfold_maker() {
                                        {"root"},
                                        {"up"},
                                        {"extruded"},
+                                       {"process"},
                                        {"rules"},
                                        {"no_rules"}}),
       .report_details = unfold_report_details,

@@ -3,6 +3,7 @@ import type { Finding, Vec2 } from './types.ts';
 /** A finding where it is on the screen; without a number where that would cover another one. */
 export interface FindingMark {
   finding: number;
+  severity: Finding['severity'];
   at: Vec2;
   radius: number;
   numbered: boolean;
@@ -15,7 +16,11 @@ const [chosen, plain, dot] = [10, 7, 3.5]; // radii, pixels
  * numbers first, then the findings in their order.
  */
 export function findingMarks(findings: Finding[], at: (place: Vec2) => Vec2, selected: number | null): FindingMark[] {
-  const wanted = findings.flatMap((f, finding) => (f.at ?? []).map((place) => ({ finding, at: at(place) })));
+  const wanted = findings.flatMap((f, finding) =>
+    (f.places ?? [{ severity: f.severity, at: f.at ?? [] }]).flatMap(({ severity, at: points }) =>
+      points.map((point) => ({ finding, severity, at: at(point) })),
+    ),
+  );
   const numbered: FindingMark[] = [],
     dots: FindingMark[] = [];
   for (const mark of [

@@ -374,13 +374,14 @@ export class FlatView {
     this.marks = findingMarks(findings, ([x, y]) => this.at(x * factor, y * factor), finding);
     for (const {
       finding: i,
+      severity,
       at: [x, y],
       radius: r,
       numbered,
     } of this.marks) {
       c.beginPath();
       c.arc(x, y, r, 0, 2 * Math.PI);
-      c.fillStyle = palette[findings[i]!.severity];
+      c.fillStyle = palette[severity];
       c.globalAlpha = 0.9;
       c.fill();
       c.globalAlpha = 1;

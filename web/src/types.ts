@@ -75,6 +75,7 @@ export interface Options {
   bend_marks?: 'lines' | 'ticks';
   tick_length?: number;
   tangent_lines?: boolean;
+  process?: 'laser' | 'punch';
   rules?: OptionFile<Record<string, number | boolean | string>>;
   no_rules?: boolean;
   write_overlapping?: boolean;
@@ -229,6 +230,14 @@ export interface Finding {
   severity: 'info' | 'warning' | 'error';
   message: string;
   at?: Vec2[] | null;
+  count?: number; // of a rule's places
+  places?: FindingPlace[]; // the worst first
+}
+
+export interface FindingPlace {
+  severity: 'info' | 'warning' | 'error';
+  message: string;
+  at: Vec2[];
 }
 
 export interface Verification {

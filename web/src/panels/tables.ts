@@ -97,11 +97,19 @@ export function findingsList(ui: Ui): TemplateResult {
           data-testid="finding-${i + 1}"
           @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
         >
-          <b>${i + 1}</b><span>${f.message}<small>${f.code}</small></span>
+          <b>${i + 1}</b><span>${f.message}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
         </li>`,
     )}
   </ol>`;
 }
+
+/** All places of a chosen finding that has several. */
+const placesOf = (finding: Finding, chosen: boolean) =>
+  chosen && (finding.places?.length ?? 0) > 1
+    ? html`<ul class="places" data-testid="places">
+        ${finding.places!.map((place) => html`<li class="${place.severity}">${place.message}</li>`)}
+      </ul>`
+    : nothing;
 
 export function findingsOf(ui: Ui): Finding[] {
   return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
