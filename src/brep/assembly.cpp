@@ -177,7 +177,14 @@ Result<Sheet> assemble_sheet(const Recognition& of) {
   add_features(builder, map, of);
   builder.set_volume(volume_of(of.model));
   builder.set_genus(of.model.genus);
-  return std::move(builder).build();
+  auto sheet = std::move(builder).build();
+  if (!sheet && sheet.error().code == ErrorCode::invalid_sheet)
+    return fail(ErrorCode::unsupported_shape,
+                "The borders of its faces do not fit together, as in damaged files; check the "
+                "solid in a CAD program and export it again. " +
+                    sheet.error().message,
+                sheet.error().where);
+  return sheet;
 }
 
 }  // namespace planish::brep

@@ -27,13 +27,13 @@ int Body::face_count() const { return shape_->faces; }
 
 double Body::volume() const {
   const auto volume = brep::guarded([&] {
+    const TopoDS_Shape solid = brep::with_parameter_curves(shape_->solid);
     Bnd_Box box;
-    BRepBndLib::Add(shape_->solid, box, false);
+    BRepBndLib::Add(solid, box, false);
     const Vec3 low = brep::vector_of(box.CornerMin()), high = brep::vector_of(box.CornerMax());
     constexpr double kAccuracy = 1e-11;  // of the cube about the body, for each border
     const double error = kAccuracy * std::pow((high - low).norm(), 3);
     double sum = 0.0;
-    const TopoDS_Shape solid = brep::with_parameter_curves(shape_->solid);
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
       sum += brep::patch_volume(TopoDS::Face(faces.Current()), 0.5 * (low + high), error);
     return std::abs(sum);

@@ -3,6 +3,7 @@
 #include "json_depth.hpp"
 
 #include <planish/base/assert.hpp>
+#include <planish/base/text.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -80,7 +81,7 @@ void JsonReading::parse(const std::string& text) {
     error_ = Error{
         ErrorCode::invalid_input,
         fmt::format("{}: the key \"{}\" appears twice in one object: keep only one of them", what_,
-                    *repeated.first()),
+                    shortened(*repeated.first())),
         name_};
   } else if (!document_.is_object()) {
     error_ = Error{ErrorCode::invalid_input, fmt::format("the {} must hold one JSON object", what_),
@@ -89,8 +90,10 @@ void JsonReading::parse(const std::string& text) {
 }
 
 void JsonReading::mistake(const std::string& pointer, const std::string& sentence) {
+  constexpr std::size_t kShownPointer = 200;
   if (error_) return;
-  error_ = Error{ErrorCode::invalid_input, fmt::format("{}: {} {}", what_, pointer, sentence),
+  error_ = Error{ErrorCode::invalid_input,
+                 fmt::format("{}: {} {}", what_, shortened(pointer, kShownPointer), sentence),
                  name_ + pointer};
 }
 

@@ -2,6 +2,7 @@
 #include "json_reading.hpp"
 #include "request_schema.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/run.hpp>
 
 #include <fmt/format.h>
@@ -24,13 +25,13 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
                                      const std::string& pointer) {
   if (const auto wrong = first_mistake(options_schema(files), options)) {
     const std::string where = pointer + wrong->pointer;
-    return fail(ErrorCode::invalid_input, fmt::format("request: {} {}", where, wrong->sentence),
-                where);
+    return fail(ErrorCode::invalid_input,
+                fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
   }
   for (const auto& [name, value] : options.items())
     if (!maker.takes(name) && !value.is_null())
       return fail(ErrorCode::bad_option,
-                  fmt::format("`{}` is not an option of {}", name, maker.name),
+                  fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
                   pointer + "/" + name);
   return values_of(options);
 }
@@ -73,7 +74,7 @@ Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& ca
         known.push_back(one->name);
       return fail(ErrorCode::bad_option,
                   fmt::format("{} cannot write \"{}\"; it writes {}", asked.maker->name,
-                              name.get<std::string>(), fmt::join(known, ", ")),
+                              shortened(name.get<std::string>()), fmt::join(known, ", ")),
                   fmt::format("/artifacts/{}", i));
     }
     asked.artifacts.push_back(artifact);

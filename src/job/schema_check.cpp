@@ -1,5 +1,7 @@
 #include "schema.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -205,9 +207,7 @@ std::string escaped_token(const std::string& key) {
 std::string shown(const Json& value) {
   if (value.is_array()) return "a list";
   if (value.is_object()) return "an object";
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > kShownBytes) text = text.substr(0, kShownBytes) + "…";
-  return text;
+  return shortened(value.dump(-1, ' ', false, Json::error_handler_t::replace), kShownBytes);
 }
 
 }  // namespace planish::job

@@ -1,6 +1,7 @@
 #include "bend_table_columns.hpp"
 #include "csv.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/sheet/allowance.hpp>
 
 #include <fmt/format.h>
@@ -64,12 +65,12 @@ Result<double> cell_value(const CsvRecord& record, const Heading& heading,
         name, record.line,
         fmt::format("\"{}\" in column {} is not a number; write 1.5 or 1,5, units belong "
                     "in the header",
-                    text, column)));
+                    shortened(text), column)));
   }
   const double value = heading.shift + heading.scale * *read;
   if (const std::string_view why = objection(heading.column, value); !why.empty())
-    return tl::unexpected(
-        table_error(name, record.line, fmt::format("{}, but \"{}\" is given", why, text)));
+    return tl::unexpected(table_error(
+        name, record.line, fmt::format("{}, but \"{}\" is given", why, shortened(text))));
   return value;
 }
 

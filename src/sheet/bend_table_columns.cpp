@@ -1,5 +1,7 @@
 #include "bend_table_columns.hpp"
 
+#include <planish/base/text.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -146,7 +148,7 @@ Result<std::optional<Heading>> parse_heading(const std::string& cell, size_t fie
                 fmt::format("column \"{}\" has a unit that is not known here; lengths are in mm or "
                             "inch, angles in deg "
                             "or rad, R/T and K have none",
-                            cell));
+                            shortened(cell)));
   }
   // "R_mm", "T mm", "Angle deg": the unit without brackets.
   const std::string whole = without_blanks(cell.substr(0, open));
@@ -174,11 +176,11 @@ Result<TableShape> TableShape::from(const CsvRecord& header, const std::string& 
     if (!found->has_value()) continue;
     auto& place = shape.headings_[index_of((*found)->column)];
     if (place) {
-      return tl::unexpected(
-          table_error(name, header.line,
-                      fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
-                                  header.fields[place->field], header.fields[i],
-                                  kColumnNames[index_of(place->column)])));
+      return tl::unexpected(table_error(
+          name, header.line,
+          fmt::format("two columns (\"{}\" and \"{}\") give {}; keep one",
+                      shortened(header.fields[place->field]), shortened(header.fields[i]),
+                      kColumnNames[index_of(place->column)])));
     }
     place = **found;
   }
@@ -193,7 +195,7 @@ std::optional<std::string> TableShape::problem(const CsvRecord& header) const {
     return fmt::format(
         "the header must name R/T, or R and T, and one of K, BA, BD (optionally an angle); found "
         "\"{}\"",
-        fmt::join(header.fields, "\", \""));
+        shortened(fmt::format("{}", fmt::join(header.fields, "\", \"")), 200));
   }
   if (values > 1) return "more than one of K, BA and BD is given; keep one of them";
   if (by_ratio() && (has(Column::radius) || has(Column::thickness)))

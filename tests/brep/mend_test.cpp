@@ -23,6 +23,8 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shell.hxx>
+#include <TopoDS_Solid.hxx>
 #include <TopoDS_Wire.hxx>
 #include <gp_Ax2.hxx>
 #include <gtest/gtest.h>
@@ -124,9 +126,9 @@ std::vector<TopoDS_Edge> edges_of(const TopoDS_Face& face) {
   return edges;
 }
 
-/// The drilled block, the wall of its hole between two circles and without a seam.
+/// The drilled block as read, the wall of its hole between two circles and without a seam.
 TopoDS_Shape without_seam() {
-  const TopoDS_Shape solid = drilled();
+  const TopoDS_Shape solid = only_solid(read_again(drilled()).shape);
   const TopoDS_Face wall = face_where(solid, is_cylinder);
   std::vector<std::vector<TopoDS_Edge>> circles;
   for (const TopoDS_Edge& edge : edges_of(wall))
@@ -212,9 +214,15 @@ TEST(Mend, LetsTheKernelMeasureEveryFaceOfACopy) {
 
 TEST(ClosedSolid, RunsEveryEdgeOnceEachWay) {
   EXPECT_TRUE(is_closed_solid(drilled()));
-  const TopoDS_Shape solid = block();
-  const TopoDS_Face side = face_where(solid, [](const TopoDS_Face&) { return true; });
-  EXPECT_FALSE(is_closed_solid(with(solid, side, side.Reversed())));
+  BRep_Builder builder;
+  TopoDS_Shell shell;
+  TopoDS_Solid one_turned;
+  builder.MakeShell(shell);
+  for (TopExp_Explorer faces(block(), TopAbs_FACE); faces.More(); faces.Next())
+    builder.Add(shell, shell.NbChildren() == 0 ? faces.Current().Reversed() : faces.Current());
+  builder.MakeSolid(one_turned);
+  builder.Add(one_turned, shell);
+  EXPECT_FALSE(is_closed_solid(one_turned));
 }
 
 }  // namespace

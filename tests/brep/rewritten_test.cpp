@@ -1,14 +1,15 @@
 #include "body.hpp"
 #include "guarded.hpp"
-#include "mend.hpp"
 #include "step_out.hpp"
 #include "support/real_parts.hpp"
 
 #include <planish/brep/step.hpp>
 
+#include <BRepBuilderAPI_Copy.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <ShapeCustom.hxx>
+#include <ShapeFix_Shape.hxx>
 #include <ShapeUpgrade_ShapeDivideAngle.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Trsf.hxx>
@@ -46,10 +47,16 @@ Result<Laid> lay(const Body& body) {
               certificate->explained_ratio.value_or(std::nan(""))};
 }
 
+/// With all that the kernel's tools expect of a shape: what is read here is not mended.
+TopoDS_Shape mended_by_kernel(const TopoDS_Shape& shape) {
+  ShapeFix_Shape mending(BRepBuilderAPI_Copy(shape).Shape());
+  mending.Perform();
+  return mending.Shape();
+}
+
 Result<Laid> lay_rewritten(const Body& body, const Rewrite& rewrite) {
-  const auto text = brep::guarded([&] {
-    return brep::step_text(rewrite(brep::with_parameter_curves(body.shape().solid)), "rewritten");
-  });
+  const auto text = brep::guarded(
+      [&] { return brep::step_text(rewrite(mended_by_kernel(body.shape().solid)), "rewritten"); });
   if (!text) return tl::unexpected(text.error());
   const auto file = read_step_text(*text, "rewritten.step");
   if (!file) return tl::unexpected(file.error());

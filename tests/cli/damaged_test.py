@@ -112,16 +112,16 @@ class Limits(CliTest):
 
     def test_what_needs_more_memory_is_given_up(self):
         spec = json.loads(CHAIR.read_text())
-        spec.update(ridges=100000, leg_curve={"bezier": [[360, 0], [360, 10000]]},
+        spec.update(ridges=1000, subdivisions=3, leg_curve={"bezier": [[360, 0], [360, 10000]]},
                     seat_curve={"bezier": [[330, 0], [310, 10000]]})
         spec["sheet"].update(strips=10000, strip_width=1)
         self.write("huge.json", json.dumps(spec))
-        done = subprocess.run([CLI, "slit", "huge.json", "-o", "out.stl", "--memory-limit", "1000"],
+        done = subprocess.run([CLI, "slit", "huge.json", "-o", "out.stl", "--memory-limit", "200"],
                               cwd=self.dir, capture_output=True, timeout=SECONDS, check=False)
         if b"Sanitizer" in done.stderr:
             self.skipTest("built with sanitizers, which need any amount of memory")
         self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertIn(b"needs more memory than the 1000 MiB allowed", done.stderr)
+        self.assertIn(b"needs more memory than the 200 MiB allowed", done.stderr)
         self.assertEqual(self.names(), ["huge.json"])
 
     def test_limits_are_checked(self):
