@@ -117,6 +117,16 @@ class Angle(CliTest):
         self.assertIn("warning", {check["severity"] for check in strict["checks"]})
         self.assertEqual(self.report("--no-rules")["checks"], [])
 
+    def test_a_rule_gives_one_finding_with_all_its_places(self):
+        self.write("rules.json", '{"flange_height_t": 100}')
+        (finding,) = self.report("--rules", "rules.json")["checks"]
+        self.assertEqual(finding["code"], "flange_height")
+        self.assertEqual(finding["count"], len(finding["places"]))
+        self.assertGreaterEqual(finding["count"], 2)
+        self.assertIn(finding["places"][0]["message"], finding["message"])
+        self.assertTrue(finding["message"].startswith(f"{finding['count']} flanges are too low to be bent; the worst: "))
+        self.assertEqual(finding["at"], [point for place in finding["places"] for point in place["at"]])
+
 
 class Outputs(CliTest):
     def test_several_files_of_one_pattern(self):

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Command lines that are wrong, and help: nothing here gets as far as reading a part."""
 
+import json
 import os
 import pathlib
 import sys
@@ -35,6 +36,16 @@ class Help(CliTest):
         out, _ = self.run_cli("unfold", "--print-rules")
         self.write("rules.json", out)
         self.assertEqual(self.json("rules.json")["format"], "planish/rules")
+
+    def test_printed_rules_are_those_of_the_process(self):
+        by_process = {}
+        for process in ("laser", "punch"):
+            rules = json.loads(self.run_cli("unfold", "--process", process, "--print-rules")[0])
+            by_process[process] = [rules[key] for key in ("opening_to_edge_t", "opening_to_opening_t", "smallest_opening_t", "relief_width_t")]
+            self.assertFalse(rules["strict"])
+            self.assertEqual(set(rules["sources"]), set(rules) - {"format", "version", "enabled", "strict", "sources"})
+        self.assertEqual(by_process, {"laser": [1, 1, 0.5, 0.5], "punch": [2, 2, 1.2, 1]})
+        self.assertEqual(self.run_cli("unfold", "--print-rules")[0], self.run_cli("unfold", "--process", "laser", "--print-rules")[0])
 
 
 class WrongUsage(CliTest):

@@ -88,12 +88,15 @@ class Formats(CliTest):
                 self.assertIsNone(report["reason"])
 
     def test_the_rules_and_their_defaults_are_those_of_the_program(self):
-        given = json.loads(self.run_cli("unfold", "--print-rules")[0])
-        table = {}
-        for keys, defaults in re.findall(r"^\| (`[^|]*) \| ([\d., ]+) \|", section("rules"), flags=re.M):
-            table.update(zip(re.findall(r"`(\w+)`", keys), map(float, defaults.split(", "))))
-        self.assertEqual(table, {key: value for key, value in given.items()
-                                 if key not in ("format", "version", "enabled")})
+        rows = re.findall(r"^\| (`[^|]*) \| ([\d., ]+) \| ([^|]+) \|", section("rules"), flags=re.M)
+        for column, process in enumerate(("laser", "punch")):
+            given = json.loads(self.run_cli("unfold", "--process", process, "--print-rules")[0])
+            table = {}
+            for keys, *limits in rows:
+                limit = limits[0] if limits[column] == "the same" else limits[column]
+                table.update(zip(re.findall(r"`(\w+)`", keys), map(float, limit.split(", "))))
+            self.assertEqual(table, {key: value for key, value in given.items()
+                                     if key not in ("format", "version", "enabled", "strict", "sources")})
 
     def test_the_reasons_are_those_of_the_program(self):
         """Both ways: codes and exit statuses, on which scripts branch."""

@@ -25,7 +25,7 @@ FlatPattern tab_without_relief() {
 TEST(BendRelief, IsMissedAtBothEndsOfATabOnAnEdge) {
   const auto found = findings_of(tab_without_relief());
   ASSERT_EQ(found.size(), 2u) << text_of(found);
-  EXPECT_THAT(messages(found), ElementsAre("bend B1 ends inside an edge at (-10, 0) without "
+  EXPECT_THAT(messages(found), ElementsAre("bend B1 ends flush with an edge at (-10, 0) without "
                                            "relief; it needs one 2 mm (T) wide and, from "
                                            "the outside of the bend, 4 mm (T + R) deep",
                                            HasSubstr("at (10, 0) without relief")));
@@ -90,7 +90,7 @@ TEST(BendRelief, MustReachTheTangentLine) {
 }
 
 TEST(BendRelief, HasItsDepthMeasuredFromTheOutside) {
-  Rules rules;
+  Rules rules = strict_rules();
   rules.relief_depth_t = 1.5;  // 5 mm from the outside: 1 mm beyond the tangent line
   EXPECT_TRUE(findings_of(tab(15.0, 2.0, 1.0), rules).empty())
       << text_of(findings_of(tab(15.0, 2.0, 1.0), rules));
@@ -137,7 +137,7 @@ TEST(BendRelief, IsEnoughInARelievedCorner) {
     options.up = up;
     const auto pattern = flatten(sheet, options);
     ASSERT_TRUE(pattern.has_value());
-    const auto found = check_rules(sheet, *pattern, {});
+    const auto found = check_rules(sheet, *pattern, strict_rules());
     EXPECT_TRUE(found.empty()) << text_of(found);
   }
 }
@@ -158,8 +158,29 @@ TEST(BendRelief, MayBeAHole) {
   EXPECT_TRUE(findings_of(pattern).empty()) << text_of(findings_of(pattern));
 }
 
+Severity worst_of(const FlatPattern& pattern, Rules rules = {}) {
+  return of_code(check_rules({}, pattern, rules), "bend_relief").at(0).severity;
+}
+
+TEST(BendRelief, IsAWarningWhereTheSheetGoesOnBesideTheBend) {
+  EXPECT_EQ(worst_of(tab(15.0, 0.0, 0.0)), Severity::warning);
+  // An edge flush with the bend's tangent line bulges a little.
+  EXPECT_EQ(worst_of(tab_without_relief()), Severity::info);
+  EXPECT_EQ(worst_of(tab_without_relief(), strict_rules()), Severity::warning);
+}
+
+TEST(BendRelief, OfAKerfIsInformationAndAShallowOneAWarning) {
+  // Laser: half the thickness wide.
+  EXPECT_EQ(worst_of(tab(15.0, 0.2, 1.0)), Severity::info);
+  EXPECT_TRUE(check_rules({}, tab(15.0, 1.0, 1.0), {}).empty());
+  Rules deep;
+  deep.relief_depth_t = 7.0;  // R + 7 T: 12 mm beyond the tangent line, of 16 in all
+  EXPECT_EQ(worst_of(tab(15.0, 2.0, 4.1), deep), Severity::info) << "8.1 of 16 mm";
+  EXPECT_EQ(worst_of(tab(15.0, 2.0, 3.9), deep), Severity::warning) << "7.9 of 16 mm";
+}
+
 TEST(BendRelief, CanBeSwitchedOff) {
-  Rules rules;
+  Rules rules = strict_rules();
   rules.relief_width_t = 0.0;
   EXPECT_TRUE(findings_of(tab_without_relief(), rules).empty());
 }

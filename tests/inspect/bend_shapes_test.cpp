@@ -12,7 +12,7 @@ TEST(InsideRadius, IsAtLeastTheThickness) {
   EXPECT_TRUE(findings_of(flat_l(50, 30, {90, kT})).empty());
   EXPECT_EQ(only(findings_of(flat_l(50, 30, {90, 1.9})), "inside_radius").message,
             "the inside radius of bend B1 is 1.9 mm; at least 2 mm (T) is needed");
-  Rules steel;
+  Rules steel = strict_rules();
   steel.inside_radius_t = 0.5;
   EXPECT_TRUE(findings_of(flat_l(50, 30, {90, 1.0}), steel).empty());
 }

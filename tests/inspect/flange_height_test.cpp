@@ -29,7 +29,7 @@ TEST(FlangeHeight, NeedsTheSameFlatLengthAtEveryAngle) {
 }
 
 TEST(FlangeHeight, FollowsTheThresholds) {
-  Rules rules;
+  Rules rules = strict_rules();
   rules.flange_height_t = 4.0;
   rules.flange_height_r = 0.0;
   EXPECT_TRUE(findings_of(flat_l(50, 4), rules).empty());  // 8 mm from the outside

@@ -7,35 +7,42 @@ namespace {
 
 using namespace inspect_detail;
 
-Observation hole(int number, double excess) {
+Observation hole(int number, double excess, Severity severity = Severity::info) {
   return {
-      {"smallest_opening", Severity::warning, "hole " + std::to_string(number), {Vec2(number, 0)}},
-      "Ø 1 mm",
-      "holes are too small",
-      excess};
+      "smallest_opening", {severity, "hole " + std::to_string(number), {Vec2(number, 0)}}, excess};
 }
 
-TEST(Grouped, KeepsTenOfAKindApart) {
-  std::vector<Observation> ten;
-  for (int i = 0; i < 10; ++i)
-    ten.push_back(hole(i, -1.0));
-  const auto findings = grouped(ten);
-  ASSERT_EQ(findings.size(), 10u);
-  EXPECT_EQ(findings[7].message, "hole 7");
+TEST(Grouped, LeavesOnePlaceItsSentence) {
+  const auto findings = grouped({hole(3, -1.0)});
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].code, "smallest_opening");
+  EXPECT_EQ(findings[0].message, "hole 3");
+  EXPECT_EQ(findings[0].severity, Severity::info);
+  EXPECT_EQ(findings[0].places.size(), 1u);
 }
 
-TEST(Grouped, MakesMoreThanTenOneFindingWithTheWorstOfThem) {
-  std::vector<Observation> many;
-  for (int i = 0; i < 11; ++i)
-    many.push_back(hole(i, i == 4 ? -3.0 : -1.0));
-  many.push_back(hole(99, -9.0));
-  many.back().kind = "another";
+TEST(Grouped, MakesOneFindingOfARuleWithTheWorstPlaceFirst) {
+  std::vector<Observation> many{hole(0, -1.0), hole(1, -3.0), hole(2, -2.0, Severity::warning)};
+  many.push_back({"hem", {Severity::info, "a hem", {}}, -9.0});
+  many.push_back(hole(4, -1.0, Severity::warning));
   const auto findings = grouped(many);
   ASSERT_EQ(findings.size(), 2u);
-  EXPECT_EQ(findings[0].message, "11 holes are too small; the worst: hole 4");
-  ASSERT_EQ(findings[0].at.size(), 11u);
-  EXPECT_EQ(findings[0].at[10], Vec2(10, 0));
-  EXPECT_EQ(findings[1].message, "hole 99");
+  EXPECT_EQ(findings[0].message, "4 openings are too small; the worst: hole 2");
+  EXPECT_EQ(findings[0].severity, Severity::warning);
+  std::vector<double> order;
+  for (const Vec2& p : findings[0].at)
+    order.push_back(p.x());
+  EXPECT_EQ(order, (std::vector<double>{2, 4, 1, 0})) << "warnings first, then the smallest";
+  EXPECT_EQ(findings[1].message, "a hem");
+}
+
+TEST(SeverityOf, IsAWarningBelowAShareOfTheLimit) {
+  Rules rules;
+  EXPECT_EQ(severity_of(0.9, 2.0, kHalf, rules), Severity::warning);
+  EXPECT_EQ(severity_of(1.0, 2.0, kHalf, rules), Severity::info) << "drawn at the limit";
+  EXPECT_EQ(severity_of(0.9, 2.0, kQuarter, rules), Severity::info);
+  rules.strict = true;
+  EXPECT_EQ(severity_of(1.9, 2.0, kHalf, rules), Severity::warning);
 }
 
 TEST(NumberText, HasAtMostThreeDecimals) {

@@ -19,7 +19,7 @@ TEST(SmallestOpening, IsTheDiameterOfACircle) {
 double width_seen(const Loop& opening) {
   FlatPattern pattern = flat_plate(shifted(rectangle(400, 400), Vec2(-200, -200)));
   open(pattern, opening);
-  Rules rules;
+  Rules rules = strict_rules();
   rules.smallest_opening_t = 10.0;
   const auto found = of_code(findings_of(pattern, rules), "smallest_opening");
   if (found.empty()) return 0.0;

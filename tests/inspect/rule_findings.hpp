@@ -11,13 +11,34 @@
 
 namespace planish::test {
 
-// Everything here is of 2 mm sheet, so the limits are: flange height 1.5 T + R, opening to bend 4,
-// to edge 4, to opening 10, smallest opening 2, inside radius 2, relief 2 wide.
+// Everything here is of 2 mm sheet, so the limits of `strict_rules` are: flange height 1.5 T + R,
+// opening to bend 4, to edge 4, to opening 10, smallest opening 2, inside radius 2, relief 2 wide.
 inline constexpr double kT = 2.0;
 inline constexpr double kJustShort = 0.01;
 
-inline std::vector<Finding> findings_of(const FlatPattern& pattern, const Rules& rules = {}) {
-  return check_rules({}, pattern, rules);
+inline Rules strict_rules() {
+  Rules rules;
+  rules.opening_to_edge_t = 2.0;
+  rules.opening_to_opening_t = 5.0;
+  rules.opening_to_opening_mm = 0.0;
+  rules.smallest_opening_t = 1.0;
+  rules.relief_width_t = 1.0;
+  rules.strict = true;
+  return rules;
+}
+
+/// A finding for each place.
+inline std::vector<Finding> places_of(const std::vector<Finding>& findings) {
+  std::vector<Finding> all;
+  for (const Finding& finding : findings)
+    for (const FindingPlace& place : finding.places)
+      all.push_back({finding.code, place.severity, place.message, place.at, {}});
+  return all;
+}
+
+inline std::vector<Finding> findings_of(const FlatPattern& pattern,
+                                        const Rules& rules = strict_rules()) {
+  return places_of(check_rules({}, pattern, rules));
 }
 
 inline std::vector<std::string> messages(const std::vector<Finding>& findings) {

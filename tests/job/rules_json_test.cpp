@@ -44,6 +44,17 @@ TEST(RulesJson, KeepsTheDefaultsOfKeysLeftOut) {
   EXPECT_EQ(rules->opening_to_edge_t, 3.0);
   EXPECT_EQ(rules->opening_to_bend_t, Rules{}.opening_to_bend_t);
   EXPECT_TRUE(parse_rules("{}", "r.json").has_value());
+  const auto punched = parse_rules(R"({"opening_to_edge_t": 3})", "r.json",
+                                   rules_for(Process::punch));
+  ASSERT_TRUE(punched.has_value());
+  EXPECT_EQ(punched->opening_to_edge_t, 3.0);
+  EXPECT_EQ(punched->smallest_opening_t, 1.2);
+}
+
+TEST(RulesJson, IsStrictUnlessItSaysOtherwise) {
+  EXPECT_FALSE(Rules{}.strict);
+  EXPECT_TRUE(parse_rules("{}", "r.json")->strict);
+  EXPECT_FALSE(parse_rules(R"({"strict": false})", "r.json")->strict);
 }
 
 TEST(RulesJson, NamesAnUnknownKeyByItsPointer) {

@@ -97,7 +97,8 @@ export function findingsList(ui: Ui): TemplateResult {
           data-testid="finding-${i + 1}"
           @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
         >
-          <b>${i + 1}</b><span>${f.message}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
+          <b>${i + 1}</b
+          ><span>${f.message}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
         </li>`,
     )}
   </ol>`;
