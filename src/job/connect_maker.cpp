@@ -82,6 +82,7 @@ Maker connect_maker() {
                                        {"k", "that of the plates file, or 0.44"},
                                        {"k_table"},
                                        {"din6935"},
+                                       {"material"},
                                        {"process"},
                                        {"rules"},
                                        {"no_rules"}}),

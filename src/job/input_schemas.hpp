@@ -9,5 +9,6 @@ const Schema& plates_schema();
 const Schema& transition_schema();
 const Schema& slits_schema();
 const Schema& rules_schema();
+const Schema& material_schema();
 
 }  // namespace planish::job

@@ -89,7 +89,7 @@ Error within_content(Error error, const Option& option, const OptionFile& file) 
 }
 
 Result<OptionValue> read_file(const Option& option, const std::string& path) {
-  auto text = read_text(path, option.name == "k_table" ? "bend table" : "rules file");
+  auto text = read_text(path, std::string(option.file_kind));
   if (!text) return tl::unexpected(text.error());
   return OptionValue(OptionFile{path, std::move(*text)});
 }
@@ -151,11 +151,13 @@ std::optional<double> OptionValues::number(std::string_view name) const {
 }
 
 Result<void> OptionValues::check_together() const {
-  const int k_rules = given("k") + given("k_table") + given("din6935");
-  const char* last_k_rule = given("din6935") ? "din6935" : "k_table";
+  const int k_rules = given("k") + given("k_table") + given("din6935") + given("material");
+  const char* last_k_rule = given("material")  ? "material"
+                            : given("din6935") ? "din6935"
+                                               : "k_table";
   for (const Contradiction& one : {
            Contradiction{k_rules > 1,
-                         "`k`, `k_table` and `din6935` each say where K comes from: "
+                         "`k`, `k_table`, `din6935` and `material` each say where K comes from: "
                          "give only one of them",
                          last_k_rule},
            {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other",
@@ -171,8 +173,12 @@ Result<void> OptionValues::check_together() const {
 
 Result<void> OptionValues::enter(Request& request) const {
   if (auto fine = check_together(); !fine) return fine;
-  for (const auto& [option, value] : values_)
-    if (auto done = enter_one(*option, value, request); !done) return done;
+  // In the order of the table: a rules file changes the limits of the process.
+  for (const Option& option : options())
+    for (const auto& [given, value] : values_) {
+      if (given != &option) continue;
+      if (auto done = enter_one(option, value, request); !done) return done;
+    }
   return {};
 }
 

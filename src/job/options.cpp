@@ -1,4 +1,5 @@
 #include <planish/base/assert.hpp>
+#include <planish/job/material_json.hpp>
 #include <planish/job/options.hpp>
 #include <planish/job/rules_json.hpp>
 
@@ -20,6 +21,13 @@ Done set_k_table(Request& to, const OptionValue& value) {
   auto table = parse_bend_table(file_of(value).text, name);
   if (!table) return tl::unexpected(table.error());
   to.allowance = std::move(*table);
+  return {};
+}
+
+Done set_material(Request& to, const OptionValue& value) {
+  auto material = parse_material(file_of(value).text, file_of(value).name);
+  if (!material) return tl::unexpected(material.error());
+  to.allowance = std::move(*material);
   return {};
 }
 
@@ -77,6 +85,7 @@ const std::vector<Option>& bend_options() {
        .description = "bend table: columns r/t (or r and t in mm), optionally angle, and k, ba or "
                       "bd",
        .file_type = "FILE.csv",
+       .file_kind = "bend table",
        .set = set_k_table},
       {.name = "din6935",
        .kind = OptionKind::flag,
@@ -86,6 +95,13 @@ const std::vector<Option>& bend_options() {
          if (yes(value)) to.allowance = Din6935{};
          return {};
        }},
+      {.name = "material",
+       .kind = OptionKind::file,
+       .group = "Bends",
+       .description = "K from the material's stress-strain curves, for each inside radius",
+       .file_type = "FILE.json",
+       .file_kind = "material file",
+       .set = set_material},
       {.name = "bend_k",
        .kind = OptionKind::by_bend,
        .group = "Bends",
@@ -217,6 +233,7 @@ const std::vector<Option>& check_options() {
        .group = "Checks",
        .description = "thresholds of the rules of manufacture, instead of the process's",
        .file_type = "FILE.json",
+       .file_kind = "rules file",
        .set = set_rules},
       {.name = "no_rules",
        .kind = OptionKind::flag,

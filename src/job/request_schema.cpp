@@ -10,7 +10,9 @@ namespace planish::job {
 namespace {
 
 Schema file_schema(const Option& option, OptionFiles files) {
-  const Schema content = option.name == "rules" ? rules_schema() : text();
+  const Schema content = option.name == "rules"      ? rules_schema()
+                         : option.name == "material" ? material_schema()
+                                                     : text();
   const Schema given = object(
       {optional("name", text().said("for messages and reports")), required("content", content)});
   if (files == OptionFiles::content) return given;

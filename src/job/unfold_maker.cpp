@@ -118,6 +118,7 @@ Maker unfold_maker() {
                                        {"k", "0.44"},
                                        {"k_table"},
                                        {"din6935"},
+                                       {"material"},
                                        {"bend_k"},
                                        {"root"},
                                        {"up"},

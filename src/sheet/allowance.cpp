@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 namespace planish {
 namespace {
@@ -178,6 +179,21 @@ Result<SourcedK> k_of(const ConstantK& rule, const BendSize&) {
 Result<SourcedK> k_of(const Din6935&, const BendSize& bend) {
   const double k = din6935_k(bend.radius, bend.thickness) / 2.0;
   return SourcedK{k, k > 0.0 ? "DIN 6935" : "DIN 6935 (k held at 0, R/T is below 0.05)"};
+}
+
+Result<SourcedK> k_of(const MaterialCurves& material, const BendSize& bend) {
+  if (auto fine = check(material); !fine) return tl::unexpected(fine.error());
+  const double ratio = bend.radius / bend.thickness;
+  const double k = plastic_k(material, ratio);
+  const BendStrains strains = bend_strains(k, ratio);
+  std::string source = "material " + material.name;
+  for (const auto& [curve, strain, side] :
+       {std::tuple{&material.tension, strains.tension, "tension"},
+        std::tuple{&material.compression, strains.compression, "compression"}})
+    if (strain > known_to(*curve))
+      source += fmt::format(", {} held from strain {:.4g} to {:.4g}", side, known_to(*curve),
+                            strain);
+  return SourcedK{k, std::move(source)};
 }
 
 tl::unexpected<Error> bad_size(const char* what, double value, const char* unit) {

@@ -44,7 +44,7 @@ class Printed(SchemaTest):
             jsonschema.Draft202012Validator.check_schema(self.schema(name))
 
     def test_a_name_that_there_is_not_names_those_that_there_are(self):
-        self.assertIn("plates, transition, slits, rules, request, report", self.refused("schema", "plate", status=2))
+        self.assertIn("plates, transition, slits, rules, material, request, report", self.refused("schema", "plate", status=2))
 
 
 class Inputs(SchemaTest):
@@ -186,7 +186,7 @@ class Tables(SchemaTest):
     def test_messages_spell_options_as_the_command_line_does(self):
         self.angle()
         sentence = self.refused("unfold", "part.step", "--k", "0.4", "--k-table", "t.csv", status=2)
-        self.assertIn("--k, --k-table and --din6935", sentence)
+        self.assertIn("--k, --k-table, --din6935 and --material", sentence)
         self.assertNotIn("`", sentence)
 
 

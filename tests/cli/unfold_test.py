@@ -117,6 +117,16 @@ class Angle(CliTest):
         self.assertIn("warning", {check["severity"] for check in strict["checks"]})
         self.assertEqual(self.report("--no-rules")["checks"], [])
 
+    def test_k_from_the_curves_of_a_material(self):
+        plastic = lambda stress: {"points": [[0, stress], [3, stress]]}  # noqa: E731
+        self.write("m.json", json.dumps({"name": "S355", "tension": plastic(200), "compression": plastic(300)}))
+        report = self.report("--material", "m.json")
+        self.assertAlmostEqual(report["flat"]["bends"][0]["k_factor"], 0.4, places=12)
+        self.assertEqual(report["sheet"]["k_source"], "material S355")
+        self.write("wrong.json", json.dumps({"tension": {"points": [[0.2, 300], [0.1, 300]]}}))
+        sentence = self.refused("unfold", "part.step", "--material", "wrong.json", status=3)
+        self.assertIn("/tension/points/1 has a smaller strain than the point before it", sentence)
+
     def test_a_rule_gives_one_finding_with_all_its_places(self):
         self.write("rules.json", '{"flange_height_t": 100}')
         (finding,) = self.report("--rules", "rules.json")["checks"]

@@ -134,7 +134,7 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   EXPECT_EQ(refused(asked).code, ErrorCode::bad_option);
   EXPECT_EQ(refused(asked).where, "/options/root");
   asked["options"] = {{"k", 0.4}, {"din6935", true}};
-  EXPECT_THAT(refused(asked).message, HasSubstr("`k`, `k_table` and `din6935`"));
+  EXPECT_THAT(refused(asked).message, HasSubstr("`k`, `k_table`, `din6935` and `material`"));
   asked["options"] = json::object();
   asked["artifacts"] = {"mould.stl"};
   EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, step, stl"));

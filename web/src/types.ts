@@ -63,6 +63,7 @@ export interface Options {
   k?: number;
   k_table?: OptionFile<string>;
   din6935?: boolean;
+  material?: OptionFile<Record<string, unknown>>;
   bend_k?: Record<string, number>;
   density?: number;
   piece?: number;

@@ -44,6 +44,7 @@ struct Option {
   Range range = kAnyNumber;
   std::vector<std::string_view> words = {};
   std::string_view file_type = {};  ///< "FILE.csv"
+  std::string_view file_kind = {};  ///< what a file is called in messages: "bend table"
   bool on_command_line = true;
   /// Stores a value of the option's kind in the request. Errors: `invalid_input` for the content of
   /// files.

@@ -2,6 +2,7 @@
 
 #include <planish/base/angle.hpp>
 #include <planish/base/result.hpp>
+#include <planish/sheet/material.hpp>
 
 #include <string>
 #include <variant>
@@ -44,16 +45,17 @@ struct BendTable {
   std::string name;  ///< file name, for the source
 };
 
-using AllowanceRule = std::variant<ConstantK, Din6935, BendTable>;
+using AllowanceRule = std::variant<ConstantK, Din6935, BendTable, MaterialCurves>;
 
 /// Allowance of one bend. Each row of a BA or BD table is converted to K with its own radius,
 /// thickness and angle. K is interpolated linearly between the two nearest thicknesses, within each
 /// between the two nearest angles, and within these between the two nearest radii; outside it is
 /// constant. A thickness that agrees within 1e-6 is used alone. `source` names the rows, counted
-/// from 1. Errors: `bad_option` when the thickness is not positive, radius or angle are negative,
-/// the table is empty, or the resulting K is not finite or outside [0, 1]. The result depends on
-/// (thickness, inside radius, angle) only, so a bend has the same K seen from either side of the
-/// sheet.
+/// from 1. Of a material K is that of `plastic_k`; `source` says where the bend strains it beyond
+/// what its curves hold. Errors: `bad_option` when the thickness is not positive, radius or angle
+/// are negative, the table is empty, a material's curve is wrong, or the resulting K is not finite
+/// or outside [0, 1]. The result depends on (thickness, inside radius, angle) only, so a bend has
+/// the same K seen from either side of the sheet.
 Result<BendAllowance> bend_allowance(const AllowanceRule& rule, double thickness,
                                      double inside_radius, Angle angle);
 
