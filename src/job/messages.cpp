@@ -136,15 +136,21 @@ Sent send_message(int socket, const Message& message, Waiting& waiting) {
   for (const std::string& text : message.texts)
     length += sizeof(std::uint32_t) + text.size();
   if (length > kLongestMessage) return tl::unexpected(MessageFailure::garbled);
-  std::string head(1, static_cast<char>(message.kind));
-  append_number(head, static_cast<std::uint32_t>(length));
+  // Short texts go together: each piece sent wakes the other side.
+  constexpr std::size_t kTogether = 1U << 16;
+  std::string bytes(1, static_cast<char>(message.kind));
+  append_number(bytes, static_cast<std::uint32_t>(length));
   for (const std::string& text : message.texts) {
-    append_number(head, static_cast<std::uint32_t>(text.size()));
-    if (auto sent = send_bytes(socket, head.data(), head.size(), waiting); !sent) return sent;
+    append_number(bytes, static_cast<std::uint32_t>(text.size()));
+    if (bytes.size() + text.size() <= kTogether) {
+      bytes += text;
+      continue;
+    }
+    if (auto sent = send_bytes(socket, bytes.data(), bytes.size(), waiting); !sent) return sent;
     if (auto sent = send_bytes(socket, text.data(), text.size(), waiting); !sent) return sent;
-    head.clear();
+    bytes.clear();
   }
-  return send_bytes(socket, head.data(), head.size(), waiting);
+  return send_bytes(socket, bytes.data(), bytes.size(), waiting);
 }
 
 Sent send_message(int socket, const Message& message) {
