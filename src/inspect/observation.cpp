@@ -71,6 +71,8 @@ std::vector<Finding> grouped(const std::vector<Observation>& observations) {
   std::vector<Finding> findings;
   for (auto& [code, alike] : rules)
     findings.push_back(finding_of(code, std::move(alike)));
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
   return findings;
 }
 

@@ -25,8 +25,8 @@ constexpr double kHalf = 0.5, kQuarter = 0.25;
 /// strict.
 Severity severity_of(double measured, double limit, double share, const Rules& rules);
 
-/// One finding for each code, in the order of the first observations; its places the worst first:
-/// warnings before info, then by excess.
+/// One finding for each code, warnings before info, else in the order of the first observations;
+/// its places the worst first: warnings before info, then by excess.
 std::vector<Finding> grouped(const std::vector<Observation>& observations);
 
 /// A number as a shop writes it: at most three decimals, no trailing zeros.

@@ -36,6 +36,16 @@ TEST(Grouped, MakesOneFindingOfARuleWithTheWorstPlaceFirst) {
   EXPECT_EQ(findings[1].message, "a hem");
 }
 
+TEST(Grouped, TellsWarningsBeforeInfo) {
+  std::vector<Observation> all{{"hem", {Severity::info, "a hem", {}}, -9.0}, hole(1, -1.0)};
+  all.push_back({"k_factor", {Severity::warning, "a K", {}}, 0.0});
+  const auto findings = grouped(all);
+  ASSERT_EQ(findings.size(), 3u);
+  EXPECT_EQ(findings[0].code, "k_factor");
+  EXPECT_EQ(findings[1].code, "hem");
+  EXPECT_EQ(findings[2].code, "smallest_opening");
+}
+
 TEST(SeverityOf, IsAWarningBelowAShareOfTheLimit) {
   Rules rules;
   EXPECT_EQ(severity_of(0.9, 2.0, kHalf, rules), Severity::warning);
