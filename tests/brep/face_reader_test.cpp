@@ -15,6 +15,7 @@ TEST(ReadFace, TakesTheOuterLoopFirst) {
   Recognised seen = recognised(plate(2, {100, 60}, {{{30, 30}, {{5, 2}, {5, 0}}}}), 2, 1);
   std::swap(seen.model.faces[1].loops[0], seen.model.faces[1].loops[1]);
   std::swap(seen.outlines[1].flat[0], seen.outlines[1].flat[1]);
+  seen.outlines[1].outer = outer_loop(seen.outlines[1]);
   const ReadFace read = read_face(seen.view(), 1, 1);
   ASSERT_EQ(read.face.loops.size(), 2u);
   EXPECT_EQ(read.face.loops[0].size(), 4u);
