@@ -76,6 +76,17 @@ Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
 /// part of it.
 constexpr double kFormed = 0.08;
 
+/// The largest share for a sheet. Slanted cuts take off more of a short piece, and are measured.
+double formed_at_most(const Sheet& sheet) {
+  constexpr double kSlanted = 0.25;
+  const bool slanted = !sheet.features.empty() &&
+                       std::all_of(sheet.features.begin(), sheet.features.end(),
+                                   [](const FormedFeature& feature) {
+                                     return feature.kind == "slanted cut";
+                                   });
+  return slanted ? kSlanted : kFormed;
+}
+
 /// How far the volume without forms and mitres may be off: slanted cuts add or remove some. A form
 /// that could not be measured counts in full, as chamfers are small.
 double volume_allowed(const Sheet& sheet) {
@@ -136,7 +147,8 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   if (auto wide = is_wide_enough(*pattern); !wide) return wide;
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
-  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) > kFormed * *sheet.volume;
+  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
+                               formed_at_most(sheet) * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     return fail(ErrorCode::not_a_sheet, fmt::format("A sheet of {:.4g} mm accounts for {:.1f} % of "
                                                     "the body's volume; the body is not made of "
