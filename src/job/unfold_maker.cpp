@@ -122,6 +122,8 @@ Maker unfold_maker() {
                                        {"root"},
                                        {"up"},
                                        {"extruded"},
+                                       {"relief"},
+                                       {"rip_width"},
                                        {"rules"},
                                        {"no_rules"}}),
       .report_details = unfold_report_details,
