@@ -3,9 +3,6 @@
 #include <planish/base/assert.hpp>
 #include <planish/inspect/double_cover.hpp>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +52,8 @@ std::vector<Place> joined_places(std::vector<Place> places, double reach) {
 DoubleCover cover_of(const Place& place) {
   const EnclosingRectangle box = smallest_rectangle(place.points);
   DoubleCover cover;
-  cover.who = fmt::format("{}", fmt::join(place.parts, " and "));
+  for (size_t i = 0; i < place.parts.size(); ++i)
+    cover.who += (i == 0 ? "" : i + 1 < place.parts.size() ? ", " : " and ") + place.parts[i];
   cover.area = place.area;
   cover.size = box.size;
   cover.along = {std::cos(box.angle), std::sin(box.angle)};

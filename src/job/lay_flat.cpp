@@ -98,7 +98,7 @@ std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
 /// The pattern with its reliefs, and the certificate's areas with it.
 void take_reliefs(Report& report, Relieved relieved) {
   report.flat = std::move(relieved.pattern);
-  report.size = blank_size(report.flat);
+  if (relieved.removed > 0.0) report.size = blank_size(report.flat);
   Certificate& certificate = report.certificate;
   if (certificate.volume_ratio)
     *certificate.volume_ratio *= 1.0 - relieved.removed / certificate.flat_area_half;

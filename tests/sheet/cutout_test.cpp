@@ -123,6 +123,22 @@ TEST(Cutout, RefusesWhatStillCoversItself) {
   EXPECT_EQ(left.error().code, ErrorCode::unsupported_shape);
 }
 
+TEST(Cutout, KeepsTheSlitsThatLeadToIt) {
+  // A tongue between two slits from x = 50 is 10 mm long, its window 7 mm: 3 mm lie on the far
+  // side.
+  FlatPattern pattern = plain();
+  pattern.openings.push_back(ring_of({{50, 30}, {40, 30}, {40, 20}, {50, 20}, {43, 20}, {43, 30}}));
+  pattern.area += 30;
+  const FlatPattern left = with_slits_drawn_once(
+      cut_out(pattern, rectangle_at({41.5, 25}, {1.6, 5.1})));
+  EXPECT_NEAR(left.area, 6000 - 3.2 * 10.2, 1e-9);
+  ASSERT_EQ(left.openings.size(), 1u);
+  ASSERT_EQ(left.slits.size(), 2u);
+  for (const Curve2& slit : left.slits)
+    EXPECT_NEAR(length(slit), 6.9, 1e-9);
+  EXPECT_NEAR(left.perimeter, 320 + 2 * (3.2 + 10.2) + 2 * 6.9, 1e-9);
+}
+
 TEST(Cutout, RefusesAPatternThatFallsIntoPieces) {
   const auto left = without_cutout(plain(), rectangle_at({40, 30}, {1, 40}));
   ASSERT_FALSE(left);

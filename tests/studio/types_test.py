@@ -18,7 +18,8 @@ WEB = SOURCE / "web"
 SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitSpec"}
 # Every option, with a value that the kind takes.
 OPTIONS = {
-    "unfold": {"body": 1, "root": "largest", "up": "other", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch"},
+    "unfold": {"body": 1, "root": "largest", "up": "other", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch",
+               "extruded": "through", "relief": "square", "rip_width": 0.3},
     "transition": {"piece": 0, "k": 0.4},
     "slit": {"write_overlapping": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True},
     "connect": {"profile": "onshape", "splines": "arcs", "r12": True, "no_rules": True,

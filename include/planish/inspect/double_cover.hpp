@@ -10,7 +10,7 @@ namespace planish {
 
 /// A place that two parts of the sheet cover when it lies flat.
 struct DoubleCover {
-  std::string who;    ///< "bend B1 and flange 3"
+  std::string who;    ///< "bend B1 and flange 3"; all that meet there
   double area = 0.0;  ///< mm²
   Vec2 middle = Vec2::Zero();
   Vec2 along = Vec2::UnitX();  ///< its smallest rectangle: unit vector along its longer side
