@@ -4,6 +4,7 @@
 #include "form_openings.hpp"
 #include "form_volume.hpp"
 #include "genus.hpp"
+#include "slanted_cuts.hpp"
 
 #include <fmt/format.h>
 
@@ -243,6 +244,7 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     }
   }
   add_contacts(builder, map, of);
+  add_slanted_cuts(builder, map, of);
   for (const LoopRef& ref : widened)
     add_chamfered_rim(builder, map, of, ref);
 }

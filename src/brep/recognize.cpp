@@ -43,9 +43,27 @@ Skins without_closed_forms(const SolidModel& model, const std::vector<Outline>& 
   return skins;
 }
 
-Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outline>& outlines,
-                                 double thickness, double tolerance) {
-  auto found = find_skins(model, outlines, thickness, tolerance);
+/// One way to see a sheet in a solid.
+struct Reading {
+  double thickness = 0.0;
+  SkinStart start = SkinStart::largest;
+};
+
+/// The likeliest thicknesses; then the flat plate: the walls of a frame or of a grating may be
+/// larger than its skins, and then the first readings take them for the sheet.
+std::vector<Reading> readings_of(const SolidModel& model, const std::vector<Outline>& outlines,
+                                 double tolerance) {
+  std::vector<Reading> readings;
+  for (const double thickness : likely_thicknesses(model, outlines, tolerance))
+    readings.push_back({thickness});
+  if (const auto thickness = plate_thickness(model, outlines))
+    readings.push_back({*thickness, SkinStart::largest_plane});
+  return readings;
+}
+
+Result<Sheet> sheet_of(const Reading& reading, const SolidModel& model,
+                       const std::vector<Outline>& outlines, double tolerance) {
+  auto found = find_skins(model, outlines, reading.thickness, tolerance, reading.start);
   if (!found) return tl::unexpected(found.error());
   const Skins skins = without_closed_forms(model, outlines, std::move(*found));
   const Rim rim = find_rim(model, outlines, skins);
@@ -57,6 +75,17 @@ Result<Sheet> sheet_of_thickness(const SolidModel& model, const std::vector<Outl
 /// Forms may have this share of a sheet's volume; beyond, they are the body and the sheet is only a
 /// part of it.
 constexpr double kFormed = 0.08;
+
+/// The largest share for a sheet. Slanted cuts take off more of a short piece, and are measured.
+double formed_at_most(const Sheet& sheet) {
+  constexpr double kSlanted = 0.25;
+  const bool slanted = !sheet.features.empty() &&
+                       std::all_of(sheet.features.begin(), sheet.features.end(),
+                                   [](const FormedFeature& feature) {
+                                     return feature.kind == "slanted cut";
+                                   });
+  return slanted ? kSlanted : kFormed;
+}
 
 /// How far the volume without forms and mitres may be off: slanted cuts add or remove some. A form
 /// that could not be measured counts in full, as chamfers are small.
@@ -71,6 +100,43 @@ double volume_allowed(const Sheet& sheet) {
   return formed ? kFormed : kChamfered;
 }
 
+/// Sides of the rectangle with the area and the circumference of an outline, shorter first: width
+/// and length of a strip, straight or bent. What is rounder than a square counts as a square.
+std::pair<double, double> strip_sides(const Loop& outline) {
+  const double area = std::abs(signed_area(outline));
+  const double quarter = length(outline) / 4;
+  const double rest = std::sqrt(std::max(0.0, quarter * quarter - area));
+  if (rest == 0.0) return {std::sqrt(area), std::sqrt(area)};
+  return {quarter - rest, quarter + rest};
+}
+
+/// Whether the openings of a plate are its own matter: only the outline, with its openings filled,
+/// tells plates from wires, square bars and blocks (math.md#plates-and-bars).
+bool is_plate_outline(const Loop& outline, double thickness) {
+  constexpr double kPlate = 3.0;   // width over thickness from which a plate needs no length
+  constexpr double kLong = 5.0;    // length over thickness of a strip that is no block
+  constexpr double kStrip = 1.3;   // width over thickness of any strip; of a square bar it is 1
+  constexpr double kBar = 1.1;     // the same of a bar
+  constexpr double kBarWidth = 5;  // mm: flat bars are at least as wide; what is narrower is wire
+  const auto [width, length] = strip_sides(outline);
+  if (width >= kPlate * thickness) return true;
+  return length >= kLong * thickness && width >= (width >= kBarWidth ? kBar : kStrip) * thickness;
+}
+
+/// A plate is one whatever its outline and however much is cut out of it.
+Result<void> is_wide_enough(const FlatPattern& pattern) {
+  constexpr double kWide = 1.3;  // mean width over thickness: this is enough
+  constexpr double kWeb = 0.5;   // the same: narrower webs are not cut
+  const double width = 2 * pattern.area / pattern.perimeter;
+  if (width >= kWide * pattern.thickness) return {};
+  if (width >= kWeb * pattern.thickness && is_plate_outline(pattern.outer.loop, pattern.thickness))
+    return {};
+  return fail(ErrorCode::not_a_sheet,
+              fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a "
+                          "bar, wire or profile, not a sheet.",
+                          pattern.thickness, width));
+}
+
 /// Whether a sheet accounts for the solid in which it was found: it lies flat, it is wider than
 /// thick, and it has the solid's volume within what its features allow.
 Result<void> accounts_for_solid(const Sheet& sheet) {
@@ -78,17 +144,11 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   const auto pattern = flatten(
       sheet, {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline});
   if (!pattern) return tl::unexpected(pattern.error());
-  constexpr double kNarrowest = 1.3;  // mean width over thickness; wires and bars of square section
-                                      // have 1
-  const double width = 2 * pattern->area / pattern->perimeter;
-  if (width < kNarrowest * sheet.thickness)
-    return fail(ErrorCode::not_a_sheet,
-                fmt::format("The body is {:.4g} mm thick but only {:.4g} mm wide on average: a "
-                            "bar, wire or profile, not a sheet.",
-                            sheet.thickness, width));
+  if (auto wide = is_wide_enough(*pattern); !wide) return wide;
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
   const double flat = pattern->area * sheet.thickness;
-  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) > kFormed * *sheet.volume;
+  const bool formed_too_much = std::abs(sheet.forms_volume.value_or(0.0)) >
+                               formed_at_most(sheet) * *sheet.volume;
   if (formed_too_much || !(std::abs(flat / plain - 1.0) <= volume_allowed(sheet)))
     return fail(ErrorCode::not_a_sheet, fmt::format("A sheet of {:.4g} mm accounts for {:.1f} % of "
                                                     "the body's volume; the body is not made of "
@@ -97,7 +157,7 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   return {};
 }
 
-/// The sheet of the likeliest thickness that accounts for the solid; otherwise the error of the
+/// The sheet of the likeliest reading that accounts for the solid; otherwise the error of the
 /// first one tried.
 Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& options) {
   const std::vector<Outline> outlines = outlines_of(model);
@@ -105,8 +165,9 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
       ErrorCode::not_a_sheet,
       "No two faces lie opposite each other with material between them; this is not a sheet.");
   bool tried = false;
-  for (const double thickness : likely_thicknesses(model, outlines, options.thickness_tolerance)) {
-    auto sheet = sheet_of_thickness(model, outlines, thickness, options.thickness_tolerance);
+  const double tolerance = options.thickness_tolerance;
+  for (const Reading& reading : readings_of(model, outlines, tolerance)) {
+    auto sheet = sheet_of(reading, model, outlines, tolerance);
     if (sheet) {
       auto accounted = accounts_for_solid(*sheet);
       if (accounted) return sheet;

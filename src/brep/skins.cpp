@@ -19,9 +19,18 @@ std::vector<bool> covered_faces(const FacePairs& pairs) {
 
 /// Candidates connected over smooth and sharply bent edges.
 struct Components {
-  std::vector<int> of_face;  ///< −1 for faces that are not candidates
-  std::vector<double> area;  ///< mm²
+  std::vector<int> of_face;    ///< −1 for faces that are not candidates
+  std::vector<double> area;    ///< mm²
+  std::vector<bool> in_plane;  ///< whether all faces lie in one plane
 };
+
+/// Whether both faces are planes that face the same way.
+bool in_one_plane(const SolidFace& a, const SolidFace& b) {
+  constexpr double kParallel = 0.9995;  // cosine; 1.8°
+  const auto* first = std::get_if<Frame>(&a.surface);
+  const auto* second = std::get_if<Frame>(&b.surface);
+  return first && second && first->z.dot(second->z) > kParallel;
+}
 
 std::vector<std::vector<int>> skin_neighbours(const SolidModel& model,
                                               const std::vector<bool>& candidates,
@@ -42,26 +51,29 @@ std::vector<std::vector<int>> skin_neighbours(const SolidModel& model,
   return neighbours;
 }
 
-Components components_of(const std::vector<std::vector<int>>& neighbours,
+Components components_of(const SolidModel& model, const std::vector<std::vector<int>>& neighbours,
                          const std::vector<bool>& candidates,
                          const std::vector<Outline>& outlines) {
-  Components components{std::vector<int>(candidates.size(), -1), {}};
+  Components components{std::vector<int>(candidates.size(), -1), {}, {}};
   for (int f = 0; f < std::ssize(candidates); ++f) {
     if (!candidates[f] || components.of_face[f] >= 0) continue;
     const int label = static_cast<int>(components.area.size());
     double& area = components.area.emplace_back(0.0);
+    bool in_plane = true;
     std::vector<int> stack{f};
     components.of_face[f] = label;
     while (!stack.empty()) {
       const int at = stack.back();
       stack.pop_back();
       area += outlines[at].area;
+      in_plane = in_plane && in_one_plane(model.faces[f], model.faces[at]);
       for (const int next : neighbours[at])
         if (components.of_face[next] < 0) {
           components.of_face[next] = label;
           stack.push_back(next);
         }
     }
+    components.in_plane.push_back(in_plane);
   }
   return components;
 }
@@ -81,13 +93,23 @@ std::pair<int, double> most_opposite(const Components& components, const FacePai
   return {static_cast<int>(most - shared.begin()), *most};
 }
 
-/// The largest component and the one opposite it.
-Result<std::pair<int, int>> two_skins(const Components& components, const FacePairs& pairs) {
-  if (components.area.empty())
+/// The component at which the first skin starts; −1 if there is none.
+int first_component(const Components& components, SkinStart start) {
+  int first = -1;
+  for (int c = 0; c < std::ssize(components.area); ++c) {
+    if (start == SkinStart::largest_plane && !components.in_plane[c]) continue;
+    if (first < 0 || components.area[c] > components.area[first]) first = c;
+  }
+  return first;
+}
+
+/// The component at which the first skin starts and the one opposite it.
+Result<std::pair<int, int>> two_skins(const Components& components, const FacePairs& pairs,
+                                      SkinStart start) {
+  const int first = first_component(components, start);
+  if (first < 0)
     return fail(ErrorCode::not_a_sheet,
                 "No two faces lie opposite each other at one thickness; this is not a sheet.");
-  const int first = static_cast<int>(
-      std::max_element(components.area.begin(), components.area.end()) - components.area.begin());
   const auto [second, shared] = most_opposite(components, pairs, first);
   if (shared <= 0.0)
     return fail(ErrorCode::not_a_sheet,
@@ -140,7 +162,7 @@ Measured measured(const FacePairs& pairs, const Components& components, int firs
 }  // namespace
 
 Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines,
-                         double thickness, double tolerance) {
+                         double thickness, double tolerance, SkinStart start) {
   const double slack = tolerance * thickness;
   const FacePairs pairs = pair_faces(model, outlines, thickness, slack);
   std::vector<bool> candidates = covered_faces(pairs);
@@ -149,9 +171,9 @@ Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& ou
     candidates[outside.face] = true;
   Skins skins;
   skins.sharp = find_sharp_edges(model, pairs.partners, candidates, rounded, thickness);
-  const Components components = components_of(skin_neighbours(model, candidates, skins.sharp),
-                                              candidates, outlines);
-  const auto both = two_skins(components, pairs);
+  const Components components = components_of(
+      model, skin_neighbours(model, candidates, skins.sharp), candidates, outlines);
+  const auto both = two_skins(components, pairs, start);
   if (!both) return tl::unexpected(both.error());
   const auto [first, second] = *both;
   skins.partners = pairs.partners;

@@ -20,10 +20,16 @@ struct Skins {
   int islands_first = 0, islands_second = 0;   ///< faces of a skin that are not connected to it
 };
 
-/// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the largest
-/// face. `tolerance` is the largest deviation of depths, as a share of the thickness. Errors:
-/// `not_a_sheet`, `unsupported_shape`.
+/// Where the first skin starts.
+enum class SkinStart {
+  largest,        ///< at the faces that together are the largest
+  largest_plane,  ///< at the largest of those that lie in one plane: the skin of a flat plate
+};
+
+/// Grows both skins of a sheet of that thickness over smooth and sharp-bent edges from the faces at
+/// which the first one starts. `tolerance` is the largest deviation of depths, as a share of the
+/// thickness. Errors: `not_a_sheet`, `unsupported_shape`.
 Result<Skins> find_skins(const SolidModel& model, const std::vector<Outline>& outlines,
-                         double thickness, double tolerance);
+                         double thickness, double tolerance, SkinStart start = SkinStart::largest);
 
 }  // namespace planish::brep

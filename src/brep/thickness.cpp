@@ -92,4 +92,17 @@ std::vector<double> likely_thicknesses(const SolidModel& model,
   return depths;
 }
 
+std::optional<double> plate_thickness(const SolidModel& model,
+                                      const std::vector<Outline>& outlines) {
+  int largest = -1;
+  for (int f = 0; f < std::ssize(outlines); ++f)
+    if (std::holds_alternative<Frame>(model.faces[f].surface) &&
+        (largest < 0 || outlines[f].area > outlines[largest].area))
+      largest = f;
+  if (largest < 0) return {};
+  const auto vote = vote_of(model, outlines, largest);
+  if (!vote) return {};
+  return vote->depth;
+}
+
 }  // namespace planish::brep

@@ -1,8 +1,10 @@
 #include "observation.hpp"
+#include "regions.hpp"
 #include "ring_index.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/geometry/region.hpp>
+#include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <fmt/format.h>
@@ -19,67 +21,6 @@ using namespace inspect_detail;
 
 namespace {
 
-/// By how much regions are shrunk before their overlap is measured. Overlaps shallower than twice
-/// this cannot be distinguished from the errors of flattened curves, or of a closed cycle of
-/// joints, half of which each side gets.
-double contact_clearance(const FlatPattern& pattern) {
-  const double curves = 2.0 * FlattenOptions{}.curve_tolerance;
-  return std::max(kContactShare * pattern.thickness, curves + 0.5 * pattern.closure);
-}
-
-/// Everything that takes area in the pattern, and the part of the sheet that it belongs to.
-struct Regions {
-  std::vector<Polygon> polygons;
-  std::vector<PartId> parts;
-  std::vector<std::optional<FaceId>> faces;  ///< empty for the band of a sharp bend
-  /// Area that two faces may share: with the reference skin outside, a sharp bend takes less than
-  /// its faces give, so they reach over each other.
-  std::map<std::pair<std::optional<FaceId>, std::optional<FaceId>>, double> shared;
-};
-
-void add_faces(const Sheet& sheet, const Layout& layout, double chord, Regions& regions) {
-  for (const FaceId id : sheet.faces.ids()) {
-    regions.polygons.push_back(polygon_of(layout.region(id), chord));
-    regions.parts.push_back(sheet[id].part_of);
-    regions.faces.emplace_back(id);
-  }
-}
-
-/// A sharp bend has no face; its band lies between the borders that it joins.
-void add_sharp_bends(const Sheet& sheet, const Layout& layout, Regions& regions) {
-  for (const Joint& joint : sheet.joints) {
-    if (!joint.sharp) continue;
-    const Curve2& a = layout.image(joint.a);
-    const Curve2& b = layout.image(joint.b);
-    const std::vector<Vec2> strip{start_of(a), end_of(a), start_of(b), end_of(b)};
-    // A face lies left of its borders, or right of them if the pattern shows the other side.
-    const double turn = signed_area(layout.outline(joint.a.face));
-    if ((ring_area(strip) < 0.0) == (turn < 0.0)) {
-      regions.shared[std::minmax(joint.a.face, joint.b.face)] += std::abs(ring_area(strip));
-    } else {
-      regions.polygons.push_back({strip, {}});
-      regions.parts.push_back(*joint.sharp);
-      regions.faces.emplace_back(std::nullopt);
-    }
-  }
-}
-
-std::string part_text(const FlatPattern& pattern, const PartId& part) {
-  if (const auto* flange = std::get_if<FlangeId>(&part))
-    return fmt::format("flange {}", index_of(*flange) + 1);
-  const BendId id = std::get<BendId>(part);
-  for (const FlatBend& bend : pattern.bends)
-    if (bend.bend == id) return "bend " + bend.id;
-  return fmt::format("bend {}", index_of(id) + 1);
-}
-
-double ring_length(const std::vector<Vec2>& ring) {
-  double sum = 0.0;
-  for (size_t i = 0; i < ring.size(); ++i)
-    sum += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  return sum;
-}
-
 /// The area that two parts share, all places together.
 struct SharedArea {
   double area = 0.0;
@@ -90,20 +31,11 @@ using SharedByParts = std::map<std::pair<PartId, PartId>, SharedArea>;
 
 SharedByParts shared_by_parts(const Regions& regions, double clearance) {
   SharedByParts result;
-  for (const Overlap& overlap : overlaps(regions.polygons, clearance, clearance * clearance)) {
-    const int first = overlap.first, second = overlap.second;
-    // Shrinking both regions removed a rim as wide as the clearance from the shared area.
-    double area = overlap.area;
-    for (const auto& ring : overlap.outline)
-      area += clearance * ring_length(ring);
-    const auto allowed = regions.shared.find(
-        std::minmax(regions.faces[first], regions.faces[second]));
-    constexpr double kSameArea = 1e-6;  // left by shrinking and rounding
-    if (allowed != regions.shared.end() && area <= allowed->second * (1.0 + kSameArea)) continue;
-    SharedArea& shared = result[std::minmax(regions.parts[first], regions.parts[second])];
-    shared.area += area;
-    shared.places += static_cast<int>(overlap.outline.size());
-    for (const auto& ring : overlap.outline)
+  for (const Shared& one : shared_areas(regions, clearance)) {
+    SharedArea& shared = result[{one.first, one.second}];
+    shared.area += one.area;
+    shared.places += static_cast<int>(one.overlap.outline.size());
+    for (const auto& ring : one.overlap.outline)
       shared.outline.insert(shared.outline.end(), ring.begin(), ring.end());
   }
   return result;
@@ -181,6 +113,16 @@ void add_crossing(const Loop& loop, const std::string& name, double clearance, d
                       crossings});
 }
 
+void add_crossings(const FlatPattern& pattern, double clearance, double chord,
+                   std::vector<Finding>& findings) {
+  add_crossing(pattern.outer.loop, "the outer contour", clearance, chord, findings);
+  for (const Contour& opening : pattern.openings) {
+    const Box2 box = bounds(opening.loop);
+    const std::string name = "the opening at " + point_text(0.5 * (box.lo + box.hi));
+    add_crossing(opening.loop, name, clearance, chord, findings);
+  }
+}
+
 }  // namespace
 
 std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
@@ -190,9 +132,7 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
   const double clearance = contact_clearance(pattern);
   const double chord = 0.25 *
                        clearance;  // polygons of one curve from its two sides still only touch
-  Regions regions;
-  add_faces(sheet, layout, chord, regions);
-  add_sharp_bends(sheet, layout, regions);
+  const Regions regions = regions_of(sheet, layout, chord);
 
   const SharedByParts by_parts = shared_by_parts(regions, clearance);
   std::vector<SharedByParts::const_iterator> order;
@@ -204,12 +144,14 @@ std::vector<Finding> find_overlaps(const Sheet& sheet, const Layout& layout,
   for (const auto& it : order)
     findings.push_back(overlap_finding(pattern, it->first, it->second));
 
-  add_crossing(pattern.outer.loop, "the outer contour", clearance, chord, findings);
-  for (const Contour& opening : pattern.openings) {
-    const Box2 box = bounds(opening.loop);
-    const std::string name = "the opening at " + point_text(0.5 * (box.lo + box.hi));
-    add_crossing(opening.loop, name, clearance, chord, findings);
-  }
+  add_crossings(pattern, clearance, chord, findings);
+  return findings;
+}
+
+std::vector<Finding> contour_crossings(const FlatPattern& pattern) {
+  const double clearance = contact_clearance(pattern);
+  std::vector<Finding> findings;
+  add_crossings(pattern, clearance, 0.25 * clearance, findings);
   return findings;
 }
 

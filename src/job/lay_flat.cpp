@@ -1,8 +1,10 @@
 #include "lay_flat.hpp"
 
+#include "reliefs.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
+#include <planish/inspect/double_cover.hpp>
 #include <planish/inspect/findings.hpp>
 
 #include <algorithm>
@@ -93,11 +95,47 @@ std::optional<Error> lay_and_certify(Report& report, const SheetToLay& given,
   return std::nullopt;
 }
 
+/// The pattern with its reliefs, and the certificate's areas with it.
+void take_reliefs(Report& report, Relieved relieved) {
+  report.flat = std::move(relieved.pattern);
+  if (relieved.removed > 0.0) report.size = blank_size(report.flat);
+  Certificate& certificate = report.certificate;
+  if (certificate.volume_ratio)
+    *certificate.volume_ratio *= 1.0 - relieved.removed / certificate.flat_area_half;
+  certificate.flat_area_half -= relieved.removed;
+  // What lies on another part when flat may close its opening when folded, as lanced tabs do: then
+  // the solid has one less.
+  const int extra = -certificate.openings.lost().value_or(0);
+  if (extra > 0 && extra <= relieved.mended)
+    std::erase_if(report.findings,
+                  [](const Finding& finding) { return finding.code == "extra_opening"; });
+  append(report.findings, std::move(relieved.findings));
+}
+
+/// Mends small overlaps and draws slits once, if that is wanted. Returns why it cannot be done.
+std::optional<Error> relieve(Report& report, const SheetToLay& given,
+                             std::vector<Finding>& overlaps) {
+  if (given.relief.shape == Relief::none) return std::nullopt;
+  std::vector<DoubleCover> covers;
+  if (!overlaps.empty()) covers = double_covers(given.sheet, report.layout, report.flat);
+  auto relieved = with_reliefs(given.sheet, report.layout, report.flat, covers, given.relief);
+  if (!relieved) return relieved.error();
+  if (!overlaps.empty() && !contour_crossings(relieved->pattern).empty())
+    return Error{ErrorCode::overlap, "contours cross elsewhere", {}};
+  take_reliefs(report, std::move(*relieved));
+  overlaps.clear();
+  return std::nullopt;
+}
+
 std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
-  const std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
+  std::vector<Finding> overlaps = find_overlaps(given.sheet, report.layout, report.flat);
+  const auto unmended = relieve(report, given, overlaps);
   append(report.findings, overlaps);
   if (!given.checks.write_overlapping) {
-    if (auto refusal = overlap_refusal(overlaps)) return refusal;
+    if (auto refusal = overlap_refusal(overlaps)) {
+      if (unmended) refusal->message += "; no relief mends it: " + unmended->message;
+      return refusal;
+    }
   }
   if (given.checks.rules.enabled) {
     append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));

@@ -16,6 +16,7 @@ struct SheetToLay {
   const Sheet& sheet;
   const EdgeDistance& distance;
   const PatternChecks& checks;
+  ReliefOptions relief = {.shape = Relief::none};
 };
 
 SheetSummary summary_of(const Sheet& sheet);

@@ -60,6 +60,15 @@ Done set_extruded(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_relief(Request& to, const OptionValue& value) {
+  const std::string& word = text_of(value);
+  to.relief.shape = word == "none"     ? Relief::none
+                    : word == "square" ? Relief::square
+                    : word == "round"  ? Relief::round
+                                       : Relief::rip;
+  return {};
+}
+
 Done set_units(Request& to, const OptionValue& value) {
   to.units = text_of(value) == "inch" ? LengthUnit::inch
              : text_of(value) == "m"  ? LengthUnit::m
@@ -146,6 +155,31 @@ const std::vector<Option>& form_options() {
        .otherwise = "pilot",
        .words = {"pilot", "through", "outline"},
        .set = set_extruded},
+  };
+  return table;
+}
+
+const std::vector<Option>& relief_options() {
+  static const std::vector<Option> table{
+      {.name = "relief",
+       .kind = OptionKind::word,
+       .group = "Corners",
+       .description = "how corners drawn without relief are mended whose patterns overlap a "
+                      "little: by the smallest gap, by a relief as wide as the sheet is thick, or "
+                      "not at all",
+       .otherwise = "rip",
+       .words = {"none", "rip", "square", "round"},
+       .set = set_relief},
+      {.name = "rip_width",
+       .kind = OptionKind::number,
+       .group = "Corners",
+       .description = "width of rips, in mm; 0: a slit is one line, cut once",
+       .otherwise = "0",
+       .range = kAtLeastZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.relief.width = number_of(value);
+         return {};
+       }},
   };
   return table;
 }
@@ -300,8 +334,8 @@ const std::vector<Option>& general_options() {
 std::span<const Option> options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> joined;
-    for (const auto* group :
-         {&general_options(), &bend_options(), &form_options(), &dxf_options(), &check_options()})
+    for (const auto* group : {&general_options(), &bend_options(), &form_options(),
+                              &relief_options(), &dxf_options(), &check_options()})
       joined.insert(joined.end(), group->begin(), group->end());
     return joined;
   }();

@@ -22,7 +22,8 @@ std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
   report.notes = found->notes;
   const auto options = flatten_options(found->sheet, request);
   if (!options) return options.error();
-  return lay_flat(report, {found->sheet, found->distance, request}, *options, progress);
+  return lay_flat(report, {found->sheet, found->distance, request, request.relief}, *options,
+                  progress);
 }
 
 }  // namespace

@@ -123,6 +123,8 @@ Maker unfold_maker() {
                                        {"root"},
                                        {"up"},
                                        {"extruded"},
+                                       {"relief"},
+                                       {"rip_width"},
                                        {"process"},
                                        {"rules"},
                                        {"no_rules"}}),

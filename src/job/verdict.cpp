@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -38,6 +39,8 @@ std::vector<Vec2> feature_places(const FlatPattern& flat) {
   }
   return places;
 }
+
+constexpr auto kSlantedCut = "slanted cut";
 
 bool off(double ratio, double bound) { return std::abs(ratio - 1.0) > bound; }
 
@@ -91,6 +94,23 @@ std::optional<Finding> opening_doubt(const OpeningCount& openings) {
       openings.missing};
 }
 
+void add_slanted_cuts(std::vector<Finding>& found, const FlatPattern& flat) {
+  std::vector<Vec2> places;
+  for (const FlatFeature& feature : flat.features) {
+    if (feature.kind != kSlantedCut) continue;
+    places.insert(places.end(), feature.along.begin(), feature.along.end());
+    if (feature.outlines.empty()) continue;
+    const Box2 box = bounds(feature.outlines.front());
+    places.push_back(0.5 * (box.lo + box.hi));
+  }
+  if (places.empty()) return;
+  const int count = static_cast<int>(places.size());
+  found.push_back({"slanted_cut", Severity::info,
+                   fmt::format("{} not normal to the sheet; the pattern follows one skin there",
+                               counted(count, "cut edge") + (count == 1 ? " is" : " are")),
+                   places});
+}
+
 void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
   std::vector<Vec2> pilots, uncut;
   int count = 0;
@@ -122,8 +142,11 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
                             double solid_volume, const CertificateBounds& bounds) {
   std::vector<Finding> found;
   if (auto doubt = opening_doubt(certificate.openings)) found.push_back(std::move(*doubt));
-  // Without features, a good explained ratio means that mitred corners account for the difference.
-  const bool explained = flat.features.empty() &&
+  // A good explained ratio means that mitred corners or slanted cuts account for the difference.
+  const bool unformed = std::all_of(
+      flat.features.begin(), flat.features.end(),
+      [](const FlatFeature& feature) { return feature.kind == kSlantedCut; });
+  const bool explained = unformed &&
                          !off(or_nan(certificate.explained_ratio), bounds.volume_warning);
   if (solid_volume > 0.0 && !explained &&
       (off(or_nan(certificate.volume_ratio), bounds.volume_warning) ||
@@ -138,6 +161,7 @@ std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& f
     found.push_back(residual_doubt("refold", kRefoldText, or_nan(certificate.refold_deviation),
                                    bounds.refold_warning, certificate.refold_at));
   }
+  add_slanted_cuts(found, flat);
   add_form_notes(found, flat);
   return found;
 }

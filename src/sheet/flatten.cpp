@@ -85,6 +85,8 @@ void add_features(FlatPattern& pattern, const Sheet& sheet, const Layout& layout
     FlatFeature flat{feature.kind, std::move(formed[id])};
     for (const BorderLoop& outline : feature.outlines)
       flat.outlines.push_back(merged(placed(outline, placement), options.merge_tolerance).loop);
+    for (const BorderRef& ref : feature.along)
+      flat.along.push_back(point_at(layout.image(ref), 0.5));
     cut_feature(pattern, flat, feature, placement, options);
     pattern.features.push_back(std::move(flat));
   }
@@ -122,8 +124,9 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
   for (FlatFeature& feature : pattern.features) {
     for (Loop& outline : feature.outlines)
       outline = transformed(outline, motion);
-    for (Vec2& pilot : feature.pilots)
-      pilot = motion * pilot;
+    for (std::vector<Vec2>* places : {&feature.pilots, &feature.along})
+      for (Vec2& place : *places)
+        place = motion * place;
   }
   for (FlatLabel& label : pattern.labels)
     label.at = motion * label.at;

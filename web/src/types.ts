@@ -69,6 +69,8 @@ export interface Options {
   piece?: number;
   units?: LengthUnit;
   extruded?: 'pilot' | 'through' | 'outline';
+  relief?: 'none' | 'rip' | 'square' | 'round';
+  rip_width?: number;
   profile?: string;
   r12?: boolean;
   splines?: 'arcs' | 'keep';

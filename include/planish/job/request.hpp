@@ -37,6 +37,13 @@ struct PatternChecks {
   std::optional<double> density;  ///< kg/dm³; gives the mass
 };
 
+/// How corners whose patterns overlap are mended, and slits are cut.
+enum class Relief { none, rip, square, round };
+struct ReliefOptions {
+  Relief shape = Relief::rip;
+  double width = 0.0;  ///< of rips along slits, mm; 0: each slit is one line, cut once
+};
+
 /// A request to a maker, as data. `options()` has an entry for each member except `input`; a maker
 /// uses those that its own entry lists.
 struct Request : PatternChecks {
@@ -48,6 +55,7 @@ struct Request : PatternChecks {
   std::string root = "largest";                        ///< "largest" or a face number
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
   ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
+  ReliefOptions relief;
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: the file's
   int piece = 0;                    ///< which of several pieces is shown, from 0
   DxfOptions dxf;                   ///< its units are ignored: the report's are used

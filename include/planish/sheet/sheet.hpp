@@ -110,6 +110,7 @@ struct FormedFeature {
   std::string kind;
   FaceId face{};                        ///< the face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
+  std::vector<BorderRef> along = {};    ///< free borders that it follows (a slanted cut)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
   Error at_rim;                         ///< the refusal if it reaches the outer contour
   std::vector<FormedOpening> openings = {};

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <planish/inspect/findings.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// A place that two parts of the sheet cover when it lies flat.
+struct DoubleCover {
+  std::string who;    ///< "bend B1 and flange 3"; all that meet there
+  double area = 0.0;  ///< mm²
+  Vec2 middle = Vec2::Zero();
+  Vec2 along = Vec2::UnitX();  ///< its smallest rectangle: unit vector along its longer side
+  Vec2 size = Vec2::Zero();    ///< and the sides, longer first, mm
+};
+
+/// Every such place by itself, those that meet as one; `find_overlaps` gives one finding for each
+/// pair of parts.
+std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
+                                       const FlatPattern& pattern);
+
+/// Where contours of the pattern as written cross themselves, with the depth of `find_overlaps`.
+std::vector<Finding> contour_crossings(const FlatPattern& pattern);
+
+/// The area that the sheet's faces and sharp bends have within a closed loop; what is covered twice
+/// counts twice. By polygons, and without the pattern's contours: to check what was cut from them.
+double area_within(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
+                   const Loop& loop);
+
+}  // namespace planish

@@ -1,0 +1,108 @@
+#include "slanted_cuts.hpp"
+
+#include "borders.hpp"
+#include "form_volume.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brep {
+namespace {
+
+/// Sine of the slope from which a wall is a slanted cut: 3°, more than draft and rounding cause.
+constexpr double kSlantedWall = 0.05;
+
+/// Whether a part is nothing but walls of one cut, along loops that are not openings of planes:
+/// those are cut on their own (features.cpp).
+bool is_plain_cut(const Recognition& of, const RimPart& part) {
+  const auto& here = loops_here(of, part);
+  const auto& there = loops_there(of, part);
+  const auto in_plane = [&](const LoopRef& ref) { return opening_in_plane(of, ref); };
+  return part.within && !here.empty() && !there.empty() &&
+         std::none_of(here.begin(), here.end(), in_plane) &&
+         std::none_of(there.begin(), there.end(), in_plane);
+}
+
+/// Whether a wall reaches the other skin too.
+bool reaches_far_skin(const Recognition& of, int wall) {
+  const Skin far = of.skin == Skin::first ? Skin::second : Skin::first;
+  for (const auto& loop : of.model.faces[wall].loops)
+    for (const CoEdge& use : loop)
+      if (const int next = face_across(of.model.edges[use.edge], wall);
+          next >= 0 && of.skins.skin_of[next] == far)
+        return true;
+  return false;
+}
+
+bool is_slanted(const Recognition& of, int skin_face, const CoEdge& use) {
+  const SolidEdge& edge = of.model.edges[use.edge];
+  const int wall = face_across(edge, skin_face);
+  if (wall < 0 || of.rim.part_of[wall] < 0) return false;
+  if (std::holds_alternative<DoublyCurved>(of.model.faces[wall].surface)) return false;
+  const Vec3 middle = edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2);
+  const double slope = outward_normal_at(of.model.faces[wall], middle)
+                           .dot(outward_normal_at(of.model.faces[skin_face], middle));
+  return std::abs(slope) > kSlantedWall && reaches_far_skin(of, wall);
+}
+
+std::vector<BorderRef> slanted_borders(const SheetMap& map, const Recognition& of,
+                                       const RimPart& part) {
+  std::vector<BorderRef> borders;
+  for (const LoopRef& ref : loops_here(of, part))
+    for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop])
+      if (is_slanted(of, ref.face, use))
+        borders.push_back(map.borders.at({ref.face, use.edge, use.forward}));
+  return borders;
+}
+
+/// Area of a skin face half-way to the other skin, its openings in planes filled.
+double middle_area(const Recognition& of, int f) {
+  const SolidFace& face = of.model.faces[f];
+  const Outline& outline = of.outlines[f];
+  const auto* surface = std::get_if<Developable>(&face.surface);
+  std::optional<Development> middle;
+  if (surface) middle.emplace(*surface, -face.sense * of.skins.thickness / 2, outline.u_middle);
+  double sum = 0.0;
+  for (int l = 0; l < std::ssize(face.loops); ++l) {
+    if (opening_in_plane(of, {f, l})) continue;
+    for (const Border& border :
+         read_borders(of.model, face.loops[l], face.surface, outline.u_middle, of.tolerance))
+      sum += green_area(middle ? middle->develop(border.curve, of.tolerance) : border.curve);
+  }
+  return std::abs(sum);
+}
+
+/// What the solid holds beyond the reference skin's outline over the whole thickness: straight
+/// walls between two skins leave half of the difference (math.md#slanted-cuts).
+double slanted_volume(const Recognition& of) {
+  double difference = 0.0;
+  for (int f = 0; f < std::ssize(of.model.faces); ++f)
+    if (of.skins.skin_of[f] != Skin::none)
+      difference += (of.skins.skin_of[f] == of.skin ? -1.0 : 1.0) * middle_area(of, f);
+  return difference * of.skins.thickness / 2;
+}
+
+}  // namespace
+
+void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
+  if (!map.widened.empty() || !of.skins.sharp.empty()) return;
+  bool found = false;
+  for (const RimPart& part : of.rim.parts) {
+    if (!is_plain_cut(of, part)) continue;
+    FormedFeature feature;
+    feature.along = slanted_borders(map, of, part);
+    if (feature.along.empty()) continue;
+    feature.kind = "slanted cut";
+    feature.source_face = part.faces.front() + 1;
+    feature.face = feature.along.front().face;
+    builder.add_feature(std::move(feature));
+    found = true;
+  }
+  // The skins of formed sheets differ by their forms too.
+  const auto& features = builder.sheet().features;
+  const bool formed = std::any_of(features.begin(), features.end(),
+                                  [](const FormedFeature& one) { return one.kind == "formed"; });
+  if (found && !formed) builder.add_form_volume(slanted_volume(of));
+}
+
+}  // namespace planish::brep

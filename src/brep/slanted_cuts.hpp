@@ -1,0 +1,13 @@
+#pragma once
+
+#include "features.hpp"
+
+namespace planish::brep {
+
+/// Notes cuts along the outer contour, or through bends, that are not normal to the sheet: saw
+/// cuts, mitres. The blank keeps the reference skin's outline there; the feature names the borders,
+/// and the sheet gets the volume by which the solid differs from it, from the areas of both skins.
+/// Nothing is noted of sheets with chamfered rims or sharp bends, whose skins differ otherwise.
+void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of);
+
+}  // namespace planish::brep

@@ -1,0 +1,106 @@
+#include "regions.hpp"
+
+#include <planish/base/assert.hpp>
+#include <planish/inspect/double_cover.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+
+using namespace inspect_detail;
+
+namespace {
+
+/// Overlaps that meet, and are one place.
+struct Place {
+  std::vector<std::string> parts;
+  double area = 0.0;
+  std::vector<Vec2> points;
+  Box2 box;
+};
+
+void add_part(Place& place, const std::string& name) {
+  if (std::find(place.parts.begin(), place.parts.end(), name) == place.parts.end())
+    place.parts.push_back(name);
+}
+
+void take(Place& place, const Place& other) {
+  for (const std::string& name : other.parts)
+    add_part(place, name);
+  place.area += other.area;
+  place.points.insert(place.points.end(), other.points.begin(), other.points.end());
+  place.box.add(other.box);
+}
+
+/// Boxes that come within `reach` of each other belong to one place.
+std::vector<Place> joined_places(std::vector<Place> places, double reach) {
+  const auto meet = [reach](const Box2& a, const Box2& b) {
+    return ((a.lo.array() - reach) <= b.hi.array()).all() &&
+           ((b.lo.array() - reach) <= a.hi.array()).all();
+  };
+  for (size_t i = 0; i < places.size(); ++i)
+    for (size_t j = i + 1; j < places.size(); ++j)
+      if (meet(places[i].box, places[j].box)) {
+        take(places[i], places[j]);
+        places.erase(places.begin() + static_cast<std::ptrdiff_t>(j));
+        j = i;  // what did not meet it before may do so now
+      }
+  return places;
+}
+
+DoubleCover cover_of(const Place& place) {
+  const EnclosingRectangle box = smallest_rectangle(place.points);
+  DoubleCover cover;
+  for (size_t i = 0; i < place.parts.size(); ++i)
+    cover.who += (i == 0 ? "" : i + 1 < place.parts.size() ? ", " : " and ") + place.parts[i];
+  cover.area = place.area;
+  cover.size = box.size;
+  cover.along = {std::cos(box.angle), std::sin(box.angle)};
+  const Vec2 across(-cover.along.y(), cover.along.x());
+  Box2 extent;
+  for (const Vec2& p : place.points)
+    extent.add(Vec2(p.dot(cover.along), p.dot(across)));
+  const Vec2 middle = (extent.lo + extent.hi) / 2;
+  cover.middle = middle.x() * cover.along + middle.y() * across;
+  return cover;
+}
+
+}  // namespace
+
+std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
+                                       const FlatPattern& pattern) {
+  PLANISH_ASSERT(layout.images.size() == sheet.faces.size());
+  const double clearance = contact_clearance(pattern);
+  const Regions regions = regions_of(sheet, layout, 0.25 * clearance);
+  std::vector<Place> places;
+  for (const Shared& shared : shared_areas(regions, clearance))
+    for (const auto& ring : shared.overlap.outline) {
+      Place& place = places.emplace_back();
+      add_part(place, part_text(pattern, shared.first));
+      add_part(place, part_text(pattern, shared.second));
+      place.area = std::abs(ring_area(ring));
+      place.points = ring;
+      for (const Vec2& p : ring)
+        place.box.add(p);
+    }
+  std::vector<DoubleCover> covers;
+  // Each was shrunk by the clearance.
+  for (const Place& place : joined_places(std::move(places), 4.0 * clearance))
+    covers.push_back(cover_of(place));
+  return covers;
+}
+
+double area_within(const Sheet& sheet, const Layout& layout, const FlatPattern& pattern,
+                   const Loop& loop) {
+  const double chord = 0.25 * contact_clearance(pattern);
+  Regions regions = regions_of(sheet, layout, chord);
+  const int last = static_cast<int>(regions.polygons.size());
+  regions.polygons.push_back({sampled(loop, chord), {}});
+  double sum = 0.0;
+  for (const Overlap& overlap : overlaps(regions.polygons, 0.0, 0.0))
+    if (overlap.second == last || overlap.first == last) sum += overlap.area;
+  return sum;
+}
+
+}  // namespace planish

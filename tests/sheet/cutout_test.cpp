@@ -1,0 +1,176 @@
+#include <planish/sheet/cutout.hpp>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using std::numbers::pi;
+
+Contour ring_of(const std::vector<Vec2>& corners) {
+  Contour contour;
+  for (size_t i = 0; i < corners.size(); ++i)
+    contour.loop.emplace_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  contour.origins.resize(corners.size());
+  return contour;
+}
+
+FlatPattern pattern_of(const std::vector<Vec2>& corners) {
+  FlatPattern pattern;
+  pattern.thickness = 1.0;
+  pattern.outer = ring_of(corners);
+  pattern.area = signed_area(pattern.outer.loop);
+  pattern.perimeter = length(pattern.outer.loop);
+  return pattern;
+}
+
+FlatPattern plain() { return pattern_of({{0, 0}, {100, 0}, {100, 60}, {0, 60}}); }
+
+Cutout rectangle_at(const Vec2& middle, const Vec2& half, double corner_radius = 0.0) {
+  return {middle, Vec2::UnitX(), half, corner_radius};
+}
+
+FlatPattern cut_out(const FlatPattern& pattern, const Cutout& cutout) {
+  auto left = without_cutout(pattern, cutout);
+  if (!left) throw std::runtime_error(left.error().message);
+  EXPECT_TRUE(check(*left)) << check(*left).error().message;
+  EXPECT_EQ(left->outer.loop.size(), left->outer.origins.size());
+  for (size_t i = 0; i < left->outer.loop.size(); ++i)
+    EXPECT_LT((end_of(left->outer.loop[i]) -
+               start_of(left->outer.loop[(i + 1) % left->outer.loop.size()]))
+                  .norm(),
+              1e-9);
+  return *left;
+}
+
+TEST(Cutout, HasTheAreaOfItsRoundedRectangle) {
+  const Cutout cutout{{3, 4}, Vec2(0.6, 0.8), {5, 2}, 1.5};
+  EXPECT_NEAR(signed_area(cutout.outline()), 40 - (4 - pi) * 1.5 * 1.5, 1e-12);
+  EXPECT_NEAR(cutout.distance({3, 4}), -2.0, 1e-12);
+  EXPECT_NEAR(cutout.distance(Vec2(3, 4) + 7 * Vec2(0.6, 0.8)), 2.0, 1e-12);
+  for (const Curve2& curve : cutout.outline())
+    EXPECT_NEAR(cutout.distance(point_at(curve, 0.37)), 0.0, 1e-12);
+}
+
+TEST(Cutout, BitesIntoAStraightEdge) {
+  const FlatPattern left = cut_out(plain(), rectangle_at({40, 60}, {3, 5}));
+  EXPECT_NEAR(left.area, 6000 - 6 * 5, 1e-9);
+  EXPECT_NEAR(left.perimeter, 320 + 2 * 5, 1e-9);
+}
+
+TEST(Cutout, BitesTheSameWhereverTheContourStarts) {
+  for (const Vec2& middle : {Vec2(0, 0), Vec2(100, 0), Vec2(100, 60), Vec2(0, 60)}) {
+    const FlatPattern left = cut_out(plain(), rectangle_at(middle, {3, 5}));
+    EXPECT_NEAR(left.area, 6000 - 15, 1e-9);
+    EXPECT_NEAR(left.perimeter, 320, 1e-9);
+  }
+}
+
+TEST(Cutout, EndsRound) {
+  const FlatPattern left = cut_out(plain(), rectangle_at({40, 60}, {2, 5}, 2));
+  EXPECT_NEAR(left.area, 6000 - 4 * 3 - pi * 2, 1e-9) << "half of a slot with round ends";
+}
+
+TEST(Cutout, OpensAnOpeningToTheEdge) {
+  FlatPattern pattern = plain();
+  pattern.openings.push_back({{Arc{{50, 30}, 10, 0, -2 * pi}}, {{}}});
+  pattern.area -= 100 * pi;
+  // From the edge y = 60 into the circle: 2 mm wide, to the circle's chord at half-width 1.
+  const FlatPattern left = cut_out(pattern, rectangle_at({50, 50}, {1, 15}));
+  EXPECT_TRUE(left.openings.empty());
+  const double cap = 100 * std::asin(0.1) + std::sqrt(99.0);  // of the circle, above y = 30
+  EXPECT_NEAR(left.area, 6000 - 100 * pi - (2 * 30 - cap), 1e-9);
+}
+
+TEST(Cutout, PartsTwoProngsThatCoverEachOther) {
+  // Prongs from x = 30 to 51 and from 50 to 70, 40 mm long, cover 1 mm by 40 mm twice.
+  const FlatPattern pattern = pattern_of({{0, 0},
+                                          {100, 0},
+                                          {100, 20},
+                                          {70, 20},
+                                          {70, 60},
+                                          {50, 60},
+                                          {50, 20},
+                                          {51, 20},
+                                          {51, 60},
+                                          {30, 60},
+                                          {30, 20},
+                                          {0, 20}});
+  ASSERT_NEAR(pattern.area, 2000 + 21 * 40 + 20 * 40, 1e-9);
+  const FlatPattern left = cut_out(pattern, rectangle_at({50.5, 40}, {0.6, 20.1}));
+  EXPECT_NEAR(left.area, 2000 - 1.2 * 0.1 + 19.9 * 40 + 18.9 * 40, 1e-9);
+  EXPECT_TRUE(left.openings.empty());
+}
+
+TEST(Cutout, RefusesWhatStillCoversItself) {
+  const FlatPattern pattern = pattern_of({{0, 0},
+                                          {100, 0},
+                                          {100, 20},
+                                          {70, 20},
+                                          {70, 60},
+                                          {50, 60},
+                                          {50, 20},
+                                          {51, 20},
+                                          {51, 60},
+                                          {30, 60},
+                                          {30, 20},
+                                          {0, 20}});
+  const auto left = without_cutout(pattern, rectangle_at({50.5, 60}, {0.2, 10}));
+  ASSERT_FALSE(left);
+  EXPECT_EQ(left.error().code, ErrorCode::unsupported_shape);
+}
+
+TEST(Cutout, KeepsTheSlitsThatLeadToIt) {
+  // A tongue between two slits from x = 50 is 10 mm long, its window 7 mm: 3 mm lie on the far
+  // side.
+  FlatPattern pattern = plain();
+  pattern.openings.push_back(ring_of({{50, 30}, {40, 30}, {40, 20}, {50, 20}, {43, 20}, {43, 30}}));
+  pattern.area += 30;
+  const FlatPattern left = with_slits_drawn_once(
+      cut_out(pattern, rectangle_at({41.5, 25}, {1.6, 5.1})));
+  EXPECT_NEAR(left.area, 6000 - 3.2 * 10.2, 1e-9);
+  ASSERT_EQ(left.openings.size(), 1u);
+  ASSERT_EQ(left.slits.size(), 2u);
+  for (const Curve2& slit : left.slits)
+    EXPECT_NEAR(length(slit), 6.9, 1e-9);
+  EXPECT_NEAR(left.perimeter, 320 + 2 * (3.2 + 10.2) + 2 * 6.9, 1e-9);
+}
+
+TEST(Cutout, RefusesAPatternThatFallsIntoPieces) {
+  const auto left = without_cutout(plain(), rectangle_at({40, 30}, {1, 40}));
+  ASSERT_FALSE(left);
+  EXPECT_EQ(left.error().code, ErrorCode::unsupported_shape);
+}
+
+TEST(Cutout, EndsBendLines) {
+  FlatPattern pattern = plain();
+  FlatBend bend;
+  bend.id = "B1";
+  bend.lines = {Segment{{40, 0}, {40, 60}}};
+  bend.line_angles = {Angle::degrees(90)};
+  bend.length = 60;
+  pattern.bends.push_back(bend);
+  const FlatPattern left = cut_out(pattern, rectangle_at({40, 60}, {3, 5}));
+  ASSERT_EQ(left.bends.front().lines.size(), 1u);
+  EXPECT_NEAR(left.bends.front().length, 55.0, 1e-9);
+  EXPECT_NEAR(left.bends.front().lines.front().b.y(), 55.0, 1e-9);
+}
+
+TEST(Slits, ThatRunThereAndBackAreDrawnOnce) {
+  FlatPattern pattern = pattern_of(
+      {{0, 0}, {100, 0}, {100, 30}, {60, 30}, {100, 30}, {100, 60}, {0, 60}});
+  ASSERT_NEAR(pattern.perimeter, 320 + 2 * 40, 1e-9);
+  const FlatPattern drawn = with_slits_drawn_once(pattern);
+  EXPECT_NEAR(drawn.area, 6000.0, 1e-9);
+  EXPECT_NEAR(drawn.perimeter, 320 + 40, 1e-9);
+  ASSERT_EQ(drawn.slits.size(), 1u);
+  EXPECT_NEAR(length(drawn.slits.front()), 40.0, 1e-9);
+  const FlatPattern ripped = cut_out(drawn, rectangle_at({80, 30}, {20.25, 0.25}));
+  EXPECT_NEAR(ripped.area, 6000 - 0.5 * 40.25, 1e-9) << "a quarter of a millimetre past its tip";
+}
+
+}  // namespace
+}  // namespace planish::test
