@@ -8,7 +8,7 @@
 namespace planish::test {
 namespace {
 
-using std::numbers::pi;
+constexpr double kPi = std::numbers::pi;
 
 Contour ring_of(const std::vector<Vec2>& corners) {
   Contour contour;
@@ -48,7 +48,7 @@ FlatPattern cut_out(const FlatPattern& pattern, const Cutout& cutout) {
 
 TEST(Cutout, HasTheAreaOfItsRoundedRectangle) {
   const Cutout cutout{{3, 4}, Vec2(0.6, 0.8), {5, 2}, 1.5};
-  EXPECT_NEAR(signed_area(cutout.outline()), 40 - (4 - pi) * 1.5 * 1.5, 1e-12);
+  EXPECT_NEAR(signed_area(cutout.outline()), 40 - (4 - kPi) * 1.5 * 1.5, 1e-12);
   EXPECT_NEAR(cutout.distance({3, 4}), -2.0, 1e-12);
   EXPECT_NEAR(cutout.distance(Vec2(3, 4) + 7 * Vec2(0.6, 0.8)), 2.0, 1e-12);
   for (const Curve2& curve : cutout.outline())
@@ -71,18 +71,18 @@ TEST(Cutout, BitesTheSameWhereverTheContourStarts) {
 
 TEST(Cutout, EndsRound) {
   const FlatPattern left = cut_out(plain(), rectangle_at({40, 60}, {2, 5}, 2));
-  EXPECT_NEAR(left.area, 6000 - 4 * 3 - pi * 2, 1e-9) << "half of a slot with round ends";
+  EXPECT_NEAR(left.area, 6000 - 4 * 3 - kPi * 2, 1e-9) << "half of a slot with round ends";
 }
 
 TEST(Cutout, OpensAnOpeningToTheEdge) {
   FlatPattern pattern = plain();
-  pattern.openings.push_back({{Arc{{50, 30}, 10, 0, -2 * pi}}, {{}}});
-  pattern.area -= 100 * pi;
+  pattern.openings.push_back({{Arc{{50, 30}, 10, 0, -2 * kPi}}, {{}}});
+  pattern.area -= 100 * kPi;
   // From the edge y = 60 into the circle: 2 mm wide, to the circle's chord at half-width 1.
   const FlatPattern left = cut_out(pattern, rectangle_at({50, 50}, {1, 15}));
   EXPECT_TRUE(left.openings.empty());
   const double cap = 100 * std::asin(0.1) + std::sqrt(99.0);  // of the circle, above y = 30
-  EXPECT_NEAR(left.area, 6000 - 100 * pi - (2 * 30 - cap), 1e-9);
+  EXPECT_NEAR(left.area, 6000 - 100 * kPi - (2 * 30 - cap), 1e-9);
 }
 
 TEST(Cutout, PartsTwoProngsThatCoverEachOther) {

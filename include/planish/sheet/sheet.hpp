@@ -110,14 +110,14 @@ struct FormedFeature {
   std::string kind;
   FaceId face{};                        ///< the face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
-  std::vector<BorderRef> along = {};    ///< free borders that it follows (a slanted cut)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1
   Error at_rim;                         ///< the refusal if it reaches the outer contour
   std::vector<FormedOpening> openings = {};
   std::vector<BorderLoop> slits = {};  ///< free edges (of louvres, bridges): chains, not closed
   /// Openings of the solid that are the form's alone (the eye of a handle): no cut makes them.
   int own_openings = 0;
-  int lost_openings = 0;  ///< openings of the solid there for which no cut was found
+  int lost_openings = 0;              ///< openings of the solid there for which no cut was found
+  std::vector<BorderRef> along = {};  ///< free borders that it follows (a slanted cut)
 };
 
 /// The name of a point of a face, for drawings and templates.
