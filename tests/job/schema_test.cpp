@@ -145,8 +145,8 @@ TEST(JsonReadingDeathTest, ReadsNoKeyThatTheSchemaDoesNotDescribe) {
 }
 
 TEST(Schemas, AreNamedForWhatTheyDescribe) {
-  EXPECT_THAT(schema_names(), ElementsAre("plates", "transition", "slits", "rules", "request",
-                                          "report", "summary", "info"));
+  EXPECT_THAT(schema_names(), ElementsAre("plates", "transition", "slits", "rules", "material",
+                                          "request", "report", "summary", "info"));
   for (const std::string& name : schema_names())
     EXPECT_EQ(Json::parse(schema_text(name))["$id"], name + ".json");
   EXPECT_EQ(schema_text("plate"), "");
