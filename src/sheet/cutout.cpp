@@ -1,5 +1,6 @@
 #include "measure.hpp"
 #include "spurs.hpp"
+#include "trim_bend.hpp"
 
 #include <planish/sheet/cutout.hpp>
 
@@ -220,30 +221,6 @@ std::vector<Segment> outside(const Segment& line, const Cutout& cutout) {
   return parts;
 }
 
-void trim(FlatBend& bend, const Cutout& cutout) {
-  const auto sum = [](const std::vector<Segment>& lines) {
-    double total = 0.0;
-    for (const Segment& line : lines)
-      total += (line.b - line.a).norm();
-    return total;
-  };
-  const double whole = sum(bend.lines);
-  std::vector<Segment> lines, tangent_lines;
-  std::vector<Angle> angles;
-  for (size_t i = 0; i < bend.lines.size(); ++i)
-    for (const Segment& part : outside(bend.lines[i], cutout)) {
-      lines.push_back(part);
-      angles.push_back(i < bend.line_angles.size() ? bend.line_angles[i] : bend.angle);
-    }
-  for (const Segment& line : bend.tangent_lines)
-    for (const Segment& part : outside(line, cutout))
-      tangent_lines.push_back(part);
-  bend.lines = std::move(lines);
-  bend.line_angles = std::move(angles);
-  bend.tangent_lines = std::move(tangent_lines);
-  if (whole > 0.0) bend.length *= sum(bend.lines) / whole;
-}
-
 }  // namespace
 
 double Cutout::distance(const Vec2& p) const {
@@ -309,7 +286,7 @@ Result<FlatPattern> without_cutout(FlatPattern pattern, const Cutout& cutout) {
   }
   if (pattern.outer.loop.empty()) return covered_twice(cutout);
   for (FlatBend& bend : pattern.bends)
-    trim(bend, cutout);
+    trim_bend(bend, [&](const Segment& line) { return outside(line, cutout); });
   measure(pattern);
   return pattern;
 }

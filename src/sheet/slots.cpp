@@ -1,6 +1,7 @@
 #include "measure.hpp"
 #include "slot_shape.hpp"
 #include "spurs.hpp"
+#include "trim_bend.hpp"
 
 #include <planish/geometry/fit.hpp>
 #include <planish/sheet/slots.hpp>
@@ -195,30 +196,6 @@ Result<void> cut_as_lines(FlatPattern& pattern, const std::vector<Slot>& slots) 
   return {};
 }
 
-void trim_bend(FlatBend& bend, const std::vector<Slot>& slots) {
-  const auto sum = [](const std::vector<Segment>& lines) {
-    double length = 0.0;
-    for (const Segment& line : lines)
-      length += (line.b - line.a).norm();
-    return length;
-  };
-  const double whole = sum(bend.lines);
-  std::vector<Segment> lines, tangent_lines;
-  std::vector<Angle> angles;
-  for (std::size_t i = 0; i < bend.lines.size(); ++i)
-    for (const Segment& piece : outside(bend.lines[i], slots)) {
-      lines.push_back(piece);
-      angles.push_back(i < bend.line_angles.size() ? bend.line_angles[i] : bend.angle);
-    }
-  for (const Segment& line : bend.tangent_lines)
-    for (const Segment& piece : outside(line, slots))
-      tangent_lines.push_back(piece);
-  bend.lines = std::move(lines);
-  bend.line_angles = std::move(angles);
-  bend.tangent_lines = std::move(tangent_lines);
-  if (whole > 0.0) bend.length *= sum(bend.lines) / whole;
-}
-
 /// When a slit is a line, there is no corner where it leaves its contour.
 void merge_contours(FlatPattern& pattern, double tolerance) {
   for (Contour* contour : contours_of(pattern)) {
@@ -262,7 +239,7 @@ Result<FlatPattern> cut_slits(FlatPattern pattern, const SlotOptions& options) {
     return tl::unexpected(cut.error());
   }
   for (FlatBend& bend : pattern.bends)
-    trim_bend(bend, *slots);
+    trim_bend(bend, [&](const Segment& line) { return outside(line, *slots); });
   merge_contours(pattern, options.tolerance);
   measure(pattern);
   return pattern;
