@@ -60,8 +60,8 @@ class Translating : public Message_ProgressIndicator {
 
 double millimetres_in(const std::string& unit) {
   constexpr double kMetre = 1000.0, kInch = 25.4;
-  if (unit.empty() || unit == "millimetre" || unit == "MILLIMETRE") return 1.0;
-  return unit == "metre" || unit == "METRE" ? kMetre : kInch;  // others are smaller than a metre
+  if (unit == "mm") return 1.0;
+  return unit == "m" ? kMetre : kInch;  // others are smaller than a metre
 }
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location()); }
@@ -155,7 +155,10 @@ class Content {
   std::string unit() {
     TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
     reader_.FileUnits(lengths, angles, solid_angles);
-    return lengths.IsEmpty() ? std::string() : lengths.First().ToCString();
+    const std::string spelled = lengths.IsEmpty() ? "millimetre" : lengths.First().ToCString();
+    if (spelled.empty() || spelled == "millimetre" || spelled == "MILLIMETRE") return "mm";
+    if (spelled == "metre" || spelled == "METRE") return "m";
+    return spelled;
   }
 
   std::vector<TopoDS_Shape> roots() const {

@@ -23,7 +23,8 @@ struct PlacedSolid {
 struct ProductTree {
   std::vector<PlacedSolid> solids;
   int surface_bodies = 0;  ///< shells, and faces without shell, that belong to no solid
-  std::string unit;        ///< length unit of the file as it spells it; empty where it names none
+  std::string unit;  ///< length unit of the file: "mm" (also where it names none), "m", or as it
+                     ///< spells it
 };
 
 /// Reads a STEP text. Files that it refers to are looked for beside `path`, its own place. Errors:

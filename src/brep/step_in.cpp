@@ -82,12 +82,6 @@ class BodyCollector {
   std::vector<Row> rows_;
 };
 
-std::string unit_name(const std::string& in_file) {
-  if (in_file.empty() || in_file == "millimetre" || in_file == "MILLIMETRE") return "mm";
-  if (in_file == "metre" || in_file == "METRE") return "m";
-  return in_file;
-}
-
 /// `path` is the file's path: files that it refers to are sought beside it.
 Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
                           const Progress& progress) {
@@ -100,7 +94,7 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
         StepFile file;
         file.bodies = BodyCollector(tree->solids).take(progress);
         file.surface_bodies = tree->surface_bodies;
-        file.unit = unit_name(tree->unit);
+        file.unit = tree->unit;
         if (progress.should_stop())
           return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
         return file;
