@@ -14,14 +14,6 @@ using std::numbers::pi;
 constexpr int kBottom = 0;
 constexpr int kTop = 1;
 
-/// The sheet of a plate, seen on one of its faces.
-Sheet sheet_of(SolidModel model, int reference) {
-  const Recognised seen = recognised(std::move(model), 2, reference);
-  auto sheet = assemble_sheet(seen.view());
-  EXPECT_TRUE(sheet) << sheet.error().message;
-  return sheet.value_or(Sheet{});
-}
-
 double opening_area(const Sheet& sheet) {
   EXPECT_EQ(sheet.faces.size(), 1u);
   EXPECT_EQ(sheet.faces.front().loops.size(), 2u);

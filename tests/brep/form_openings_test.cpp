@@ -26,13 +26,6 @@ using std::numbers::pi;
 constexpr int kBottom = 0;
 constexpr int kTop = 1;
 
-Sheet sheet_of(SolidModel model, int reference) {
-  const Recognised seen = recognised(std::move(model), 2, reference);
-  auto sheet = assemble_sheet(seen.view());
-  EXPECT_TRUE(sheet) << sheet.error().message;
-  return sheet.value_or(Sheet{});
-}
-
 /// A collar of this height and wall below a hole of radius 5 in a sheet of 2 mm.
 SolidModel extruded(double height, double wall) {
   const double outside = 5 + wall;

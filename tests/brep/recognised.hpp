@@ -3,6 +3,10 @@
 #include "assembly.hpp"
 #include "solid_models.hpp"
 
+#include <gtest/gtest.h>
+
+#include <utility>
+
 namespace planish::brep::test {
 
 /// A model with all that recognition finds before it assembles the sheet.
@@ -26,6 +30,14 @@ inline Recognised recognised(SolidModel model, double thickness, int reference) 
   result.skin = result.skins.skin_of[reference];
   result.groups = group_faces(result.model, result.outlines, result.skins, result.skin);
   return result;
+}
+
+/// The sheet of a body of 2 mm, seen on the face `reference`.
+inline Sheet sheet_of(SolidModel model, int reference) {
+  const Recognised seen = recognised(std::move(model), 2, reference);
+  auto sheet = assemble_sheet(seen.view());
+  EXPECT_TRUE(sheet) << sheet.error().message;
+  return sheet.value_or(Sheet{});
 }
 
 }  // namespace planish::brep::test

@@ -10,8 +10,10 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "../support"))
 import step_files  # noqa: E402
 from planish_cli import CLI, SECONDS, SOURCE, CliTest, main  # noqa: E402
+from processes import children_of, is_alive, until  # noqa: E402
 
 CORPUS = sorted((SOURCE / "tests" / "fuzz" / "corpus").iterdir())
 CHAIR = SOURCE / "examples" / "slit" / "chair.json"
@@ -26,33 +28,6 @@ def long_work():
     return json.dumps(dict(
         spec, ridges=20, subdivisions=6, leg_curve={"bezier": [[360, 0], [360, width]]},
         seat_curve={"bezier": [[330, 0], [300, width / 3], [310, 2 * width / 3], [640, width]]}))
-
-
-def children_of(process):
-    found = []
-    for status in pathlib.Path("/proc").glob("[0-9]*/status"):
-        try:
-            if f"\nPPid:\t{process}\n" in status.read_text():
-                found.append(int(status.parent.name))
-        except OSError:
-            pass
-    return found
-
-
-def is_alive(process):
-    try:
-        return "\nState:\tZ" not in pathlib.Path(f"/proc/{process}/status").read_text()
-    except OSError:
-        return False
-
-
-def until(condition, seconds=20):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return False
 
 
 class DamagedFiles(CliTest):

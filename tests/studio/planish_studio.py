@@ -9,10 +9,13 @@ import re
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
-import time
 import unittest
 import urllib.parse
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "../support"))
+from processes import children_of, until  # noqa: E402, F401
 
 CLI = os.environ.get("PLANISH_CLI", "planish")
 SOURCE = pathlib.Path(os.environ.get("PLANISH_SOURCE_DIR", pathlib.Path(__file__).parents[2]))
@@ -152,28 +155,6 @@ class Studio:
     def workers(self):
         """Process numbers of its workers."""
         return children_of(self.process.pid)
-
-
-def children_of(parent):
-    found = []
-    for entry in pathlib.Path("/proc").iterdir():
-        if not entry.name.isdigit():
-            continue
-        with contextlib.suppress(OSError):
-            state = (entry / "stat").read_text().rsplit(")", 1)[1].split()
-            if int(state[1]) == parent and state[0] != "Z":
-                found.append(int(entry.name))
-    return found
-
-
-def until(condition, seconds=20.0):
-    """Waits for what must come about."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if condition():
-            return True
-        time.sleep(0.02)
-    return False
 
 
 class StudioTest(unittest.TestCase):
