@@ -64,15 +64,6 @@ void add_sharp_bends(const Sheet& sheet, const Layout& layout, Regions& regions)
   }
 }
 
-std::string part_text(const FlatPattern& pattern, const PartId& part) {
-  if (const auto* flange = std::get_if<FlangeId>(&part))
-    return fmt::format("flange {}", index_of(*flange) + 1);
-  const BendId id = std::get<BendId>(part);
-  for (const FlatBend& bend : pattern.bends)
-    if (bend.bend == id) return "bend " + bend.id;
-  return fmt::format("bend {}", index_of(id) + 1);
-}
-
 double ring_length(const std::vector<Vec2>& ring) {
   double sum = 0.0;
   for (size_t i = 0; i < ring.size(); ++i)
@@ -111,11 +102,11 @@ SharedByParts shared_by_parts(const Regions& regions, double clearance) {
 
 Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,
                         const SharedArea& shared) {
-  const std::string first = part_text(pattern, parts.first);
+  const std::string first = part_name(pattern, parts.first);
   const std::string who = parts.first == parts.second
                               ? first + " overlaps itself"
                               : fmt::format("{} and {} overlap", first,
-                                            part_text(pattern, parts.second));
+                                            part_name(pattern, parts.second));
   const std::string where = shared.places > 1 ? fmt::format(" in {} places", shared.places)
                                               : std::string();
   return {"overlap", Severity::error,

@@ -1,5 +1,6 @@
 #include "lay_flat.hpp"
 
+#include "self_intersections.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -99,6 +100,7 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
   if (!given.checks.write_overlapping) {
     if (auto refusal = overlap_refusal(overlaps)) return refusal;
   }
+  if (given.folded) append(report.findings, self_intersections(report, *given.folded));
   if (given.checks.rules.enabled) {
     append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/job/report.hpp>
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/flat_pattern.hpp>
@@ -16,6 +17,7 @@ struct SheetToLay {
   const Sheet& sheet;
   const EdgeDistance& distance;
   const PatternChecks& checks;
+  std::optional<Body> folded;  ///< the solid; empty if there is none, or if nobody asks
 };
 
 SheetSummary summary_of(const Sheet& sheet);

@@ -175,7 +175,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
   checks.rules.enabled = false;
   const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
                                                               : EdgeDistance();
-  if (auto wrong = lay_flat(report, {sheet, distance, checks}, options, progress)) return wrong;
+  if (auto wrong = lay_flat(report, {sheet, distance, checks, {}}, options, progress)) return wrong;
   report.flat_deviation = flat_deviation(sheet, report.layout);
   add_findings(report);
   auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});

@@ -37,14 +37,17 @@ FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
 std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
                                const Result<FoldedPiece>& folded, const TransitionSpec& spec,
                                const Request& request, const Progress& progress) {
+  std::optional<Body> body;
   if (folded) {
-    if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
+    auto solid = fold(piece, sheet, folded->sheet, piece.solid, progress);
+    if (!solid) return solid.error();
+    body = std::move(*solid);
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);
   }
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request),
+  return lay_flat(piece, {sheet, border_distance(sheet), request, body}, options_of(spec, request),
                   progress);
 }
 
@@ -52,7 +55,7 @@ std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,
                                 const TransitionSpec& spec, const Request& request,
                                 const Progress& progress) {
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, EdgeDistance(), request}, options_of(spec, request), progress);
+  return lay_flat(piece, {sheet, EdgeDistance(), request, {}}, options_of(spec, request), progress);
 }
 
 /// The report of a single piece becomes the whole's; of several pieces, only the findings.
