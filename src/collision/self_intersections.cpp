@@ -52,6 +52,15 @@ class Search {
       if (!triangles[face].empty()) add(static_cast<int>(face), std::move(triangles[face]));
   }
 
+  bool any_meeting() {
+    only_meetings_ = true;
+    for (std::size_t i = 0; i < faces_.size() && !met_; ++i)
+      if (!faces_[i].plane) within(i);
+    for (const auto& [i, j] : near_boxes(boxes_, depth_))
+      if (!met_) between(i, j);
+    return met_;
+  }
+
   std::vector<SelfIntersection> all() {
     std::vector<SelfIntersection> found;
     const auto keep = [&](std::optional<SelfIntersection> one) {
@@ -95,13 +104,15 @@ class Search {
   }
 
   void try_pair(int a, int b) {
-    if (measured_ >= kMeasured) return;
+    if (measured_ >= kMeasured || met_) return;
     for (const Vec3& p :
          points_below_both(triangle_of(mesh_, a), triangle_of(mesh_, b), kAside * depth_, depth_))
       measure(p);
   }
 
   void measure(const Vec3& p) {
+    met_ = only_meetings_;
+    if (only_meetings_) return;
     if (!enclosure_) enclosure_.emplace(mesh_);
     if (enclosure_->times_enclosed(p) < 2) return;
     const Ball ball = enclosure_->widest_ball(p);
@@ -117,6 +128,7 @@ class Search {
   std::vector<Box3> boxes_;
   std::vector<int> numbers_;            ///< of the faces, as given
   std::optional<Enclosure> enclosure_;  ///< made when first asked for: most solids need none
+  bool only_meetings_ = false, met_ = false;
   std::array<int, 2> pair_{};
   int measured_ = 0;
   std::optional<SelfIntersection> best_;
@@ -128,6 +140,12 @@ std::vector<SelfIntersection> find_self_intersections(const MeshOfFaces& surface
   PLANISH_ASSERT(depth > 0.0);
   PLANISH_ASSERT(surface.face.size() == surface.mesh.triangles.size());
   return Search(surface, depth).all();
+}
+
+bool faces_meet(const MeshOfFaces& some, double depth) {
+  PLANISH_ASSERT(depth > 0.0);
+  PLANISH_ASSERT(some.face.size() == some.mesh.triangles.size());
+  return Search(some, depth).any_meeting();
 }
 
 }  // namespace planish

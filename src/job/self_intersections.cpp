@@ -1,5 +1,6 @@
 #include "self_intersections.hpp"
 
+#include <planish/brep/crossing_faces.hpp>
 #include <planish/collision/self_intersections.hpp>
 #include <planish/sheet/material_places.hpp>
 
@@ -83,16 +84,25 @@ Finding unnamed(const SelfIntersection& found) {
           {}};
 }
 
+/// The whole surface, or nothing if no faces of it can run through one another: to mesh a body
+/// takes longer than to recognise its sheet, and most need not be.
+Result<MeshOfFaces> surface_to_test(const Body& folded, double depth) {
+  auto some = crossing_faces_mesh(folded, {.chord = kChord, .depth = depth});
+  if (!some) return some;
+  if (!faces_meet(*some, depth)) return MeshOfFaces();
+  return body_faces_mesh(folded, kChord);
+}
+
 }  // namespace
 
 std::vector<Finding> self_intersections(const Report& report, const Body& folded) {
   if (report.sheet.bends.empty()) return {};
-  const auto surface = body_faces_mesh(folded, kChord);
+  const double depth = contact_depth(report.sheet.thickness);
+  const auto surface = surface_to_test(folded, depth);
   if (!surface) return {untested(surface.error())};
   std::map<std::pair<PartId, PartId>, SharedSpace> by_parts;
   std::vector<Finding> elsewhere;
-  for (const SelfIntersection& found :
-       find_self_intersections(*surface, contact_depth(report.sheet.thickness))) {
+  for (const SelfIntersection& found : find_self_intersections(*surface, depth)) {
     const auto meeting = meeting_at(report, found.centre);
     if (!meeting) {
       elsewhere.push_back(unnamed(found));

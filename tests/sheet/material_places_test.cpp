@@ -10,7 +10,7 @@
 namespace planish::test {
 namespace {
 
-FlatSheet laid(const Sheet& sheet) {
+FlatSheet laid_at_k(const Sheet& sheet) {
   auto flat = flat_sheet(sheet, {.allowance = ConstantK{0.4, ""}});
   EXPECT_TRUE(flat);
   return std::move(*flat);
@@ -43,7 +43,7 @@ TEST(MaterialPlaces, FindWhereAPointOfTheFoldedSheetComesFrom) {
   for (const Sheet& sheet :
        {l_bracket(), l_bracket_down(), u_channel(), box(), cone_joined(),
         moved(z_profile(), Eigen::Isometry3d(Eigen::Translation3d(9, -80, 4)))}) {
-    const FlatSheet flat = laid(sheet);
+    const FlatSheet flat = laid_at_k(sheet);
     for (const Point& point : points_of(sheet, flat.layout)) {
       const auto places = material_places(sheet, flat.layout, point.folded, 0.1);
       ASSERT_FALSE(places.empty());
@@ -59,7 +59,7 @@ TEST(MaterialPlaces, AreSeveralWhereTheSheetRunsThroughItself) {
   const double t = 1.2, r = 3.0, angle = 250 * std::numbers::pi / 180;
   const Sheet sheet = strip(
       {Straight{40}, Turn{Angle::radians(angle), r, BendDirection::up}, Straight{40}}, 20, t);
-  const FlatSheet flat = laid(sheet);
+  const FlatSheet flat = laid_at_k(sheet);
   // The middle of the second flange begins at x = 40 + (r + t/2) sin α, at a height of
   // (r + t/2)(1 − cos α) above the middle of the first one, and goes on with the slope tan α.
   const double m = r + t / 2;
@@ -77,7 +77,7 @@ TEST(MaterialPlaces, AreSeveralWhereTheSheetRunsThroughItself) {
 TEST(MaterialPlaces, CountTheTurnsOfABend) {
   const double t = 1.5, r = 20;
   const Sheet sheet = strip({Turn{Angle::degrees(400), r, BendDirection::up}}, 50, t);
-  const FlatSheet flat = laid(sheet);
+  const FlatSheet flat = laid_at_k(sheet);
   // Within the first 40° the sheet lies twice.
   const double m = r + t / 2;
   for (const auto& [degrees, times] : {std::pair{20.0, 2}, {200.0, 1}}) {
@@ -93,7 +93,7 @@ TEST(MaterialPlaces, CountTheTurnsOfABend) {
 
 TEST(MaterialPlaces, SayHowFarTheMaterialIs) {
   const Sheet sheet = plate_with_holes();  // from z = −3 to 0
-  const FlatSheet flat = laid(sheet);
+  const FlatSheet flat = laid_at_k(sheet);
   const auto away = [&](const Vec3& p) {
     const auto places = material_places(sheet, flat.layout, p, 100.0);
     return places.empty() ? -1.0 : places.front().away;

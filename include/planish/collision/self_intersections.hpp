@@ -23,4 +23,9 @@ struct SelfIntersection {
 /// are near one another.
 std::vector<SelfIntersection> find_self_intersections(const MeshOfFaces& surface, double depth);
 
+/// Whether triangles of some faces of a surface cross, or cover each other, other than along edges
+/// that they share. Where none do, the surface does not run through itself there; where some do,
+/// only the whole surface can tell. Requires depth > 0. Cost: as above.
+bool faces_meet(const MeshOfFaces& some, double depth);
+
 }  // namespace planish
