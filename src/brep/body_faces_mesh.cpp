@@ -26,8 +26,7 @@ namespace {
 
 using brep::FaceExtent;
 
-/// Leaves out a face of which the kernel makes no triangles: one of no area, or one that does not
-/// close.
+/// Leaves out a face of which the kernel makes no triangles.
 void add_face(MeshOfFaces& result, const TopoDS_Face& face, int number) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
@@ -93,6 +92,24 @@ std::vector<int> crossing_faces(const std::vector<TopoDS_Face>& faces, double de
   return numbers;
 }
 
+/// The area vectors of a closed surface add up to nothing. The kernel sometimes makes no triangles
+/// of a face, or covers it in part.
+Result<void> check_closed(const MeshOfFaces& surface) {
+  constexpr double kOpen = 1e-4;  // of the area; neighbouring faces have their corners in common
+  Vec3 sum = Vec3::Zero();
+  double area = 0.0;
+  for (const auto& t : surface.mesh.triangles) {
+    const Vec3& a = surface.mesh.points[t[0]];
+    const Vec3 twice = (surface.mesh.points[t[1]] - a).cross(surface.mesh.points[t[2]] - a);
+    sum += 0.5 * twice;
+    area += 0.5 * twice.norm();
+  }
+  if (sum.norm() <= kOpen * area) return {};
+  return fail(
+      ErrorCode::internal,
+      fmt::format("The CAD kernel's triangles of the body leave {:.3g} mm² open.", sum.norm()));
+}
+
 Result<void> check_positive(const char* what, double value) {
   if (value > 0.0) return {};
   return fail(ErrorCode::bad_option,
@@ -108,7 +125,9 @@ Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord) {
     const std::vector<TopoDS_Face> faces = faces_of(body.shape().solid);
     std::vector<int> all(faces.size());
     std::iota(all.begin(), all.end(), 0);
-    return triangles_of(faces, all, chord);
+    MeshOfFaces surface = triangles_of(faces, all, chord);
+    if (auto closed = check_closed(surface); !closed) return tl::unexpected(closed.error());
+    return surface;
   });
 }
 

@@ -8,6 +8,8 @@
 #include <BRep_Tool.hxx>
 #include <BndLib_Add3dCurve.hxx>
 #include <Bnd_Box.hxx>
+#include <Geom_BSplineCurve.hxx>
+#include <Geom_BSplineSurface.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -19,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace planish::brep {
 namespace {
@@ -27,7 +30,7 @@ namespace {
 constexpr double kBeyond = 0.125;
 /// Sine of the angle up to which planes may lie on each other.
 constexpr double kSameDirection = 0.01;
-/// So many straight edges of a plane face are tried as limits.
+/// Across so many straight edges of a plane face, in different directions, it may end.
 constexpr std::size_t kDirections = 8;
 
 Vec3 vector_of_direction(const gp_Dir& d) { return {d.X(), d.Y(), d.Z()}; }
@@ -54,6 +57,10 @@ void add_edge(FaceExtent& extent, const TopoDS_Edge& edge) {
                            circle.Radius() * vector_of_direction(circle.XAxis().Direction()),
                            circle.Radius() * vector_of_direction(circle.YAxis().Direction()), from,
                            to});
+  } else if (curve.GetType() == GeomAbs_BSplineCurve) {
+    const Handle(Geom_BSplineCurve) spline = curve.BSpline();
+    for (int i = 1; i <= spline->NbPoles(); ++i)
+      extent.hull.push_back({vector_of(spline->Pole(i))});
   } else {
     Bnd_Box box;
     BndLib_Add3dCurve::Add(curve, 0.0, box);
@@ -104,10 +111,16 @@ void set_plane(FaceExtent& extent, const gp_Pln& plane, bool reversed) {
   if (!plane.Direct()) normal = -normal;
   if (reversed) normal = -normal;
   extent.plane = FaceExtent::Plane{vector_of(plane.Location()), normal};
-  for (Vec3& direction : extent.directions)  // across its straight edges
-    direction = normal.cross(direction).normalized();
-  if (extent.directions.size() > kDirections) extent.directions.resize(kDirections);
-  extent.directions.push_back(normal);
+  const std::vector<Vec3> along = std::move(extent.directions);
+  extent.directions = {normal};
+  for (const Vec3& edge : along) {
+    const Vec3 across = normal.cross(edge).normalized();
+    const bool known = std::ranges::any_of(extent.directions, [&](const Vec3& direction) {
+      return direction.cross(across).norm() < kSameDirection;
+    });
+    if (!known) extent.directions.push_back(across);
+    if (extent.directions.size() > kDirections) return;
+  }
 }
 
 /// Its rulings end on its borders, so the hull of these contains it. It is likely to end at planes
@@ -125,6 +138,21 @@ void set_cylinder(FaceExtent& extent, const gp_Cylinder& cylinder) {
       extent.directions.push_back(tangent);
       extent.directions.push_back(tangent.cross(axis.direction));
     }
+}
+
+bool is_ruled(const Geom_BSplineSurface& spline) {
+  return (spline.UDegree() == 1 && spline.NbUPoles() == 2) ||
+         (spline.VDegree() == 1 && spline.NbVPoles() == 2);
+}
+
+/// A face within the hull of its poles, or, if it is ruled, of its borders.
+void set_spline(FaceExtent& extent, const Geom_BSplineSurface& spline) {
+  extent.directions = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  if (is_ruled(spline)) return;
+  extent.hull.clear();
+  for (int i = 1; i <= spline.NbUPoles(); ++i)
+    for (int j = 1; j <= spline.NbVPoles(); ++j)
+      extent.hull.push_back({vector_of(spline.Pole(i, j))});
 }
 
 /// A face that may bulge beyond its borders.
@@ -175,6 +203,9 @@ FaceExtent extent_of(const TopoDS_Face& face) {
     case GeomAbs_Cone:
     case GeomAbs_SurfaceOfExtrusion:
       break;  // rulings end on its borders here too
+    case GeomAbs_BSplineSurface:
+      set_spline(extent, *surface.BSpline());
+      break;
     default:
       set_box(extent, face);
   }

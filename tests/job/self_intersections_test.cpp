@@ -69,10 +69,12 @@ TEST(SelfIntersectionFindings, NameBothFlangesTheDepthAndBothPlaces) {
     EXPECT_NEAR((found[0].at[i] - found[0].at[i + 1]).norm(), apart, 1.2);
 }
 
-TEST(SelfIntersectionFindings, NameABendThatRunsThroughItself) {
-  const auto found = found_in(strip({Turn{Angle::degrees(400), 20, BendDirection::up}}, 50, 1.5));
+TEST(SelfIntersectionFindings, NameTheBendsOfATubeRolledOntoItself) {
+  const Turn half{Angle::degrees(200), 20, BendDirection::up};
+  const auto found = found_in(strip({half, half}, 50, 1.5));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_THAT(found[0].message, HasSubstr("bend B1 runs through itself when folded, 1.5 mm deep"));
+  EXPECT_EQ(found[0].message,
+            "bend B1 and bend B2 run through each other when folded, 1.5 mm deep");
 }
 
 TEST(SelfIntersectionFindings, NameABendAndAFlange) {
