@@ -16,6 +16,9 @@ constexpr double kInPlane = tolerance::kComputed;
 constexpr double kFlatWedge = 1e-3;
 /// Cosine of the angle up to which triangles that cover each other count as one above the other.
 constexpr double kSameWay = 0.9;
+/// What two triangles cover together is a strip between neighbouring faces, drawn over each other
+/// by rounding, if it is narrower than this share of the reach.
+constexpr double kNarrow = 0.5;
 /// Where along a crossing to look: a corner of what is shared may be narrow.
 constexpr std::array<double, 3> kPlaces{0.5, 0.15, 0.85};
 
@@ -61,13 +64,12 @@ std::optional<Span> span_in_plane(const Triangle& t, const std::array<double, 3>
   return span;
 }
 
-/// Whether the triangles have two corners at the same places.
-bool share_edge(const Triangle& a, const Triangle& b, double same) {
+int shared_within(const Triangle& a, const Triangle& b, double same) {
   int shared = 0;
   for (const Vec3& p : a.corners)
     for (const Vec3& q : b.corners)
       if ((p - q).cwiseAbs().maxCoeff() <= same) ++shared;
-  return shared >= 2;
+  return shared;
 }
 
 std::vector<Vec3> below_crossing(const Triangle& a, const Triangle& b, double aside,
@@ -108,8 +110,7 @@ std::vector<Vec3> left_of(const std::vector<Vec3>& ring, const Vec3& p, const Ve
 }
 
 /// Below the lower of two triangles that look the same way, in the middle of what they share.
-std::vector<Vec3> below_cover(const Triangle& a, const Triangle& b, double aside, double reach,
-                              double in_plane) {
+std::vector<Vec3> below_cover(const Triangle& a, const Triangle& b, double aside, double reach) {
   std::vector<Vec3> ring(a.corners.begin(), a.corners.end());
   for (int i = 0; i < 3 && !ring.empty(); ++i)
     ring = left_of(ring, b.corners[i], b.corners[(i + 1) % 3], b.normal);
@@ -122,13 +123,17 @@ std::vector<Vec3> below_cover(const Triangle& a, const Triangle& b, double aside
   double around = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i)
     around += (ring[(i + 1) % ring.size()] - ring[i]).norm();
-  if (twice_area.norm() <= in_plane * around) return {};  // as good as a line
+  if (twice_area.norm() <= kNarrow * reach * around) return {};  // as good as a line
   const double height = b.normal.dot(middle - b.corners[0]);
   if (std::abs(height) > reach) return {};
   return {middle - (std::max(height, 0.0) + aside) * b.normal};
 }
 
 }  // namespace
+
+int shared_corners(const Triangle& a, const Triangle& b) {
+  return shared_within(a, b, kInPlane * extent(a, b));
+}
 
 std::vector<Vec3> points_below_both(const Triangle& a, const Triangle& b, double aside,
                                     double reach) {
@@ -137,9 +142,9 @@ std::vector<Vec3> points_below_both(const Triangle& a, const Triangle& b, double
   const double in_plane = kInPlane * extent(a, b);
   if (a.normal.isZero() || b.normal.isZero()) return {};
   if (cosine < 0.0 && sine < kFlatWedge) return {};
-  if (share_edge(a, b, in_plane)) return {};
+  if (shared_within(a, b, in_plane) >= 2) return {};
   std::vector<Vec3> points;
-  if (cosine > kSameWay) points = below_cover(a, b, aside, reach, in_plane);
+  if (cosine > kSameWay) points = below_cover(a, b, aside, reach);
   if (sine >= kFlatWedge) {
     const std::vector<Vec3> crossing = below_crossing(a, b, aside, in_plane);
     points.insert(points.end(), crossing.begin(), crossing.end());

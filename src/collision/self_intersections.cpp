@@ -105,8 +105,10 @@ class Search {
 
   void try_pair(int a, int b) {
     if (measured_ >= kMeasured || met_) return;
-    for (const Vec3& p :
-         points_below_both(triangle_of(mesh_, a), triangle_of(mesh_, b), kAside * depth_, depth_))
+    const Triangle one = triangle_of(mesh_, a), other = triangle_of(mesh_, b);
+    // Triangles of one spline surface that have a corner in common may be folded over each other.
+    if (pair_[0] == pair_[1] && shared_corners(one, other) > 0) return;
+    for (const Vec3& p : points_below_both(one, other, kAside * depth_, depth_))
       measure(p);
   }
 

@@ -53,11 +53,12 @@ job::Request request_for(const fs::path& part) {
   return request;
 }
 
-/// None of the parts runs through itself, and all could be tested for it.
-void expect_no_self_intersection(const job::Report& report) {
+/// None of the parts runs through itself, and all but those that are named could be tested for it.
+void expect_no_self_intersection(const job::Report& report, const Json& exception) {
   for (const Finding& finding : report.findings) {
     EXPECT_NE(finding.code, "self_intersection") << finding.message;
-    EXPECT_NE(finding.code, "folded_solid") << finding.message;
+    EXPECT_TRUE(finding.code != "folded_solid" || exception.value("mesh_open", false))
+        << finding.message;
   }
 }
 
@@ -98,7 +99,7 @@ class Corpus : public ::testing::Test {
     EXPECT_EQ(openings.lost().value_or(0), 0)
         << "solid " << openings.solid.value_or(-1) << ", pattern " << openings.pattern
         << ", features " << openings.features << ", loops " << openings.loops;
-    expect_no_self_intersection(report);
+    expect_no_self_intersection(report, exception);
     EXPECT_LE(report.certificate.length_error, 0.01);
     EXPECT_LE(report.certificate.refold_deviation, 0.02);
     write_dxf(id, report.flat);
@@ -180,7 +181,7 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
     ASSERT_TRUE(reports) << reports.error().message;
     EXPECT_GE(reports->size(), 1u);
     for (const job::UnfoldReport& report : *reports) {
-      expect_no_self_intersection(report);
+      expect_no_self_intersection(report, exception_for(row["id"]));
       if (report.refusal) {
         EXPECT_NE(report.refusal->code, ErrorCode::internal) << report.refusal->message;
         EXPECT_FALSE(report.refusal->message.empty());
