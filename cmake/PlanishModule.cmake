@@ -30,6 +30,7 @@ set(PLANISH_WALLED_LIBS
   CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp
   Ceres::ceres=ceres/ceres.h,ceres/problem.h,ceres/solver.h,ceres/cost_function.h,ceres/manifold.h,ceres/jet.h,ceres/tiny_solver.h
   nanoflann::nanoflann=nanoflann.hpp
+  fcl=fcl/fcl.h,fcl/config.h,fcl/geometry/bvh/BVH_model.h,fcl/broadphase/broadphase_dynamic_AABB_tree.h,fcl/geometry/shape/box.h,fcl/geometry/shape/convex.h,fcl/narrowphase/collision.h,fcl/narrowphase/collision_object.h
   Httplib::httplib=httplib.h
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 

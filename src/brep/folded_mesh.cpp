@@ -3,17 +3,15 @@
 #include "kernel_points.hpp"
 #include "mend.hpp"
 #include "thicken.hpp"
+#include "triangulate.hpp"
 
-#include <planish/base/angle.hpp>
 #include <planish/base/union_find.hpp>
 #include <planish/brep/step.hpp>
 
 #include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
-#include <Precision.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -32,8 +30,6 @@ namespace planish {
 namespace {
 
 using Triangle = std::array<int, 3>;
-
-constexpr Angle kLargestTurn = Angle::degrees(10);  // between neighbouring chords
 
 int node_count(const TopoDS_Shape& solid) {
   int count = 0;
@@ -143,11 +139,7 @@ Result<void> check_chord(double chord) {
 }
 
 Mesh triangulated(const TopoDS_Shape& solid, double chord) {
-  IMeshTools_Parameters limits;
-  limits.Deflection = chord;
-  limits.Angle = kLargestTurn.radians();
-  limits.MinSize = Precision::Confusion();  // by default the kernel stops at a tenth of the chord
-  const BRepMesh_IncrementalMesh triangles(solid, limits);
+  brep::triangulate(solid, chord);
   return Welder(solid).mesh();
 }
 

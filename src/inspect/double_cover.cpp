@@ -77,8 +77,8 @@ std::vector<DoubleCover> double_covers(const Sheet& sheet, const Layout& layout,
   for (const Shared& shared : shared_areas(regions, clearance))
     for (const auto& ring : shared.overlap.outline) {
       Place& place = places.emplace_back();
-      add_part(place, part_text(pattern, shared.first));
-      add_part(place, part_text(pattern, shared.second));
+      add_part(place, part_name(pattern, shared.first));
+      add_part(place, part_name(pattern, shared.second));
       place.area = std::abs(ring_area(ring));
       place.points = ring;
       for (const Vec2& p : ring)

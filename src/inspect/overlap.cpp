@@ -43,11 +43,11 @@ SharedByParts shared_by_parts(const Regions& regions, double clearance) {
 
 Finding overlap_finding(const FlatPattern& pattern, const std::pair<PartId, PartId>& parts,
                         const SharedArea& shared) {
-  const std::string first = part_text(pattern, parts.first);
+  const std::string first = part_name(pattern, parts.first);
   const std::string who = parts.first == parts.second
                               ? first + " overlaps itself"
                               : fmt::format("{} and {} overlap", first,
-                                            part_text(pattern, parts.second));
+                                            part_name(pattern, parts.second));
   const std::string where = shared.places > 1 ? fmt::format(" in {} places", shared.places)
                                               : std::string();
   return {"overlap", Severity::error,

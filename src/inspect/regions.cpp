@@ -58,15 +58,6 @@ Regions regions_of(const Sheet& sheet, const Layout& layout, double chord) {
   return regions;
 }
 
-std::string part_text(const FlatPattern& pattern, const PartId& part) {
-  if (const auto* flange = std::get_if<FlangeId>(&part))
-    return fmt::format("flange {}", index_of(*flange) + 1);
-  const BendId id = std::get<BendId>(part);
-  for (const FlatBend& bend : pattern.bends)
-    if (bend.bend == id) return "bend " + bend.id;
-  return fmt::format("bend {}", index_of(id) + 1);
-}
-
 std::vector<Shared> shared_areas(const Regions& regions, double clearance) {
   std::vector<Shared> result;
   for (Overlap& overlap : overlaps(regions.polygons, clearance, clearance * clearance)) {

@@ -27,9 +27,6 @@ struct Regions {
 };
 Regions regions_of(const Sheet& sheet, const Layout& layout, double chord);
 
-/// "flange 3", "bend B1".
-std::string part_text(const FlatPattern& pattern, const PartId& part);
-
 /// An overlap of two regions beyond what they may share.
 struct Shared {
   PartId first, second;

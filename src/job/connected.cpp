@@ -8,16 +8,21 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
                             const Progress& progress) {
   report.connection = std::move(connection);
   Sheet& sheet = report.connection.sheet;
-  if (checks.effort == Effort::full)
-    if (auto stopped = fold(report, sheet, with_open_seam(sheet), report.solid, progress))
-      return stopped;
+  Sheet opened;
+  std::optional<FoldedBody> folded;
+  if (checks.effort == Effort::full) {
+    opened = with_open_seam(sheet);
+    auto solid = fold(report, sheet, opened, report.solid, progress);
+    if (!solid) return solid.error();
+    if (*solid) folded.emplace(FoldedBody{**solid, opened});
+  }
   report.summary = summary_of(sheet);
   FlattenOptions options;
   options.allowance = allowance;
   if (!report.connection.structure.plates.empty()) options.root = report.connection.root;
   const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
                                                               : EdgeDistance();
-  return lay_flat(report, {sheet, distance, checks}, options, progress);
+  return lay_flat(report, {sheet, distance, checks, {}, folded}, options, progress);
 }
 
 AllowanceRule allowance_of(const PlatesFile& file, const Request& request) {

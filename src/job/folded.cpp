@@ -9,7 +9,7 @@ namespace {
 
 struct FoldedSolid {
   std::string step;
-  double volume = 0.0;  ///< mm³
+  Body body;
 };
 
 Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
@@ -20,32 +20,34 @@ Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
   silent.cancelled = progress.cancelled;
   const auto read = read_step_text(*step, name, silent);
   if (!read) return tl::unexpected(read.error());
-  return FoldedSolid{std::move(*step), read->bodies.front().volume()};
+  return FoldedSolid{std::move(*step), read->bodies.front()};
 }
 
 Finding unmeasured(const Error& error) {
-  return {"folded_solid",
-          Severity::warning,
-          fmt::format("no folded solid could be made, so the volume is not verified: {}",
-                      error.message),
-          {}};
+  return {
+      "folded_solid",
+      Severity::warning,
+      fmt::format("no folded solid could be made, so neither the volume nor that it does not run "
+                  "through itself is verified: {}",
+                  error.message),
+      {}};
 }
 
 }  // namespace
 
-std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
-                          Result<std::string>& solid, const Progress& progress) {
+Result<std::optional<Body>> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
+                                 Result<std::string>& solid, const Progress& progress) {
   progress.at("folding it", 0.3);
   auto folded = folded_solid(to_fold, report.body, progress);
   if (folded) {
     solid = std::move(folded->step);
-    sheet.volume = folded->volume;
-    return std::nullopt;
+    sheet.volume = folded->body.volume();
+    return std::optional(std::move(folded->body));
   }
-  if (folded.error().code == ErrorCode::cancelled) return folded.error();
+  if (folded.error().code == ErrorCode::cancelled) return tl::unexpected(folded.error());
   leave_unfolded(report, folded.error(), solid);
   sheet.volume.reset();
-  return std::nullopt;
+  return std::optional<Body>();
 }
 
 void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid) {

@@ -2,6 +2,7 @@
 
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/job/report.hpp>
 #include <planish/sheet/sheet.hpp>
 
@@ -10,11 +11,11 @@
 
 namespace planish::job {
 
-/// The folded solid of a sheet as STEP text; its volume, as the kernel measures it on reading that
-/// text, is stored in the sheet. If no solid can be made, the report gets a warning and the sheet
-/// no volume. Returns an error only if cancelled.
-std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
-                          Result<std::string>& solid, const Progress& progress);
+/// The folded solid of a sheet as STEP text, and as the kernel reads that text; its volume is
+/// stored in the sheet. If no solid can be made, nothing is returned, the report gets a warning and
+/// the sheet no volume. Returns an error only if cancelled.
+Result<std::optional<Body>> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
+                                 Result<std::string>& solid, const Progress& progress);
 
 /// Notes in the report that there is no solid, and why.
 void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid);

@@ -1,6 +1,7 @@
 #include "lay_flat.hpp"
 
 #include "reliefs.hpp"
+#include "self_intersections.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -137,6 +138,8 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
       return refusal;
     }
   }
+  if (given.folded)
+    append(report.findings, self_intersections(report, given.folded->sheet, given.folded->body));
   if (given.checks.rules.enabled) {
     append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/job/report.hpp>
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/flat_pattern.hpp>
@@ -11,12 +12,19 @@
 
 namespace planish::job {
 
+/// The solid of a folded sheet.
+struct FoldedBody {
+  Body body;
+  const Sheet& sheet;  ///< as it was folded: a seam may be open, a tip too sharp to fold cut off
+};
+
 /// A sheet from any maker, and how to make and check its flat pattern.
 struct SheetToLay {
   const Sheet& sheet;
   const EdgeDistance& distance;
   const PatternChecks& checks;
   ReliefOptions relief = {.shape = Relief::none};
+  std::optional<FoldedBody> folded = {};  ///< empty if there is none, or if nobody asks
 };
 
 SheetSummary summary_of(const Sheet& sheet);

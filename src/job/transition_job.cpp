@@ -37,15 +37,18 @@ FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
 std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
                                const Result<FoldedPiece>& folded, const TransitionSpec& spec,
                                const Request& request, const Progress& progress) {
+  std::optional<FoldedBody> body;
   if (folded) {
-    if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
+    auto solid = fold(piece, sheet, folded->sheet, piece.solid, progress);
+    if (!solid) return solid.error();
+    if (*solid) body.emplace(FoldedBody{**solid, folded->sheet});
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);
   }
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, border_distance(sheet), request}, options_of(spec, request),
-                  progress);
+  return lay_flat(piece, {sheet, border_distance(sheet), request, {}, body},
+                  options_of(spec, request), progress);
 }
 
 std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,

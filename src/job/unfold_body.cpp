@@ -15,15 +15,17 @@ UnfoldReport begun(const Body& body, const Request& request) {
   return report;
 }
 
-std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
+std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<Recognized>& found,
                           const Request& request, const Progress& progress) {
   if (!found) return found.error();
   report.summary = summary_of(found->sheet);
   report.notes = found->notes;
   const auto options = flatten_options(found->sheet, request);
   if (!options) return options.error();
-  return lay_flat(report, {found->sheet, found->distance, request, request.relief}, *options,
-                  progress);
+  return lay_flat(
+      report,
+      {found->sheet, found->distance, request, request.relief, FoldedBody{body, found->sheet}},
+      *options, progress);
 }
 
 }  // namespace
@@ -31,8 +33,8 @@ std::optional<Error> fill(UnfoldReport& report, const Result<Recognized>& found,
 Result<UnfoldReport> unfold_recognized(const Body& body, const Result<Recognized>& found,
                                        const Request& request, const Progress& progress) {
   UnfoldReport report = begun(body, request);
-  if (const auto error = run_reporting(report,
-                                       [&] { return fill(report, found, request, progress); }))
+  if (const auto error = run_reporting(
+          report, [&] { return fill(report, body, found, request, progress); }))
     return tl::unexpected(*error);
   return report;
 }
@@ -42,7 +44,7 @@ Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
   UnfoldReport report = begun(body, request);
   const auto work = [&] {
     progress.at("finding the sheet", 0.2);
-    return fill(report, recognize(body), request, progress);
+    return fill(report, body, recognize(body), request, progress);
   };
   if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
   return report;

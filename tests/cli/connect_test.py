@@ -188,6 +188,46 @@ class Ell(PlatesTest):
         self.assertEqual(before, {name: (self.dir / name).read_bytes() for name in before})
 
 
+def through_the_bend():
+    """The plates of `ell` and a third one, which comes from the top of B and leans back into the bend
+    between A and B: planes of B and C meet at z = -5.7, and C ends 5 from there, at 22.4 degrees."""
+    plates = ell()
+    plates["plates"].append({"id": "C", "outline": [[50, 72.4, 109.9], [150, 72.4, 109.9],
+                                                    [150, 118.1, -1.1], [50, 118.1, -1.1]]})
+    plates["bends"].append({"between": ["B", "C"]})
+    return plates
+
+
+class ThroughItself(CliTest):
+    def test_plate_through_a_bend_is_an_error_with_both_parts_and_the_depth(self):
+        self.write("plates.json", json.dumps(through_the_bend()))
+        out, _ = self.run_cli("connect", "plates.json", "--json", "report.json", "--no-rules")
+        report = self.json("report.json")
+        self.assertEqual(report["status"], "warning")
+        found, = report["checks"]
+        self.assertEqual((found["code"], found["severity"]), ("self_intersection", "error"))
+        self.assertEqual(found["message"], "flange 3 and bend B1 run through each other when "
+                                           "folded, 4 mm deep")
+        self.assertGreaterEqual(len(found["at"]), 2)
+        self.assertIn("error [self_intersection]", out)
+
+    def test_its_solid_says_the_same(self):
+        self.write("plates.json", json.dumps(through_the_bend()))
+        self.run_cli("connect", "plates.json", "-o", "part.step", "--no-rules", "--quiet")
+        self.run_cli("unfold", "part.step", "--check", "--json", "report.json", "--no-rules")
+        report = self.json("report.json")
+        self.assertEqual(report["status"], "warning")
+        self.assertEqual([c["code"] for c in report["checks"]], ["self_intersection"])
+
+    def test_plate_that_ends_before_the_bend_is_accepted(self):
+        plates = through_the_bend()
+        for corner in plates["plates"][2]["outline"][2:]:
+            corner[1:] = [107.2, 25.4]
+        self.write("plates.json", json.dumps(plates))
+        self.run_cli("connect", "plates.json", "--check", "--json", "report.json", "--no-rules")
+        self.assertEqual(self.json("report.json")["status"], "ok")
+
+
 class Section(PlatesTest):
     """What ends free: its neutral surface is unrolled at K."""
 

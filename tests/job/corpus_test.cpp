@@ -52,6 +52,14 @@ job::Request request_for(const fs::path& part) {
   return request;
 }
 
+/// None of the parts runs through itself, and all could be tested for it.
+void expect_no_self_intersection(const job::Report& report) {
+  for (const Finding& finding : report.findings) {
+    EXPECT_NE(finding.code, "self_intersection") << finding.message;
+    EXPECT_NE(finding.code, "folded_solid") << finding.message;
+  }
+}
+
 class Corpus : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -89,6 +97,7 @@ class Corpus : public ::testing::Test {
     EXPECT_EQ(openings.lost().value_or(0), -exception.value("closed_by_tabs", 0))
         << "solid " << openings.solid.value_or(-1) << ", pattern " << openings.pattern
         << ", features " << openings.features << ", loops " << openings.loops;
+    expect_no_self_intersection(report);
     EXPECT_LE(report.certificate.length_error, 0.01);
     EXPECT_LE(report.certificate.refold_deviation, 0.02);
     write_dxf(id, report.flat);
@@ -183,11 +192,13 @@ TEST_F(Corpus, AssembliesComeApartAndHoldTheSheetsThatTheyAreKnownToHold) {
     const auto reports = job::unfold_all(request_for(file_of(row)));
     ASSERT_TRUE(reports) << reports.error().message;
     EXPECT_GE(reports->size(), 1u);
-    for (const job::UnfoldReport& report : *reports)
+    for (const job::UnfoldReport& report : *reports) {
+      expect_no_self_intersection(report);
       if (report.refusal) {
         EXPECT_NE(report.refusal->code, ErrorCode::internal) << report.refusal->message;
         EXPECT_FALSE(report.refusal->message.empty());
       }
+    }
     for (const Json& known : listed_) {
       const bool member = known["class"] == "sheet_metal" &&
                           known["repository"] == row["repository"] && known["path"] == row["path"];

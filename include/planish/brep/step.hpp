@@ -99,4 +99,8 @@ Result<Mesh> folded_mesh(const Sheet& sheet, double chord = 0.05);
 /// not quite closed) remain. Errors: `bad_option` (chord not positive), `internal` (no triangles).
 Result<Mesh> body_mesh(const Body& body, double chord = 0.05);
 
+/// The same triangles by face, numbered as in `info` but from 0; every face has its own points.
+/// Errors: `bad_option` (chord not positive), `internal` (the kernel's triangles do not close).
+Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord);
+
 }  // namespace planish

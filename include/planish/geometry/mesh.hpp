@@ -13,4 +13,12 @@ struct Mesh {
   std::vector<std::array<int, 3>> triangles;
 };
 
+using Box3 = Eigen::AlignedBox3d;
+
+/// The surface of a solid as triangles that know their faces of the solid, numbered from 0.
+struct MeshOfFaces {
+  Mesh mesh;
+  std::vector<int> face;  ///< by triangle
+};
+
 }  // namespace planish

@@ -2,6 +2,9 @@
 
 #include <planish/geometry/curve.hpp>
 
+#include <array>
+#include <vector>
+
 namespace planish {
 
 /// A plane region: one outer loop (counter-clockwise) and openings (clockwise).
@@ -34,6 +37,13 @@ struct Overlap {
 /// Rings that cross themselves count by the even-odd rule; `clearance` is at least 0.
 std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clearance,
                               double smallest_area);
+
+/// Triangles that together cover what remains of a polygon without others, shrunk by `inset`. They
+/// meet in sides and corners and cover nothing else, to within 1e-9 of the extent; of a remainder
+/// that cannot be triangulated they cover the convex hull. Rings that cross themselves count by the
+/// even-odd rule. Requires inset ≥ 0. O(n log n) for n corners.
+std::vector<std::array<Vec2, 3>> inset_triangles(const Polygon& polygon, double inset,
+                                                 const std::vector<Polygon>& without = {});
 
 /// Places where a closed ring crosses itself. Only proper crossings count: touching, and crossing
 /// exactly at a corner, do not. Near-linear for outlines of ordinary parts.

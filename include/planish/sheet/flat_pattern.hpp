@@ -76,6 +76,9 @@ Result<void> check(const FlatPattern& pattern);
 /// Stops at an assertion that names the rule and the item: for functions that return no `Result`.
 void require_valid(const FlatPattern& pattern);
 
+/// A part as people know it: "flange 3", counted from 1, "bend B2".
+std::string part_name(const FlatPattern& pattern, const PartId& part);
+
 /// Sides of the smallest rectangle, at any angle, that contains the pattern, longer first, mm; zero
 /// for an empty pattern. Curves are measured to 1e-4 mm.
 Vec2 blank_size(const FlatPattern& pattern);

@@ -1,0 +1,81 @@
+#include "body.hpp"
+#include "guarded.hpp"
+#include "kernel_points.hpp"
+#include "mend.hpp"
+#include "triangulate.hpp"
+
+#include <planish/brep/step.hpp>
+
+#include <BRepBuilderAPI_Copy.hxx>
+#include <BRep_Tool.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Face.hxx>
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace planish {
+namespace {
+
+/// Leaves out a face of which the kernel makes no triangles.
+void add_face(MeshOfFaces& result, const TopoDS_Face& face, int number) {
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
+  if (own.IsNull()) return;
+  const int first = static_cast<int>(result.mesh.points.size());
+  for (int i = 1; i <= own->NbNodes(); ++i)
+    result.mesh.points.push_back(brep::vector_of(own->Node(i).Transformed(place)));
+  for (int i = 1; i <= own->NbTriangles(); ++i) {
+    int a, b, c;
+    own->Triangle(i).Get(a, b, c);
+    if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
+    result.mesh.triangles.push_back({first + a - 1, first + b - 1, first + c - 1});
+    result.face.push_back(number);
+  }
+}
+
+MeshOfFaces triangles_of(const TopoDS_Shape& solid, double chord) {
+  // The kernel stores triangles in the shape itself, so mesh a copy.
+  const TopoDS_Shape copy = BRepBuilderAPI_Copy(brep::with_parameter_curves(solid)).Shape();
+  brep::triangulate(copy, chord);
+  MeshOfFaces result;
+  int number = 0;
+  for (TopExp_Explorer each(copy, TopAbs_FACE); each.More(); each.Next())
+    add_face(result, TopoDS::Face(each.Current()), number++);
+  return result;
+}
+
+/// The area vectors of a closed surface add up to nothing. The kernel sometimes makes no triangles
+/// of a face, or covers it in part.
+Result<void> check_closed(const MeshOfFaces& surface) {
+  constexpr double kOpen = 1e-4;  // of the area; neighbouring faces have their corners in common
+  Vec3 sum = Vec3::Zero();
+  double area = 0.0;
+  for (const auto& t : surface.mesh.triangles) {
+    const Vec3& a = surface.mesh.points[t[0]];
+    const Vec3 twice = (surface.mesh.points[t[1]] - a).cross(surface.mesh.points[t[2]] - a);
+    sum += 0.5 * twice;
+    area += 0.5 * twice.norm();
+  }
+  if (sum.norm() <= kOpen * area) return {};
+  return fail(
+      ErrorCode::internal,
+      fmt::format("The CAD kernel's triangles of the body leave {:.3g} mm² open.", sum.norm()));
+}
+
+}  // namespace
+
+Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord) {
+  if (!(chord > 0.0))
+    return fail(ErrorCode::bad_option,
+                fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
+  return brep::guarded([&]() -> Result<MeshOfFaces> {
+    MeshOfFaces surface = triangles_of(body.shape().solid, chord);
+    if (auto closed = check_closed(surface); !closed) return tl::unexpected(closed.error());
+    return surface;
+  });
+}
+
+}  // namespace planish

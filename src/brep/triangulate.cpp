@@ -1,0 +1,19 @@
+#include "triangulate.hpp"
+
+#include <planish/base/angle.hpp>
+
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <Precision.hxx>
+
+namespace planish::brep {
+
+void triangulate(const TopoDS_Shape& shape, double chord) {
+  constexpr Angle kLargestTurn = Angle::degrees(10);  // between neighbouring chords
+  IMeshTools_Parameters limits;
+  limits.Deflection = chord;
+  limits.Angle = kLargestTurn.radians();
+  limits.MinSize = Precision::Confusion();  // by default the kernel stops at a tenth of the chord
+  const BRepMesh_IncrementalMesh triangles(shape, limits);
+}
+
+}  // namespace planish::brep

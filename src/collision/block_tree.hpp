@@ -1,0 +1,28 @@
+#pragma once
+
+#include <planish/geometry/mesh.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace planish::collision_detail {
+
+/// Convex blocks, each the hull of its corners, in a tree of boxes.
+class BlockTree {
+ public:
+  explicit BlockTree(const std::vector<std::vector<Vec3>>& blocks);
+  ~BlockTree();
+  BlockTree(BlockTree&&) noexcept;
+  BlockTree& operator=(BlockTree&&) noexcept;
+
+  /// A box that holds all places where blocks of both intersect; empty if none do.
+  Box3 meetings(const BlockTree& other) const;
+  /// The same within one, for blocks that are not next to each other in its list.
+  Box3 own_meetings() const;
+
+ private:
+  struct Model;
+  std::unique_ptr<Model> model_;
+};
+
+}  // namespace planish::collision_detail

@@ -1,0 +1,152 @@
+#include "block_tree.hpp"
+#include "triangle_tree.hpp"
+
+#include <planish/base/assert.hpp>
+#include <planish/collision/meeting_faces.hpp>
+#include <planish/sheet/folded_blocks.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace planish {
+
+using namespace collision_detail;
+
+namespace {
+
+/// Of curved skins and borders; a share of the depth.
+constexpr double kChordShare = 0.25;
+/// A bend that turns by less cannot reach itself.
+constexpr Angle kLeastTurn = Angle::degrees(180);
+
+struct Interval {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+};
+
+Interval along(const Vec3& direction, const Block& hull) {
+  Interval span;
+  for (const Vec3& p : hull) {
+    const double at = direction.dot(p);
+    span.low = std::min(span.low, at);
+    span.high = std::max(span.high, at);
+  }
+  return span;
+}
+
+Vec3 normal_at(const Face& face, double u) { return outward_normal(face, {u, 0.0}); }
+
+/// How far a face turns from its first ruling to its last.
+double turn_of(const Face& face) {
+  if (std::holds_alternative<Frame>(face.surface)) return 0.0;
+  const Box2 box = parameter_box(face);
+  if (!std::holds_alternative<Ruled>(std::get<Developable>(face.surface)))
+    return box.hi.x() - box.lo.x();
+  constexpr int kSteps = 64;
+  double turn = 0.0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double step = (box.hi.x() - box.lo.x()) / kSteps;
+    const Vec3 from = normal_at(face, box.lo.x() + i * step);
+    const Vec3 to = normal_at(face, box.lo.x() + (i + 1) * step);
+    turn += std::atan2(from.cross(to).norm(), from.dot(to));
+  }
+  return turn;
+}
+
+/// Directions that may part a face from others: normals, and across the borders to its neighbours.
+std::vector<Vec3> directions_of(const Sheet& sheet, FaceId id,
+                                const std::vector<BorderRef>& joined) {
+  const Face& face = sheet[id];
+  if (const auto* plane = std::get_if<Frame>(&face.surface)) {
+    std::vector<Vec3> directions{plane->z};
+    for (const BorderRef& ref : joined) {
+      const Curve2& curve = sheet[ref].curve;
+      const Vec2 border = end_of(curve) - start_of(curve);
+      directions.push_back((-border.y() * plane->x + border.x() * plane->y).normalized());
+    }
+    return directions;
+  }
+  const auto& surface = std::get<Developable>(face.surface);
+  const Box2 box = parameter_box(face);
+  std::vector<Vec3> directions;
+  for (const double u : {box.lo.x(), box.hi.x()}) {
+    const Vec3 normal = normal_at(face, u), ruling = ruling_on(surface, u);
+    directions.insert(directions.end(), {normal, ruling, normal.cross(ruling)});
+  }
+  return directions;
+}
+
+class FaceSearch {
+ public:
+  FaceSearch(const Sheet& sheet, double depth)
+      : sheet_(sheet), depth_(depth), trees_(sheet.faces.size()) {
+    IdVector<FaceId, std::vector<BorderRef>> joined(sheet.faces.size());
+    for (const Joint& joint : sheet.joints)
+      for (const BorderRef& ref : {joint.a, joint.b})
+        joined[ref.face].push_back(ref);
+    for (const FaceId id : sheet.faces.ids()) {
+      hulls_.push_back(hull_of(sheet, id, kChordShare * depth));
+      directions_.push_back(directions_of(sheet, id, joined[id]));
+    }
+  }
+
+  std::vector<MeetingFaces> all() {
+    std::vector<MeetingFaces> found;
+    const auto keep = [&](FaceId a, FaceId b, const Box3& where) {
+      if (!where.isEmpty()) found.push_back({{a, b}, where});
+    };
+    for (const FaceId id : sheet_.faces.ids())
+      if (turn_of(sheet_[id]) > kLeastTurn.radians()) keep(id, id, blocks(id).own_meetings());
+    for (const auto& [i, j] : near_boxes(boxes(), 0.0)) {
+      const FaceId a{i}, b{j};
+      if (!parted(a, b)) keep(a, b, blocks(a).meetings(blocks(b)));
+    }
+    return found;
+  }
+
+ private:
+  std::vector<Box3> boxes() const {
+    std::vector<Box3> result;
+    for (const Block& hull : hulls_) {
+      Box3& box = result.emplace_back();
+      for (const Vec3& p : hull)
+        box.extend(p);
+    }
+    return result;
+  }
+
+  /// Whether what they share in some direction is too narrow for a ball.
+  bool parted(FaceId a, FaceId b) const {
+    const auto apart = [&](const Vec3& direction) {
+      const Interval one = along(direction, hulls_[a]), other = along(direction, hulls_[b]);
+      return std::min(one.high, other.high) - std::max(one.low, other.low) < depth_;
+    };
+    return std::ranges::any_of(directions_[a], apart) || std::ranges::any_of(directions_[b], apart);
+  }
+
+  const BlockTree& blocks(FaceId id) {
+    auto& tree = trees_[index_of(id)];
+    if (!tree)
+      tree.emplace(
+          folded_blocks(sheet_, id, {.inset = 0.5 * depth_, .chord = kChordShare * depth_}));
+    return *tree;
+  }
+
+  const Sheet& sheet_;
+  double depth_;
+  IdVector<FaceId, Block> hulls_;
+  IdVector<FaceId, std::vector<Vec3>> directions_;
+  std::vector<std::optional<BlockTree>> trees_;  ///< by face; made when first asked for
+};
+
+}  // namespace
+
+std::vector<MeetingFaces> meeting_faces(const Sheet& sheet, double depth) {
+  PLANISH_ASSERT(depth > 0.0);
+  require_valid(sheet);
+  return FaceSearch(sheet, depth).all();
+}
+
+}  // namespace planish

@@ -1,0 +1,133 @@
+#include "self_intersections.hpp"
+
+#include <planish/brep/step.hpp>
+#include <planish/collision/meeting_faces.hpp>
+#include <planish/collision/self_intersections.hpp>
+#include <planish/sheet/material_places.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace planish::job {
+namespace {
+
+/// Of the triangles from the solid, mm.
+constexpr double kChord = 0.01;
+
+/// What parts may share and still touch: rounding of files and gaps drawn as contact, and what the
+/// triangles of two curved skins that touch share. No sheet is bent that precisely.
+double contact_depth(double thickness) {
+  constexpr double kLeast = 0.02;  // mm
+  constexpr double kShare = 0.01;  // of the thickness
+  return std::max(kLeast, kShare * thickness) + 2.0 * kChord;
+}
+
+/// The two parts of the sheet that come to lie at a point; the second is empty where only one is
+/// near it, since the other thing there is a formed feature.
+struct Meeting {
+  MaterialPlace first;
+  std::optional<MaterialPlace> second;
+};
+
+std::optional<Meeting> meeting_at(const Report& report, const Vec3& p) {
+  // The neutral surface of a bend is not where the skins' middle is, and a mitre is not between the
+  // skins along their normals.
+  const double near = report.sheet.thickness;
+  const auto places = material_places(report.sheet, report.layout, p, near);
+  if (places.empty()) return std::nullopt;
+  Meeting meeting{places.front(), {}};
+  // Neighbouring faces name the same material twice, at places of the pattern that are as good as
+  // the same.
+  const double same = 0.5 * report.sheet.thickness;
+  for (const MaterialPlace& other : places)
+    if ((other.at - meeting.first.at).norm() > same) {
+      meeting.second = other;
+      break;
+    }
+  return meeting;
+}
+
+struct SharedSpace {
+  double depth = 0.0;
+  std::vector<Vec2> at;
+};
+
+std::string who(const FlatPattern& flat, const std::pair<PartId, PartId>& parts) {
+  const std::string first = part_name(flat, parts.first);
+  if (parts.first == parts.second) return first + " runs through itself";
+  return fmt::format("{} and {} run through each other", first, part_name(flat, parts.second));
+}
+
+Finding finding_of(const FlatPattern& flat, const std::pair<PartId, PartId>& parts,
+                   const SharedSpace& shared) {
+  return {"self_intersection", Severity::error,
+          fmt::format("{} when folded, {:.3g} mm deep", who(flat, parts), shared.depth), shared.at};
+}
+
+Finding untested(const Error& error) {
+  return {
+      "folded_solid",
+      Severity::warning,
+      fmt::format("whether the folded solid runs through itself is not known: {}", error.message),
+      {}};
+}
+
+Finding unnamed(const SelfIntersection& found) {
+  return {"self_intersection",
+          Severity::error,
+          fmt::format("the folded solid runs through itself, {:.3g} mm deep, between its faces {} "
+                      "and {}",
+                      found.depth, found.faces[0] + 1, found.faces[1] + 1),
+          {}};
+}
+
+/// Where to look: about the places where faces meet, by as much as mitres and features reach.
+std::vector<Box3> places_of(const std::vector<MeetingFaces>& meetings, double thickness) {
+  std::vector<Box3> places;
+  const Vec3 around = Vec3::Constant(thickness);
+  for (const MeetingFaces& meeting : meetings)
+    places.emplace_back(meeting.where.min() - around, meeting.where.max() + around);
+  return places;
+}
+
+}  // namespace
+
+std::vector<Finding> self_intersections(const Report& report, const Sheet& folded,
+                                        const Body& body) {
+  if (report.sheet.bends.empty()) return {};
+  const double depth = contact_depth(report.sheet.thickness);
+  // To mesh a body takes longer than to recognise its sheet, and most need not be.
+  const auto meetings = meeting_faces(folded, depth);
+  if (meetings.empty()) return {};
+  const auto surface = body_faces_mesh(body, kChord);
+  if (!surface) return {untested(surface.error())};
+  std::map<std::pair<PartId, PartId>, SharedSpace> by_parts;
+  std::vector<Finding> elsewhere;
+  for (const SelfIntersection& found :
+       find_self_intersections(*surface, depth, places_of(meetings, report.sheet.thickness))) {
+    const auto meeting = meeting_at(report, found.centre);
+    if (!meeting) {
+      elsewhere.push_back(unnamed(found));
+      continue;
+    }
+    const MaterialPlace &first = meeting->first, &second = meeting->second.value_or(first);
+    SharedSpace& shared = by_parts[std::minmax(first.part, second.part)];
+    shared.depth = std::max(shared.depth, found.depth);
+    shared.at.push_back(first.at);
+    if (meeting->second) shared.at.push_back(second.at);
+  }
+  std::vector<std::pair<std::pair<PartId, PartId>, SharedSpace>> order(by_parts.begin(),
+                                                                       by_parts.end());
+  std::ranges::stable_sort(order, std::greater(), [](const auto& one) { return one.second.depth; });
+  std::vector<Finding> findings;
+  for (const auto& [parts, shared] : order)
+    findings.push_back(finding_of(report.flat, parts, shared));
+  findings.insert(findings.end(), elsewhere.begin(), elsewhere.end());
+  return findings;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,232 @@
+#include <planish/base/assert.hpp>
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/folded_blocks.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace planish {
+namespace {
+
+/// The largest turn of a bend within one block, radians; it bounds narrow bends, the chord wide
+/// ones.
+constexpr double kLargestTurn = 0.5;
+/// Curved borders of bends are sampled at so many places a span; blocks take the outermost.
+constexpr int kBorderSamples = 16;
+/// A bend is halved this often before its turn is measured: a full turn has no direction.
+constexpr int kFirstHalvings = 3;
+/// No bend needs more halvings; one that asks for them has a surface that is not regular.
+constexpr int kMostHalvings = 14;
+
+/// The heights of the skins over the reference surface, along the outward normal.
+struct Skins {
+  double lower, upper;
+};
+
+Skins skins_of(const Sheet& sheet, double inset) {
+  return {sheet.reference_depth - sheet.thickness + inset, sheet.reference_depth - inset};
+}
+
+void add_corners(Block& block, const Face& face, const Vec2& uv, const Skins& skins) {
+  const Vec3 normal = outward_normal(face, uv), point = skin_point(face, uv);
+  block.push_back(point + skins.lower * normal);
+  block.push_back(point + skins.upper * normal);
+}
+
+std::vector<Vec2> ring_of(const BorderLoop& loop, double chord) {
+  Loop curves;
+  for (const Border& border : loop)
+    curves.push_back(border.curve);
+  return sampled(curves, chord);
+}
+
+/// The strip of a face that its own material and that of the face across a sharp bend fill both.
+std::optional<Polygon> beyond_mitre(const Sheet& sheet, const Joint& joint, const BorderRef& own,
+                                    double inset) {
+  const Bend& bend = sheet.bends[*joint.sharp];
+  const double below = bend.reference_inside ? sheet.reference_depth
+                                             : sheet.thickness - sheet.reference_depth;
+  const double half_angle = 0.5 * bend.angle.radians();
+  const Curve2& curve = sheet[own].curve;
+  const Vec2 a = start_of(curve), b = end_of(curve);
+  const Vec2 along = (b - a).normalized();
+  if (!(below > 0.0) || !along.allFinite()) return std::nullopt;
+  const double wide = below * std::tan(half_angle) + inset;
+  const Vec2 inwards = wide * Vec2(-along.y(), along.x()), longer = inset * along;
+  return Polygon{{a - longer, b + longer, b + longer + inwards, a - longer + inwards}, {}};
+}
+
+std::vector<Polygon> beyond_mitres(const Sheet& sheet, FaceId face, double inset) {
+  std::vector<Polygon> strips;
+  for (const Joint& joint : sheet.joints) {
+    if (!joint.sharp) continue;
+    for (const BorderRef& own : {joint.a, joint.b})
+      if (own.face == face)
+        if (auto strip = beyond_mitre(sheet, joint, own, inset)) strips.push_back(*strip);
+  }
+  return strips;
+}
+
+std::vector<Block> blocks_of_flange(const Sheet& sheet, FaceId id, const BlockOptions& options) {
+  const Face& face = sheet[id];
+  Polygon polygon{ring_of(face.loops.front(), options.chord), {}};
+  for (std::size_t i = 1; i < face.loops.size(); ++i)
+    polygon.holes.push_back(ring_of(face.loops[i], options.chord));
+  const Skins skins = skins_of(sheet, options.inset);
+  std::vector<Block> blocks;
+  for (const auto& triangle :
+       inset_triangles(polygon, options.inset, beyond_mitres(sheet, id, options.inset))) {
+    Block& block = blocks.emplace_back();
+    for (const Vec2& corner : triangle)
+      add_corners(block, face, corner, skins);
+  }
+  return blocks;
+}
+
+/// Rulings of a bend between which it is nearly flat.
+class Rulings {
+ public:
+  Rulings(const Sheet& sheet, const Face& face, double chord)
+      : face_(face), skins_(skins_of(sheet, 0.0)), chord_(chord), box_(parameter_box(face)) {
+    at_.push_back(box_.lo.x());
+    halve(box_.lo.x(), box_.hi.x(), 0);
+  }
+  const std::vector<double>& at() const { return at_; }
+
+ private:
+  void halve(double from, double to, int halvings) {
+    if (halvings < kFirstHalvings || (halvings < kMostHalvings && !nearly_flat(from, to))) {
+      const double middle = 0.5 * (from + to);
+      halve(from, middle, halvings + 1);
+      halve(middle, to, halvings + 1);
+    } else {
+      at_.push_back(to);
+    }
+  }
+  bool nearly_flat(double from, double to) const {
+    const Vec3 first = outward_normal(face_, {from, 0.0}), last = outward_normal(face_, {to, 0.0});
+    const double turn = std::atan2(first.cross(last).norm(), first.dot(last));
+    double wide = 0.0;
+    for (const double v : {box_.lo.y(), box_.hi.y()})
+      for (const double height : {skins_.lower, skins_.upper})
+        wide = std::max(wide, ((skin_point(face_, {to, v}) + height * last) -
+                               (skin_point(face_, {from, v}) + height * first))
+                                  .norm());
+    return turn <= kLargestTurn && wide * turn <= 8.0 * chord_;
+  }
+
+  const Face& face_;
+  Skins skins_;
+  double chord_;
+  Box2 box_;
+  std::vector<double> at_;
+};
+
+struct Reach {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  void add(double v) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+};
+
+std::vector<Vec2> places_on(const Curve2& curve) {
+  int pieces = 1;
+  if (const auto* spline = std::get_if<CubicSpline>(&curve))
+    pieces = kBorderSamples * static_cast<int>(spline->poles.size() / 3);
+  else if (std::holds_alternative<Arc>(curve))
+    pieces = kBorderSamples;
+  std::vector<Vec2> places;
+  for (int i = 0; i <= pieces; ++i)
+    places.push_back(point_at(curve, static_cast<double>(i) / pieces));
+  return places;
+}
+
+/// Adds a stretch of a border to the strips between rulings that it passes.
+void add_stretch(std::vector<Reach>& strips, const std::vector<double>& rulings, Vec2 a, Vec2 b) {
+  if (a.x() > b.x()) std::swap(a, b);
+  const auto strip_at = [&](double u) {
+    const auto after = std::ranges::upper_bound(rulings, u);
+    return std::clamp<std::ptrdiff_t>(after - rulings.begin() - 1, 0, std::ssize(strips) - 1);
+  };
+  const auto v_at = [&](double u) {
+    const double share = (u - a.x()) / (b.x() - a.x());
+    return share > 0.0 ? a.y() + std::min(share, 1.0) * (b.y() - a.y()) : a.y();
+  };
+  for (auto i = strip_at(a.x()); i <= strip_at(b.x()); ++i) {
+    strips[i].add(i == strip_at(a.x()) ? a.y() : v_at(rulings[i]));
+    strips[i].add(i == strip_at(b.x()) ? b.y() : v_at(rulings[i + 1]));
+  }
+}
+
+/// What a face covers between one ruling and the next.
+std::vector<Reach> reaches(const Face& face, const std::vector<double>& rulings) {
+  std::vector<Reach> strips(rulings.size() - 1);
+  for (const Border& border : face.loops.front()) {
+    const std::vector<Vec2> places = places_on(border.curve);
+    for (std::size_t i = 1; i < places.size(); ++i)
+      add_stretch(strips, rulings, places[i - 1], places[i]);
+  }
+  return strips;
+}
+
+/// The rulings without `inset` at either end; empty if nothing remains.
+std::vector<double> set_in(std::vector<double> rulings, const Face& face, double inset) {
+  const Box2 box = parameter_box(face);
+  const double v = 0.5 * (box.lo.y() + box.hi.y());
+  const auto inwards = [&](double from, double to) {
+    const double chord = (skin_point(face, {to, v}) - skin_point(face, {from, v})).norm();
+    return chord > 0.0 ? from + inset / chord * (to - from) : from;
+  };
+  const std::size_t last = rulings.size() - 1;
+  const double low = inwards(rulings[0], rulings[1]);
+  const double high = inwards(rulings[last], rulings[last - 1]);
+  if (low >= high) return {};
+  for (double& u : rulings)
+    u = std::clamp(u, low, high);
+  return rulings;
+}
+
+std::vector<Block> blocks_of_bend(const Sheet& sheet, FaceId id, const BlockOptions& options) {
+  const Face& face = sheet[id];
+  const std::vector<double> rulings = Rulings(sheet, face, options.chord).at();
+  const std::vector<Reach> strips = reaches(face, rulings);
+  const std::vector<double> kept = set_in(rulings, face, options.inset);
+  const Skins skins = skins_of(sheet, options.inset);
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
+    const double low = strips[i].low + options.inset, high = strips[i].high - options.inset;
+    if (low >= high || kept[i] >= kept[i + 1]) continue;
+    Block& block = blocks.emplace_back();
+    for (const double u : {kept[i], kept[i + 1]})
+      for (const double v : {low, high})
+        add_corners(block, face, {u, v}, skins);
+  }
+  return blocks;
+}
+
+bool is_flange(const Face& face) { return std::holds_alternative<Frame>(face.surface); }
+
+}  // namespace
+
+std::vector<Block> folded_blocks(const Sheet& sheet, FaceId face, const BlockOptions& options) {
+  PLANISH_ASSERT(options.chord > 0.0 && options.inset >= 0.0);
+  if (2.0 * options.inset >= sheet.thickness) return {};
+  return is_flange(sheet[face]) ? blocks_of_flange(sheet, face, options)
+                                : blocks_of_bend(sheet, face, options);
+}
+
+Block hull_of(const Sheet& sheet, FaceId face, double chord) {
+  Block hull;
+  if (is_flange(sheet[face])) {
+    for (const Vec2& corner : ring_of(sheet[face].loops.front(), chord))
+      add_corners(hull, sheet[face], corner, skins_of(sheet, 0.0));
+  } else {
+    for (const Block& block : blocks_of_bend(sheet, face, {.inset = 0.0, .chord = chord}))
+      hull.insert(hull.end(), block.begin(), block.end());
+  }
+  return hull;
+}
+
+}  // namespace planish

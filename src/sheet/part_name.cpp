@@ -1,0 +1,16 @@
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <fmt/format.h>
+
+namespace planish {
+
+std::string part_name(const FlatPattern& pattern, const PartId& part) {
+  if (const auto* flange = std::get_if<FlangeId>(&part))
+    return fmt::format("flange {}", index_of(*flange) + 1);
+  const BendId id = std::get<BendId>(part);
+  for (const FlatBend& bend : pattern.bends)
+    if (bend.bend == id) return "bend " + bend.id;
+  return fmt::format("bend {}", index_of(id) + 1);
+}
+
+}  // namespace planish
