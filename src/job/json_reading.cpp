@@ -180,7 +180,7 @@ std::optional<Vec3> JsonPlace::direction() const {
   const auto xyz = items();
   if (xyz.size() != 3) return std::nullopt;
   const Vec3 v(xyz[0].number(), xyz[1].number(), xyz[2].number());
-  if (v.norm() > 0.0) return v.normalized();
+  if (!v.isZero(0.0)) return v.stableNormalized();
   mistake("is [0, 0, 0], which has no direction");
   return std::nullopt;
 }

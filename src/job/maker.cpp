@@ -2,6 +2,7 @@
 #include "json_depth.hpp"
 #include "json_parts.hpp"
 
+#include <planish/base/text.hpp>
 #include <planish/job/artifact.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/job/text_file.hpp>
@@ -105,10 +106,11 @@ Result<const Maker*> Catalogue::maker_for(const std::string& name,
       return &maker;
   }
   if (told)
-    return fail(ErrorCode::invalid_input,
-                fmt::format("{} has the format \"{}\"; the known formats are {}", name, format,
-                            listed(makers, [](const Maker& m) { return std::string(m.format); })),
-                name + "/format");
+    return fail(
+        ErrorCode::invalid_input,
+        fmt::format("{} has the format \"{}\"; the known formats are {}", name, shortened(format),
+                    listed(makers, [](const Maker& m) { return std::string(m.format); })),
+        name + "/format");
   return fail(ErrorCode::invalid_input,
               fmt::format("{} is JSON, but not one of these: {}", name,
                           listed(makers, [](const Maker& m) { return m.input_kind(); })),

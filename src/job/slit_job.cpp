@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "strip_meetings.hpp"
 #include "units.hpp"
 
 #include <planish/job/slit.hpp>
@@ -177,6 +178,10 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
                                                               : EdgeDistance();
   if (auto wrong = lay_flat(report, {sheet, distance, checks}, options, progress)) return wrong;
   report.flat_deviation = flat_deviation(sheet, report.layout);
+  if (checks.effort == Effort::full) {
+    const auto meetings = strip_meetings(report, sheet);
+    report.findings.insert(report.findings.end(), meetings.begin(), meetings.end());
+  }
   add_findings(report);
   auto cut = cut_slits(std::move(report.flat), {file.kerf, file.stop_hole});
   if (!cut) return placed(at_kerf(cut.error(), file), name);

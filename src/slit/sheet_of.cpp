@@ -247,4 +247,20 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
   return mesh;
 }
 
+IdVector<FaceId, SlitPart> parts_of(const FoldedSlitSheet& folded) {
+  require_valid(folded);
+  IdVector<FaceId, SlitPart> parts(folded.panel.size());
+  for (const PanelFacet& facet : folded.panel)
+    if (facet.strip >= 0)
+      for (std::size_t quad = 0; quad < folded.strips[facet.strip].quads.size(); ++quad)
+        parts.push_back({facet.strip, false});
+  if (!folded.symmetric) return parts;
+  const IdVector<FaceId, SlitPart> half = parts;
+  for (SlitPart part : half) {
+    part.mirrored = true;
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 }  // namespace planish

@@ -198,6 +198,37 @@ class Forms(SlitTest):
 
 
 class Refusals(SlitTest):
+    def middle_points(self, strip):
+        """Of a strip's middle surface, in space, some every few millimetres."""
+        for near, far in itertools.pairwise(strip["ridges"]):
+            for i, j in itertools.product(range(11), repeat=2):
+                left, right = ([a + i / 10 * (b - a) for a, b in zip(near["folded"][side], far["folded"][side])]
+                               for side in (0, 1))
+                yield [a + j / 10 * (b - a) for a, b in zip(left, right)]
+
+    def test_strips_that_run_through_each_other(self):
+        spec = json.loads((EXAMPLES / "plume.json").read_text())
+        for strip in spec["sheet"]["strips"]:
+            strip["end"] = 6000
+        spec["ends"][2]["position"], spec["ends"][3]["position"] = [2839, 1904, 2231], [2377, 2409, 792]
+        report = self.report(spec)
+        found = [check for check in report["checks"] if check["code"] == "self_intersection"]
+        self.assertEqual([check["severity"] for check in found], ["error"])
+        self.assertIn("strip 2 and strip 4 run through each other when folded, 9 mm deep", found[0]["message"])
+        # Their middle surfaces come nearer than any two sheets of 10 mm can.
+        two, four = (list(self.middle_points(report["slit"]["strips"][i])) for i in (2, 4))
+        self.assertLess(min(math.dist(p, q) for p in two for q in four), 9.0)
+
+    def test_neighbours_that_press_into_each_other(self):
+        press = {"code": "strips_press", "severity": "info"}
+        for name, expected in ("low_chair", [press]), ("chair", []), ("plume", []):
+            with self.subTest(name):
+                self.run_cli("slit", str(EXAMPLES / f"{name}.json"), "--json", "report.json")
+                report = self.json("report.json")
+                found = [{key: check[key] for key in press} for check in report["checks"]
+                         if check["code"] in ("strips_press", "self_intersection")]
+                self.assertEqual(found, expected)
+
     def test_strips_too_short(self):
         short = chair()
         short["sheet"]["half_length"] = 300

@@ -287,6 +287,8 @@ TEST(Catalogue, KnowsAnInputByItsFormatElseByItsMark) {
   EXPECT_EQ((*built_in().maker_for("a.step", "ISO-10303-21;"))->name, "unfold");
   EXPECT_THAT(built_in().maker_for("a.json", R"({"format": "x"})").error().message,
               HasSubstr("planish/plates, planish/transition, planish/slits"));
+  const std::string long_format = R"({"format": ")" + std::string(3000, 'x') + R"("})";
+  EXPECT_LT(built_in().maker_for("a.json", long_format).error().message.size(), 300u);
   EXPECT_THAT(built_in().maker_for("a.json", "{}").error().message,
               HasSubstr("plates file, transition file, slit file"));
 }

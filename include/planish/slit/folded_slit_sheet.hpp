@@ -58,6 +58,15 @@ void require_valid(const FoldedSlitSheet& folded);
 /// are joined nevertheless.
 Sheet sheet_of(const FoldedSlitSheet& folded);
 
+/// What a face of `sheet_of` is part of.
+struct SlitPart {
+  int strip = -1;         ///< −1: the panel
+  bool mirrored = false;  ///< beyond the symmetry line
+  friend auto operator<=>(const SlitPart&, const SlitPart&) = default;
+};
+/// That of each face.
+IdVector<FaceId, SlitPart> parts_of(const FoldedSlitSheet& folded);
+
 /// Triangles of the mid-surface of the whole sheet, fronts counter-clockwise; corners on one ridge
 /// are shared.
 Mesh mesh_of(const FoldedSlitSheet& folded);
