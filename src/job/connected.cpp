@@ -22,7 +22,7 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   if (!report.connection.structure.plates.empty()) options.root = report.connection.root;
   const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
                                                               : EdgeDistance();
-  return lay_flat(report, {sheet, distance, checks, {}, folded}, options, progress);
+  return lay_flat(report, {sheet, distance, checks, folded}, options, progress);
 }
 
 AllowanceRule allowance_of(const PlatesFile& file, const Request& request) {

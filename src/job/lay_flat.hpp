@@ -23,8 +23,8 @@ struct SheetToLay {
   const Sheet& sheet;
   const EdgeDistance& distance;
   const PatternChecks& checks;
-  ReliefOptions relief = {.shape = Relief::none};
   std::optional<FoldedBody> folded = {};  ///< empty if there is none, or if nobody asks
+  ReliefOptions relief = {.shape = Relief::none};
 };
 
 SheetSummary summary_of(const Sheet& sheet);

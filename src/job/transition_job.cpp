@@ -47,8 +47,8 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
     leave_unfolded(piece, folded.error(), piece.solid);
   }
   piece.summary = summary_of(sheet);
-  return lay_flat(piece, {sheet, border_distance(sheet), request, {}, body},
-                  options_of(spec, request), progress);
+  return lay_flat(piece, {sheet, border_distance(sheet), request, body}, options_of(spec, request),
+                  progress);
 }
 
 std::optional<Error> draw_piece(TransitionPiece& piece, const Sheet& sheet,

@@ -24,7 +24,7 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   if (!options) return options.error();
   return lay_flat(
       report,
-      {found->sheet, found->distance, request, request.relief, FoldedBody{body, found->sheet}},
+      {found->sheet, found->distance, request, FoldedBody{body, found->sheet}, request.relief},
       *options, progress);
 }
 
