@@ -35,6 +35,15 @@ find_package_handle_standard_args(Occt
   REQUIRED_VARS Occt_INCLUDE_DIR ${_occt_libraries}
   VERSION_VAR Occt_VERSION)
 
+# Linker options that have a program load the toolkits that reading STEP takes before all other
+# libraries.
+set(Occt_LOAD_FIRST LINKER:--push-state,--no-as-needed)
+foreach(_toolkit TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKernel TKXSBase TKMath TKG3d TKG2d TKBRep
+    TKGeomBase TKTopAlgo TKGeomAlgo TKMesh TKShHealing)
+  list(APPEND Occt_LOAD_FIRST "${Occt_${_toolkit}_LIBRARY}")
+endforeach()
+list(APPEND Occt_LOAD_FIRST LINKER:--pop-state)
+
 if(Occt_FOUND AND NOT TARGET Occt::occt)
   add_library(Occt::occt INTERFACE IMPORTED)
   target_include_directories(Occt::occt SYSTEM INTERFACE "${Occt_INCLUDE_DIR}")

@@ -16,6 +16,9 @@ endforeach()
 if(TARGET planish)
   install(TARGETS planish)
 endif()
+if(TARGET planish_studio_program)
+  install(TARGETS planish_studio_program)
+endif()
 
 install(EXPORT planish_targets
   FILE planishTargets.cmake NAMESPACE planish:: DESTINATION "${planish_cmake_dir}")

@@ -40,12 +40,8 @@ struct StudioArguments {
 
 /// Defines the subcommand `studio`; parsing fills `arguments`, which must outlive `app`.
 CLI::App* add_studio(CLI::App& app, StudioArguments& arguments);
-/// `planish studio`; returns the exit status.
+/// `planish studio`: goes on as the program planish-studio, whose libraries take long to load, from
+/// beside this one. Returns only if that fails, with the exit status.
 int run_studio(const StudioArguments& arguments);
-
-/// Defines the subcommand `studio-worker`, which the studio starts for itself, and which the help
-/// does not list.
-CLI::App* add_studio_worker(CLI::App& app, std::string& server);
-int run_studio_worker(const std::string& server);
 
 }  // namespace planish::cli

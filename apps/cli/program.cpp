@@ -44,7 +44,7 @@ int flushed(int status) {
 /// Arguments of the commands that are not makers.
 struct OtherArguments {
   InfoArguments info;
-  std::string schema, studio_server;
+  std::string schema;
   StudioArguments studio;
 };
 
@@ -74,7 +74,6 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   const CLI::App* info = add_info(app, others.info);
   const CLI::App* schema = add_schema(app, others.schema);
   const CLI::App* studio = add_studio(app, others.studio);
-  const CLI::App* studio_worker = add_studio_worker(app, others.studio_server);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -87,7 +86,6 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   if (info->parsed()) return run_info(others.info);
   if (schema->parsed()) return run_schema(catalogue, others.schema);
   if (studio->parsed()) return run_studio(others.studio);
-  if (studio_worker->parsed()) return run_studio_worker(others.studio_server);
   fmt::print("{}", app.help());
   return 0;
 }

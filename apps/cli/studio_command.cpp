@@ -2,9 +2,15 @@
 #include "option_parts.hpp"
 #include "terminal.hpp"
 
-#ifdef PLANISH_STUDIO
-#include "../studio/studio.hpp"
-#endif
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
 
 namespace planish::cli {
 namespace {
@@ -26,6 +32,12 @@ const job::Option kTimeLimit{.name = "time_limit",
                              .group = "",
                              .description = "longest time for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
+constexpr int kUsualLimit = 120;                                                      // s
+
+std::filesystem::path own_path() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown);
+}
 
 }  // namespace
 
@@ -42,37 +54,26 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   return command;
 }
 
-CLI::App* add_studio_worker(CLI::App& app, std::string& server) {
-  CLI::App* command = app.add_subcommand("studio-worker")->group("");
-  command->add_option("server", server)->required();
-  return command;
-}
-
-#ifdef PLANISH_STUDIO
-
 int run_studio(const StudioArguments& arguments) {
-  studio::StudioOptions options;
-  if (!arguments.input.empty()) options.file = arguments.input;
-  options.port = static_cast<int>(arguments.options.number("port").value_or(0));
-  if (const auto limit = arguments.options.number("time_limit"))
-    options.time_limit = std::chrono::seconds(static_cast<int>(*limit));
-  options.open_browser = !arguments.no_browser;
-  const auto done = studio::run_studio(options);
-  return done ? 0 : complain(done.error());
-}
-
-int run_studio_worker(const std::string& server) { return studio::run_worker(server); }
-
-#else
-
-int run_studio(const StudioArguments&) {
-  return complain({ErrorCode::bad_option,
-                   "this planish was built without the studio (PLANISH_STUDIO=OFF)",
+  const auto whole = [&](const char* name, int otherwise) {
+    return std::to_string(static_cast<int>(arguments.options.number(name).value_or(otherwise)));
+  };
+  const std::filesystem::path program = own_path().parent_path() / "planish-studio";
+  std::array<std::string, 6> words{program.string(),
+                                   "serve",
+                                   arguments.input,
+                                   whole("port", 0),
+                                   whole("time_limit", kUsualLimit),
+                                   arguments.no_browser ? "no-browser" : "browser"};
+  std::array<char*, words.size() + 1> raw{};
+  std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
+  execv(program.c_str(), raw.data());
+  const int reason = errno;
+  return complain({ErrorCode::internal,
+                   fmt::format("the studio cannot be started, {} ({}): it belongs beside planish, "
+                               "and is not built with PLANISH_STUDIO=OFF",
+                               std::strerror(reason), program.string()),
                    {}});
 }
-
-int run_studio_worker(const std::string&) { return run_studio({}); }
-
-#endif
 
 }  // namespace planish::cli

@@ -1,0 +1,28 @@
+#include "studio.hpp"
+
+#include <terminal.hpp>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+// What `planish studio` goes on as, and what that starts as its workers:
+//   planish-studio serve FILE PORT SECONDS browser|no-browser      (FILE may be empty)
+//   planish-studio studio-worker SERVER
+
+int main(int argc, char** argv) {
+  using namespace planish;
+  const std::string_view task = argc > 1 ? argv[1] : "";
+  if (task == "studio-worker" && argc == 3) return studio::run_worker(argv[2]);
+  if (task != "serve" || argc != 6) {
+    std::fputs("planish: start the studio by `planish studio`\n", stderr);
+    return 2;
+  }
+  studio::StudioOptions options;
+  if (*argv[2] != '\0') options.file = argv[2];
+  options.port = std::atoi(argv[3]);
+  options.time_limit = std::chrono::seconds(std::atoi(argv[4]));
+  options.open_browser = std::string_view(argv[5]) == "browser";
+  const auto done = studio::run_studio(options);
+  return done ? 0 : cli::complain(done.error());
+}
