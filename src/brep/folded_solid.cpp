@@ -1,19 +1,44 @@
+#include "body.hpp"
 #include "guarded.hpp"
 #include "step_out.hpp"
 #include "thicken.hpp"
 
 #include <planish/brep/step.hpp>
 
-namespace planish {
+#include <TopExp_Explorer.hxx>
 
-Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name) {
+namespace planish {
+namespace {
+
+int face_count(const TopoDS_Solid& solid) {
+  int count = 0;
+  for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
+    ++count;
+  return count;
+}
+
+}  // namespace
+
+Result<Body> folded_body(const Sheet& sheet, const std::string& name) {
   return brep::guarded(
-      [&]() -> Result<std::string> {
-        const auto solid = brep::thicken(sheet);
+      [&]() -> Result<Body> {
+        auto solid = brep::thicken(sheet);
         if (!solid) return tl::unexpected(solid.error());
-        return brep::step_text(*solid, name);
+        const int faces = face_count(*solid);
+        return Body(
+            std::make_shared<const Body::Shape>(Body::Shape{std::move(*solid), name, 1, faces}));
       },
       name);
+}
+
+Result<std::string> step_text(const Body& body) {
+  return brep::guarded([&] { return brep::step_text(body.shape().solid, body.name()); },
+                       body.name());
+}
+
+Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name) {
+  const auto body = folded_body(sheet, name);
+  return body ? step_text(*body) : tl::unexpected(body.error());
 }
 
 }  // namespace planish

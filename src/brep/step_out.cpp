@@ -3,6 +3,7 @@
 #include "exchange_lock.hpp"
 
 #include <APIHeaderSection_MakeHeader.hxx>
+#include <BRep_Builder.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
@@ -10,10 +11,16 @@
 #include <StepData_StepModel.hxx>
 #include <StepData_StepWriter.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Shape.hxx>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace planish::brep {
 namespace {
@@ -33,6 +40,32 @@ void set_parameters() {
   Interface_Static::SetIVal("write.step.assembly", 0);
   // Curves in surface parameters would double the file size, and readers compute their own.
   Interface_Static::SetIVal("write.surfacecurve.mode", 0);
+}
+
+int edge_count(const TopoDS_Shape& face) {
+  int count = 0;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
+    ++count;
+  return count;
+}
+
+/// The same shape, the faces of each shell in the order of their edges. For each edge that has not
+/// been written yet the kernel measures the whole face: of a plate with many holes written before
+/// their walls, that takes the square of their number.
+TopoDS_Shape large_faces_last(const TopoDS_Shape& shape) {
+  if (shape.ShapeType() > TopAbs_SHELL) return shape;
+  const bool is_shell = shape.ShapeType() == TopAbs_SHELL;
+  std::vector<std::pair<int, TopoDS_Shape>> members;
+  for (TopoDS_Iterator each(shape, false, false); each.More(); each.Next())
+    members.emplace_back(is_shell ? edge_count(each.Value()) : 0, large_faces_last(each.Value()));
+  std::ranges::stable_sort(members, {}, [](const auto& member) { return member.first; });
+  // What is added to a turned or moved shape is turned and moved back.
+  TopoDS_Shape ordered = shape.EmptyCopied().Located({}).Oriented(TopAbs_FORWARD);
+  const BRep_Builder builder;
+  for (const auto& [edges, member] : members)
+    builder.Add(ordered, member);
+  ordered.Closed(shape.Closed());
+  return ordered.Located(shape.Location()).Oriented(shape.Orientation());
 }
 
 /// The kernel numbers products over the life of the process; only the name is wanted.
@@ -104,7 +137,7 @@ Result<std::string> step_text(const TopoDS_Shape& shape, const std::string& name
   const auto lock = exchange_lock();
   STEPControl_Writer writer;  // registers the parameters, so it comes first
   set_parameters();
-  if (writer.Transfer(shape, STEPControl_AsIs) != IFSelect_RetDone)
+  if (writer.Transfer(large_faces_last(shape), STEPControl_AsIs) != IFSelect_RetDone)
     return fail(ErrorCode::internal, "The CAD kernel could not translate the solid to STEP.", name);
   const Handle(StepData_StepModel) model = writer.Model();
   set_product_name(model);

@@ -1,12 +1,12 @@
 #include "thicken.hpp"
 
 #include "border_curve.hpp"
+#include "kernel_check.hpp"
 #include "kernel_points.hpp"
 #include "sheet_corners.hpp"
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
 
-#include <BRepCheck_Analyzer.hxx>
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
@@ -206,7 +206,7 @@ Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {
     return fail(ErrorCode::internal,
                 fmt::format("The folded solid has a volume of {:.6g} mm³: its faces point inwards.",
                             properties.Mass()));
-  if (!BRepCheck_Analyzer(solid).IsValid())
+  if (!is_sound(shell))
     return fail(ErrorCode::internal, "The CAD kernel finds the folded solid invalid.");
   return solid;
 }

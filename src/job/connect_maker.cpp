@@ -1,3 +1,4 @@
+#include "folded.hpp"
 #include "input_schemas.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
@@ -31,7 +32,7 @@ class MadeConnection : public MadeReport<ConnectReport> {
   MadeConnection(ConnectReport report, std::vector<Plate> plates)
       : MadeReport(std::move(report)), plates_(std::move(plates)) {}
 
-  Result<std::string> folded_solid(int) const override { return made_.solid; }
+  Result<std::string> folded_solid(int) const override { return checked_step(made_.solid); }
   Result<Mesh> folded_mesh() const override {
     return planish::folded_mesh(with_open_seam(made_.connection.sheet));
   }

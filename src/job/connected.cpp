@@ -12,9 +12,8 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   std::optional<FoldedBody> folded;
   if (checks.effort == Effort::full) {
     opened = with_open_seam(sheet);
-    auto solid = fold(report, sheet, opened, report.solid, progress);
-    if (!solid) return solid.error();
-    if (*solid) folded.emplace(FoldedBody{**solid, opened});
+    if (auto stopped = fold(report, sheet, opened, report.solid, progress)) return stopped;
+    if (report.solid) folded.emplace(FoldedBody{*report.solid, opened});
   }
   report.summary = summary_of(sheet);
   FlattenOptions options;

@@ -1,27 +1,14 @@
 #include "folded.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/brep/step.hpp>
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace planish::job {
 namespace {
-
-struct FoldedSolid {
-  std::string step;
-  Body body;
-};
-
-Result<FoldedSolid> folded_solid(const Sheet& sheet, const std::string& name,
-                                 const Progress& progress) {
-  auto step = folded_solid_step(sheet, name);
-  if (!step) return tl::unexpected(step.error());
-  Progress silent;  // its stages are not reported
-  silent.cancelled = progress.cancelled;
-  const auto read = read_step_text(*step, name, silent);
-  if (!read) return tl::unexpected(read.error());
-  return FoldedSolid{std::move(*step), read->bodies.front()};
-}
 
 Finding unmeasured(const Error& error) {
   return {
@@ -35,24 +22,40 @@ Finding unmeasured(const Error& error) {
 
 }  // namespace
 
-Result<std::optional<Body>> fold(Report& report, Sheet& sheet, const Sheet& to_fold,
-                                 Result<std::string>& solid, const Progress& progress) {
+std::optional<Error> fold(Report& report, Sheet& sheet, const Sheet& to_fold, Result<Body>& solid,
+                          const Progress& progress) {
   progress.at("folding it", 0.3);
-  auto folded = folded_solid(to_fold, report.body, progress);
+  auto folded = folded_body(to_fold, report.body);
+  if (progress.should_stop()) return Error{ErrorCode::cancelled, "cancelled", {}};
   if (folded) {
-    solid = std::move(folded->step);
-    sheet.volume = folded->body.volume();
-    return std::optional(std::move(folded->body));
+    sheet.volume = folded->volume();
+    solid = std::move(folded);
+  } else {
+    leave_unfolded(report, folded.error(), solid);
+    sheet.volume.reset();
   }
-  if (folded.error().code == ErrorCode::cancelled) return tl::unexpected(folded.error());
-  leave_unfolded(report, folded.error(), solid);
-  sheet.volume.reset();
-  return std::optional<Body>();
+  return std::nullopt;
 }
 
-void leave_unfolded(Report& report, const Error& why, Result<std::string>& solid) {
+void leave_unfolded(Report& report, const Error& why, Result<Body>& solid) {
   report.findings.push_back(unmeasured(why));
   solid = tl::unexpected(why);
+}
+
+Result<std::string> checked_step(const Result<Body>& solid) {
+  if (!solid) return tl::unexpected(solid.error());
+  auto text = step_text(*solid);
+  if (!text) return text;
+  const auto read = read_step_text(*text, solid->name());
+  if (!read) return tl::unexpected(read.error());
+  constexpr double kSame = tolerance::kWrittenDigits;
+  const double written = read->bodies.front().volume();
+  if (std::abs(written - solid->volume()) <= kSame * solid->volume()) return text;
+  return fail(ErrorCode::internal,
+              fmt::format("the folded solid has {:.9g} mm³ and, read back from its STEP text, "
+                          "{:.9g} mm³: a file of it would be wrong",
+                          solid->volume(), written),
+              solid->name());
 }
 
 Error placed(Error error, const std::string& name) {

@@ -39,9 +39,8 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
                                const Request& request, const Progress& progress) {
   std::optional<FoldedBody> body;
   if (folded) {
-    auto solid = fold(piece, sheet, folded->sheet, piece.solid, progress);
-    if (!solid) return solid.error();
-    if (*solid) body.emplace(FoldedBody{**solid, folded->sheet});
+    if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
+    if (piece.solid) body.emplace(FoldedBody{*piece.solid, folded->sheet});
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);

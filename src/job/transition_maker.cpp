@@ -1,3 +1,4 @@
+#include "folded.hpp"
 #include "input_schemas.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
@@ -31,7 +32,9 @@ class MadeTransition : public MadeReport<TransitionReport> {
 
   int pieces() const override { return static_cast<int>(made_.pieces.size()); }
   const Report& piece(int i) const override { return made_.pieces[i]; }
-  Result<std::string> folded_solid(int i) const override { return made_.pieces[i].solid; }
+  Result<std::string> folded_solid(int i) const override {
+    return checked_step(made_.pieces[i].solid);
+  }
   // Of all pieces together.
   Result<Mesh> folded_mesh() const override { return made_.transition.mesh; }
   std::string handles() const override {

@@ -170,8 +170,10 @@ TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
   EXPECT_LT(report.certificate.refold_deviation, 1e-6);
   EXPECT_EQ(report.status(), Status::ok);
   ASSERT_TRUE(report.solid.has_value());
-  EXPECT_THAT(*report.solid, HasSubstr("ISO-10303-21"));
-  EXPECT_THAT(*report.solid, HasSubstr("'plates'"));
+  const auto step = step_text(*report.solid);
+  ASSERT_TRUE(step) << step.error().message;
+  EXPECT_THAT(*step, HasSubstr("ISO-10303-21"));
+  EXPECT_THAT(*step, HasSubstr("'plates'"));
   EXPECT_TRUE(dxf_text(report.flat).has_value());
 }
 

@@ -68,7 +68,12 @@ Result<Recognized> recognize(const Body& body, const RecognizeOptions& options =
 /// 0.
 Result<std::string> flat_solid_step(const FlatPattern& pattern, const std::string& name);
 
-/// Folded solid of a sheet with its real thickness as STEP text: planes, cylinders and cones stay
+/// Folded solid of a sheet with its real thickness. Errors: those of `folded_solid_step`.
+Result<Body> folded_body(const Sheet& sheet, const std::string& name);
+/// A body as STEP text (AP214, mm), under its name. Error: `internal` (the kernel fails).
+Result<std::string> step_text(const Body& body);
+
+/// The text of the folded body: planes, cylinders and cones stay
 /// analytic.
 Result<std::string> folded_solid_step(const Sheet& sheet, const std::string& name);
 

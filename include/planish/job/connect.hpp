@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/connect/connect.hpp>
 #include <planish/job/plates_json.hpp>
 #include <planish/job/report.hpp>
@@ -14,9 +15,9 @@ namespace planish::job {
 /// The result of a connect request. If refused, `connection` holds what was known by then.
 struct ConnectReport : Report {
   Connection connection;
-  /// The folded solid as STEP text, or why the kernel could not make it (a warning in the report);
-  /// empty if the request was refused earlier.
-  Result<std::string> solid;
+  /// The folded solid, or why there is none: the kernel could not make it (a warning in the
+  /// report), or the request was refused earlier.
+  Result<Body> solid = fail(ErrorCode::internal, "no folded solid has been made");
 };
 
 /// Joins the plates, lays the sheet flat and certifies it: the volume against the kernel's folded

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/progress.hpp>
+#include <planish/brep/step.hpp>
 #include <planish/job/report.hpp>
 #include <planish/job/transition_json.hpp>
 #include <planish/transition/transition.hpp>
@@ -12,9 +13,9 @@ namespace planish::job {
 
 /// One piece of a transition, laid flat.
 struct TransitionPiece : Report {
-  /// The folded solid as STEP text, or why the kernel could not make it (a warning in the report);
-  /// empty if the request was refused earlier.
-  Result<std::string> solid;
+  /// The folded solid, or why there is none: the kernel could not make it (a warning in the
+  /// report), or the request was refused earlier.
+  Result<Body> solid = fail(ErrorCode::internal, "no folded solid has been made");
 };
 
 /// The result of a transition request. As a report it is that of the only piece, or covers all

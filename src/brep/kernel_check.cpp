@@ -1,0 +1,59 @@
+#include "kernel_check.hpp"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepCheck_Analyzer.hxx>
+#include <BRepCheck_Shell.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
+#include <TopoDS_Iterator.hxx>
+#include <TopoDS_Wire.hxx>
+
+namespace planish::brep {
+namespace {
+
+/// Faces with fewer contours are checked as a whole.
+constexpr int kManyContours = 8;
+
+bool has_many_contours(const TopoDS_Face& face) {
+  if (BRepAdaptor_Surface(face, false).GetType() != GeomAbs_Plane) return false;
+  int count = 0;
+  for (TopoDS_Iterator each(face, false, false); each.More(); each.Next())
+    ++count;
+  return count >= kManyContours;
+}
+
+/// The face within each of its contours.
+void add_contours(const TopoDS_Face& face, TopoDS_Compound& to) {
+  const BRep_Builder builder;
+  const TopoDS_Wire outer = BRepTools::OuterWire(face);
+  for (TopoDS_Iterator each(face, false, false); each.More(); each.Next()) {
+    const bool is_outer = each.Value().IsSame(outer);
+    TopoDS_Shape within = face.EmptyCopied().Oriented(TopAbs_FORWARD);  // else what is added turns
+    builder.Add(within, is_outer ? each.Value() : each.Value().Reversed());
+    builder.Add(to, within);
+  }
+}
+
+}  // namespace
+
+bool is_sound(const TopoDS_Shell& shell) {
+  const BRep_Builder builder;
+  TopoDS_Compound parts;
+  builder.MakeCompound(parts);
+  for (TopExp_Explorer faces(shell, TopAbs_FACE); faces.More(); faces.Next()) {
+    const TopoDS_Face& face = TopoDS::Face(faces.Current());
+    if (has_many_contours(face))
+      add_contours(face, parts);
+    else
+      builder.Add(parts, face);
+  }
+  if (!BRepCheck_Analyzer(parts).IsValid()) return false;
+  BRepCheck_Shell whole(shell);
+  return whole.Closed() == BRepCheck_NoError && whole.Orientation() == BRepCheck_NoError;
+}
+
+}  // namespace planish::brep
