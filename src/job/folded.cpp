@@ -1,6 +1,5 @@
 #include "folded.hpp"
 
-#include <planish/base/tolerance.hpp>
 #include <planish/brep/step.hpp>
 
 #include <fmt/format.h>
@@ -48,7 +47,7 @@ Result<std::string> checked_step(const Result<Body>& solid) {
   if (!text) return text;
   const auto read = read_step_text(*text, solid->name());
   if (!read) return tl::unexpected(read.error());
-  constexpr double kSame = tolerance::kWrittenDigits;
+  constexpr double kSame = 1e-4;  // of the volume: texts round, what is lost is more
   const double written = read->bodies.front().volume();
   if (std::abs(written - solid->volume()) <= kSame * solid->volume()) return text;
   return fail(ErrorCode::internal,

@@ -7,8 +7,10 @@
 #include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/sheet.hpp>
 
+#include <array>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace planish::job {
 
@@ -16,6 +18,8 @@ namespace planish::job {
 struct FoldedBody {
   Body body;
   const Sheet& sheet;  ///< as it was folded: a seam may be open, a tip too sharp to fold cut off
+  /// Lines along which edges meet to be welded; there they may overlap.
+  std::vector<std::array<Vec3, 2>> seams = {};
 };
 
 /// A sheet from any maker, and how to make and check its flat pattern.

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -85,6 +86,26 @@ Finding unnamed(const SelfIntersection& found) {
           {}};
 }
 
+/// Whether edges that meet along a seam overlap there: square edges of a sheet that meet in a fold
+/// do so on its inside, but not beyond the thickness.
+bool lies_along(const std::vector<std::array<Vec3, 2>>& seams, const SelfIntersection& found,
+                double thickness) {
+  return std::ranges::any_of(seams, [&](const std::array<Vec3, 2>& seam) {
+    const Vec3 along = seam[1] - seam[0];
+    const double share = (found.centre - seam[0]).dot(along) / along.squaredNorm();
+    const Vec3 nearest = seam[0] + std::clamp(share, 0.0, 1.0) * along;
+    return (found.centre - nearest).norm() <= thickness;
+  });
+}
+
+Finding seam_edges(const SharedSpace& shared) {
+  return {"seam_edges", Severity::info,
+          fmt::format("the seam lies in a fold, where square edges meet inside first, {:.3g} mm "
+                      "deep: bevel them, or put the seam elsewhere",
+                      shared.depth),
+          shared.at};
+}
+
 /// Where to look: about the places where faces meet, by as much as mitres and features reach.
 std::vector<Box3> places_of(const std::vector<MeetingFaces>& meetings, double thickness) {
   std::vector<Box3> places;
@@ -96,26 +117,28 @@ std::vector<Box3> places_of(const std::vector<MeetingFaces>& meetings, double th
 
 }  // namespace
 
-std::vector<Finding> self_intersections(const Report& report, const Sheet& folded,
-                                        const Body& body) {
+std::vector<Finding> self_intersections(const Report& report, const FoldedBody& folded) {
   if (report.sheet.bends.empty()) return {};
-  const double depth = contact_depth(report.sheet.thickness);
+  const double thickness = report.sheet.thickness, depth = contact_depth(thickness);
   // To mesh a body takes longer than to recognise its sheet, and most need not be.
-  const auto meetings = meeting_faces(folded, depth);
+  const auto meetings = meeting_faces(folded.sheet, depth);
   if (meetings.empty()) return {};
-  const auto surface = body_faces_mesh(body, kChord);
+  const auto surface = body_faces_mesh(folded.body, kChord);
   if (!surface) return {untested(surface.error())};
   std::map<std::pair<PartId, PartId>, SharedSpace> by_parts;
+  SharedSpace along_seams;
   std::vector<Finding> elsewhere;
   for (const SelfIntersection& found :
-       find_self_intersections(*surface, depth, places_of(meetings, report.sheet.thickness))) {
+       find_self_intersections(*surface, depth, places_of(meetings, thickness))) {
     const auto meeting = meeting_at(report, found.centre);
     if (!meeting) {
       elsewhere.push_back(unnamed(found));
       continue;
     }
     const MaterialPlace &first = meeting->first, &second = meeting->second.value_or(first);
-    SharedSpace& shared = by_parts[std::minmax(first.part, second.part)];
+    SharedSpace& shared = lies_along(folded.seams, found, thickness)
+                              ? along_seams
+                              : by_parts[std::minmax(first.part, second.part)];
     shared.depth = std::max(shared.depth, found.depth);
     shared.at.push_back(first.at);
     if (meeting->second) shared.at.push_back(second.at);
@@ -127,6 +150,7 @@ std::vector<Finding> self_intersections(const Report& report, const Sheet& folde
   for (const auto& [parts, shared] : order)
     findings.push_back(finding_of(report.flat, parts, shared));
   findings.insert(findings.end(), elsewhere.begin(), elsewhere.end());
+  if (along_seams.depth > 0.0) findings.push_back(seam_edges(along_seams));
   return findings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <planish/brep/step.hpp>
+#include "lay_flat.hpp"
+
 #include <planish/job/report.hpp>
 
 #include <vector>
@@ -11,9 +12,8 @@ namespace planish::job {
 /// "self_intersection", severity error, deepest first, one for each two parts that do, with the
 /// depth in the message; places in the pattern alternate between the two parts. A sheet without
 /// bends has none and costs nothing. If the solid cannot be tested, a warning "folded_solid" says
-/// so. Requires sheet, layout and pattern of the report. `folded` is its sheet, as the body was
-/// made from it or recognised in it.
-std::vector<Finding> self_intersections(const Report& report, const Sheet& folded,
-                                        const Body& body);
+/// so. What shares space along a seam only is one finding "seam_edges", severity info. Requires
+/// sheet, layout and pattern of the report; the body is made from its sheet or recognised as it.
+std::vector<Finding> self_intersections(const Report& report, const FoldedBody& folded);
 
 }  // namespace planish::job

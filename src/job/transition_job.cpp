@@ -40,7 +40,9 @@ std::optional<Error> lay_piece(TransitionPiece& piece, Sheet& sheet,
   std::optional<FoldedBody> body;
   if (folded) {
     if (auto stopped = fold(piece, sheet, folded->sheet, piece.solid, progress)) return stopped;
-    if (piece.solid) body.emplace(FoldedBody{*piece.solid, folded->sheet});
+    if (piece.solid)
+      body.emplace(
+          FoldedBody{*piece.solid, folded->sheet, {folded->seams.begin(), folded->seams.end()}});
     sheet.forms_volume = -folded->cut_area * sheet.thickness;
   } else {
     leave_unfolded(piece, folded.error(), piece.solid);

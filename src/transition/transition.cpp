@@ -130,13 +130,17 @@ Result<std::vector<FoldedPiece>> folded_pieces(const TransitionSpec& spec,
   const TipCuts tips(ring, division->pieces, spec);
   std::vector<FoldedPiece> pieces;
   for (const auto& parts : division->pieces) {
+    const PatchPart &first = parts.front(), &last = parts.back();
     const auto missing = with_tips(open, ring, parts, tips);
     if (!missing) return tl::unexpected(missing.error());
     if (auto enough = check_cut(ring, parts, *missing, spec); !enough)
       return tl::unexpected(enough.error());
     auto sheet = cut_sheet(ring, spec, parts, tips);
     if (!sheet) return tl::unexpected(sheet.error());
-    pieces.push_back({std::move(*sheet), *missing});
+    pieces.push_back(
+        {std::move(*sheet),
+         *missing,
+         {ring.patch(first.patch).ruling(first.from), ring.patch(last.patch).ruling(last.to)}});
   }
   return pieces;
 }

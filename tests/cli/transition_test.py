@@ -116,6 +116,16 @@ class Nets(TransitionTest):
                                              "frame": {"origin": [30, -20, 140], "normal": [0.2, 0.1, 1]}}})
                 self.assertAlmostEqual(report["verification"]["explained_ratio"], 1.0, delta=2e-6 * max(1.0, thickness) ** 2)
 
+    def test_a_seam_in_a_fold_is_told_and_one_in_a_panel_is_not(self):
+        spec = {"thickness": 5, "from": {"profile": {"polygon": [[-28, -36], [63, 1], [2, 36], [-63, 10]]}},
+                "to": {"profile": {"polygon": [[-168, 77], [-95, -119], [9, -147], [164, -24], [103, 70], [-38, 151]]},
+                       "frame": {"origin": [0, 0, 124], "normal": [-0.46, 0.41, 1], "x": [1, 0, 0.46]}}}
+        for seam, expected in ({"corner": 3}, [("seam_edges", "info")]), ({"edge": 0}, []):
+            with self.subTest(seam):
+                checks = self.report(dict(spec, seam=seam), "--check")["checks"]
+                self.assertEqual([(c["code"], c["severity"]) for c in checks
+                                  if c["code"] in ("seam_edges", "self_intersection")], expected)
+
     def test_a_net_that_overlaps_itself_is_not_written(self):
         flat = {"thickness": 0.5, "seam": {"corner": 2},
                 "from": {"profile": {"polygon": [[137, 93], [80, 134], [-129, 101], [-162, 53], [-142, -87], [-22, -150], [170, -28]]}},

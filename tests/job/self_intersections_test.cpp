@@ -42,7 +42,7 @@ std::vector<Finding> found_in(const Sheet& sheet) {
   report.sheet = sheet;
   report.flat = flat->pattern;
   report.layout = flat->layout;
-  return self_intersections(report, sheet, file->bodies.front());
+  return self_intersections(report, {file->bodies.front(), sheet});
 }
 
 /// `first` long | bend of 250° | 40: the second flange goes through the first.
@@ -114,7 +114,7 @@ TEST(SelfIntersectionFindings, CostNothingForAFlatPlate) {
   report.sheet = plate_with_holes();
   const auto file = read_step_text(step_of(l_bracket()), "other.step");
   ASSERT_TRUE(file);
-  EXPECT_TRUE(self_intersections(report, report.sheet, file->bodies.front()).empty());
+  EXPECT_TRUE(self_intersections(report, {file->bodies.front(), report.sheet}).empty());
 }
 
 class UnfoldedSolid : public ::testing::Test {

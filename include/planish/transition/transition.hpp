@@ -102,6 +102,7 @@ struct Transition {
 struct FoldedPiece {
   Sheet sheet;
   double cut_area = 0.0;  ///< of the neutral surface, mm²: what was cut off
+  std::array<std::array<Vec3, 2>, 2> seams{};  ///< ends in space of its first and last ruling
 };
 
 struct TransitionOptions {
