@@ -138,8 +138,7 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
       return refusal;
     }
   }
-  if (given.folded)
-    append(report.findings, self_intersections(report, *given.folded));
+  if (given.folded) append(report.findings, self_intersections(report, *given.folded));
   if (given.checks.rules.enabled) {
     append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));
   }

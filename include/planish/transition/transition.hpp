@@ -101,7 +101,7 @@ struct Transition {
 /// one piece is 0.01 mm open, so that its two edges are distinct.
 struct FoldedPiece {
   Sheet sheet;
-  double cut_area = 0.0;  ///< of the neutral surface, mm²: what was cut off
+  double cut_area = 0.0;                       ///< of the neutral surface, mm²: what was cut off
   std::array<std::array<Vec3, 2>, 2> seams{};  ///< ends in space of its first and last ruling
 };
 
