@@ -119,8 +119,10 @@ struct Problem {
 
   int count() const { return static_cast<int>(plates.size()); }
   FitTask task(int a, int b, const TakenEdges& taken) const {
-    BendRequest request;
-    request.between = {structure.plates[a].id, structure.plates[b].id};
+    const BendRequest request{.between = {structure.plates[a].id, structure.plates[b].id},
+                              .inside_radius = structure.defaults.inside_radius,
+                              .lateral = structure.defaults.lateral,
+                              .trade_off = structure.defaults.trade_off};
     return task_of(structure, plates, taken, {a, b}, request);
   }
 };
@@ -144,7 +146,7 @@ Result<PairQueue> all_pairs(const Problem& problem, const TakenEdges& taken,
   return pairs;
 }
 
-/// Why a plate remains unconnected; `why` is the last failure of a bend that was tried.
+/// Why a plate remains unconnected; `why` is that of its nearest pair, if one was tried.
 Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
   const std::vector<Plate>& plates = problem.structure.plates;
   const std::string where = fmt::format("/plates/{}", p);
@@ -153,6 +155,13 @@ Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
         why->code,
         fmt::format("plate \"{}\" cannot be joined to the others: {}", plates[p].id, why->message),
         where};
+  if (const auto radius = problem.structure.defaults.inside_radius)
+    return {
+        ErrorCode::no_bend_fits,
+        fmt::format("plate \"{}\" cannot be joined to the others by a bend of the default inside "
+                    "radius, {:.6g} mm: make it smaller, or give it to single bends",
+                    plates[p].id, *radius),
+        "/defaults/inside_radius"};
   for (int other = 0; other < problem.count(); ++other)
     if (other != p && plane_pair(problem.plates[p], problem.plates[other],
                                  problem.options.planarity) == PlanePair::coplanar)
@@ -201,7 +210,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
   UnionFind groups(problem.count());
   TakenEdges taken(plates.size());
   std::vector<BendFit> fits;
-  std::optional<Error> why;
+  std::vector<std::optional<Error>> why(plates.size());  // by plate: its nearest pair failed so
   auto open = all_pairs(problem, taken, progress);
   if (!open) return tl::unexpected(open.error());
   while (!open->empty() && fits.size() + 1 < plates.size()) {
@@ -218,7 +227,8 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
     }
     auto fit = fit_between(problem.task(pair.a, pair.b, taken), options);
     if (!fit) {
-      why = fit.error();
+      for (const int p : {pair.a, pair.b})
+        if (!why[p]) why[p] = fit.error();
       continue;
     }
     fit->report.plates = {pair.a, pair.b};
@@ -227,7 +237,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
     fits.push_back(std::move(*fit));
   }
   for (int p = 1; p < problem.count(); ++p)
-    if (!groups.same(p, 0)) return tl::unexpected(alone(problem, p, why));
+    if (!groups.same(p, 0)) return tl::unexpected(alone(problem, p, why[p]));
   return fits;
 }
 

@@ -69,6 +69,15 @@ Schema bend_schema() {
        optional("length", length(kAboveZero).said("of a section without plates"))});
 }
 
+Schema defaults_schema() {
+  return object(
+             {optional("inside_radius", length(kAtLeastZero).said("of cylinders and cones")),
+              optional("lateral", words(kBoundaries).said("lateral boundaries")),
+              optional("trade_off",
+                       number(kAtLeastZero).said("how much longer a bend may be for being wider"))})
+      .said("for every bend between two plates that gives nothing else");
+}
+
 Schema make_schema() {
   std::vector<Field> fields = header_fields(kFormat, kVersion);
   fields.push_back(optional("units", units()));
@@ -79,6 +88,7 @@ Schema make_schema() {
   fields.push_back(required("plates", list(plate_schema())));
   fields.push_back(optional(
       "bends", list(bend_schema()).said("if left out, the program finds which plates to join")));
+  fields.push_back(optional("defaults", defaults_schema()));
   fields.push_back(optional("root", text().said("id of the plate that stays where it is")));
   return object(std::move(fields)).said("Plates in space to be joined by bends");
 }
@@ -152,6 +162,24 @@ void read_edges(BendRequest& bend, const JsonPlace& place) {
   }
 }
 
+BendDefaults defaults_at(const JsonPlace& place) {
+  BendDefaults defaults;
+  defaults.inside_radius = place["inside_radius"].maybe_length();
+  if (place["lateral"].given()) defaults.lateral = place["lateral"].choice(kBoundaries);
+  defaults.trade_off = place["trade_off"].maybe_number().value_or(defaults.trade_off);
+  return defaults;
+}
+
+/// What a bend leaves open. A radius is no default where something of a cone or of the tangent
+/// lines is given, from which it follows.
+void take_defaults(BendRequest& bend, const JsonPlace& place, const BendDefaults& defaults) {
+  if (!place["trade_off"].given()) bend.trade_off = defaults.trade_off;
+  if (bend.between.size() == 2 && !place["lateral"].given()) bend.lateral = defaults.lateral;
+  const bool open = !bend.inside_radius && !bend.inside_radii && !bend.aperture && !bend.slope &&
+                    !bend.apex && !bend.tangent_point && bend.surface != SurfaceChoice::general;
+  if (open) bend.inside_radius = defaults.inside_radius;
+}
+
 void read_sizes(BendRequest& bend, const JsonPlace& place) {
   bend.inside_radius = place["inside_radius"].maybe_length();
   if (const JsonPlace both = place["inside_radii"]; both.given()) {
@@ -192,7 +220,7 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
         "the plate's edges: leave it out");
 }
 
-BendRequest bend_at(const JsonPlace& place) {
+BendRequest bend_at(const JsonPlace& place, const BendDefaults& defaults) {
   BendRequest bend;
   bend.between = ids_at(place["between"]);
   read_edges(bend, place["edges"]);
@@ -200,6 +228,7 @@ BendRequest bend_at(const JsonPlace& place) {
   bend.lateral = place["lateral"].choice(kBoundaries);
   read_sizes(bend, place);
   check_together(bend, place);
+  take_defaults(bend, place, defaults);
   return bend;
 }
 
@@ -219,8 +248,9 @@ Result<PlatesFile> parse_plates(const std::string& json, const std::string& name
   PlateStructure& structure = plates.structure;
   structure.thickness = file["thickness"].length();
   structure.plates = plates_at(file["plates"]);
+  structure.defaults = defaults_at(file["defaults"]);
   for (const JsonPlace& bend : file["bends"].items())
-    structure.bends.push_back(bend_at(bend));
+    structure.bends.push_back(bend_at(bend, structure.defaults));
   structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
     file["plates"].mistake("is empty: give plates, or bends that need no plate");

@@ -207,6 +207,17 @@ TEST(ConnectRefuses, ARadiusOfAConeAndNamesTheNearestThatFits) {
   EXPECT_TRUE(fits) << fits.error().message;
 }
 
+TEST(ConnectRefuses, ADefaultRadiusThatIsTooLarge) {
+  PlateStructure s = angle_pair(14.0);  // the largest bend there has an inside radius of 12
+  s.bends.clear();
+  s.defaults.inside_radius = 12.5;
+  expect_refused(s, ErrorCode::no_bend_fits, "/defaults/inside_radius", "12.5 mm");
+  s.defaults.inside_radius = 5.0;
+  const auto fits = connect(s);
+  ASSERT_TRUE(fits) << fits.error().message;
+  EXPECT_NEAR(fits->bends.front().inside_radius, 5.0, 1e-9);
+}
+
 TEST(ConnectRefuses, OptionsThatMeanNothing) {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const ConnectOptions& options :

@@ -284,6 +284,28 @@ TEST(PlatesJson, FindsTheLineAndColumnOfAMistake) {
     EXPECT_EQ(error_of(text).code, ErrorCode::invalid_input) << text;
 }
 
+TEST(PlatesJson, GivesDefaultsToBendsThatLeaveThemOpen) {
+  json file = example();
+  file["defaults"] = {{"inside_radius", 3}, {"lateral", "arc"}, {"trade_off", 0.25}};
+  file["bends"] = {{{"between", {"A", "B"}}},
+                   {{"between", {"A", "B"}}, {"lateral", "auto"}, {"slope", 0.1}},
+                   {{"between", {"A", "B"}}, {"inside_radius", 7}, {"trade_off", 1}},
+                   {{"between", {"A", "B"}}, {"surface", "general"}}};
+  const auto read = parse_plates(file.dump(), "p.json");
+  ASSERT_TRUE(read) << read.error().message;
+  const std::vector<BendRequest>& bends = read->structure.bends;
+  EXPECT_EQ(bends[0].inside_radius, 3.0);
+  EXPECT_EQ(bends[0].lateral, LateralBoundary::arc);
+  EXPECT_EQ(bends[0].trade_off, 0.25);
+  EXPECT_FALSE(bends[1].inside_radius);
+  EXPECT_EQ(bends[1].lateral, LateralBoundary::automatic);
+  EXPECT_EQ(bends[2].inside_radius, 7.0);
+  EXPECT_EQ(bends[2].trade_off, 1.0);
+  EXPECT_FALSE(bends[3].inside_radius);
+  EXPECT_EQ(error_of(with("/defaults", {{"inside_radius", -1}})).where,
+            "p.json/defaults/inside_radius");
+}
+
 TEST(PlatesJson, TakesNoKeyTwice) {
   const Error error = error_of(
       R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");

@@ -356,6 +356,7 @@ export interface PlatesSpec {
   k_factor?: number;
   plates: PlateSpec[];
   bends?: BendSpec[];
+  defaults?: { inside_radius?: number; lateral?: BendSpec["lateral"]; trade_off?: number };
   root?: string;
 }
 

@@ -50,12 +50,20 @@ struct BendRequest {
   std::optional<double> length = std::nullopt;  ///< of a section without plates, along its rulings
 };
 
+/// What holds for the bends that the program finds.
+struct BendDefaults {
+  std::optional<double> inside_radius = std::nullopt;  ///< mm
+  LateralBoundary lateral = LateralBoundary::automatic;
+  double trade_off = 1.0;
+};
+
 /// Plates to be joined to one sheet, and what is given of the bends between them. If `bends` is
 /// empty, the program finds which plates to join.
 struct PlateStructure {
   double thickness = 0.0;  ///< mm
   std::vector<Plate> plates;
   std::vector<BendRequest> bends;
+  BendDefaults defaults = {};
   std::string root;  ///< id of the plate that stays where it is; empty: the largest
 };
 
