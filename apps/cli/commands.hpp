@@ -24,6 +24,18 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 /// `planish info`; returns the exit status.
 int run_info(const InfoArguments& arguments);
 
+struct PlatesArguments {
+  std::string input, output;  ///< output empty: beside the input
+  bool with_bends = false;
+  job::OptionValues options;  ///< body
+  job::Limits limits;
+};
+
+/// Defines the subcommand `plates`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments);
+/// `planish plates`; returns the exit status.
+int run_plates(const PlatesArguments& arguments);
+
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);
 /// `planish schema`; returns the exit status.

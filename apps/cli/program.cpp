@@ -25,6 +25,7 @@ constexpr auto kExamples = R"(Examples:
   planish transition spec.json               joins two profiles, and lays the net
   planish slit chair.json                    bends the strips of a slit sheet
   planish info part.step                     what is in the file
+  planish plates part.step -o plates.json    its flanges as plates, for connect
   planish studio part.step                   all of it in a browser, to see and to change
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
@@ -44,6 +45,7 @@ int flushed(int status) {
 /// Arguments of the commands that are not makers.
 struct OtherArguments {
   InfoArguments info;
+  PlatesArguments plates;
   std::string schema;
   StudioArguments studio;
 };
@@ -72,6 +74,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   }
   OtherArguments others;
   const CLI::App* info = add_info(app, others.info);
+  const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
   const CLI::App* studio = add_studio(app, others.studio);
   try {
@@ -84,6 +87,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   for (const auto& [command, arguments] : commands)
     if (command->parsed()) return run_maker(catalogue, *arguments);
   if (info->parsed()) return run_info(others.info);
+  if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);
   if (studio->parsed()) return run_studio(others.studio);
   fmt::print("{}", app.help());

@@ -226,7 +226,8 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
 
 }  // namespace
 
-Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) {
+Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options) {
+  const FitTask task = at_limit_of_edges(asked, options);
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
     return tl::unexpected(at(
         task, {ErrorCode::radius_too_small,
@@ -237,10 +238,12 @@ Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options) 
   if (!choice) return tl::unexpected(at(task, with_range(task, options, choice.error())));
   auto fit = fit_choice(task, *choice, options);
   if (!fit) return tl::unexpected(at(task, with_range(task, options, fit.error())));
+  fit->report.request = asked.request;
   return fit;
 }
 
-std::optional<Nearness> nearness(const FitTask& task, const ConnectOptions& options) {
+std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& options) {
+  const FitTask task = at_limit_of_edges(asked, options);
   ConnectOptions best_alone = options;
   best_alone.alternatives = 0;
   const auto choice = search_pair(task, best_alone);

@@ -180,6 +180,29 @@ GivenLine given_line(const BendRequest& request, const BendFrame& frame, double 
   return line;
 }
 
+FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options) {
+  constexpr double kAtLimit = 1e-3;  // mm, of the radius
+  auto& radius = task.request.inside_radius;
+  if (!radius || is_conical(task.request)) return task;
+  const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
+  for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], kind)) {
+    if (frame.parallel()) continue;
+    const double per_radius = tangent_distance(frame, 1.0);
+    const double wanted = tangent_distance(frame, *radius + 0.5 * task.thickness);
+    double nearest = wanted;
+    for (int side = 0; side < 2; ++side)
+      for (const Chain& chain : viable_chains(side_outline(*task.plates[side], frame, side)))
+        for (std::size_t j = 0; j < chain.edges.size(); ++j) {
+          const double y = std::min(chain.corners[j].y(), chain.corners[j + 1].y());
+          if (chain.kind == EdgeKind::facing && y >= wanted - kAtLimit * per_radius)
+            nearest = std::min(nearest, y);
+        }
+    const double allowed = nearest / per_radius - 0.5 * task.thickness;
+    if (nearest < wanted && allowed >= kSmallestInsideRadius) radius = allowed;
+  }
+  return task;
+}
+
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {
   const PlanePair kind = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
   if (kind == PlanePair::coplanar)

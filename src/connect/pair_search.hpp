@@ -24,6 +24,10 @@ struct PairChoice {
 /// `no_bend_fits`.
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options);
 
+/// The task, its inside radius reduced to what the edges allow where these are drawn at most
+/// 0.001 mm short of it: plates of real parts carry the rounding of their file.
+FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options);
+
 /// The tangent line that a request asks for in a frame.
 GivenLine given_line(const BendRequest& request, const BendFrame& frame, double thickness);
 

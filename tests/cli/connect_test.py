@@ -228,6 +228,34 @@ class ThroughItself(CliTest):
         self.assertEqual(self.json("report.json")["status"], "ok")
 
 
+class PlatesOfAPart(CliTest):
+    BRACKET = pathlib.Path(__file__).parent / "../../examples/bracket.step"
+
+    def test_joined_again_they_are_the_part(self):
+        # Its three holes become polygons within 0.01 mm: of radius r, they lose 2/3 of that along the rim.
+        self.run_cli("unfold", str(self.BRACKET), "--check", "--json", "part.json")
+        part = self.json("part.json")["flat"]
+        for options in ([], ["--with-bends"]):
+            with self.subTest(options):
+                self.run_cli("plates", str(self.BRACKET), "-o", "plates.json", *options)
+                self.assertEqual("bends" in self.json("plates.json"), bool(options))
+                self.run_cli("connect", "plates.json", "--check", "--json", "again.json")
+                again = self.json("again.json")["flat"]
+                self.assertAlmostEqual(again["area"], part["area"], delta=0.01 * 110)
+                kinds = [[(round(b["angle"], 6), round(b["inside_radius"], 3), round(b["length"], 3)) for b in flat["bends"]]
+                         for flat in (part, again)]
+                self.assertEqual(sorted(kinds[0]), sorted(kinds[1]))
+
+    def test_goes_through_a_pipe_and_refuses_what_has_no_sheet(self):
+        text = self.run_cli("plates", str(self.BRACKET), "-o", "-")[0]
+        self.assertEqual(len(json.loads(text)["plates"]), 3)
+        self.write("empty.step", "ISO-10303-21;")
+        self.refused("plates", "empty.step", "-o", "plates.json", status=3)
+        self.refused("plates", "missing.step", "-o", "plates.json", status=3)
+        self.assertNotIn("plates.json", self.names())
+        self.assertIn("-o FILE", self.refused("plates", "-", status=2))
+
+
 class Section(PlatesTest):
     """What ends free: its neutral surface is unrolled at K."""
 
@@ -488,7 +516,7 @@ class WrongPlates(Refusal):
 
     def test_sheet_thicker_than_its_plates_are_wide(self):
         folded = json.loads((EXAMPLES / "a_folded.json").read_text())
-        self.refusal("radius_too_small", "/plates/1", {**folded, "thickness": 2000}, "too large for the bend", status=4)
+        self.refusal("radius_too_small", "/plates/1", {**folded, "thickness": 2000}, "the thickness of 2000 mm needs more than", status=4)
 
 
 class Usage(PlatesTest):

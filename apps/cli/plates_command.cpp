@@ -1,0 +1,91 @@
+#include "apart.hpp"
+#include "commands.hpp"
+#include "option_parts.hpp"
+#include "output_files.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/plates_of.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
+
+namespace planish::cli {
+namespace {
+
+constexpr auto kPlatesExamples = R"(Examples:
+  planish plates part.step -o plates.json               its flanges as bare plates
+  planish plates part.step --with-bends -o plates.json  and which of them its bends join
+  planish plates cabinet.step --body door -o - | planish connect - -o door.step
+
+More in docs/connect.md.)";
+
+std::filesystem::path output_of(const PlatesArguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return std::filesystem::path(arguments.input).parent_path() /
+         (stem_of(arguments.input) + "_plates.json");
+}
+
+/// Errors of the command line, before any work.
+std::optional<Error> unwritable(const PlatesArguments& arguments) {
+  if (arguments.output == "-") return std::nullopt;
+  if (arguments.input == "-" && arguments.output.empty())
+    return bad_option("standard input has no name to call the plates file after: add -o FILE");
+  const std::filesystem::path output = output_of(arguments);
+  if (arguments.input != "-")
+    if (const auto spared = spare_inputs(output, {arguments.input}); !spared) return spared.error();
+  if (const auto exists = folder_exists(output); !exists) return exists.error();
+  if (const auto fine = check_writable(output); !fine) return fine.error();
+  return std::nullopt;
+}
+
+class Plates : public Command {
+ public:
+  explicit Plates(const PlatesArguments& arguments) : arguments_(arguments) {}
+
+  Outcome make(const job::Parent& parent) override {
+    job::Request request;
+    request.input = arguments_.input;
+    (void)arguments_.options.enter(request);  // each was checked
+    request.rules.enabled = false;
+    const auto report = job::unfold(request, parent.progress);
+    if (!report) return failed(report.error());
+    if (report->refusal) return failed(*report->refusal);
+    const PlateStructure plates = job::plates_of(report->sheet,
+                                                 {.with_bends = arguments_.with_bends});
+    if (arguments_.output == "-") return {.output = job::plates_text(plates)};
+    const std::filesystem::path output = output_of(arguments_);
+    return {.files = {{output, job::plates_text(plates)}},
+            .output = fmt::format("{} plates of {:.4g} mm\nwrote {}\n", plates.plates.size(),
+                                  plates.thickness, output.string())};
+  }
+
+  Outcome failed(const Error& error) const override { return {.error = error}; }
+
+ private:
+  const PlatesArguments& arguments_;
+};
+
+}  // namespace
+
+CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments) {
+  CLI::App* command = app.add_subcommand("plates", "the flanges of a part as plates to connect");
+  add_text(*command, "input", arguments.input, "FILE", "STEP file, or - for standard input")
+      ->required();
+  add_text(*command, "-o,--output", arguments.output, "FILE",
+           "plates file to write; - for standard output; default FILE_plates.json beside it");
+  const job::Option& body = job::option("body");
+  add_option(*command, body, "this body: its number or name", type_name(body), arguments.options);
+  command->add_flag("--with-bends", arguments.with_bends,
+                    "also list which plates the bends join, and their inside radii");
+  add_limits(*command, arguments.limits);
+  command->footer(kPlatesExamples);
+  return command;
+}
+
+int run_plates(const PlatesArguments& arguments) {
+  if (const auto error = unwritable(arguments)) return complain(*error);
+  Plates plates(arguments);
+  return run_apart(plates, {arguments.input, "", false, arguments.limits});
+}
+
+}  // namespace planish::cli

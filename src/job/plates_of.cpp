@@ -1,0 +1,122 @@
+#include "json_parts.hpp"
+
+#include <planish/geometry/curve.hpp>
+#include <planish/job/plates_of.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace planish::job {
+namespace {
+
+/// Corners of a loop, none of them nearer to the next than the chord: real parts have borders, and
+/// curves have samples, that lie closer than anyone cuts.
+std::vector<Vec2> corners_of(const BorderLoop& loop, double chord) {
+  std::vector<Vec2> corners;
+  const auto add = [&](const Vec2& p) {
+    if (corners.empty() || (p - corners.back()).norm() > chord) corners.push_back(p);
+  };
+  for (const Border& border : loop) {
+    const std::vector<Vec2> points = sampled(border.curve, chord);
+    add(points.front());
+    for (std::size_t i = 1; i + 1 < points.size(); ++i)
+      if ((points[i] - points.back()).norm() > chord) add(points[i]);
+  }
+  while (corners.size() > 1 && (corners.back() - corners.front()).norm() <= chord)
+    corners.pop_back();
+  return corners;
+}
+
+std::vector<Vec3> polygon_of(const Sheet& sheet, const Face& face, const BorderLoop& loop,
+                             double chord) {
+  const double middle = sheet.reference_depth - 0.5 * sheet.thickness;
+  std::vector<Vec3> corners;
+  for (const Vec2& uv : corners_of(loop, chord))
+    corners.push_back(skin_point(face, uv) + middle * outward_normal(face, uv));
+  return corners;
+}
+
+Plate plate_of(const Sheet& sheet, FaceId id, std::string name, double chord) {
+  const Face& face = sheet[id];
+  Plate plate{std::move(name), polygon_of(sheet, face, face.loops.front(), chord), {}};
+  for (std::size_t i = 1; i < face.loops.size(); ++i)
+    plate.holes.push_back(polygon_of(sheet, face, face.loops[i], chord));
+  std::erase_if(plate.holes, [](const auto& hole) { return hole.size() < 3; });
+  return plate;
+}
+
+/// The bends between two faces of flanges, in the order of the sheet.
+std::vector<BendRequest> requests_of(const Sheet& sheet,
+                                     const IdVector<FaceId, std::string>& names) {
+  IdVector<BendId, std::vector<std::string>> between(sheet.bends.size());
+  const auto note = [&](const BorderRef& bend, const BorderRef& flange) {
+    const auto* id = std::get_if<BendId>(&sheet[bend.face].part_of);
+    if (id == nullptr || names[flange.face].empty()) return;
+    auto& joined = between[*id];
+    if (std::ranges::find(joined, names[flange.face]) == joined.end())
+      joined.push_back(names[flange.face]);
+  };
+  for (const Joint& joint : sheet.joints) {
+    if (joint.sharp) between[*joint.sharp] = {names[joint.a.face], names[joint.b.face]};
+    note(joint.a, joint.b);
+    note(joint.b, joint.a);
+  }
+  std::vector<BendRequest> requests;
+  for (const BendId id : sheet.bends.ids())
+    if (between[id].size() == 2) {
+      BendRequest& request = requests.emplace_back(BendRequest{.between = between[id]});
+      if (sheet[id].kind == BendKind::cylinder) request.inside_radius = sheet[id].inside_radius;
+    }
+  return requests;
+}
+
+double rounded(double value) {
+  constexpr double kDigits = 1e6;                      // of a millimetre
+  return std::round(value * kDigits) / kDigits + 0.0;  // not −0
+}
+
+Json corners_json(const std::vector<Vec3>& polygon) {
+  Json corners = Json::array();
+  for (const Vec3& p : polygon)
+    corners.push_back({rounded(p.x()), rounded(p.y()), rounded(p.z())});
+  return corners;
+}
+
+}  // namespace
+
+PlateStructure plates_of(const Sheet& sheet, const PlatesOfOptions& options) {
+  require_valid(sheet);
+  PlateStructure structure;
+  structure.thickness = sheet.thickness;
+  IdVector<FaceId, std::string> names(sheet.faces.size());
+  for (const FlangeId flange : sheet.flanges.ids()) {
+    const std::string number = std::to_string(index_of(flange) + 1);
+    char letter = 'a';
+    for (const FaceId face : sheet[flange].faces) {
+      names[face] = sheet[flange].faces.size() > 1 ? number + letter++ : number;
+      structure.plates.push_back(plate_of(sheet, face, names[face], options.chord));
+    }
+  }
+  if (options.with_bends) structure.bends = requests_of(sheet, names);
+  return structure;
+}
+
+std::string plates_text(const PlateStructure& plates) {
+  Json json = {{"format", "planish/plates"}, {"version", 1}, {"units", "mm"}};
+  json["thickness"] = rounded(plates.thickness);
+  json["plates"] = Json::array();
+  for (const Plate& plate : plates.plates) {
+    Json& one = json["plates"].emplace_back(
+        Json{{"id", plate.id}, {"outline", corners_json(plate.outline)}});
+    for (const auto& hole : plate.holes)
+      one["holes"].push_back(corners_json(hole));
+  }
+  for (const BendRequest& bend : plates.bends) {
+    Json& one = json["bends"].emplace_back(Json{{"between", bend.between}});
+    if (bend.inside_radius) one["inside_radius"] = rounded(*bend.inside_radius);
+  }
+  return text_of(json);
+}
+
+}  // namespace planish::job
