@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -256,6 +257,33 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
   return std::move(*sheet);
 }
 
+namespace {
+
+/// Triangles of a convex region, none of them flat although corners may lie on its sides: those
+/// beside such corners are cut off first.
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec2>& corners) {
+  std::vector<std::size_t> rest(corners.size());
+  std::iota(rest.begin(), rest.end(), 0);
+  const auto at = [&](std::size_t i) { return rest[i % rest.size()]; };
+  const auto is_flat = [&](std::size_t i) {
+    const Vec2 u = corners[at(i)] - corners[at(i + rest.size() - 1)],
+               v = corners[at(i + 1)] - corners[at(i)];
+    return std::abs(u.x() * v.y() - u.y() * v.x()) <= tolerance::kComputed * u.norm() * v.norm();
+  };
+  std::vector<std::array<std::size_t, 3>> triangles;
+  while (rest.size() > 3) {
+    std::size_t ear = 1;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (!is_flat(i) && (is_flat(i + 1) || is_flat(i + rest.size() - 1))) ear = i;
+    triangles.push_back({at(ear + rest.size() - 1), at(ear), at(ear + 1)});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  triangles.push_back({rest[0], rest[1], rest[2]});
+  return triangles;
+}
+
+}  // namespace
+
 Mesh mesh_of(const FoldedSlitSheet& folded) {
   require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
@@ -282,8 +310,8 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
       if (other[b] < 0) other[b] = corner[i][(a + 1) % n];
       if (other[(b + 1) % m] < 0) other[(b + 1) % m] = corner[i][a];
     }
-    for (std::size_t c = 1; c + 1 < region.corners.size(); ++c)
-      mesh.triangles.push_back({corner[i][0], corner[i][c], corner[i][c + 1]});
+    for (const auto& t : triangles_of(region.corners))
+      mesh.triangles.push_back({corner[i][t[0]], corner[i][t[1]], corner[i][t[2]]});
   }
   return mesh;
 }

@@ -102,6 +102,10 @@ TEST(TwoPanels, AreOneSheetWithTheStrips) {
   }
   EXPECT_NEAR(area, 180.0 * 1320.0, 1e-6);
   const Mesh mesh = mesh_of(folded);
+  for (const auto& t : mesh.triangles) {
+    const Vec3 u = mesh.points[t[1]] - mesh.points[t[0]], v = mesh.points[t[2]] - mesh.points[t[0]];
+    EXPECT_GT(u.cross(v).norm(), 1e-3);  // none is flat beside a corner of a lower neighbour
+  }
   // Euler: a disc with two slits in it.
   EXPECT_EQ(std::ssize(mesh.points) - std::ssize(lines_of(mesh)) + std::ssize(mesh.triangles), -1);
 }
