@@ -270,7 +270,7 @@ std::optional<WholeStrip> facet_below(const std::vector<PanelFacet>& panel, int 
                                           [&](const PanelFacet& f) { return f.strip == strip; });
   if (facet == panel.end()) return std::nullopt;
   const Vec3 normal = setting.sign * facet->frame.z;
-  if (std::abs(normal.dot(setting.up)) < setting.least_lean) return std::nullopt;
+  if (std::abs(normal.dot(setting.up)) <= kUprightPanel) return std::nullopt;
   const auto at = [&](std::size_t corner) { return facet->frame.point(facet->corners[corner]); };
   return WholeStrip{{{at(0), at(3)}, {at(1), at(2)}}, {normal}, 0};
 }

@@ -17,7 +17,6 @@
 namespace planish::slit_detail {
 namespace {
 
-constexpr double kUpright = 1e-9;  // radians: rounding of folded frames
 constexpr double kTouching = tolerance::kComputed;
 
 /// The facets of a panel in space: points where they meet, at the free edge, and how high each
@@ -52,7 +51,7 @@ Standing standing(const std::vector<PanelFacet>& panel, const WallSetting& setti
 
 bool is_upright(const Standing& panel, const Vec3& up) {
   return std::ranges::all_of(panel.towards_mould, [&](const Vec3& normal) {
-    return std::abs(normal.dot(up)) <= kUpright;
+    return std::abs(normal.dot(up)) <= kUprightPanel;
   });
 }
 
@@ -75,8 +74,10 @@ std::vector<Vec2> band(const Standing& panel, const Frame& plan, double from, do
 Result<MouldWall> wall_behind(const Standing& panel, const WallSetting& setting) {
   MouldWall wall;
   wall.footprint = band(panel, setting.plan, setting.offset, setting.offset + setting.depth);
-  // Facets under strips lie half the thickness off them: they keep clear of the wall by more.
-  wall.room = band(panel, setting.plan, 0.0, 3.0 * setting.offset + setting.depth);
+  // Facets under strips lie half the thickness off them: they keep clear of the wall, and of the
+  // panel that hangs before it, by more.
+  wall.room = band(panel, setting.plan, -3.0 * setting.offset,
+                   3.0 * setting.offset + setting.depth);
   wall.bottom = panel.bottom;
   wall.top = panel.top;
   if (self_crossings(wall.footprint).empty() && self_crossings(wall.room).empty()) return wall;
@@ -110,7 +111,7 @@ std::optional<double> lowest_over(const std::vector<Vec2>& footprint, const Whol
   const double area = std::abs(ring_area(over.outer));
   const Vec3& normal = strip.towards_mould[quad];
   const double lean = normal.dot(setting.plan.z);
-  if (std::abs(lean) <= kUpright || !(area > 0.0)) return std::nullopt;
+  if (std::abs(lean) <= kUprightPanel || !(area > 0.0)) return std::nullopt;
   std::optional<double> lowest;
   for (const Overlap& overlap : overlaps({{footprint, {}}, over}, 0.0, kTouching * area))
     for (const auto& ring : overlap.outline)

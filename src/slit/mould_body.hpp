@@ -9,6 +9,9 @@
 
 namespace planish::slit_detail {
 
+/// Panels turned by less from `up` are upright in the mould: rounding of folded frames, radians.
+constexpr double kUprightPanel = 1e-9;
+
 /// How the walls behind the panels stand, seen from above (in the plane of the base frame).
 struct WallSetting {
   Frame plan;           ///< the base's, at any height
