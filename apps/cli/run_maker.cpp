@@ -73,19 +73,27 @@ std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece
 }
 
 /// All files, those of all pieces together first, then piece by piece; or the first reason why one
-/// cannot be written.
-Result<std::vector<OutputFile>> files_of(const Made& made, const Plan& plan) {
+/// cannot be written. A solid or mould that cannot be made is a finding if there are other files.
+Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
   std::vector<OutputFile> files;
+  std::optional<Error> missing;
   const int pieces = made.pieces();
   for (int piece = pieces > 1 ? -1 : 0; piece < pieces; ++piece)
     for (const Target& target : plan.targets) {
       if (pieces > 1 && target.artifact->by_piece() != (piece >= 0)) continue;
       auto bytes = target.artifact->write(made, std::max(piece, 0), plan.request);
-      if (!bytes) return tl::unexpected(bytes.error());
+      if (!bytes && !target.artifact->may_be_missing(bytes.error()))
+        return tl::unexpected(bytes.error());
+      if (!bytes) {
+        job::note_missing(made.report(), *target.artifact, bytes.error());
+        missing = bytes.error();
+        continue;
+      }
       const bool own = target.artifact->by_piece();
       files.push_back(
           {own ? name_of_piece(target.path, piece, pieces) : target.path, std::move(*bytes)});
     }
+  if (missing && files.empty()) return tl::unexpected(*missing);
   return files;
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace planish::job {
 namespace {
 
@@ -81,6 +83,23 @@ const std::vector<Artifact>& artifacts() {
        "JSON, report", [](const Made& made, int, const Request&) -> Bytes { return made.json(); }},
   };
   return table;
+}
+
+bool Artifact::may_be_missing(const Error& why) const {
+  const bool beside = role == Role::folded || role == Role::mould;
+  return beside && why.code != ErrorCode::cancelled;
+}
+
+void note_missing(Report& report, const Artifact& artifact, const Error& why) {
+  const bool mould = artifact.role == Role::mould;
+  const std::string code = mould ? "mould" : "folded_solid";
+  if (std::ranges::any_of(report.findings, [&](const Finding& one) { return one.code == code; }))
+    return;
+  report.findings.push_back({code,
+                             Severity::warning,
+                             fmt::format("no {} could be made, so its file is not written: {}",
+                                         mould ? "mould" : "folded part", why.message),
+                             {}});
 }
 
 Result<std::vector<WrittenArtifact>> write(const Artifact& artifact, const Made& made,

@@ -124,6 +124,10 @@ Result<RunResult> done(const Asked& asked, const Progress& progress) {
   for (const Artifact* artifact : asked.artifacts) {
     if (report.refusal && artifact->role != Role::report) continue;
     auto files = write(*artifact, **made, asked.request, stem);
+    if (!files && asked.artifacts.size() > 1 && artifact->may_be_missing(files.error())) {
+      note_missing(report, *artifact, files.error());
+      continue;
+    }
     if (!files) return tl::unexpected(files.error());
     for (WrittenArtifact& file : *files)
       result.artifacts.push_back({std::string(artifact->name), std::move(file.name),

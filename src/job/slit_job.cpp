@@ -62,6 +62,15 @@ void take_result(SlitReport& report, const SlitSession& session) {
   }
 }
 
+/// By how much the leg curves were scaled: lengths as solved and as in the file.
+std::vector<double> leg_scales(const SlitDesign& solved, const SlitDesign& asked) {
+  std::vector<double> scales{length(solved.leg_curve) / length(asked.leg_curve)};
+  if (solved.second_panel && asked.second_panel)
+    scales.push_back(length(solved.second_panel->leg_curve) /
+                     length(asked.second_panel->leg_curve));
+  return scales;
+}
+
 /// A refusal if strips do not reach the place where they must end.
 std::optional<Error> out_of_reach(const SlitReport& report) {
   std::string which;
@@ -75,9 +84,10 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
           ErrorCode::out_of_reach,
           fmt::format("the end of strip {} is where it must be, but no folding was found "
                       "in which it also points the right way: half a turn is missing; turn "
-                      "its direction or its ridge around, or leave one of them out",
+                      "its direction, its ridge or the second panel around, or leave one of them "
+                      "out",
                       i),
-          fmt::format("/ends/{}", i)};
+          report.design.second_panel ? "/second_panel" : fmt::format("/ends/{}", i)};
     if (first < 0) first = static_cast<int>(i);
     constexpr int kMostNamed = 8;
     if (++count <= kMostNamed)
@@ -87,7 +97,7 @@ std::optional<Error> out_of_reach(const SlitReport& report) {
   if (count == 0) return std::nullopt;
   return Error{ErrorCode::out_of_reach,
                fmt::format("{} not reach where {} must end: strip {}; make the strips longer, "
-                           "bring the leg curve nearer, or loosen the ends",
+                           "bring the leg curves nearer, or loosen the ends",
                            counted(count, "strip") + (count == 1 ? " does" : " do"),
                            count == 1 ? "it" : "they", which),
                fmt::format("/sheet/strips/{}", first)};
@@ -163,6 +173,7 @@ std::optional<Error> lay_solved(SlitReport& report, const SlitSession& session,
                                 const Progress& progress) {
   const std::string name = place_name(report.input);
   take_result(report, session);
+  report.leg_scales = leg_scales(report.design, file.design);
   if (auto missed = out_of_reach(report)) return placed(*missed, name);
   const Sheet sheet = sheet_of(report.folded);
   report.summary = summary_of(sheet);

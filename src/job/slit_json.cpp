@@ -23,19 +23,63 @@ constexpr Range kLength{"a length above 0 and at most 1e7 mm", 0.0, kLargest, fa
 constexpr Range kGap{"a length from 0 to 1e7 mm", 0.0, kLargest};
 constexpr Range kCoordinate{"a length from -1e7 to 1e7 mm", -kLargest, kLargest};
 constexpr Range kWeight{"a number from 0 to 10000", 0.0, 1e4};
+constexpr Range kLean{"an angle from -90 to 90", -90.0, 90.0};
+constexpr Range kDraft{"an angle above 0 and at most 85", 0.0, 85.0, false};
 
 const Words<StripEdge> kSides{{"left", StripEdge::left}, {"right", StripEdge::right}};
 const Words<EndAngle> kEndAngles{
     {"right_angle", EndAngle::right_angle}, {"level", EndAngle::level}, {"free", EndAngle::free}};
+const Words<MouldForm> kForms{{"ribs", MouldForm::ribs}, {"body", MouldForm::body}};
+const Words<MouldSide> kMouldSides{
+    {"ground", MouldSide::ground}, {"back", MouldSide::back}, {"front", MouldSide::front}};
 const Words<double SlitWeights::*> kWeights{
     {"smooth", &SlitWeights::smooth},   {"spacing", &SlitWeights::spacing},
     {"anchors", &SlitWeights::anchors}, {"seat", &SlitWeights::seat},
     {"spread", &SlitWeights::spread},   {"scan", &SlitWeights::scan}};
 
+Schema poles_schema() {
+  return list(tuple(2, length(kCoordinate), "a pole [a, b]"))
+      .of_length(2, kMostPoles, "a list of 2 to 64 poles")
+      .said("its poles");
+}
+
 Schema curve_schema(std::string description) {
-  const Schema poles = list(tuple(2, length(kCoordinate), "a pole [a, b]"))
-                           .of_length(2, kMostPoles, "a list of 2 to 64 poles");
-  return object({required("bezier", poles.said("its poles"))}).said(std::move(description));
+  return object({required("bezier", poles_schema())}).said(std::move(description));
+}
+
+Schema leg_schema(std::string description) {
+  return object(
+             {required("bezier", poles_schema()),
+              optional("fit", flag().defaulting(false).said(
+                                  "scale it about its start until the sheet fits it")),
+              optional("lean", angle(kLean).defaulting(0).said(
+                                   "how far the panel is turned away from the sheet's front about "
+                                   "the line through the ends of the curve; 90: level"))})
+      .said(std::move(description));
+}
+
+Schema second_panel_schema() {
+  return object({required("height", length(kLength).said("of the uncut part of the sheet there")),
+                 required("leg_curve", leg_schema("in the ground plane, from the left"))})
+      .said("at the far ends of the strips of a sheet that is not symmetric");
+}
+
+Schema mould_schema() {
+  return object(
+             {optional("form", words(kForms).defaulting("ribs").said(
+                                   "ribs to be set on a board, or one body with side panels")),
+              optional("side", words(kMouldSides)
+                                   .defaulting("ground")
+                                   .said("of the sheet that lies on the mould")),
+              optional("up", space_direction().said(
+                                 "in which the sheet is lifted off; found if left out")),
+              optional("base", length(kLength).said("below the lowest point of the mould's "
+                                                    "working surfaces; 20 mm if left out")),
+              optional("inset", length(kGap).said("by which a rib is narrower than its strip, on "
+                                                  "each side; found if left out")),
+              optional("draft", angle(kDraft).defaulting(5).said(
+                                    "quads that face up by less are left bare"))})
+      .said("on which the sheet is laid");
 }
 
 Schema strip_schema() {
@@ -56,7 +100,7 @@ Schema sheet_schema() {
         required("panel_height", length(kLength).said("of the uncut part of the sheet")));
     strips.push_back(required("half_length",
                               length(kLength).said("of the strips, from the panel to the symmetry "
-                                                   "plane or to the free end")));
+                                                   "plane, the free end or the second panel")));
     strips.push_back(optional("margin", length(kGap).defaulting(0).said(
                                             "between the last strip and the sheet's right edge")));
     return object(std::move(strips));
@@ -107,7 +151,8 @@ Schema make_schema() {
   add(optional("symmetric", flag().defaulting(true).said("about the plane x = 0")));
   add(optional("min_inside_radius",
                length(kGap).defaulting(0).said("to which the material may be bent")));
-  add(required("leg_curve", curve_schema("in the ground plane; the panel stands on it")));
+  add(required("leg_curve", leg_schema("in the ground plane; the panel stands on it")));
+  add(optional("second_panel", second_panel_schema()));
   add(optional("seat_curve", curve_schema("in the symmetry plane; the strips are drawn to it")));
   add(optional("ridges", whole(kFewestRidges, kMostRidges)
                              .defaulting(usual.ridges)
@@ -126,6 +171,7 @@ Schema make_schema() {
   add(optional("kerf", length(kGap).defaulting(0).said("width of the slits; 0: lines")));
   add(optional("stop_hole",
                length(kGap).defaulting(0).said("diameter at the ends of slits; 0: none")));
+  add(optional("mould", mould_schema()));
   return object(std::move(fields)).said("A sheet with slits whose strips are bent into a form");
 }
 
@@ -217,6 +263,27 @@ std::vector<ScanPlace> scans_at(const JsonPlace& place) {
   return scans;
 }
 
+SecondPanel second_panel_at(const JsonPlace& document) {
+  const JsonPlace place = document["second_panel"];
+  if (document["symmetric"].yes())
+    place.mistake(
+        "is given, but the other half of a symmetric sheet is its mirror image: leave it out, or "
+        "set symmetric to false");
+  const JsonPlace leg = place["leg_curve"];
+  return {curve_at(leg), place["height"].length(), leg["lean"].angle(), leg["fit"].yes()};
+}
+
+MouldOptions mould_at(const JsonPlace& place) {
+  MouldOptions mould;
+  mould.form = place["form"].choice(kForms);
+  mould.side = place["side"].choice(kMouldSides);
+  mould.up = place["up"].direction();
+  if (const auto base = place["base"].maybe_length()) mould.base = *base;
+  mould.inset = place["inset"].maybe_length();
+  mould.draft = place["draft"].angle();
+  return mould;
+}
+
 SlitDesign design_at(const JsonPlace& place) {
   SlitDesign design;
   design.sheet = sheet_at(place["sheet"]);
@@ -224,6 +291,9 @@ SlitDesign design_at(const JsonPlace& place) {
   design.sheet.symmetric = place["symmetric"].yes();
   design.sheet.min_inside_radius = place["min_inside_radius"].length();
   design.leg_curve = curve_at(place["leg_curve"]);
+  design.fit = place["leg_curve"]["fit"].yes();
+  design.lean = place["leg_curve"]["lean"].angle();
+  if (place["second_panel"].given()) design.second_panel = second_panel_at(place);
   if (place["seat_curve"].given()) design.seat_curve = curve_at(place["seat_curve"]);
   design.ridges = place["ridges"].whole();
   design.end_angle = place["end_angle"].choice(kEndAngles);
@@ -235,6 +305,9 @@ SlitDesign design_at(const JsonPlace& place) {
     place["ends"].mistake(
         "is given, but strips of symmetric sheets end at the symmetry plane: leave it out, or set "
         "symmetric to false");
+  else if (design.second_panel && place["ends"].given())
+    place["ends"].mistake(
+        "is given, but the strips end at the second panel: leave one of them out");
   design.ends = ends_at(place["ends"], design.sheet.strips.size());
   return design;
 }
@@ -245,6 +318,7 @@ SlitFile file_at(const JsonPlace& place) {
   file.subdivisions = place["subdivisions"].whole();
   file.align_scans = place["align_scan"].yes();
   file.kerf = place["kerf"].length();
+  file.mould = mould_at(place["mould"]);
   file.stop_hole = place["stop_hole"].length();
   return file;
 }

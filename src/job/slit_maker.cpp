@@ -64,9 +64,9 @@ Json scan_json(const std::vector<SlitScan>& scans, const Eigen::Isometry3d& moti
 class MadeSlitSheet : public MadeReport<SlitReport> {
  public:
   using MadeReport::MadeReport;
-  /// `asked`: the design as in the input, with its curves and scans.
-  MadeSlitSheet(SlitReport report, SlitDesign asked, Effort effort)
-      : MadeReport(std::move(report)), asked_(std::move(asked)), effort_(effort) {}
+  /// `file`: the input, with the curves, scans and mould as asked for.
+  MadeSlitSheet(SlitReport report, const SlitFile& file, Effort effort)
+      : MadeReport(std::move(report)), asked_(file.design), mould_(file.mould), effort_(effort) {}
 
   /// During a drag ridges are drawn, but not reported one by one: there are too many.
   std::string json() const override {
@@ -77,7 +77,7 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
   }
   Result<Mesh> folded_mesh() const override { return mesh_of(made_.folded); }
   Result<Mesh> mould_mesh() const override {
-    const auto mould = mould_of(made_.folded);
+    const auto mould = mould_of(made_.folded, mould_);
     if (!mould) return tl::unexpected(mould.error());
     return mesh_of(*mould);
   }
@@ -85,8 +85,10 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
   SvgOptions svg() const override { return {.labels = false}; }
   std::string handles() const override {
     Json json;
-    json["leg_curve"] = curve_json(asked_.leg_curve,
-                                   [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); });
+    constexpr auto on_ground = [](const Vec2& p) { return Vec3(p.x(), 0, p.y()); };
+    json["leg_curve"] = curve_json(asked_.leg_curve, on_ground);
+    if (asked_.second_panel)
+      json["second_leg_curve"] = curve_json(asked_.second_panel->leg_curve, on_ground);
     if (asked_.seat_curve)
       json["seat_curve"] = curve_json(*asked_.seat_curve,
                                       [](const Vec2& p) { return Vec3(0, p.x(), p.y()); });
@@ -97,6 +99,7 @@ class MadeSlitSheet : public MadeReport<SlitReport> {
 
  private:
   SlitDesign asked_;
+  MouldOptions mould_;
   Effort effort_ = Effort::full;
 };
 
@@ -116,7 +119,7 @@ class SlitWork : public Work {
     auto report = request.effort == Effort::draft ? draft(request, progress)
                                                   : slit_sheet(file_, request, progress);
     if (!report) return tl::unexpected(report.error());
-    return std::make_unique<MadeSlitSheet>(std::move(*report), file_.design, request.effort);
+    return std::make_unique<MadeSlitSheet>(std::move(*report), file_, request.effort);
   }
 
  private:

@@ -61,6 +61,9 @@ Json slit_json(const SlitReport& report, Ridges ridges, const Units& units) {
   json["gap"] = number_json(units.length(report.gap));
   json["flat_deviation"] = report.has_pattern() ? number_json(units.length(report.flat_deviation))
                                                 : Json(nullptr);
+  json["leg_scales"] = Json::array();
+  for (const double scale : report.leg_scales)
+    json["leg_scales"].push_back(number_json(scale));
   json["strips"] = Json::array();
   for (std::size_t i = 0; i < report.strips.size(); ++i)
     json["strips"].push_back(strip_json(report.strips[i], report.folded.strips[i], ridges, units));
@@ -103,9 +106,9 @@ ReportDetails slit_report_details() {
        required("seat_distance", measured_length()), required("anchor_distance", measured_length()),
        required("scan_distance", measured_length()), required("crosses", list(whole())),
        required("crosses_plane", flag()), required("ridges", list(ridge))});
-  const Schema slit = object({required("gap", measured_length()),
-                              required("flat_deviation", measured_length()),
-                              required("strips", list(strip))});
+  const Schema slit = object(
+      {required("gap", measured_length()), required("flat_deviation", measured_length()),
+       required("leg_scales", list(number(kAnyNumber))), required("strips", list(strip))});
   return {{optional("slit", slit.or_null())}, {}};
 }
 

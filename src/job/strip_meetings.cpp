@@ -46,7 +46,10 @@ std::map<Pair, Meeting> meetings_of(const FoldedSlitSheet& folded, const Sheet& 
 }
 
 std::string name_of(const SlitPart& part, const SlitPart& beside) {
-  const std::string name = part.strip < 0 ? "the panel" : fmt::format("strip {}", part.strip);
+  const std::string name = part.strip == SlitPart::kPanel ? "the panel"
+                           : part.strip == SlitPart::kSecondPanel
+                               ? "the second panel"
+                               : fmt::format("strip {}", part.strip);
   return part.mirrored == beside.mirrored ? name : name + " of the other half";
 }
 

@@ -24,19 +24,29 @@ bool is_finite(const SlitRidge& ridge) {
          ridge.folded[1].allFinite() && std::isfinite(ridge.fold.radians());
 }
 
-std::optional<Error> fault_of(const FoldedSlitSheet& folded) {
-  if (!(folded.thickness > 0.0 && std::isfinite(folded.thickness) && std::isfinite(folded.reach)))
-    return folded_fault("The thickness of a sheet is a number above 0, its reach a number.",
-                        "sheet");
-  for (std::size_t i = 0; i < folded.panel.size(); ++i) {
-    const PanelFacet& facet = folded.panel[i];
-    const std::string where = fmt::format("panel facet {}", i);
+std::optional<Error> fault_of(const std::vector<PanelFacet>& panel, const FoldedSlitSheet& folded,
+                              const char* name) {
+  for (std::size_t i = 0; i < panel.size(); ++i) {
+    const PanelFacet& facet = panel[i];
+    const std::string where = fmt::format("{} facet {}", name, i);
     if (!is_finite(facet.frame) ||
         !std::ranges::all_of(facet.corners, [](const Vec2& p) { return p.allFinite(); }))
       return folded_fault("The panel has finite sizes.", where);
     if (facet.strip < -1 || facet.strip >= std::ssize(folded.strips))
       return folded_fault("A facet of the panel names a strip of its sheet, or −1.", where);
   }
+  return {};
+}
+
+std::optional<Error> fault_of(const FoldedSlitSheet& folded) {
+  if (!(folded.thickness > 0.0 && std::isfinite(folded.thickness) && std::isfinite(folded.reach)))
+    return folded_fault("The thickness of a sheet is a number above 0, its reach a number.",
+                        "sheet");
+  if (auto found = fault_of(folded.panel, folded, "panel")) return found;
+  if (auto found = fault_of(folded.second_panel, folded, "second panel")) return found;
+  if (folded.symmetric && !folded.second_panel.empty())
+    return folded_fault("A symmetric sheet has no second panel but the mirror image of its panel.",
+                        "second panel");
   for (std::size_t i = 0; i < folded.strips.size(); ++i) {
     const FoldedStrip& strip = folded.strips[i];
     const std::string where = fmt::format("strip {}", i);

@@ -90,17 +90,49 @@ Result<void> check_curve(const BezierCurve& curve, const char* what, const std::
   return {};
 }
 
-Result<void> check_radius(const SlitDesign& design) {
-  const TightestBend tightest = tightest_bend(design.leg_curve);
+Result<void> check_radius(const SlitDesign& design, const BezierCurve& curve,
+                          const std::string& where) {
+  const TightestBend tightest = tightest_bend(curve);
   if (tightest.radius >= design.sheet.min_radius()) return {};
-  const Vec2 at = bezier_at(design.leg_curve, tightest.t).point;
+  const Vec2 at = bezier_at(curve, tightest.t).point;
   return fail(ErrorCode::radius_too_small,
               fmt::format("the leg curve bends with a radius of {:.4g} mm at (x, z) = ({:.4g}, "
                           "{:.4g}) mm; the sheet, {:.4g} mm thick, needs at least "
                           "{:.4g} mm at its mid-surface",
                           tightest.radius, at.x(), at.y(), design.sheet.thickness,
                           design.sheet.min_radius()),
-              "/leg_curve");
+              where);
+}
+
+/// A panel that leans turns about the line through the ends of its leg curve.
+Result<void> check_lean(Angle lean, const BezierCurve& curve, const std::string& where) {
+  if (!(std::abs(lean.degrees()) <= 90.0))
+    return invalid(fmt::format("a panel leans by {:.4g}°; it must be from -90° to 90°, where it is "
+                               "level with the ground",
+                               lean.degrees()),
+                   where + "/lean");
+  if (lean == Angle()) return {};
+  const double apart = (curve.poles.back() - curve.poles.front()).norm();
+  if (apart > tolerance::kWrittenDigits * length(curve)) return {};
+  return invalid(
+      "the leg curve ends where it begins, so there is no line about which its panel could lean",
+      where + "/lean");
+}
+
+/// The leg curve of a panel, scaled to the sheet if that is asked for.
+Result<BezierCurve> checked_curve(const SlitDesign& design, const BezierCurve& curve, bool fit,
+                                  Angle lean, const std::string& where) {
+  if (auto sound = check_curve(curve, "the leg curve", where); !sound)
+    return tl::unexpected(sound.error());
+  if (auto sound = check_lean(lean, curve, where); !sound) return tl::unexpected(sound.error());
+  auto scaled = fit ? fitted(design.sheet, curve, where) : curve;
+  if (!scaled) return scaled;
+  if (fit)
+    if (auto sound = check_curve(*scaled, "the leg curve as scaled", where); !sound)
+      return tl::unexpected(sound.error());
+  if (auto sound = check_radius(design, *scaled, where); !sound)
+    return tl::unexpected(sound.error());
+  return scaled;
 }
 
 Result<void> check_side_of_plane(const std::vector<PanelFacet>& panel) {
@@ -108,8 +140,9 @@ Result<void> check_side_of_plane(const std::vector<PanelFacet>& panel) {
   for (const PanelFacet& facet : panel)
     for (const Vec2& corner : facet.corners)
       if (const double x = facet.frame.point(corner).x(); !(x * first > 0.0))
-        return invalid(fmt::format("the leg curve meets the symmetry plane (x = {:.4g} mm after x "
-                                   "= {:.4g} mm); it must stay on one side of x = 0",
+        return invalid(fmt::format("the panel on the leg curve meets the symmetry plane (x = "
+                                   "{:.4g} mm after x = {:.4g} mm); it must stay on one side of x "
+                                   "= 0",
                                    x, first),
                        "/leg_curve");
   return {};
@@ -189,6 +222,36 @@ Result<void> check_anchor(const SlitDesign& design, const std::vector<PanelFacet
               where + "/at");
 }
 
+/// How much too far from the panel's edge a place is for the middle of a strip's end, mm.
+struct Way {
+  double needed = 0.0, available = 0.0;
+};
+
+Way way_to(const SlitDesign& design, const PanelFacet& facet, int strip, const Vec3& end) {
+  const auto start = design.sheet.start_of(strip);
+  const double along = 0.5 * (start[0] + start[1]);
+  const Vec3 from = facet.frame.point({along, 0.5 * (facet.corners[0].y() + facet.corners[3].y())});
+  return {(end - from).norm(), design.sheet.end_of(strip) - along};
+}
+
+Result<void> check_second_panel(const SlitDesign& design, const Panels& panels) {
+  if (!design.second_panel) return {};
+  for (const PanelFacet& facet : panels.second) {
+    if (facet.strip < 0) continue;
+    const Vec3 end = facet.frame.point(0.5 * (facet.corners[1] + facet.corners[2]));
+    const auto [needed, available] = way_to(design, facet_of(panels.first, facet.strip),
+                                            facet.strip, end);
+    if (needed <= available) continue;
+    return fail(ErrorCode::out_of_reach,
+                fmt::format("the second panel is {:.4g} mm out of reach of strip {}: its edge is "
+                            "{:.4g} mm from that of the first panel, but the strip is only {:.4g} "
+                            "mm long",
+                            needed - available, facet.strip, needed, available),
+                "/second_panel");
+  }
+  return {};
+}
+
 Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& panel, int strip) {
   const std::string where = fmt::format("/ends/{}", strip);
   const StripEnd& end = design.ends[strip];
@@ -199,6 +262,9 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
         ErrorCode::bad_option,
         "strips of a symmetric sheet end in its symmetry plane; their ends cannot be placed",
         where);
+  if (design.second_panel)
+    return fail(ErrorCode::bad_option,
+                "the strips end at the second panel; their ends cannot be placed", where);
   for (const auto& [direction, key] :
        {std::pair{end.direction, "/direction"}, std::pair{end.across, "/across"}})
     if (direction && !(direction->allFinite() && direction->norm() > 0.0))
@@ -215,12 +281,7 @@ Result<void> check_end(const SlitDesign& design, const std::vector<PanelFacet>& 
   }
   if (!end.position) return {};
   if (auto sound = check_place(*end.position, "an end", where + "/position"); !sound) return sound;
-  const PanelFacet& facet = facet_of(panel, strip);
-  const auto start = design.sheet.start_of(strip);
-  const double along = 0.5 * (start[0] + start[1]), available = design.sheet.end_of(strip) - along;
-  const double needed = (*end.position - facet.frame.point({along, 0.5 * (facet.corners[0].y() +
-                                                                          facet.corners[3].y())}))
-                            .norm();
+  const auto [needed, available] = way_to(design, facet_of(panel, strip), strip, *end.position);
   if (needed <= available) return {};
   return fail(ErrorCode::out_of_reach,
               fmt::format("the end of strip {} is {:.4g} mm out of reach: it is {:.4g} mm from the "
@@ -252,6 +313,29 @@ Result<void> check_scan(const SlitDesign& design, int index) {
   return {};
 }
 
+/// The second panel's part of the sheet.
+Result<void> check_far_side(const SlitDesign& design) {
+  if (!design.second_panel) return {};
+  const SlitSheet& sheet = design.sheet;
+  if (sheet.symmetric)
+    return invalid(
+        "the other half of a symmetric sheet is its mirror image; leave out the second panel, or "
+        "set symmetric to false",
+        "/second_panel");
+  const double height = design.second_panel->height;
+  if (auto sound = check_length(height, "the height of the second panel", "/second_panel/height");
+      !sound)
+    return sound;
+  const double free_edge = sheet.panel_height + sheet.half_length + height;
+  for (int i = 0; i < static_cast<int>(sheet.strips.size()); ++i)
+    if (!(sheet.end_of(i) < free_edge))
+      return invalid(fmt::format("strip {} ends at {:.6g} mm, beyond the second panel, whose free "
+                                 "edge is at {:.6g} mm",
+                                 i, sheet.end_of(i), free_edge),
+                     fmt::format("/sheet/strips/{}/end", i));
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_sheet(const SlitDesign& design) {
@@ -276,6 +360,7 @@ Result<void> check_sheet(const SlitDesign& design) {
                    "/sheet/strips");
   for (int i = 0; i < count; ++i)
     if (auto sound = check_strip(sheet, i); !sound) return sound;
+  if (auto sound = check_far_side(design); !sound) return sound;
   if (design.ridges < kFewestRidges || design.ridges > kMostRidges)
     return invalid(fmt::format("each strip has {} ridges; it must have {} to {}", design.ridges,
                                kFewestRidges, kMostRidges),
@@ -283,24 +368,39 @@ Result<void> check_sheet(const SlitDesign& design) {
   return {};
 }
 
-Result<std::vector<PanelFacet>> checked_panel(const SlitDesign& design) {
-  if (auto sound = check_curve(design.leg_curve, "the leg curve", "/leg_curve"); !sound)
-    return tl::unexpected(sound.error());
-  if (auto sound = check_radius(design); !sound) return tl::unexpected(sound.error());
-  auto panel = panel_of(design.sheet, design.leg_curve);
-  if (!panel || !design.sheet.symmetric) return panel;
-  if (auto sound = check_side_of_plane(*panel); !sound) return tl::unexpected(sound.error());
-  return panel;
+Result<SlitDesign> with_fitted_curves(SlitDesign design) {
+  auto curve = checked_curve(design, design.leg_curve, design.fit, design.lean, "/leg_curve");
+  if (!curve) return tl::unexpected(curve.error());
+  design.leg_curve = std::move(*curve);
+  if (!design.second_panel) return design;
+  SecondPanel& second = *design.second_panel;
+  auto far_curve = checked_curve(design, second.leg_curve, second.fit, second.lean,
+                                 "/second_panel/leg_curve");
+  if (!far_curve) return tl::unexpected(far_curve.error());
+  second.leg_curve = std::move(*far_curve);
+  return design;
 }
 
-Result<void> check_all(const SlitDesign& design, const std::vector<PanelFacet>& panel) {
+Result<Panels> checked_panels(const SlitDesign& design) {
+  auto first = panel_of(design.sheet, design.leg_curve, design.lean);
+  if (!first) return tl::unexpected(first.error());
+  if (design.sheet.symmetric)
+    if (auto sound = check_side_of_plane(*first); !sound) return tl::unexpected(sound.error());
+  if (!design.second_panel) return Panels{std::move(*first), {}};
+  auto second = second_panel_of(design.sheet, *design.second_panel);
+  if (!second) return tl::unexpected(second.error());
+  return Panels{std::move(*first), std::move(*second)};
+}
+
+Result<void> check_all(const SlitDesign& design, const Panels& panels) {
+  const std::vector<PanelFacet>& panel = panels.first;
   if (auto sound = check_seat_curve(design); !sound) return sound;
   if (auto sound = check_weights(design.weights); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.anchors.size()); ++i)
     if (auto sound = check_anchor(design, panel, i); !sound) return sound;
   for (int i = 0; i < static_cast<int>(design.ends.size()); ++i)
     if (auto sound = check_end(design, panel, i); !sound) return sound;
-  return {};
+  return check_second_panel(design, panels);
 }
 
 Result<std::vector<std::vector<Vec3>>> points_by_strip(const SlitDesign& design) {

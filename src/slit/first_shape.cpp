@@ -21,10 +21,12 @@ struct Wanted {
   std::optional<double> away, along;
   double along_weight = 1.0;
   std::optional<double> end_angle;
-  double direction = 1.0;  ///< sign of the folds that lead there
+  double direction = 1.0;           ///< sign of the folds that lead there
+  double panel_angle = 0.0;         ///< of the panel, from the direction in which `along` counts
+  std::optional<double> far_angle;  ///< of the panel at the strip's end, likewise
 };
 
-/// Angle of the curve to the panel, from its start (0) to its end (1).
+/// Angle of the curve to the direction in which `along` counts, from its start (0) to its end (1).
 struct Bow {
   double start = 0.0, end = 0.0, bow = 0.0;
   double at(double s) const { return start + (end - start) * s + 4.0 * bow * s * (1.0 - s); }
@@ -41,20 +43,28 @@ Vec3 middle_of_start(const StripBase& base) {
       {0.5 * (base.start[0] + base.start[1]), 0.5 * (base.sides[0] + base.sides[1])});
 }
 
-/// The end is to lie in a plane (symmetric sheets).
+/// The end is to lie in a plane (symmetric sheets). Away from the panel is straight towards the
+/// plane, along is upwards, also where the panel leans.
 Wanted up_to_plane(const StripProblem& problem, const EndCondition& plane) {
   const Vec3 start = middle_of_start(problem.base);
-  const double distance = plane.value - plane.gradient.dot(start),
-               slope = -plane.gradient.dot(problem.base.facet.z);
+  const Frame& facet = problem.base.facet;
+  const double distance = plane.value - plane.gradient.dot(start);
+  const Vec3 towards = (distance < 0.0 ? -1.0 : 1.0) *
+                       (plane.gradient - plane.gradient.dot(facet.y) * facet.y);
   constexpr double kStretched = 0.99, kParallel = 0.1;
+  const double slope = towards.norm();
+  const Vec3 away = slope > 0.0 ? Vec3(towards / slope) : Vec3(-facet.z);
+  Vec3 up = away.cross(facet.y);
+  if (up.y() < 0.0) up = -up;
   Wanted wanted;
-  wanted.direction = distance * slope < 0.0 ? -1.0 : 1.0;
-  wanted.away = std::min(
-      kStretched, std::abs(distance) / std::max(kParallel, std::abs(slope)) / problem.base.unit());
+  wanted.direction = up.cross(away).dot(facet.y) < 0.0 ? -1.0 : 1.0;
+  wanted.panel_angle = std::atan2(facet.x.dot(away), facet.x.dot(up));
+  wanted.away = std::min(kStretched,
+                         std::abs(distance) / std::max(kParallel, slope) / problem.base.unit());
   wanted.end_angle = kRightAngle;
   if (problem.seat) {
-    wanted.along = problem.base.facet.x.tail<2>().dot(
-                       0.5 * (problem.seat_places[0] + problem.seat_places[1]) - start.tail<2>()) /
+    wanted.along = up.tail<2>().dot(0.5 * (problem.seat_places[0] + problem.seat_places[1]) -
+                                    start.tail<2>()) /
                    problem.base.unit();
     wanted.along_weight = problem.weights.seat /
                           std::max(problem.weights.seat, problem.weights.smooth);
@@ -89,6 +99,13 @@ Wanted up_to_point(const StripProblem& problem) {
   if (directed)
     wanted.end_angle = std::atan2(-wanted.direction * direction.dot(base.facet.z),
                                   direction.dot(base.facet.x));
+  if (problem.far_facet) {
+    const Vec3& beyond = problem.far_facet->x;
+    // A strip that turns all the way round to the panel does so on the side where it lies.
+    const double angle = std::atan2(-wanted.direction * beyond.dot(base.facet.z),
+                                    beyond.dot(base.facet.x));
+    wanted.far_angle = angle < -kRightAngle ? angle + 4.0 * kRightAngle : angle;
+  }
   return wanted;
 }
 
@@ -104,7 +121,7 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   constexpr int kPieces = 10;
   double away = 0.0, along = 0.0, unsmooth = 0.0;
   std::array<double, kPieces> folds{};
-  double angle = 0.0;
+  double angle = wanted.panel_angle;
   for (int i = 0; i < kPieces; ++i) {
     const double next = bow.at((i + 0.5) / kPieces);
     folds[i] = next - angle;
@@ -120,6 +137,11 @@ double cost_of(const Bow& bow, const Wanted& wanted, const StripProblem& problem
   if (problem.mirrored)
     unsmooth += (folds[kPieces - 1] - folds[kPieces - 2]) *
                 (folds[kPieces - 1] - folds[kPieces - 2]);
+  if (wanted.far_angle) {
+    const double second = 2.0 * folds[kPieces - 1] - folds[kPieces - 2] -
+                          (*wanted.far_angle - angle);
+    unsmooth += second * second;
+  }
   constexpr double kMissed = 100.0;
   // Curls whose angles grow evenly are smooth too; of equally smooth curves the one that bends
   // least is wanted.
@@ -184,12 +206,12 @@ std::vector<Candidate> best_bows(const StripProblem& problem, const Wanted& want
   return candidates;
 }
 
-StripParameters bent(const StripBase& base, const Bow& bow, double direction) {
+StripParameters bent(const StripBase& base, const Bow& bow, const Wanted& wanted) {
   StripParameters p = flat_parameters(base);
-  double angle = 0.0;
+  double angle = wanted.panel_angle;
   for (int i = 0; i < base.quads; ++i) {
     const double next = i + 1 == base.quads ? bow.end : bow.at((i + 0.5) / base.quads);
-    p[i] = direction * (next - angle);
+    p[i] = wanted.direction * (next - angle);
     angle = next;
   }
   return p;
@@ -201,7 +223,7 @@ std::vector<StripParameters> first_shapes(const StripProblem& problem) {
   std::vector<StripParameters> shapes;
   if (const auto wanted = wanted_of(problem))
     for (const Candidate& candidate : best_bows(problem, *wanted))
-      shapes.push_back(bent(problem.base, candidate.bow, wanted->direction));
+      shapes.push_back(bent(problem.base, candidate.bow, *wanted));
   shapes.push_back(flat_parameters(problem.base));
   return shapes;
 }

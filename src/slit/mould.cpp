@@ -1,3 +1,4 @@
+#include "mould_body.hpp"
 #include "mould_clear.hpp"
 
 #include <planish/geometry/region.hpp>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace planish {
 
@@ -25,6 +27,15 @@ WholeStrip whole_strip(const FoldedStrip& strip, double sign) {
   for (const Frame& quad : strip.quads)
     whole.towards_mould.push_back(sign * quad.z);
   return whole;
+}
+
+/// The image of a panel's facet in x = 0, run as it is.
+WholeStrip image_of_facet(WholeStrip facet) {
+  for (auto& ridge : facet.ridges)
+    ridge = {mirrored(ridge[0]), mirrored(ridge[1])};
+  for (Vec3& normal : facet.towards_mould)
+    normal = mirrored(normal);
+  return facet;
 }
 
 /// The image in x = 0, run from the symmetry plane to the other panel.
@@ -46,7 +57,10 @@ std::vector<WholeStrip> whole_strips(const FoldedStrip& strip, const FoldedSlitS
   constexpr double kMeets = 1e-6;  // of the length: a strip that reached its end meets this
   const double gap = std::max((half.ridges.back()[0] - image.ridges.front()[0]).norm(),
                               (half.ridges.back()[1] - image.ridges.front()[1]).norm());
-  if (gap > kMeets * folded.reach) return {half, image};
+  if (gap > kMeets * folded.reach) {
+    image.first = static_cast<int>(half.towards_mould.size());
+    return {half, image};
+  }
   WholeStrip whole = half;
   whole.ridges.insert(whole.ridges.end(), image.ridges.begin() + 1, image.ridges.end());
   whole.towards_mould.insert(whole.towards_mould.end(), image.towards_mould.begin(),
@@ -65,6 +79,7 @@ struct Setting {
   double most_share = 0.5;   ///< …and at most this, unless given
   double offset = 0.0;       ///< half the thickness
   double least_lean = 0.0;
+  MouldForm form = MouldForm::ribs;
 };
 
 std::string place(int strip, int quad) { return fmt::format("strip {}, quad {}", strip, quad); }
@@ -111,6 +126,7 @@ Result<Setting> setting_of(const FoldedSlitSheet& folded, const MouldOptions& op
                 "/mould/draft");
   setting.offset = 0.5 * folded.thickness;
   setting.least_lean = std::sin(draft);
+  setting.form = options.form;
   return setting;
 }
 
@@ -154,8 +170,8 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
           return fail(ErrorCode::radius_too_small,
                       fmt::format("{} is folded so tightly that its side towards the mould has no "
                                   "length between the ridges",
-                                  place(number, at - 1)),
-                      place(number, at - 1));
+                                  place(number, strip.first + at - 1)),
+                      place(number, strip.first + at - 1));
       rib.facets.push_back({near[0], (*far)[0], (*far)[1], near[1]});
     }
     near = *far;
@@ -164,20 +180,24 @@ Result<MouldRib> rib_under(const WholeStrip& strip, int first, int last, const S
 }
 
 /// Ribs under one strip, and the quads that they leave bare.
-Result<void> add_ribs(const WholeStrip& strip, int number, int first_number, const Setting& setting,
-                      Mould& mould) {
+Result<void> add_ribs(const WholeStrip& strip, int number, const Setting& setting,
+                      const WallSetting& walls, Mould& mould) {
   const int count = static_cast<int>(strip.towards_mould.size());
+  const auto carried = [&](int quad) {
+    return leans_up(strip.towards_mould[quad], setting) &&
+           !is_over(mould.walls, strip, quad, walls);
+  };
   for (int quad = 0; quad < count;) {
-    if (!leans_up(strip.towards_mould[quad], setting)) {
-      mould.bare.push_back({number, first_number + quad++});
+    if (!carried(quad)) {
+      mould.bare.push_back({number, strip.first + quad++});
       continue;
     }
     int last = quad;
-    while (last + 1 < count && leans_up(strip.towards_mould[last + 1], setting))
+    while (last + 1 < count && carried(last + 1))
       ++last;
     auto rib = rib_under(strip, quad, last, setting, number);
     if (!rib) return tl::unexpected(rib.error());
-    rib->first_quad = first_number + quad;
+    rib->first_quad = strip.first + quad;
     mould.ribs.push_back(std::move(*rib));
     quad = last + 1;
   }
@@ -227,15 +247,10 @@ std::vector<Vec2> footprint_of(const MouldRib& rib, const Frame& base) {
   return ring;
 }
 
-/// z along `up`; x along the strips of the chair, if possible.
-Frame base_frame(const std::vector<MouldRib>& ribs, const Vec3& up, double below) {
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const MouldRib& rib : ribs)
-    for (const auto& facet : rib.facets)
-      for (const Vec3& corner : facet)
-        lowest = std::min(lowest, corner.dot(up));
+/// z along `up`, at a height; x along the strips of the chair, if possible.
+Frame base_frame(double height, const Vec3& up) {
   const Vec3 hint = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitZ();
-  return frame_from_axes((lowest - below) * up, up, hint);
+  return frame_from_axes(height * up, up, hint);
 }
 
 double volume_of(const Mesh& mesh) {
@@ -248,33 +263,105 @@ double volume_of(const Mesh& mesh) {
   return sum;
 }
 
-/// The mould for one direction.
-Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
-  Mould mould;
-  mould.side = setting.sign < 0.0 ? MouldSide::back : MouldSide::front;
-  std::vector<std::vector<WholeStrip>> strips;
+/// The facet of a panel at which a strip ends, as a quad before or behind its own.
+std::optional<WholeStrip> facet_below(const std::vector<PanelFacet>& panel, int strip,
+                                      const Setting& setting) {
+  const auto facet = std::ranges::find_if(panel,
+                                          [&](const PanelFacet& f) { return f.strip == strip; });
+  if (facet == panel.end()) return std::nullopt;
+  const Vec3 normal = setting.sign * facet->frame.z;
+  if (std::abs(normal.dot(setting.up)) <= kUprightPanel) return std::nullopt;
+  const auto at = [&](std::size_t corner) { return facet->frame.point(facet->corners[corner]); };
+  return WholeStrip{{{at(0), at(3)}, {at(1), at(2)}}, {normal}, 0};
+}
+
+void put_before(WholeStrip& strip, const WholeStrip& facet) {
+  strip.ridges.insert(strip.ridges.begin(), facet.ridges.front());
+  strip.towards_mould.insert(strip.towards_mould.begin(), facet.towards_mould.front());
+  --strip.first;
+}
+
+void put_behind(WholeStrip& strip, const WholeStrip& facet) {
+  strip.ridges.push_back(facet.ridges.front());
+  strip.towards_mould.push_back(facet.towards_mould.front());
+}
+
+/// In one body ribs go on under panels that lean.
+void add_panels(std::vector<WholeStrip>& parts, const FoldedSlitSheet& folded, int number,
+                const Setting& setting) {
+  const auto first = facet_below(folded.panel, number, setting),
+             second = facet_below(folded.second_panel, number, setting);
+  if (second) put_behind(parts.back(), *second);
+  if (first && folded.symmetric) put_behind(parts.back(), image_of_facet(*first));
+  if (first) put_before(parts.front(), *first);
+}
+
+/// Ribs under all strips. `strips`: whole, by strip.
+Result<void> add_all_ribs(Mould& mould, const FoldedSlitSheet& folded, const Setting& setting,
+                          const WallSetting& walls, std::vector<std::vector<WholeStrip>>& strips) {
   for (std::size_t i = 0; i < folded.strips.size(); ++i) {
-    int quads = 0;
+    const int number = static_cast<int>(i);
     strips.push_back(whole_strips(folded.strips[i], folded, setting.sign));
-    for (const WholeStrip& strip : strips.back()) {
-      if (auto added = add_ribs(strip, static_cast<int>(i), quads, setting, mould); !added)
-        return tl::unexpected(added.error());
-      quads += static_cast<int>(strip.towards_mould.size());
-    }
+    if (setting.form == MouldForm::body) add_panels(strips.back(), folded, number, setting);
+    for (const WholeStrip& strip : strips.back())
+      if (auto added = add_ribs(strip, number, setting, walls, mould); !added) return added;
   }
-  if (mould.ribs.empty())
-    return fail(
-        ErrorCode::unsupported_shape,
-        "no part of the strips faces the direction in which the sheet is lifted off; choose "
-        "another direction or the other side");
-  mould.base = base_frame(mould.ribs, setting.up, base);
+  if (!mould.ribs.empty()) return {};
+  return fail(ErrorCode::unsupported_shape,
+              "no part of the strips faces the direction in which the sheet is lifted off; choose "
+              "another direction (mould.up) or the other side (mould.side)");
+}
+
+/// Where the base lies: one body reaches down to the panels' free edges.
+double lowest_point(const Mould& mould, const FoldedSlitSheet& folded, const Setting& setting) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const MouldRib& rib : mould.ribs)
+    for (const auto& facet : rib.facets)
+      for (const Vec3& corner : facet)
+        lowest = std::min(lowest, corner.dot(setting.up));
+  return setting.form == MouldForm::ribs ? lowest
+                                         : std::min(lowest, lowest_of_panels(folded, setting.up));
+}
+
+/// The ribs' solids, and those of the walls; as one body, the plate as well.
+Result<void> make_solids(Mould& mould, const Setting& setting, double base) {
   for (MouldRib& rib : mould.ribs) {
     rib.footprint = footprint_of(rib, mould.base);
     rib.mesh = closed_mesh(rib, mould.base);
     mould.volume += volume_of(rib.mesh);
   }
+  for (MouldWall& wall : mould.walls)
+    wall.mesh = wall_mesh(wall, mould.base);
+  if (setting.form == MouldForm::ribs) return {};
+  constexpr double kPlate = 0.5;  // of the base
+  auto body = body_of(mould, kPlate * base, base);
+  if (!body) return tl::unexpected(body.error());
+  mould.volume = volume_of(*body);
+  mould.body = std::move(*body);
+  return {};
+}
+
+/// The mould for one direction.
+Result<Mould> upright_mould(const FoldedSlitSheet& folded, const Setting& setting, double base) {
+  Mould mould;
+  mould.side = setting.sign < 0.0 ? MouldSide::back : MouldSide::front;
+  const WallSetting upright{base_frame(0.0, setting.up), setting.sign, setting.offset, base};
+  if (setting.form == MouldForm::body) {
+    auto walls = walls_of(folded, upright);
+    if (!walls) return tl::unexpected(walls.error());
+    mould.walls = std::move(*walls);
+  }
+  std::vector<std::vector<WholeStrip>> strips;
+  if (auto added = add_all_ribs(mould, folded, setting, upright, strips); !added)
+    return tl::unexpected(added.error());
+  if (auto raised = raise(mould.walls, strips, upright); !raised)
+    return tl::unexpected(raised.error());
+  mould.base = base_frame(lowest_point(mould, folded, setting) - base, setting.up);
+  for (MouldRib& rib : mould.ribs)
+    rib.footprint = footprint_of(rib, mould.base);
   if (auto clear = check_clear(mould, strips, setting.offset); !clear)
     return tl::unexpected(clear.error());
+  if (auto made = make_solids(mould, setting, base); !made) return tl::unexpected(made.error());
   return mould;
 }
 
@@ -330,6 +417,7 @@ Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& option
 }
 
 Mesh mesh_of(const Mould& mould) {
+  if (mould.body) return *mould.body;
   Mesh mesh;
   for (const MouldRib& rib : mould.ribs) {
     const int first = static_cast<int>(mesh.points.size());

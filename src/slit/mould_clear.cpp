@@ -17,28 +17,36 @@ namespace {
 
 constexpr double kTouching = tolerance::kComputed;  // of the smallest area
 
+constexpr auto kChoose =
+    "choose a larger inset (mould.inset), another direction (mould.up) or the other side "
+    "(mould.side)";
+
 /// Upright walls do not meet where the footprints are apart.
-Result<void> check_apart(const std::vector<MouldRib>& ribs) {
+Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<MouldWall>& walls) {
   std::vector<Polygon> footprints;
   double smallest = std::numeric_limits<double>::infinity();
   for (const MouldRib& rib : ribs) {
     if (!self_crossings(rib.footprint).empty())
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("strip {} overhangs itself, so its rib would pass through itself; "
-                              "choose another direction for the mould",
+                              "choose another direction for the mould (mould.up)",
                               rib.strip),
                   fmt::format("strip {}", rib.strip));
     footprints.push_back({rib.footprint, {}});
     smallest = std::min(smallest, ring_area(rib.footprint));
   }
-  for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest)) {
-    const int first = ribs[overlap.first].strip, second = ribs[overlap.second].strip;
-    return fail(ErrorCode::unsupported_shape,
-                fmt::format("the mould's ribs under strips {} and {} would overlap by {:.4g} mm²; "
-                            "choose a larger inset, another direction or the other side",
-                            first, second, overlap.area),
-                fmt::format("strip {}", first));
-  }
+  for (const MouldWall& wall : walls)
+    footprints.push_back({wall.footprint, {}});
+  const auto name_of = [&](int footprint) {
+    return footprint < std::ssize(ribs) ? fmt::format("rib under strip {}", ribs[footprint].strip)
+                                        : std::string("wall behind a panel");
+  };
+  for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest))
+    return fail(
+        ErrorCode::unsupported_shape,
+        fmt::format("the mould's {} and its {} would overlap by {:.4g} mm²; {}",
+                    name_of(overlap.first), name_of(overlap.second), overlap.area, kChoose),
+        overlap.first < std::ssize(ribs) ? fmt::format("strip {}", ribs[overlap.first].strip) : "");
   return {};
 }
 
@@ -71,7 +79,7 @@ class View {
     }
   }
 
-  void add(const WholeStrip& strip, int number, int first_quad) {
+  void add(const WholeStrip& strip, int number) {
     const auto skin = [&](std::size_t ridge, double sense) -> std::array<Vec3, 2> {
       const auto& normals = strip.towards_mould;
       const Vec3 step = sense * offset_ *
@@ -84,7 +92,7 @@ class View {
       const auto piece = [&](const std::array<Vec3, 2>& near, const std::array<Vec3, 2>& far) {
         return std::array<Vec3, 4>{near[0], far[0], far[1], near[1]};
       };
-      const int own = first_quad + static_cast<int>(quad);
+      const int own = strip.first + static_cast<int>(quad);
       const auto middle = piece(strip.ridges[quad], strip.ridges[quad + 1]),
                  below = piece(skin(quad, 1.0), skin(quad + 1, 1.0));
       see({Layer::middle, number, own, {}, {}}, middle, middle);
@@ -106,11 +114,10 @@ class View {
           if (height_at(*rib, p) > height_at(*strip, p) + kHigher)
             return fail(
                 ErrorCode::unsupported_shape,
-                fmt::format("the mould's rib under strip {} would pass through {}; choose a larger "
-                            "inset, another direction or the other side",
-                            rib->strip,
+                fmt::format("the mould's rib under strip {} would pass through {}; {}", rib->strip,
                             rib->strip == strip->strip ? "another part of that strip"
-                                                       : fmt::format("strip {}", strip->strip)),
+                                                       : fmt::format("strip {}", strip->strip),
+                            kChoose),
                 fmt::format("strip {}", rib->strip));
     }
     return {};
@@ -151,17 +158,13 @@ class View {
 
 Result<void> check_clear(const Mould& mould, const std::vector<std::vector<WholeStrip>>& strips,
                          double offset) {
-  if (auto apart = check_apart(mould.ribs); !apart) return apart;
+  if (auto apart = check_apart(mould.ribs, mould.walls); !apart) return apart;
   View view(mould.base, offset);
   for (const MouldRib& rib : mould.ribs)
     view.add(rib);
-  for (std::size_t i = 0; i < strips.size(); ++i) {
-    int quads = 0;
-    for (const WholeStrip& strip : strips[i]) {
-      view.add(strip, static_cast<int>(i), quads);
-      quads += static_cast<int>(strip.towards_mould.size());
-    }
-  }
+  for (std::size_t i = 0; i < strips.size(); ++i)
+    for (const WholeStrip& strip : strips[i])
+      view.add(strip, static_cast<int>(i));
   return view.check_clear();
 }
 

@@ -13,6 +13,7 @@ namespace planish::slit_detail {
 struct WholeStrip {
   std::vector<std::array<Vec3, 2>> ridges;
   std::vector<Vec3> towards_mould;
+  int first = 0;  ///< number of its first quad
 };
 
 /// From a ridge to where the facets beside it meet, half the thickness from both quads.

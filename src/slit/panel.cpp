@@ -1,5 +1,7 @@
 #include "panel.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,33 +92,56 @@ std::vector<PanelFacet> flat_facets(const SlitSheet& sheet) {
   return facets;
 }
 
+/// The facets at the far ends of the strips.
+std::vector<PanelFacet> flat_far_facets(const SlitSheet& sheet, double height) {
+  const double top = sheet.panel_height + sheet.half_length, free_edge = top + height;
+  std::vector<PanelFacet> facets = flat_facets(sheet);
+  for (PanelFacet& facet : facets) {
+    const double end = facet.strip < 0 ? top : sheet.end_of(facet.strip);
+    facet.corners[0].x() = facet.corners[3].x() = free_edge;
+    facet.corners[1].x() = facet.corners[2].x() = end;
+  }
+  return facets;
+}
+
 double width_of(const PanelFacet& facet) { return facet.corners[3].y() - facet.corners[0].y(); }
 
-Frame upright(const Vec2& from, const Vec2& to, double across) {
+/// `along`: the direction in space in which the flat sheet's first coordinate grows, up or down.
+Frame upright(const Vec2& from, const Vec2& to, const Vec2& flat_from, const Vec3& along) {
   const Vec2 direction = (to - from).normalized();
   Frame frame;
-  frame.x = Vec3::UnitY();
+  frame.x = along;
   frame.y = Vec3(direction.x(), 0.0, direction.y());
   frame.z = frame.x.cross(frame.y);
-  frame.origin = Vec3(from.x(), 0.0, from.y()) - across * frame.y;
+  frame.origin = Vec3(from.x(), 0.0, from.y()) - flat_from.x() * frame.x - flat_from.y() * frame.y;
   return frame;
 }
 
-tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double width) {
+tl::unexpected<Error> too_short(const BezierCurve& curve, double missing, double width,
+                                const std::string& where) {
   return fail(ErrorCode::curve_too_short,
               fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too short for the chords of "
                           "a sheet {:.6g} mm wide; make it longer or the "
-                          "sheet narrower",
+                          "sheet narrower, or set \"fit\": true to have it scaled",
                           length(curve), missing, width),
-              "/leg_curve");
+              where);
 }
 
-}  // namespace
+tl::unexpected<Error> too_long(const BezierCurve& curve, double rest, double width,
+                               const std::string& where) {
+  return fail(ErrorCode::curve_too_long,
+              fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of "
+                          "a sheet {:.6g} mm wide; make it shorter or the "
+                          "sheet wider, or set \"fit\": true to have it scaled",
+                          length(curve), rest, width),
+              where);
+}
 
-Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCurve& leg_curve) {
-  const double width = sheet.width(), tolerance = kLegTolerance * width;
-  ChordWalk walk(leg_curve);
-  std::vector<PanelFacet> facets = flat_facets(sheet);
+/// Places the facets over a leg curve.
+Result<std::vector<PanelFacet>> stood_on(std::vector<PanelFacet> facets, const BezierCurve& curve,
+                                         const Vec3& along, const std::string& where) {
+  const double width = facets.back().corners[3].y(), tolerance = kLegTolerance * width;
+  ChordWalk walk(curve);
   double to_come = width;
   for (PanelFacet& facet : facets) {
     const Vec2 from = walk.at();
@@ -124,20 +149,76 @@ Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCur
     auto to = walk.step(chord);
     if (!to) {
       const double missing = to_come - walk.rest();
-      if (missing > tolerance) return too_short(leg_curve, missing, width);
+      if (missing > tolerance) return too_short(curve, missing, width, where);
       to = walk.step_beyond(chord);
     }
     to_come -= chord;
-    facet.frame = upright(from, *to, facet.corners[0].y());
+    facet.frame = upright(from, *to, facet.corners[0], along);
   }
   if (const double rest = walk.t() < 1.0 ? walk.rest() : 0.0; rest > tolerance)
-    return fail(ErrorCode::curve_too_long,
-                fmt::format("the leg curve is {:.6g} mm long, {:.4g} mm too long for the chords of "
-                            "a sheet {:.6g} mm wide; make it shorter or the "
-                            "sheet wider",
-                            length(leg_curve), rest, width),
-                "/leg_curve");
+    return too_long(curve, rest, width, where);
   return facets;
+}
+
+/// Turns a panel about the line through the ends of its leg curve.
+void turn(std::vector<PanelFacet>& facets, const BezierCurve& curve, Angle by) {
+  if (by == Angle()) return;
+  const auto on_ground = [](const Vec2& p) { return Vec3(p.x(), 0.0, p.y()); };
+  const Vec3 pivot = on_ground(curve.poles.front());
+  const Vec3 axis = (on_ground(curve.poles.back()) - pivot).normalized();
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(by.radians(), axis).toRotationMatrix();
+  for (PanelFacet& facet : facets) {
+    Frame& frame = facet.frame;
+    frame = {pivot + rotation * (frame.origin - pivot), rotation * frame.x, rotation * frame.y,
+             rotation * frame.z};
+  }
+}
+
+/// Whether the chords of the sheet, made smaller by a scale, fit on a curve.
+bool fits(const std::vector<PanelFacet>& facets, const BezierCurve& curve, double scale) {
+  ChordWalk walk(curve);
+  for (const PanelFacet& facet : facets)
+    if (!walk.step(scale * width_of(facet))) return false;
+  return true;
+}
+
+}  // namespace
+
+Result<std::vector<PanelFacet>> panel_of(const SlitSheet& sheet, const BezierCurve& leg_curve,
+                                         Angle lean) {
+  auto panel = stood_on(flat_facets(sheet), leg_curve, Vec3::UnitY(), "/leg_curve");
+  if (panel) turn(*panel, leg_curve, lean);
+  return panel;
+}
+
+Result<std::vector<PanelFacet>> second_panel_of(const SlitSheet& sheet, const SecondPanel& second) {
+  auto panel = stood_on(flat_far_facets(sheet, second.height), second.leg_curve, -Vec3::UnitY(),
+                        "/second_panel/leg_curve");
+  // Its front is on the other side of the direction in which the leg curve runs.
+  if (panel) turn(*panel, second.leg_curve, -second.lean);
+  return panel;
+}
+
+Result<BezierCurve> fitted(const SlitSheet& sheet, const BezierCurve& curve,
+                           const std::string& where) {
+  const std::vector<PanelFacet> facets = flat_facets(sheet);
+  constexpr int kBisections = 100;
+  // Chords are shorter than the curve, so they fit at most at this scale.
+  double high = length(curve) / sheet.width() * (1.0 + tolerance::kComputed), low = 0.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (fits(facets, curve, middle) ? low : high) = middle;
+  }
+  if (!(low > 0.0))
+    return fail(ErrorCode::invalid_input,
+                "the leg curve cannot be scaled to the sheet: at no size do the strips' chords "
+                "end where it ends",
+                where);
+  if (std::abs(low - 1.0) <= tolerance::kComputed) return curve;
+  BezierCurve scaled = curve;
+  for (Vec2& pole : scaled.poles)
+    pole = curve.poles.front() + (pole - curve.poles.front()) / low;
+  return scaled;
 }
 
 }  // namespace planish::slit_detail

@@ -58,18 +58,24 @@ bool same_anchors(const SlitDesign& a, const SlitDesign& b, int strip) {
   return of_strip(a) == of_strip(b);
 }
 
+void take_panels(Snapshot& now, Panels panels) {
+  now.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(panels.first));
+  now.second_panel = std::make_shared<const std::vector<PanelFacet>>(std::move(panels.second));
+}
+
 /// A snapshot with another design of the same sheet; the strips that it affects are open.
 Result<Snapshot> with_design(const Snapshot& now, SlitDesign design) {
   Snapshot next = now;
   design.ends.resize(design.sheet.strips.size());
   bool all = design.weights != now.design->weights || design.end_angle != now.design->end_angle;
-  if (design.leg_curve != now.design->leg_curve) {
-    auto panel = checked_panel(design);
-    if (!panel) return tl::unexpected(panel.error());
-    next.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
+  auto panels = checked_panels(design);
+  if (!panels) return tl::unexpected(panels.error());
+  if (auto sound = check_all(design, *panels); !sound) return tl::unexpected(sound.error());
+  if (design.leg_curve != now.design->leg_curve || design.lean != now.design->lean ||
+      design.second_panel != now.design->second_panel) {
+    take_panels(next, std::move(*panels));
     all = true;
   }
-  if (auto sound = check_all(design, *next.panel); !sound) return tl::unexpected(sound.error());
   if (design.seat_curve != now.design->seat_curve) {
     take_seat_curve(next, design);
     all = true;
@@ -91,9 +97,12 @@ SlitSession::~SlitSession() = default;
 
 Result<SlitSession> SlitSession::start(SlitDesign design) {
   if (auto sound = check_sheet(design); !sound) return tl::unexpected(sound.error());
-  auto panel = checked_panel(design);
-  if (!panel) return tl::unexpected(panel.error());
-  if (auto sound = check_all(design, *panel); !sound) return tl::unexpected(sound.error());
+  auto sized = with_fitted_curves(std::move(design));
+  if (!sized) return tl::unexpected(sized.error());
+  design = std::move(*sized);
+  auto panels = checked_panels(design);
+  if (!panels) return tl::unexpected(panels.error());
+  if (auto sound = check_all(design, *panels); !sound) return tl::unexpected(sound.error());
   auto content = std::make_unique<Content>();
   auto points = points_by_strip(design);
   if (!points) return tl::unexpected(points.error());
@@ -103,7 +112,7 @@ Result<SlitSession> SlitSession::start(SlitDesign design) {
     content->now.slots.push_back(
         std::make_shared<const Slot>(Slot{{}, {}, scan_of(std::move(cloud)), {}, {}}));
   take_seat_curve(content->now, design);
-  content->now.panel = std::make_shared<const std::vector<PanelFacet>>(std::move(*panel));
+  take_panels(content->now, std::move(*panels));
   content->now.design = std::make_shared<const SlitDesign>(std::move(design));
   return SlitSession(std::move(content));
 }
@@ -117,6 +126,10 @@ Result<void> SlitSession::set_design(SlitDesign design) {
     content_->now = std::move(begun->content_->now);
     return {};
   }
+  if (auto sound = check_sheet(design); !sound) return sound;
+  auto sized = with_fitted_curves(std::move(design));
+  if (!sized) return tl::unexpected(sized.error());
+  design = std::move(*sized);
   const auto scans = points_by_strip(design);
   if (!scans) return tl::unexpected(scans.error());
   design.scans.clear();
@@ -220,7 +233,8 @@ FoldedSlitSheet SlitSession::folded() const {
                         now.design->sheet.reach(),
                         now.design->sheet.symmetric,
                         *now.panel,
-                        {}};
+                        {},
+                        *now.second_panel};
   for (int strip = 0; strip < now.count(); ++strip)
     sheet.strips.push_back(folded_of(now, strip));
   return sheet;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -61,18 +62,30 @@ constexpr int kFarRidge = 1, kNearRidge = 3;
 std::pair<PlaneRegion, FacetBorders> facet_region(const std::vector<PanelFacet>& panel,
                                                   std::size_t i) {
   const auto& [bottom_left, top_left, top_right, bottom_right] = panel[i].corners;
+  const auto height = [&](const Vec2& corner) { return std::abs(corner.x() - bottom_left.x()); };
   PlaneRegion region{panel[i].frame, {bottom_left}};
   FacetBorders borders;
-  if (i > 0 && panel[i - 1].corners[2].x() < top_left.x())
+  if (i > 0 && height(panel[i - 1].corners[2]) < height(top_left))
     region.corners.push_back(panel[i - 1].corners[2]);
   region.corners.push_back(top_left);
   borders.top = region.border_count() - 1;
   region.corners.push_back(top_right);
-  if (i + 1 < panel.size() && panel[i + 1].corners[1].x() < top_right.x())
+  if (i + 1 < panel.size() && height(panel[i + 1].corners[1]) < height(top_right))
     region.corners.push_back(panel[i + 1].corners[1]);
   borders.right = region.border_count() - 1;
   region.corners.push_back(bottom_right);
   return {std::move(region), borders};
+}
+
+/// A facet of the second panel, whose top faces the strips. Seen from its free edge the sheet's
+/// left is on the right: it is listed as the flat sheet turned by 180° shows it.
+std::vector<PanelFacet> turned_about(const std::vector<PanelFacet>& panel) {
+  std::vector<PanelFacet> turned;
+  for (auto facet = panel.rbegin(); facet != panel.rend(); ++facet) {
+    const auto& c = facet->corners;
+    turned.push_back({{c[3], c[2], c[1], c[0]}, facet->frame, facet->strip});
+  }
+  return turned;
 }
 
 /// The quads of a strip, from the border where it leaves the panel. Returns the last of them.
@@ -106,22 +119,51 @@ JoinedRegions with_mirror_image(JoinedRegions half, double symmetry_line,
   return whole;
 }
 
-/// The panel, then the strips, then their mirror images.
-JoinedRegions regions_of(const FoldedSlitSheet& folded) {
-  JoinedRegions half;
+/// The facets of a panel, joined side by side. Returns their borders.
+std::vector<FacetBorders> add_panel(JoinedRegions& half, const std::vector<PanelFacet>& panel) {
+  const int first = static_cast<int>(half.all.size());
   std::vector<FacetBorders> borders;
-  for (std::size_t i = 0; i < folded.panel.size(); ++i) {
-    auto [region, its] = facet_region(folded.panel, i);
-    const int facet = static_cast<int>(i);
+  for (std::size_t i = 0; i < panel.size(); ++i) {
+    auto [region, its] = facet_region(panel, i);
+    const int facet = first + static_cast<int>(i);
     if (i > 0) half.shared.push_back({facet - 1, borders.back().right, facet, its.left});
     half.all.push_back(std::move(region));
     borders.push_back(its);
   }
+  return borders;
+}
+
+/// The top of a second panel's facet, by strip.
+using FarTops = std::vector<std::pair<int, int>>;
+
+/// The second panel; it comes before the strips, as regions that share corners with several others
+/// must.
+FarTops add_second_panel(JoinedRegions& sheet, const std::vector<PanelFacet>& second,
+                         std::size_t strips) {
+  const std::vector<PanelFacet> panel = turned_about(second);
+  const int first = static_cast<int>(sheet.all.size());
+  const auto borders = add_panel(sheet, panel);
+  FarTops tops(strips, {-1, 0});
+  for (std::size_t i = 0; i < panel.size(); ++i)
+    if (const int strip = panel[i].strip; strip >= 0)
+      tops[strip] = {first + static_cast<int>(i), borders[i].top};
+  return tops;
+}
+
+/// The panel, the second panel, then the strips, then the mirror image of it all.
+JoinedRegions regions_of(const FoldedSlitSheet& folded) {
+  JoinedRegions half;
+  const std::vector<FacetBorders> borders = add_panel(half, folded.panel);
+  const FarTops tops = add_second_panel(half, folded.second_panel, folded.strips.size());
   std::vector<int> last_quads;
-  for (std::size_t i = 0; i < folded.panel.size(); ++i)
-    if (const int strip = folded.panel[i].strip; strip >= 0)
-      last_quads.push_back(
-          add_strip(half, folded.strips[strip], static_cast<int>(i), borders[i].top));
+  for (std::size_t i = 0; i < folded.panel.size(); ++i) {
+    const int strip = folded.panel[i].strip;
+    if (strip < 0) continue;
+    last_quads.push_back(
+        add_strip(half, folded.strips[strip], static_cast<int>(i), borders[i].top));
+    if (const auto [facet, top] = tops[strip]; facet >= 0)
+      half.shared.push_back({facet, top, last_quads.back(), kFarRidge});
+  }
   return folded.symmetric ? with_mirror_image(std::move(half), folded.reach, last_quads) : half;
 }
 
@@ -215,6 +257,33 @@ Sheet sheet_of(const FoldedSlitSheet& folded) {
   return std::move(*sheet);
 }
 
+namespace {
+
+/// Triangles of a convex region, none of them flat although corners may lie on its sides: those
+/// beside such corners are cut off first.
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec2>& corners) {
+  std::vector<std::size_t> rest(corners.size());
+  std::iota(rest.begin(), rest.end(), 0);
+  const auto at = [&](std::size_t i) { return rest[i % rest.size()]; };
+  const auto is_flat = [&](std::size_t i) {
+    const Vec2 u = corners[at(i)] - corners[at(i + rest.size() - 1)],
+               v = corners[at(i + 1)] - corners[at(i)];
+    return std::abs(u.x() * v.y() - u.y() * v.x()) <= tolerance::kComputed * u.norm() * v.norm();
+  };
+  std::vector<std::array<std::size_t, 3>> triangles;
+  while (rest.size() > 3) {
+    std::size_t ear = 1;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      if (!is_flat(i) && (is_flat(i + 1) || is_flat(i + rest.size() - 1))) ear = i;
+    triangles.push_back({at(ear + rest.size() - 1), at(ear), at(ear + 1)});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(ear));
+  }
+  triangles.push_back({rest[0], rest[1], rest[2]});
+  return triangles;
+}
+
+}  // namespace
+
 Mesh mesh_of(const FoldedSlitSheet& folded) {
   require_valid(folded);
   const JoinedRegions joined = regions_of(folded);
@@ -241,8 +310,8 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
       if (other[b] < 0) other[b] = corner[i][(a + 1) % n];
       if (other[(b + 1) % m] < 0) other[(b + 1) % m] = corner[i][a];
     }
-    for (std::size_t c = 1; c + 1 < region.corners.size(); ++c)
-      mesh.triangles.push_back({corner[i][0], corner[i][c], corner[i][c + 1]});
+    for (const auto& t : triangles_of(region.corners))
+      mesh.triangles.push_back({corner[i][t[0]], corner[i][t[1]], corner[i][t[2]]});
   }
   return mesh;
 }
@@ -250,6 +319,8 @@ Mesh mesh_of(const FoldedSlitSheet& folded) {
 IdVector<FaceId, SlitPart> parts_of(const FoldedSlitSheet& folded) {
   require_valid(folded);
   IdVector<FaceId, SlitPart> parts(folded.panel.size());
+  for (std::size_t facet = 0; facet < folded.second_panel.size(); ++facet)
+    parts.push_back({SlitPart::kSecondPanel, false});
   for (const PanelFacet& facet : folded.panel)
     if (facet.strip >= 0)
       for (std::size_t quad = 0; quad < folded.strips[facet.strip].quads.size(); ++quad)

@@ -57,6 +57,10 @@ std::vector<EndCondition> at_free_end(const StripEnd& end) {
   return ends;
 }
 
+auto facet_at(const std::vector<PanelFacet>& panel, int strip) {
+  return std::ranges::find_if(panel, [&](const PanelFacet& f) { return f.strip == strip; });
+}
+
 const StripParameters& parameters_of(const Snapshot& now, int strip, StripParameters& room) {
   const Slot& slot = now.slot(strip);
   if (slot.p.size()) return slot.p;
@@ -66,10 +70,21 @@ const StripParameters& parameters_of(const Snapshot& now, int strip, StripParame
 
 }  // namespace
 
+const PanelFacet* far_facet_of(const Snapshot& now, int strip) {
+  const auto facet = facet_at(*now.second_panel, strip);
+  return facet == now.second_panel->end() ? nullptr : &*facet;
+}
+
+StripEnd end_of(const Snapshot& now, int strip) {
+  const PanelFacet* facet = far_facet_of(now, strip);
+  if (!facet) return now.design->ends[strip];
+  return {.position = facet->frame.point(0.5 * (facet->corners[1] + facet->corners[2])),
+          .across = facet->frame.y};
+}
+
 StripBase base_of(const Snapshot& now, int strip) {
   const SlitSheet& sheet = now.design->sheet;
-  const auto facet = std::find_if(now.panel->begin(), now.panel->end(),
-                                  [&](const PanelFacet& f) { return f.strip == strip; });
+  const auto facet = facet_at(*now.panel, strip);
   return {facet->frame,
           {facet->corners[0].y(), facet->corners[3].y()},
           sheet.start_of(strip),
@@ -93,7 +108,8 @@ StripProblem problem_of(const Snapshot& now, int strip) {
   StripProblem problem;
   problem.base = base_of(now, strip);
   problem.ends = design.sheet.symmetric ? at_symmetry_plane(design.end_angle)
-                                        : at_free_end(design.ends[strip]);
+                                        : at_free_end(end_of(now, strip));
+  if (const PanelFacet* facet = far_facet_of(now, strip)) problem.far_facet = facet->frame;
   problem.mirrored = design.sheet.symmetric && design.end_angle == EndAngle::right_angle;
   problem.weights = design.weights;
   for (const SlitAnchor& anchor : design.anchors)
@@ -111,7 +127,10 @@ StripProblem problem_of(const Snapshot& now, int strip) {
 
 FoldedStrip folded_of(const Snapshot& now, int strip) {
   StripParameters room;
-  return folded_strip(base_of(now, strip), parameters_of(now, strip, room));
+  FoldedStrip shape = folded_strip(base_of(now, strip), parameters_of(now, strip, room));
+  if (const PanelFacet* facet = far_facet_of(now, strip))
+    shape.ridges.back().fold = fold_into(shape.quads.back(), facet->frame);
+  return shape;
 }
 
 void reopen(Snapshot& now, int strip) {

@@ -23,6 +23,7 @@ struct Slot {
 struct Snapshot {
   std::shared_ptr<const SlitDesign> design;
   std::shared_ptr<const std::vector<PanelFacet>> panel;
+  std::shared_ptr<const std::vector<PanelFacet>> second_panel;  ///< empty if there is none
   std::shared_ptr<const BezierSearch> seat;
   std::shared_ptr<const std::vector<Vec2>> seat_places;  ///< left and right of each strip
   std::vector<std::shared_ptr<const Slot>> slots;
@@ -37,6 +38,12 @@ StripBase base_of(const Snapshot& now, int strip);
 /// Sets the seat curve of a design, and the strips' places on it: evenly spaced from its start to
 /// its end; a single strip in its middle.
 void take_seat_curve(Snapshot& now, const SlitDesign& design);
+
+/// The facet of the second panel at which a strip ends; null without one.
+const PanelFacet* far_facet_of(const Snapshot& now, int strip);
+
+/// Where a strip must end: as placed, or at the second panel.
+StripEnd end_of(const Snapshot& now, int strip);
 
 /// Sign of x on the modelled half.
 double half_sign(const Snapshot& now);

@@ -126,6 +126,27 @@ class Rows {
       if (jacobian_) (*jacobian_)(row_, last) = scale, (*jacobian_)(row_, last - 1) = -scale;
       ++row_;
     }
+    if (problem_.far_facet) add_far_fold(scale, *problem_.far_facet);
+  }
+
+  /// θ_M−2, θ_M−1 and the fold into the panel, whose derivative is that of the last quad's turn.
+  void add_far_fold(double scale, const Frame& facet) {
+    const int last = base_.quads - 1;
+    const Frame& quad = fold_.quad(last);
+    residuals_[row_] = scale * (2.0 * p_[last] - p_[last - 1] - fold_into(quad, facet).radians());
+    if (jacobian_) {
+      const double sine = -facet.x.dot(quad.z), cosine = facet.x.dot(quad.x);
+      for (std::size_t q = 0; q < twists_.size(); ++q) {
+        const double of_sine = -facet.x.dot(twists_[q].axis.cross(quad.z)),
+                     of_cosine = facet.x.dot(twists_[q].axis.cross(quad.x));
+        (*jacobian_)(row_, static_cast<Eigen::Index>(q)) = -scale *
+                                                           (cosine * of_sine - sine * of_cosine) /
+                                                           (sine * sine + cosine * cosine);
+      }
+      (*jacobian_)(row_, last) += 2.0 * scale;
+      (*jacobian_)(row_, last - 1) -= scale;
+    }
+    ++row_;
   }
 
   void add_spacing() {
@@ -244,8 +265,8 @@ double fold_radius(const StripBase& base, const StripParameters& p, int ridge, d
 
 int StripProblem::residuals() const {
   const int places = static_cast<int>(anchors.size()) + (scan ? 2 * base.quads : 0);
-  return base.quads - 2 + (mirrored ? 1 : 0) + 2 * base.quads + 3 * places + (seat ? 8 : 0) +
-         static_cast<int>(inequalities.size());
+  return base.quads - 2 + (mirrored ? 1 : 0) + (far_facet ? 1 : 0) + 2 * base.quads + 3 * places +
+         (seat ? 8 : 0) + static_cast<int>(inequalities.size());
 }
 
 bool is_shape(const StripBase& base, const StripParameters& p) {
@@ -318,6 +339,24 @@ double end_gap(const StripProblem& problem, const StripFold& fold) {
       largest = std::max(largest, std::abs(missed));
   }
   return std::max(largest, std::sqrt(middle));
+}
+
+Angle fold_into(const Frame& last, const Frame& facet) {
+  return Angle::radians(std::atan2(-facet.x.dot(last.z), facet.x.dot(last.x)));
+}
+
+Tightest far_fold(const StripProblem& problem, const StripParameters& p) {
+  Tightest fold{std::numeric_limits<double>::infinity(), problem.base.quads};
+  if (!problem.far_facet) return fold;
+  const StripBase& base = problem.base;
+  const int last = base.quads - 1;
+  const double angle = fold_into(folded(base, p).quad(last), *problem.far_facet).radians();
+  const double tangent = std::tan(0.5 * std::abs(angle));
+  for (int side = 0; side < 2; ++side)
+    if (tangent > 0.0)
+      fold.radius = std::min(fold.radius,
+                             0.5 * (base.end - abscissa(base, p, last, side)) / tangent);
+  return fold;
 }
 
 Tightest tightest_fold(const StripBase& base, const StripParameters& p) {

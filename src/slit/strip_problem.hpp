@@ -4,6 +4,7 @@
 #include "strip_fold.hpp"
 
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -59,7 +60,9 @@ struct StripAnchor {
 struct StripProblem {
   StripBase base;
   std::vector<EndCondition> ends;
-  bool mirrored = false;  ///< the strip continues smoothly in its mirror image
+  bool mirrored = false;           ///< the strip continues smoothly in its mirror image
+  std::optional<Frame> far_facet;  ///< of the panel at the strip's end; the fold there counts for
+                                   ///< smoothness
   SlitWeights weights;
   std::vector<StripAnchor> anchors;
   std::shared_ptr<const BezierSearch> seat;
@@ -94,11 +97,16 @@ Eigen::VectorXd inequality_values(const StripProblem& problem, const StripParame
 /// Largest distance of the end from where it must be, mm.
 double end_gap(const StripProblem& problem, const StripFold& fold);
 
+/// Angle of the fold at a strip's end, from its last quad to the panel there.
+Angle fold_into(const Frame& last, const Frame& facet);
+
 /// The tightest fold: radius of the arc within half a quad on both sides of its ridge.
 struct Tightest {
   double radius = 0.0;
   int ridge = 0;
 };
+/// The fold into the panel at the strip's end.
+Tightest far_fold(const StripProblem& problem, const StripParameters& p);
 Tightest tightest_fold(const StripBase& base, const StripParameters& p);
 /// The limits that are violated or nearly so.
 std::vector<RadiusLimit> radius_limits(const StripBase& base, const StripParameters& p,

@@ -31,20 +31,31 @@ Eigen::AlignedBox3d box_of(const StripBase& base, const StripParameters& p) {
   return box;
 }
 
+/// Distance of the ends of the last ridge from the corners of the facet at which they must be.
+double gap_to_panel(const PanelFacet* facet, const FoldedStrip& strip) {
+  double gap = 0.0;
+  for (std::size_t side = 0; facet && side < 2; ++side)
+    gap = std::max(
+        gap,
+        (strip.ridges.back().folded[side] - facet->frame.point(facet->corners[1 + side])).norm());
+  return gap;
+}
+
 /// The report on a strip, measured on its shape.
 StripState measured(const Snapshot& now, int strip, const StripProblem& problem,
                     const StripSolution& solution) {
   const FoldedStrip shape = folded_strip(problem.base, solution.p);
   const StripFold fold = folded(problem.base, solution.p);
   StripState state;
-  state.gap = end_gap(problem, fold);
-  const bool backwards = !now.design->sheet.symmetric &&
-                         ends_backwards(now.design->ends[strip], shape);
+  state.gap = std::max(end_gap(problem, fold), gap_to_panel(far_facet_of(now, strip), shape));
+  const bool backwards = !now.design->sheet.symmetric && ends_backwards(end_of(now, strip), shape);
   state.status = !solution.reached || backwards ? StripStatus::out_of_reach
                  : solution.converged           ? StripStatus::solved
                                                 : StripStatus::open;
   if (!solution.reached) state.shortfall = state.gap;
-  const Tightest tightest = tightest_fold(problem.base, solution.p);
+  const Tightest folds = tightest_fold(problem.base, solution.p),
+                 far = far_fold(problem, solution.p);
+  const Tightest tightest = far.radius < folds.radius ? far : folds;
   state.min_radius = tightest.radius;
   state.tightest_ridge = tightest.ridge;
   state.too_tight = tightest.radius < problem.min_radius * (1.0 - kReported);

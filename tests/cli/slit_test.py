@@ -145,6 +145,82 @@ class Forms(SlitTest):
         self.assertIn("spec.json/kerf", self.sentence(chair(kerf=70), 3))
         self.assertIn("spec.json/stop_hole", self.sentence(chair(kerf=3, stop_hole=70), 3))
 
+    def test_legs_level_with_the_ground(self):
+        leg = {"bezier": [[700, 0], [700, 360]], "lean": 90}
+        sheet = {"strips": 6, "strip_width": 60, "panel_height": 420, "half_length": 700}
+        report = self.report(chair(leg_curve=leg, sheet=sheet), "--check")
+        self.check_strips(report, 1120)
+        for i, strip in enumerate(report["slit"]["strips"]):
+            first = strip["ridges"][0]["folded"]  # the panel is 420 high: its upper edge lies at 700 − 420
+            for end, z in zip(first, (60 * i, 60 * i + 60)):
+                self.assertLess(math.dist(end, (280, 0, z)), 1e-9)
+            self.assertGreater(strip["ridges"][-1]["folded"][0][1], 0)
+        self.assertAlmostEqual(report["flat"]["area"], 360 * 2 * 1120, places=6)
+        self.assertIn("/leg_curve/lean", self.sentence(chair(leg_curve={**leg, "lean": 91}), 3))
+        self.assertIn("symmetry plane", self.sentence(chair(leg_curve={**leg, "bezier": [[400, 0], [400, 360]]}), 3))
+
+    def test_two_panels(self):
+        def bridge(**more):
+            strips = [{"width": 60}, {"width": 60, "end": 1150}, {"width": 60, "left_start": 220}]
+            return dict({"thickness": 2, "symmetric": False, "subdivisions": 1,
+                         "sheet": {"strips": strips, "panel_height": 200, "half_length": 1000},
+                         "leg_curve": {"bezier": [[300, 0], [300, 180]], "lean": 20},
+                         "second_panel": {"height": 150, "leg_curve": {"bezier": [[-300, 10], [-300, 190]], "lean": -30}}}, **more)
+        report = self.report(bridge(), "--flat", "pattern.dxf", "-o", "folded.step")
+        self.check_strips(report, 1350)
+        self.assertAlmostEqual(report["flat"]["area"], 180 * 1350, places=6)
+        # A slit runs as far as the longer of its two strips, beside the other's panel.
+        self.assertAlmostEqual(report["flat"]["cutting"]["inner"], 2 * (1200 - 200), places=6)
+        self.assertLess(abs(report["verification"]["length_error"]), 1e-6)
+        for strip, (end, z) in zip(report["slit"]["strips"], ((1200, 10), (1150, 70), (1200, 130))):
+            high = 1350 - end  # above the second panel's free edge; it leans outwards by 30°
+            edge = (-300 - high * math.sin(math.radians(30)), high * math.cos(math.radians(30)))
+            for point, across in zip(strip["ridges"][-1]["folded"], (z, z + 60)):
+                self.assertLess(math.dist(point, (*edge, across)), 1e-9 * 1350)
+        self.assertIn("/second_panel", self.sentence(bridge(symmetric=True), 3))
+        self.assertIn("/ends", self.sentence(bridge(ends=[{"strip": 0, "direction": [0, 1, 0]}]), 3))
+        far = bridge(second_panel={"height": 150, "leg_curve": {"bezier": [[-900, 0], [-900, 180]]}})
+        self.assertIn("out of reach", self.sentence(far))
+
+    def test_a_leg_curve_is_scaled_to_the_sheet(self):
+        half = {"bezier": [[360, 0], [360, 60], [360, 120], [360, 180]]}
+        self.assertIn('"fit": true', self.sentence(chair(leg_curve=half)))
+        fitted = self.report(chair(leg_curve={**half, "fit": True}), "--check")
+        whole = self.report(chair(), "--check")
+        self.assertAlmostEqual(fitted["slit"]["leg_scales"][0], 2, places=9)
+        self.assertEqual(whole["slit"]["leg_scales"], [1])
+        for a, b in zip(fitted["slit"]["strips"], whole["slit"]["strips"]):
+            for p, q in zip(a["ridges"], b["ridges"]):
+                self.assertLess(math.dist(p["folded"][0], q["folded"][0]), 1e-3)
+
+    def test_a_mould_that_cannot_be_made_leaves_the_other_files(self):
+        sideways = chair(mould={"up": [1, 0, 0]})
+        report = self.report(sideways, "--mould", "mould.stl", "-o", "folded.step", "--flat", "pattern.dxf")
+        self.assertEqual(self.names(), ["folded.step", "pattern.dxf", "report.json", "spec.json"])
+        self.assertEqual(report["status"], "warning")
+        found = [check for check in report["checks"] if check["code"] == "mould"]
+        self.assertEqual(len(found), 1)
+        self.assertRegex(found[0]["message"], "no mould could be made.*mould\\.(up|side|inset|form)")
+        self.assertNotIn("mould.stl", str(report["files"]))
+        (self.dir / "folded.step").unlink()
+        sentence = self.refused("slit", self.spec(sideways), "--mould", "mould.stl", status=4)
+        self.assertRegex(sentence, "mould\\.(up|side|inset|form)")
+
+    def test_the_mould_as_one_body(self):
+        self.report(chair(subdivisions=1, mould={"form": "body", "base": 30}), "--mould", "mould.obj", "--mould", "mould.step")
+        lines = (self.dir / "mould.obj").read_text().splitlines()
+        points = [tuple(float(x) for x in line.split()[1:]) for line in lines if line.startswith("v ")]
+        facets = [[int(x) - 1 for x in line.split()[1:]] for line in lines if line.startswith("f ")]
+        sides = [(f[i], f[(i + 1) % 3]) for f in facets for i in range(3)]
+        self.assertEqual(len(set(sides)), len(sides))
+        self.assertEqual(set(sides), {(b, a) for a, b in sides})
+        cross = lambda u, v: (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+        volume = sum(sum(x * y for x, y in zip(points[a], cross(points[b], points[c]))) for a, b, c in facets) / 6
+        self.run_cli("info", "mould.step", "--json", "info.json")
+        bodies = self.json("info.json")["bodies"]
+        self.assertEqual(len(bodies), 1)
+        self.assertAlmostEqual(bodies[0]["volume"] / volume, 1, places=6)
+
     def test_the_mould_lies_half_the_thickness_below(self):
         report = self.report(chair(), "--mould", "mould.obj", "--mould", "mould.step", "-o", "folded.step")
         self.assertEqual(self.names(), ["folded.step", "mould.obj", "mould.step", "report.json", "spec.json"])
@@ -300,7 +376,7 @@ class Refusals(SlitTest):
         self.assertIn("spec.json/subdivisions", self.sentence(chair(subdivisions=9), 3))
         self.assertIn("/sheet/strips", self.sentence(chair(sheet={"strips": 0, "strip_width": 60, "panel_height": 1, "half_length": 1}), 3))
         self.assertIn("/colour", self.sentence(chair(colour="red"), 3))
-        self.assertIn("spec.json/ends", self.sentence(chair(ends=[{"strip": 0}]), 3))
+        self.assertIn("/ends", self.sentence(chair(ends=[{"strip": 0}]), 3))
         self.assertIn("/ends/0/strip", self.sentence(banner(ends=[{"strip": 5}]), 3))
         self.refused("slit", "missing.json", "--check", status=3)
         self.refused("slit", self.spec(chair()), "-o", "folded.dxf", status=2)

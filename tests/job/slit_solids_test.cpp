@@ -50,5 +50,16 @@ TEST(SlitSolids, MouldOfAChairHasTheSameVolumeAsStep) {
   EXPECT_NEAR(volume / mould->volume, 1.0, 1e-9);
 }
 
+TEST(SlitSolids, MouldAsOneBodyIsOneSolidOfTheSameVolume) {
+  const auto mould = mould_of(folded_chair(), {.form = MouldForm::body});
+  ASSERT_TRUE(mould) << mould.error().message;
+  const auto text = mesh_solid_step(mesh_of(*mould), "mould");
+  ASSERT_TRUE(text) << text.error().message;
+  const auto file = read_step_text(*text, "mould.step");
+  ASSERT_TRUE(file) << file.error().message;
+  ASSERT_EQ(file->bodies.size(), 1u);
+  EXPECT_NEAR(file->bodies[0].volume() / mould->volume, 1.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace planish::test

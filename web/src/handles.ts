@@ -37,7 +37,8 @@ export class HandleObjects {
     for (const plate of handles.plates ?? [])
       if (selected.numbered.includes(plate.id)) this.numbers(plate.corners, palette);
     for (const profile of handles.profiles ?? []) this.curve(profile.points, palette.curve, true);
-    for (const curve of [handles.leg_curve, handles.seat_curve]) if (curve) this.curve(curve, palette.curve, false);
+    for (const curve of [handles.leg_curve, handles.second_leg_curve, handles.seat_curve])
+      if (curve) this.curve(curve, palette.curve, false);
     this.points(
       ridgeEnds(handles, ridges).map((r) => r.at),
       palette.ridge,

@@ -137,6 +137,7 @@ export interface Handles {
   plates?: { id: string; corners: Vec3[] }[];
   profiles?: { points: Vec3[] }[];
   leg_curve?: Vec3[];
+  second_leg_curve?: Vec3[];
   seat_curve?: Vec3[];
   ridges?: [Vec3, Vec3][][];
   scan?: Vec3[];
@@ -311,7 +312,7 @@ export interface Report extends PieceReport {
   body_number?: number;
   quantity?: number;
   pieces?: PieceReport[];
-  slit?: { gap: number; flat_deviation: number | null; strips: StripRow[] };
+  slit?: { gap: number; flat_deviation: number | null; leg_scales: (number | null)[]; strips: StripRow[] };
   transition?: {
     area: number;
     perimeters: number[];
@@ -418,6 +419,12 @@ export interface StripEnd {
   direction?: Vec3;
   across?: Vec3;
 }
+export interface LegCurve {
+  bezier: Vec2[];
+  fit?: boolean;
+  lean?: number;
+}
+
 export interface SlitSpec {
   units?: LengthUnit;
   thickness: number;
@@ -431,7 +438,8 @@ export interface SlitSpec {
   symmetric?: boolean;
   ridges?: number;
   subdivisions?: number;
-  leg_curve: { bezier: Vec2[] };
+  leg_curve: LegCurve;
+  second_panel?: { height: number; leg_curve: LegCurve };
   seat_curve?: { bezier: Vec2[] };
   end_angle?: 'right_angle' | 'level' | 'free';
   ends?: StripEnd[];
@@ -442,6 +450,14 @@ export interface SlitSpec {
   min_inside_radius?: number;
   kerf?: number;
   stop_hole?: number;
+  mould?: {
+    form?: 'ribs' | 'body';
+    side?: 'ground' | 'back' | 'front';
+    up?: Vec3;
+    base?: number;
+    inset?: number;
+    draft?: number;
+  };
 }
 
 export type Spec = PlatesSpec | TransitionSpec | SlitSpec;

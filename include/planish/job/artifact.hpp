@@ -26,7 +26,14 @@ struct Artifact {
 
   /// Whether each piece has a file of its own.
   bool by_piece() const { return source == Source::pattern || source == Source::folded_solid; }
+  /// Whether the other files are worth writing without this one: a solid or mould that cannot be
+  /// made leaves the pattern as it is.
+  bool may_be_missing(const Error& why) const;
 };
+
+/// Notes in the report that this file is not written, and why: a warning with the role's code
+/// (`mould`), or `folded_solid`, unless it is there already.
+void note_missing(Report& report, const Artifact& artifact, const Error& why);
 
 /// The artifacts of Planish; the first of each role is written by default.
 const std::vector<Artifact>& artifacts();

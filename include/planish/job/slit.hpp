@@ -21,9 +21,10 @@ struct SlitReport : Report {
   SlitDesign design;  ///< as solved: ridges as subdivided
   std::vector<StripState> strips;
   FoldedSlitSheet folded;
-  double gap = 0.0;             ///< largest of all strips, mm
-  double flat_deviation = 0.0;  ///< largest distance of a corner of the developed sheet from its
-                                ///< place in the sheet as cut, mm
+  double gap = 0.0;                ///< largest of all strips, mm
+  std::vector<double> leg_scales;  ///< by which each panel's leg curve was scaled to the sheet
+  double flat_deviation = 0.0;     ///< largest distance of a corner of the developed sheet from its
+                                   ///< place in the sheet as cut, mm
   Eigen::Isometry3d scan_motion = Eigen::Isometry3d::Identity();  ///< that aligned the scans
 };
 

@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/named_file.hpp>
+#include <planish/slit/mould.hpp>
 #include <planish/slit/slit_sheet.hpp>
 
 #include <filesystem>
@@ -17,6 +18,7 @@ struct SlitFile {
   SlitDesign design;
   int subdivisions = 0;
   bool align_scans = false;
+  MouldOptions mould;
   double kerf = 0.0;                  ///< width of the slits; 0: lines
   double stop_hole = 0.0;             ///< diameter at the ends of slits; 0: none
   LengthUnit units = LengthUnit::mm;  ///< of the file

@@ -25,8 +25,8 @@ struct FoldedStrip {
   std::vector<Frame> quads;
 };
 
-/// An upright facet of the panel, between two parallel lines of the flat sheet at which a strip
-/// begins or ends.
+/// A facet of a panel, between two parallel lines of the flat sheet at which a strip begins or
+/// ends.
 struct PanelFacet {
   std::array<Vec2, 4> corners;  ///< flat: bottom left, top left, top right, bottom right
   Frame frame;                  ///< flat coordinates to space
@@ -36,10 +36,11 @@ struct PanelFacet {
 /// The folded sheet, or the modelled half of a symmetric one.
 struct FoldedSlitSheet {
   double thickness = 0.0;
-  double reach = 0.0;  ///< largest along; in symmetric sheets the symmetry line
+  double reach = 0.0;  ///< largest along of a strip; in symmetric sheets the symmetry line
   bool symmetric = true;
   std::vector<PanelFacet> panel;
   std::vector<FoldedStrip> strips;
+  std::vector<PanelFacet> second_panel = {};  ///< where the strips end; empty if they end elsewhere
 };
 
 /// Checks what all functions of a folded sheet rely on: numbers are finite, each strip has ridges
@@ -50,7 +51,7 @@ Result<void> check(const FoldedSlitSheet& folded);
 void require_valid(const FoldedSlitSheet& folded);
 
 /// The whole sheet, both halves of symmetric ones, as a Sheet: every quad and panel facet is a
-/// face; ridges and the edges between the panel's facets are sharp bends if they fold by more than
+/// face; ridges and the edges between a panel's facets are sharp bends if they fold by more than
 /// rounding, else their faces are one flange. The reference surface is the middle surface, where
 /// hinges take no allowance at K = ½: flattened with this K, the sheet is the one that was cut
 /// (coordinates along, across). Borders carry edge numbers and lengths for `certify`; labels carry
@@ -60,7 +61,8 @@ Sheet sheet_of(const FoldedSlitSheet& folded);
 
 /// What a face of `sheet_of` is part of.
 struct SlitPart {
-  int strip = -1;         ///< −1: the panel
+  static constexpr int kPanel = -1, kSecondPanel = -2;
+  int strip = kPanel;     ///< or one of the panels
   bool mirrored = false;  ///< beyond the symmetry line
   friend auto operator<=>(const SlitPart&, const SlitPart&) = default;
 };

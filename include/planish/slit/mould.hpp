@@ -14,6 +14,10 @@ namespace planish {
 /// that more of the strips' area turns to the ground.
 enum class MouldSide { ground, back, front };
 
+/// Separate ribs to be set on a board, or one body: the ribs and walls behind the panels on a base
+/// plate.
+enum class MouldForm { ribs, body };
+
 struct MouldOptions {
   /// On the ground's side the mould holds the strips while they are pressed down.
   MouldSide side = MouldSide::ground;
@@ -27,6 +31,7 @@ struct MouldOptions {
   /// strip's width.
   std::optional<double> inset = {};
   Angle draft = Angle::degrees(5);  ///< quads that face `up` by less than this are left bare
+  MouldForm form = MouldForm::ribs;
 };
 
 /// A quad of a strip, counted over both halves of symmetric sheets, from one panel to the other.
@@ -47,13 +52,24 @@ struct MouldRib {
   Mesh mesh;                    ///< closed, outside counter-clockwise
 };
 
+/// A wall of one body behind an upright panel, half the thickness away: a prism.
+struct MouldWall {
+  std::vector<Vec2> footprint;     ///< as a rib's: along the panel, then back along its other side
+  std::vector<Vec2> room;          ///< with space around it, in which no rib stands
+  double bottom = 0.0, top = 0.0;  ///< heights of the panel's free edge and of the wall, along `up`
+  Mesh mesh;                       ///< closed, down to the base plane
+};
+
 /// Ribs on a common base plane, placed on a board as their footprints show.
 struct Mould {
   Frame base;                        ///< of the base plane, z towards the sheet
   MouldSide side = MouldSide::back;  ///< back or front
   std::vector<MouldRib> ribs;
-  std::vector<StripQuad> bare;  ///< without a rib below
-  double volume = 0.0;          ///< mm³
+  std::vector<StripQuad> bare;  ///< without a rib below; in one body, quad −1 is the panel's facet
+                                ///< below the strip, where the panel leans
+  std::vector<MouldWall> walls;   ///< of one body
+  std::optional<Mesh> body = {};  ///< one body: ribs and walls on a plate; closed
+  double volume = 0.0;            ///< mm³
 };
 
 /// The form on which the strips are laid. Every facet is parallel to its quad, half the thickness
@@ -65,6 +81,12 @@ struct Mould {
 /// A mould can be cast, milled or printed without undercuts, and the sheet can be lifted off: every
 /// rib stands upright on its base, which lies flat on the table even if the sheet's ground leans.
 ///
+/// As one body (`MouldForm::body`) it has side panels too, as the paper's mould [slits 4.2]: behind
+/// every upright panel a wall as deep as `base`, up to the panel's top or to where strips come down
+/// over it; quads over a wall have no rib. Under panels that lean over the mould, or lie level,
+/// ribs go on to the free edge; panels that lean away are left bare. Ribs and walls stand on a
+/// plate half as thick as `base`, below the panels' free edges.
+///
 /// Errors: `bad_option` (options not finite or outside their range, an inset that leaves no width
 /// of a strip), `radius_too_small` (a facet between two mitres has no length: the sheet is too
 /// thick for the folds there), `unsupported_shape` (no part of the strips faces `up`; ribs would
@@ -73,7 +95,7 @@ struct Mould {
 /// inset and lean tried.
 Result<Mould> mould_of(const FoldedSlitSheet& folded, const MouldOptions& options = {});
 
-/// All ribs in one mesh, each closed.
+/// All ribs in one mesh, each closed; or the one body.
 Mesh mesh_of(const Mould& mould);
 
 }  // namespace planish

@@ -67,9 +67,9 @@ class SlitSession {
   /// `empty_scan`, `scan_too_large` (over 2 million points a strip). Errors (exit status 4):
   /// `curve_too_short` and `curve_too_long` (the leg curve by more than 2 % of the sheet's width,
   /// measured by chords of the strips' widths stepped along it; within 2 % the curve is continued
-  /// straight, or its rest is unused; a seat curve shorter than the strips are wide),
-  /// `radius_too_small` (the leg curve is tighter than the material allows), `out_of_reach` (an
-  /// anchor or an end farther away than the strip is long).
+  /// straight, or its rest is unused; `fit` scales it; a seat curve shorter than the strips are
+  /// wide), `radius_too_small` (the leg curve is tighter than the material allows), `out_of_reach`
+  /// (an anchor, an end or the second panel farther away than the strip is long).
   static Result<SlitSession> start(SlitDesign design);
 
   SlitSession(SlitSession&&) noexcept;
@@ -92,8 +92,8 @@ class SlitSession {
   Result<SlitSolveReport> solve(const SlitSolveOptions& options = {},
                                 const Progress& progress = {});
 
-  /// The design as set, with `ridges` as subdivided and `ends` for every strip, but without the
-  /// scans' points (see `scan`).
+  /// The design as set, with its leg curves as scaled, with `ridges` as subdivided and `ends` for
+  /// every strip, but without the scans' points (see `scan`).
   const SlitDesign& design() const;
   const std::vector<Vec3>& scan(int strip) const;
   int strip_count() const;

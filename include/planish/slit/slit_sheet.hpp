@@ -53,6 +53,17 @@ struct SlitSheet {
 /// `count` equal strips side by side.
 std::vector<SlitStrip> equal_strips(int count, double width);
 
+/// The panel at the far ends of the strips of a sheet that is not symmetric. Its leg curve runs
+/// from the sheet's left side like that of the first panel.
+struct SecondPanel {
+  BezierCurve leg_curve;
+  double height = 0.0;  ///< from the strips' ends to its free edge; of strips with an own `end`
+                        ///< the rest of the sheet
+  Angle lean;           ///< as `SlitDesign::lean`
+  bool fit = false;     ///< as `SlitDesign::fit`
+  friend bool operator==(const SecondPanel&, const SecondPanel&) = default;
+};
+
 /// The two ends of a ridge, and the two long edges of a strip.
 enum class StripEdge { left, right };
 
@@ -108,8 +119,13 @@ struct SlitWeights {
 struct SlitDesign {
   SlitSheet sheet;
   BezierCurve leg_curve;  ///< (x, z): what the panel stands over, from the sheet's left side
-  std::optional<BezierCurve> seat_curve;  ///< (y, z): section wanted in the symmetry plane
-  int ridges = 10;                        ///< of each strip at the start; there are as many quads
+  /// By how much the panel is turned about the line through the ends of its leg curve, away from
+  /// the sheet's front as by a positive fold; from −90° to 90°, where it is level with the ground.
+  Angle lean;
+  bool fit = false;  ///< the leg curve is scaled about its start until the sheet fits it
+  std::optional<SecondPanel> second_panel;  ///< not in symmetric sheets, and not with `ends`
+  std::optional<BezierCurve> seat_curve;    ///< (y, z): section wanted in the symmetry plane
+  int ridges = 10;                          ///< of each strip at the start; there are as many quads
   EndAngle end_angle = EndAngle::right_angle;
   SlitWeights weights;
   std::vector<SlitAnchor> anchors;

@@ -56,7 +56,10 @@ export function removePoint(spec: SlitSpec, curve: CurveName, index: number): Sl
   if (curve === 'leg')
     return {
       ...spec,
-      leg_curve: { bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)) },
+      leg_curve: {
+        ...spec.leg_curve,
+        bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)),
+      },
     };
   return spec.seat_curve ? { ...spec, seat_curve: { bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
 }

@@ -18,7 +18,11 @@ function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
     after = widthOf(sheet),
     { bezier } = spec.leg_curve;
   if (before === after || before <= 0) return { ...spec, sheet };
-  return { ...spec, sheet, leg_curve: { bezier: fitted(bezier, (lengthOf(bezier) * after) / before) } };
+  return {
+    ...spec,
+    sheet,
+    leg_curve: { ...spec.leg_curve, bezier: fitted(bezier, (lengthOf(bezier) * after) / before) },
+  };
 }
 
 export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec =>

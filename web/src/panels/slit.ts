@@ -67,13 +67,13 @@ function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
         class="link"
         data-testid="curve-leg-fit"
         title="Make it as long as the sheet is wide"
-        @click=${() => set({ leg_curve: { bezier: fitted(spec.leg_curve.bezier, width) } })}
+        @click=${() => set({ leg_curve: { ...spec.leg_curve, bezier: fitted(spec.leg_curve.bezier, width) } })}
       >
         Fit
       </button>`,
     // the sheet does not grow
-    on: (bezier, live) => set({ leg_curve: { bezier: fitted(bezier, lengthOf(resting)) } }, live),
-    enter: (bezier) => set({ leg_curve: { bezier } }),
+    on: (bezier, live) => set({ leg_curve: { ...spec.leg_curve, bezier: fitted(bezier, lengthOf(resting)) } }, live),
+    enter: (bezier) => set({ leg_curve: { ...spec.leg_curve, bezier } }),
   });
 }
 
