@@ -4,7 +4,7 @@ import { dimensionReach, drawDimensions } from './flat-dimensions.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
-import { distanceToSegment, type PickedLine } from './lines.ts';
+import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
 import { sidesAsReported, smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
@@ -31,7 +31,7 @@ export class FlatView {
   private readonly canvas = document.createElement('canvas');
   private readonly c: CanvasRenderingContext2D;
   private scene: FlatScene;
-  private scale = 1;
+  scale = 1; // pixels a millimetre
   private fittedScale = 1;
   private offset: Vec2 = [0, 0];
   private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
@@ -44,9 +44,11 @@ export class FlatView {
 
   private readonly box: HTMLElement;
   private readonly pick: PickInFlat;
-  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat) {
+  private readonly zoomed: () => void;
+  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat, zoomed: () => void) {
     this.box = box;
     this.pick = pick;
+    this.zoomed = zoomed;
     this.scene = {
       shape: null,
       report: null,
@@ -163,6 +165,7 @@ export class FlatView {
         this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
         this.fitted = false;
         this.draw();
+        this.zoomed();
       },
       { passive: false },
     );
@@ -307,8 +310,8 @@ export class FlatView {
 
   private strokeOutline(shape: Shape) {
     this.strokeEdges(shape, () => true, this.scene.palette.outline, 1.3);
-    const { edge } = this.scene;
-    if (edge !== null) this.strokeEdges(shape, (i) => shape.edge_number[i] === edge, this.scene.palette.selected, 4);
+    const marked = markedWith(shape, this.scene.edge);
+    if (marked.size) this.strokeEdges(shape, (i) => marked.has(shape.edge_number[i]!), this.scene.palette.selected, 4);
   }
 
   private strokeEdges(shape: Shape, whose: (edge: number) => boolean, color: string, width: number) {

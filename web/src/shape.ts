@@ -12,6 +12,8 @@ const empty: Facets = {
   edges: new Float32Array(),
   edge_facet: new Uint32Array(),
   edge_number: new Uint32Array(),
+  edge_length: new Float32Array(),
+  edge_circle: new Float32Array(),
   contour_points: new Float32Array(),
   contour_starts: new Uint32Array([0]),
   contour_part: new Int32Array(),

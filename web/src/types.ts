@@ -116,6 +116,7 @@ export interface ArtifactRow {
 export interface Request {
   spec?: Spec;
   options: Options;
+  chord?: number; // how far polygons may lie from curves, mm
 }
 export interface Progress {
   stage: string;
@@ -169,6 +170,8 @@ export interface Facets {
   edges: Float32Array;
   edge_facet: Uint32Array;
   edge_number: Uint32Array;
+  edge_length: Float32Array; // by border
+  edge_circle: Float32Array; // 4 a border: middle, radius (0: no arc), sweep
   contour_points: Float32Array;
   contour_starts: Uint32Array;
   contour_part: Int32Array;

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit-html';
 import type { Options } from '../types.ts';
-import type { PickMode } from '../state.ts';
+import type { BodyStatus, PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
 import { choice, numberField, section } from './fields.ts';
 
@@ -19,7 +19,7 @@ export function unfoldPanel(ui: Ui) {
             (b) =>
               [
                 String(b.number),
-                `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`,
+                `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''} · ${statusText(ui.state.bodies[b.number])}`,
               ] as const,
           ),
           (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
@@ -79,6 +79,16 @@ export function unfoldPanel(ui: Ui) {
       <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
   )}`;
 }
+
+/** What is known of a body, for the list. */
+const statusText = (known: BodyStatus | undefined): string =>
+  known === undefined
+    ? '…'
+    : known.status === 'refused'
+      ? `no flat pattern: ${(known.code ?? 'refused').replaceAll('_', ' ')}`
+      : known.status === 'warning'
+        ? 'sheet, with warnings'
+        : 'sheet';
 
 const kRule = (o: Options) => (o.din6935 ? 'din6935' : o.k === undefined ? 'default' : 'number');
 
