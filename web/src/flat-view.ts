@@ -5,6 +5,7 @@ import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
 import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
+import { turnedPlace } from './orientation.ts';
 import { sidesAsReported, smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
@@ -14,6 +15,7 @@ export interface FlatScene {
   shape: Shape | null;
   report: PieceReport | null; // of the piece that is shown
   findings: Finding[];
+  turn: number; // quarters by which the findings' pattern is shown turned
   selected: number | null; // row of parts
   edge: number | null; // number of an edge
   finding: number | null;
@@ -53,6 +55,7 @@ export class FlatView {
       shape: null,
       report: null,
       findings: [],
+      turn: 0,
       selected: null,
       edge: null,
       finding: null,
@@ -372,9 +375,10 @@ export class FlatView {
 
   private markFindings(writer: LabelWriter) {
     const { c } = this,
-      { palette, findings, finding, report } = this.scene,
+      { palette, findings, finding, report, turn } = this.scene,
       factor = millimetres(report?.units);
-    this.marks = findingMarks(findings, ([x, y]) => this.at(x * factor, y * factor), finding);
+    const at = (p: Vec2) => this.at(...turnedPlace([p[0] * factor, p[1] * factor], turn));
+    this.marks = findingMarks(findings, at, finding);
     for (const {
       finding: i,
       severity,
@@ -432,7 +436,7 @@ export class FlatView {
     for (const m of marks)
       writer.write({
         text: m.text,
-        at: this.at(m.at[0] * factor, m.at[1] * factor),
+        at: this.at(...turnedPlace([m.at[0] * factor, m.at[1] * factor], shape.turn)),
         angle: 0,
         room: 200,
         color: palette.label,

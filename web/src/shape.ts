@@ -45,6 +45,7 @@ export function decodeShape(data: ArrayBuffer): Shape {
     root: header.root ?? [],
     handles: header.handles ?? {},
     seconds: header.seconds ?? 0,
+    turn: 0,
   };
   for (const [name, place] of Object.entries(header.arrays ?? {}))
     if (name in empty) Object.assign(shape, { [name]: view(data, start, name, place) });

@@ -13,6 +13,7 @@ import type {
   Vec2,
   Vec3,
 } from './types.ts';
+import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
 export interface Input {
@@ -60,6 +61,7 @@ export interface State {
   future: Input[];
   shape: Shape | null;
   shapeIsDraft: boolean;
+  shapeOf: string; // the body and the piece that the shape is of
   bodies: Bodies;
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
   known: Report | null; // the last report with a pattern
@@ -128,6 +130,7 @@ export function initialState(theme: Theme): State {
     future: [],
     shape: null,
     shapeIsDraft: false,
+    shapeOf: '',
     bodies: {},
     result: null,
     known: null,
@@ -286,6 +289,9 @@ function redone(state: State): State {
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {
+  const { body, piece } = state.input.options,
+    shapeOf = `${body ?? ''} ${piece ?? ''}`;
+  shape = asBefore(shape, state.shapeOf === shapeOf ? state.shape : null);
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // After a refusal without a shape the last shape stays visible; the message says that it is not this input's.
   const shown =
@@ -295,6 +301,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   return {
     ...state,
     shape: shown,
+    shapeOf,
     selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge },
     known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
     shapeIsDraft: draft,

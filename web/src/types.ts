@@ -183,6 +183,7 @@ export interface Facets {
 }
 
 export interface Shape extends Facets {
+  turn: number; // quarters by which the flat pattern is shown turned against the report and the files
   report: Report;
   parts: Part[];
   root: number[];

@@ -119,6 +119,7 @@ export class Views {
       shape: state.shape,
       report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
       findings: findingsOf({ ...this.ui, state }),
+      turn: state.result?.turn ?? 0,
       selected: pickedRow(state),
       edge: state.selection.edge,
       finding: state.selection.finding,

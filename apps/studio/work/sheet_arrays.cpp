@@ -80,6 +80,20 @@ struct PolygonArrays {
   }
 };
 
+/// What the borders are, exactly: their lengths, and the circles on which arcs lie.
+void add_borders(Shape& shape, const std::vector<Curve2>& borders) {
+  std::vector<float> lengths, circles;
+  for (const Curve2& curve : borders) {
+    lengths.push_back(static_cast<float>(length(curve)));
+    const auto* arc = std::get_if<Arc>(&curve);
+    append(circles, arc ? arc->center : Vec2::Zero().eval());
+    circles.push_back(arc ? static_cast<float>(arc->radius) : 0.0F);
+    circles.push_back(arc ? static_cast<float>(arc->sweep) : 0.0F);
+  }
+  shape.add("edge_length", lengths);
+  shape.add("edge_circle", circles);
+}
+
 void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   PolygonArrays polygons;
   std::vector<std::int32_t> parents;
@@ -110,20 +124,6 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   shape.add("edge_number", edge_numbers);
   add_borders(shape, facets.borders);
   shape.root = facets.root;
-}
-
-/// What the borders are, exactly: their lengths, and the circles on which arcs lie.
-void add_borders(Shape& shape, const std::vector<Curve2>& borders) {
-  std::vector<float> lengths, circles;
-  for (const Curve2& curve : borders) {
-    lengths.push_back(static_cast<float>(length(curve)));
-    const auto* arc = std::get_if<Arc>(&curve);
-    append(circles, arc ? arc->center : Vec2::Zero().eval());
-    circles.push_back(arc ? static_cast<float>(arc->radius) : 0.0F);
-    circles.push_back(arc ? static_cast<float>(arc->sweep) : 0.0F);
-  }
-  shape.add("edge_length", lengths);
-  shape.add("edge_circle", circles);
 }
 
 /// Closed lines to fill, counter-clockwise outside and clockwise about openings; filling all facets

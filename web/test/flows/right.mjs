@@ -1,0 +1,189 @@
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { download, drag, enter, example, folder, open, rested, state } from '../driving.mjs';
+
+// What is shown and said must be so: curves, circles, units, refused values, the bodies of an assembly.
+
+const seeds = new URL('../../../tests/fuzz/seeds/', import.meta.url);
+
+/** Numbers of the circles that go all round, by radius; several edges may make one. */
+const circles = `[...s.shape.edge_length.keys()].filter((n) => s.shape.edge_circle[4 * n + 2] > 0)`;
+
+/** The farthest that an edge's chords lie from its circle, in pixels of the flat view. */
+const sagitta = (n) => `(() => { const { edges: e, edge_number, edge_circle: c } = s.shape, n = ${n};
+  let most = 0;
+  edge_number.forEach((number, i) => {
+    if (number !== n) return;
+    const x = (e[4 * i] + e[4 * i + 2]) / 2 - c[4 * n], y = (e[4 * i + 1] + e[4 * i + 3]) / 2 - c[4 * n + 1];
+    most = Math.max(most, c[4 * n + 2] - Math.hypot(x, y)); });
+  return most * Math.max(views.flat.scale, views.folded.scale); })()`;
+
+export async function circle({ page }) {
+  await example(page, 'bracket.step');
+  const [n] = await state(page, circles);
+  const [x, y, radius, sweep] = await state(page, `[...s.shape.edge_circle.subarray(${4 * n}, ${4 * n + 4})]`);
+  const rim = `views.flat.project([${x} + ${radius}, ${y}])`;
+  const click = async () => {
+    const at = await state(page, rim);
+    await page.mouse.click(at.x, at.y);
+  };
+  await click();
+  const size = (v) => String(Math.round(100 * v) / 100);
+  if (Math.abs(sweep) > 6.28)
+    await page.waitForSelector(
+      `[data-testid=message]:has-text("Ø ${size(2 * radius)} mm, ${size(2 * Math.PI * radius)} mm long")`,
+    );
+  else await page.waitForSelector(`[data-testid=message]:has-text("R ${size(radius)} mm")`);
+  await page.screenshot({ path: `${folder(page)}/circle.png` });
+  // Drawn to a quarter of a pixel, as it is fitted and after each turn of the wheel.
+  for (let turns = 0; turns < 4; ++turns) {
+    await page.waitForFunction(
+      `(() => { const s = window.planish.store.state, views = window.planish.views; return ${sagitta(n)} <= 0.251 && !s.computing; })()`,
+      null,
+      { timeout: 20000 },
+    );
+    const at = await state(page, rim);
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.wheel(0, -700);
+  }
+  assert.notEqual(await state(page, 's.selection.edge'), null, 'what is picked stays picked');
+  await page.screenshot({ path: `${folder(page)}/zoomed.png` });
+}
+
+/** A file of three bodies, of which the first is a block. */
+function blockFirst(page) {
+  const file = `${folder(page)}/assembly.step`,
+    text = readFileSync(new URL('several.step', seeds), 'utf8').replace(/\r?\n\s*/g, '\n');
+  const found = [...text.matchAll(/= ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\((#\d+),(#\d+)\)/g)],
+    solid = (m) => m[2],
+    [first, last] = [solid(found[0]), solid(found.at(-1))];
+  writeFileSync(
+    file,
+    text.replace(
+      /(= ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\(#\d+,)(#\d+)/g,
+      (_, head, body) => head + (body === first ? last : body === last ? first : body),
+    ),
+  );
+  return file;
+}
+
+export async function assembly({ page }) {
+  await open(page, [blockFirst(page)]);
+  const bodies = await state(page, 's.document.info.bodies.map((b) => b.number)');
+  assert.equal(bodies.length, 3);
+  assert.equal(await state(page, 's.input.options.body'), 2, 'it opens on the first sheet');
+  assert.equal(await state(page, 's.past.length'), 0, 'which is no edit');
+  await page.waitForFunction(() => Object.keys(window.planish.store.state.bodies).length === 3);
+  await page.waitForTimeout(100);
+  const list = await page.$$eval('[data-testid=body] option', (all) => all.map((o) => o.textContent));
+  assert.match(list[0], /no flat pattern: not a sheet/);
+  assert.match(list[1], /sheet/);
+  assert.match(list[2], /sheet/);
+  await page.screenshot({ path: `${folder(page)}/bodies.png` });
+  await page.selectOption('[data-testid=body]', '3');
+  await rested(page);
+  assert.equal((await state(page, 's.shape.report.status')) === 'refused', false);
+}
+
+export async function refused({ page }) {
+  await example(page, 'bracket.step');
+  const said = async (text) => page.waitForSelector(`[data-testid=message]:has-text("${text}")`);
+  await page.selectOption('[data-testid=k-rule]', 'number');
+  for (const [entered, sentence] of [
+    ['5', 'K of the part cannot be 5; it is from 0 to 1.'],
+    ['abc', '“abc” is no number'],
+  ]) {
+    await enter(page, 'k-number', entered);
+    await said(sentence);
+    assert.equal(await page.inputValue('[data-testid=k-number]'), '0.44');
+  }
+  await page.screenshot({ path: `${folder(page)}/refused.png` });
+  await page.click('[data-testid=tab-bends]');
+  await enter(page, 'bend-k-B1', '-1');
+  await said('K of B1 cannot be -1; it is from 0 to 1.');
+  await example(page, 'connect/a_folded.json');
+  await page.click('[data-testid=tab-input]');
+  const before = await page.inputValue('[data-testid=thickness]');
+  await enter(page, 'thickness', '-3');
+  await said('cannot be -3');
+  assert.equal(await page.inputValue('[data-testid=thickness]'), before);
+  await enter(page, 'thickness', '2.5');
+  await rested(page);
+  assert.equal(await state(page, 's.note'), null, 'it goes with the next edit');
+}
+
+/** The page's unit is that of the DXF, which says so; another can be chosen. */
+export async function dxfunit({ page }) {
+  await example(page, 'bracket.step');
+  const unit = async () => {
+    const text = readFileSync(await download(page, 'dxf'), 'utf8')
+      .split(/\r?\n/)
+      .map((line) => line.trim());
+    return { 1: 'inch', 4: 'mm' }[text[text.indexOf('$INSUNITS') + 2]];
+  };
+  const shown = () => page.inputValue('[data-testid=dxf-units]');
+  assert.deepEqual([await shown(), await unit()], ['mm', 'mm']);
+  await page.click('[data-testid=units-inch]');
+  assert.deepEqual([await shown(), await unit()], ['inch', 'inch']);
+  await page.click('[data-testid=download-menu]');
+  await page.screenshot({ path: `${folder(page)}/menu.png` });
+  await page.selectOption('[data-testid=dxf-units]', 'mm');
+  await page.click('[data-testid=download-menu]');
+  assert.deepEqual([await shown(), await unit()], ['mm', 'mm']);
+}
+
+/** Where a plate is seen in the folded view. */
+const middleOf = (id) => `(() => { const c = s.shape.handles.plates.find((p) => p.id === '${id}').corners;
+  return views.folded.project([0, 1, 2].map((k) => c.reduce((t, p) => t + p[k], 0) / c.length)); })()`;
+
+export async function reload({ page }) {
+  await example(page, 'connect/a_folded.json');
+  const outline = () => state(page, `s.input.spec.plates.find((p) => p.id === 'right').outline`),
+    before = await outline();
+  await page.click('[data-testid=plate-right]');
+  await page.waitForTimeout(200);
+  await drag(page, await state(page, middleOf('right')), { x: 40, y: 12 }, 10);
+  await rested(page);
+  const moved = await outline();
+  assert.notDeepEqual(moved, before);
+  await page.reload();
+  await page.waitForFunction(() => window.planish?.store.state.document);
+  await rested(page);
+  assert.deepEqual(await outline(), moved, 'what was dragged is there again');
+}
+
+/** While a plate is moved its bends keep their names, and the pattern lies as it did. */
+export async function steady({ page }) {
+  await example(page, 'connect/a_folded.json');
+  const named = () =>
+      state(page, `s.shape.report.flat.bends.map((b) => [b.id, [...b.between].sort().join('–')].join(' ')).sort()`),
+    // where the first plate's edges point in the flat pattern
+    lies = () =>
+      state(
+        page,
+        `(() => { const row = s.shape.parts.findIndex((p) => p.plate), f = s.shape.facet_part.indexOf(row),
+      first = s.shape.ring_starts[s.shape.polygon_starts[s.shape.facet_starts[f]]], l = s.shape.bend_lines;
+      const i = [...s.shape.bend_line_part.keys()].find((k) => s.shape.parts[s.shape.bend_line_part[k]].name === 'B1');
+      return Math.abs(l[4 * i + 2] - l[4 * i]) > Math.abs(l[4 * i + 3] - l[4 * i + 1]) ? 'across' : 'up'; })()`,
+      );
+  const [names, way] = [await named(), await lies()];
+  const move = async (by) => {
+    await page.evaluate(`(() => { const { store } = window.planish, { input } = store.state;
+      const plates = input.spec.plates.map((p) => p.id !== 'right' ? p :
+        { ...p, outline: p.outline.map(([x, y, z]) => [x + ${by[0]}, y + ${by[1]}, z + ${by[2]}]) });
+      store.dispatch({ type: 'edit', input: { ...input, spec: { ...input.spec, plates } } }); })()`);
+    await rested(page);
+  };
+  for (const by of [
+    [60, 0, 0],
+    [150, 0, 0],
+    [0, 0, 250],
+    [0, 0, 400],
+  ]) {
+    await move(by);
+    if (await state(page, 's.stale')) continue;
+    assert.deepEqual(await named(), names, `bends keep their names after ${by}`);
+    assert.equal(await lies(), way, `the pattern lies as it did after ${by}`);
+  }
+  await page.screenshot({ path: `${folder(page)}/steady.png` });
+}
