@@ -62,7 +62,7 @@ void expect_bend_lines_on_facets(const FlatPattern& flat, const Facets& facets) 
       all.push_back(&facet);
       if (facet.part == PartId(bend.bend)) own.push_back(&facet);
     }
-    if (bend.allowance.length > kOn) {
+    if (bend.allowance.allowance > kOn) {
       EXPECT_FALSE(own.empty()) << bend.id;
     }
     for (const Segment& line : bend.lines)

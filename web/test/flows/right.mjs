@@ -6,8 +6,14 @@ import { download, drag, enter, example, folder, open, rested, state } from '../
 
 const seeds = new URL('../../../tests/fuzz/seeds/', import.meta.url);
 
-/** Numbers of the circles that go all round, by radius; several edges may make one. */
-const circles = `[...s.shape.edge_length.keys()].filter((n) => s.shape.edge_circle[4 * n + 2] > 0)`;
+/** The number of an edge of the smallest circle that goes all round; several edges may make one. */
+const smallest = `(() => { const c = s.shape.edge_circle, turned = new Map();
+  for (let n = 0; 4 * n < c.length; ++n) if (c[4 * n + 2] > 0) {
+    const key = [0, 1, 2].map((k) => c[4 * n + k].toFixed(3)).join(' '), known = turned.get(key) ?? { n, sum: 0 };
+    known.sum += Math.abs(c[4 * n + 3]);
+    turned.set(key, known); }
+  return [...turned.values()].filter(({ sum }) => Math.abs(sum - 2 * Math.PI) < 1e-3)
+    .sort((a, b) => c[4 * a.n + 2] - c[4 * b.n + 2])[0].n; })()`;
 
 /** The farthest that an edge's chords lie from its circle, in pixels of the flat view. */
 const sagitta = (n) => `(() => { const { edges: e, edge_number, edge_circle: c } = s.shape, n = ${n};
@@ -20,20 +26,18 @@ const sagitta = (n) => `(() => { const { edges: e, edge_number, edge_circle: c }
 
 export async function circle({ page }) {
   await example(page, 'bracket.step');
-  const [n] = await state(page, circles);
-  const [x, y, radius, sweep] = await state(page, `[...s.shape.edge_circle.subarray(${4 * n}, ${4 * n + 4})]`);
-  const rim = `views.flat.project([${x} + ${radius}, ${y}])`;
-  const click = async () => {
-    const at = await state(page, rim);
-    await page.mouse.click(at.x, at.y);
-  };
-  await click();
-  const size = (v) => String(Math.round(100 * v) / 100);
-  if (Math.abs(sweep) > 6.28)
-    await page.waitForSelector(
-      `[data-testid=message]:has-text("Ø ${size(2 * radius)} mm, ${size(2 * Math.PI * radius)} mm long")`,
-    );
-  else await page.waitForSelector(`[data-testid=message]:has-text("R ${size(radius)} mm")`);
+  const n = await state(page, smallest),
+    [x, y, radius] = await state(page, `[...s.shape.edge_circle.subarray(${4 * n}, ${4 * n + 4})]`),
+    // a point of the edge, wherever on its circle it begins
+    rim = `(() => { const i = s.shape.edge_number.indexOf(${n}), e = s.shape.edges,
+      a = Math.atan2(e[4 * i + 1] - ${y}, e[4 * i] - ${x});
+      return views.flat.project([${x} + ${radius} * Math.cos(a), ${y} + ${radius} * Math.sin(a)]); })()`;
+  const at = await state(page, rim),
+    size = (v) => String(Math.round(100 * v) / 100);
+  await page.mouse.click(at.x, at.y);
+  await page.waitForSelector(
+    `[data-testid=message]:has-text("Ø ${size(2 * radius)} mm, ${size(2 * Math.PI * radius)} mm long")`,
+  );
   await page.screenshot({ path: `${folder(page)}/circle.png` });
   // Drawn to a quarter of a pixel, as it is fitted and after each turn of the wheel.
   for (let turns = 0; turns < 4; ++turns) {
@@ -42,6 +46,7 @@ export async function circle({ page }) {
       null,
       { timeout: 20000 },
     );
+    if (turns === 3) break;
     const at = await state(page, rim);
     await page.mouse.move(at.x, at.y);
     await page.mouse.wheel(0, -700);
@@ -54,13 +59,13 @@ export async function circle({ page }) {
 function blockFirst(page) {
   const file = `${folder(page)}/assembly.step`,
     text = readFileSync(new URL('several.step', seeds), 'utf8').replace(/\r?\n\s*/g, '\n');
-  const found = [...text.matchAll(/= ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\((#\d+),(#\d+)\)/g)],
+  const found = [...text.matchAll(/=\s*ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\((#\d+),(#\d+)\)/g)],
     solid = (m) => m[2],
     [first, last] = [solid(found[0]), solid(found.at(-1))];
   writeFileSync(
     file,
     text.replace(
-      /(= ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\(#\d+,)(#\d+)/g,
+      /(=\s*ADVANCED_BREP_SHAPE_REPRESENTATION\('[^']*',\(#\d+,)(#\d+)/g,
       (_, head, body) => head + (body === first ? last : body === last ? first : body),
     ),
   );
@@ -124,6 +129,7 @@ export async function dxfunit({ page }) {
   const shown = () => page.inputValue('[data-testid=dxf-units]');
   assert.deepEqual([await shown(), await unit()], ['mm', 'mm']);
   await page.click('[data-testid=units-inch]');
+  await page.waitForTimeout(100);
   assert.deepEqual([await shown(), await unit()], ['inch', 'inch']);
   await page.click('[data-testid=download-menu]');
   await page.screenshot({ path: `${folder(page)}/menu.png` });
