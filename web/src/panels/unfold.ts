@@ -1,5 +1,5 @@
 import { html, nothing } from 'lit-html';
-import type { Options } from '../types.ts';
+import type { BodyInfo, Options } from '../types.ts';
 import type { BodyStatus, PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
 import { choice, numberField, section } from './fields.ts';
@@ -15,13 +15,7 @@ export function unfoldPanel(ui: Ui) {
           'Unfold',
           'body',
           String(options.body ?? bodies[0]!.number),
-          bodies.map(
-            (b) =>
-              [
-                String(b.number),
-                `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''} · ${statusText(ui.state.bodies[b.number])}`,
-              ] as const,
-          ),
+          bodies.map((b) => [String(b.number), bodyText(b, ui.state.bodies[b.number])] as const),
           (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
         ),
       )
@@ -80,7 +74,11 @@ export function unfoldPanel(ui: Ui) {
   )}`;
 }
 
-/** What is known of a body, for the list. */
+/** A body for the list: its name, how many there are, and what is known of it. */
+const bodyText = (b: BodyInfo, known: BodyStatus | undefined) =>
+  [b.number, `${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`, statusText(known)].join(' · ');
+
+/** What is known of a body. */
 const statusText = (known: BodyStatus | undefined): string =>
   known === undefined
     ? '…'

@@ -42,7 +42,8 @@ export async function circle({ page }) {
   // Drawn to a quarter of a pixel, as it is fitted and after each turn of the wheel.
   for (let turns = 0; turns < 4; ++turns) {
     await page.waitForFunction(
-      `(() => { const s = window.planish.store.state, views = window.planish.views; return ${sagitta(n)} <= 0.251 && !s.computing; })()`,
+      `(() => { const s = window.planish.store.state, views = window.planish.views;
+        return ${sagitta(n)} <= 0.251 && !s.computing; })()`,
       null,
       { timeout: 20000 },
     );
