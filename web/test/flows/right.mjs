@@ -164,33 +164,91 @@ export async function steady({ page }) {
   await example(page, 'connect/a_folded.json');
   const named = () =>
       state(page, `s.shape.report.flat.bends.map((b) => [b.id, [...b.between].sort().join('–')].join(' ')).sort()`),
-    // where the first plate's edges point in the flat pattern
+    // the way of the first bend in the flat pattern
     lies = () =>
       state(
         page,
-        `(() => { const row = s.shape.parts.findIndex((p) => p.plate), f = s.shape.facet_part.indexOf(row),
-      first = s.shape.ring_starts[s.shape.polygon_starts[s.shape.facet_starts[f]]], l = s.shape.bend_lines;
-      const i = [...s.shape.bend_line_part.keys()].find((k) => s.shape.parts[s.shape.bend_line_part[k]].name === 'B1');
-      return Math.abs(l[4 * i + 2] - l[4 * i]) > Math.abs(l[4 * i + 3] - l[4 * i + 1]) ? 'across' : 'up'; })()`,
+        `(() => { const l = s.shape.bend_lines,
+          i = [...s.shape.bend_line_part.keys()].find((k) => s.shape.parts[s.shape.bend_line_part[k]].name === 'B1');
+          return Math.abs(l[4 * i + 2] - l[4 * i]) > Math.abs(l[4 * i + 3] - l[4 * i + 1]) ? 'across' : 'up'; })()`,
       );
   const [names, way] = [await named(), await lies()];
   const move = async (by) => {
     await page.evaluate(`(() => { const { store } = window.planish, { input } = store.state;
-      const plates = input.spec.plates.map((p) => p.id !== 'right' ? p :
+      const plates = input.spec.plates.map((p) => p.id !== 'top' ? p :
         { ...p, outline: p.outline.map(([x, y, z]) => [x + ${by[0]}, y + ${by[1]}, z + ${by[2]}]) });
       store.dispatch({ type: 'edit', input: { ...input, spec: { ...input.spec, plates } } }); })()`);
     await rested(page);
   };
   for (const by of [
-    [60, 0, 0],
-    [150, 0, 0],
-    [0, 0, 250],
-    [0, 0, 400],
+    [0, 0, 60],
+    [0, 0, 190],
   ]) {
     await move(by);
-    if (await state(page, 's.stale')) continue;
     assert.deepEqual(await named(), names, `bends keep their names after ${by}`);
     assert.equal(await lies(), way, `the pattern lies as it did after ${by}`);
   }
+  // It is as high as it was wide now: in the files it is laid the other way.
+  assert.notEqual(await state(page, 's.shape.turn'), 0);
   await page.screenshot({ path: `${folder(page)}/steady.png` });
+}
+
+/** A plate with 200 holes too near to each other: one mark for the rule, and one for each place once it is chosen. */
+export async function marks({ page }) {
+  const file = `${folder(page)}/perforated.json`,
+    hole = (i) => {
+      const [x, y] = [3 + 4 * (i % 20), 3 + 4 * Math.floor(i / 20)];
+      return [
+        [x, y, 0],
+        [x + 3.8, y, 0],
+        [x + 3.8, y + 3.8, 0],
+        [x, y + 3.8, 0],
+      ];
+    };
+  writeFileSync(
+    file,
+    JSON.stringify({
+      format: 'planish/plates',
+      version: 1,
+      units: 'mm',
+      thickness: 2,
+      plates: [
+        {
+          id: 'A',
+          outline: [
+            [0, 0, 0],
+            [90, 0, 0],
+            [90, 50, 0],
+            [0, 50, 0],
+          ],
+          holes: Array.from({ length: 200 }, (_, i) => hole(i)),
+        },
+        {
+          id: 'B',
+          outline: [
+            [0, 54, 4],
+            [90, 54, 4],
+            [90, 54, 40],
+            [0, 54, 40],
+          ],
+        },
+      ],
+    }),
+  );
+  await open(page, [file]);
+  const [rules, places] = await state(
+      page,
+      `[s.result.report.checks.length,
+    s.result.report.checks.map((f) => f.places?.length ?? f.at?.length ?? 0)]`,
+    ),
+    many = places.indexOf(Math.max(...places));
+  assert.ok(places[many] >= 100, `places by rule: ${places}`);
+  const shown = () => state(page, 'views.flat.marks.length');
+  assert.ok((await shown()) <= rules, `${await shown()} marks of ${rules} rules`);
+  await page.screenshot({ path: `${folder(page)}/marks.png` });
+  await page.click('[data-testid=tab-findings]');
+  await page.click(`[data-testid=finding-${many + 1}]`);
+  await page.waitForTimeout(300);
+  assert.ok((await shown()) >= places[many], 'the chosen one has a mark at each place');
+  await page.screenshot({ path: `${folder(page)}/chosen.png` });
 }
