@@ -228,9 +228,6 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
   }
   for (int p = 1; p < problem.count(); ++p)
     if (!groups.same(p, 0)) return tl::unexpected(alone(problem, p, why));
-  // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
-  std::sort(fits.begin(), fits.end(),
-            [](const BendFit& a, const BendFit& b) { return a.report.plates < b.report.plates; });
   return fits;
 }
 
