@@ -7,8 +7,8 @@ const coarsest = 0.05, // mm, as the server has it by itself
 
 /**
  * How far polygons may lie from curves, in mm, at `scale` pixels a millimetre: a quarter of a pixel at most. In
- * steps of a half, so that not every turn of the wheel asks for another. `known` is what is shown, `at` its chord: where so many
- * corners would be too many, the finest chord with which they are not.
+ * steps of a half, so that not every turn of the wheel asks for another. `known` is what is shown, `at` its chord:
+ * where so many corners would be too many, the finest chord with which they are not.
  */
 export function chordFor(scale: number, known: Pick<Shape, 'points'> | null, at: number): number {
   const wanted = pixels / scale;
