@@ -53,6 +53,25 @@ export async function circle({ page }) {
     await page.mouse.wheel(0, -700);
   }
   assert.notEqual(await state(page, 's.selection.edge'), null, 'what is picked stays picked');
+  // The folded view likewise.
+  await page.click('[data-testid=view-fit]');
+  const inSpace = await state(
+    page,
+    `(() => { const l = views.folded.sheet.lines().find(({ line }) => line.edge === ${n});
+      return views.folded.project(l.ends[0]); })()`,
+  );
+  await page.mouse.move(inSpace.x, inSpace.y);
+  const before = await state(page, 'views.folded.scale');
+  for (let turns = 0; turns < 20; ++turns) await page.mouse.wheel(0, -300);
+  await page.waitForTimeout(100);
+  assert.ok((await state(page, 'views.folded.scale')) > 5 * before, 'it zoomed in');
+  await page.waitForFunction(
+    `(() => { const s = window.planish.store.state, views = window.planish.views;
+      return ${sagitta(n)} <= 0.251 && !s.computing; })()`,
+    null,
+    { timeout: 20000 },
+  );
+  await page.waitForTimeout(100);
   await page.screenshot({ path: `${folder(page)}/zoomed.png` });
 }
 
