@@ -112,6 +112,10 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
   auto fits = structure.bends.empty() ? fit_tree(structure, *plates, options, progress)
                                       : fit_requested(structure, *plates, options, progress);
   if (!fits) return tl::unexpected(fits.error());
+  // Numbered by the plates they join, so that a bend keeps its number when a plate moves.
+  if (structure.bends.empty())
+    std::sort(fits->begin(), fits->end(),
+              [](const BendFit& a, const BendFit& b) { return a.report.plates < b.report.plates; });
 
   Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
   for (const Plate& plate : structure.plates)

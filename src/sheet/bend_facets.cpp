@@ -23,6 +23,13 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
+bool outlines_form(const Face& face, int loop, const std::vector<bool>& joined) {
+  const BorderLoop& borders = face.loops[loop];
+  return loop > 0 && std::none_of(joined.begin(), joined.end(), [](bool yes) { return yes; }) &&
+         std::any_of(borders.begin(), borders.end(),
+                     [](const Border& border) { return border.feature.has_value(); });
+}
+
 BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
                        const FacetOptions& options)
     : sheet_(sheet),
@@ -119,10 +126,13 @@ Eigen::Isometry3d BendFacets::in_space(int strip, double depth) const {
 
 /// Parameters between which chords deviate from a curve by at most `chord_`.
 void BendFacets::add_stops(const Curve2& curve, std::vector<double>& stops) const {
-  if (std::holds_alternative<Arc>(curve)) {
-    constexpr int kParts = 64;
-    for (int i = 1; i < kParts; ++i)
-      stops.push_back(i / double(kParts));
+  if (const auto* arc = std::get_if<Arc>(&curve)) {
+    // Over a turn h the second derivative is at most radius · h², measured on the surface.
+    const double radius = std::max(speed_, 1.0) * arc->radius;
+    const int parts = static_cast<int>(
+        std::ceil(std::abs(arc->sweep) * std::sqrt(radius / (8.0 * chord_))));
+    for (int i = 1; i < parts; ++i)
+      stops.push_back(i / double(parts));
   }
   const auto* spline = std::get_if<CubicSpline>(&curve);
   if (!spline) return;
@@ -165,16 +175,18 @@ std::vector<Vec2> BendFacets::sampled_in_strips(const Curve2& curve) const {
 void BendFacets::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
   const Face& face = sheet_[id];
   const BorderLoop& borders = face.loops[loop];
+  const bool filled = outlines_form(face, loop, joined);
   for (size_t i = 0; i < borders.size(); ++i) {
+    const int number = static_cast<int>(borders_.size());
     const std::vector<Vec2> points = sampled_in_strips(borders[i].curve);
     for (size_t k = 1; k < points.size(); ++k) {
       const Vec2 &a = points[k - 1], &b = points[k];
       const int strip = strip_at(0.5 * (a.x() + b.x()));
-      if (!joined[i]) edges_[strip].push_back({{image(a), image(b)}, border_count_});
-      if (a.x() != b.x())
+      if (!joined[i]) edges_[strip].push_back({{image(a), image(b)}, number});
+      if (a.x() != b.x() && !filled)
         sides_[strip].push_back(a.x() < b.x() ? UvSegment{a, b} : UvSegment{b, a});
     }
-    if (!joined[i]) ++border_count_;
+    if (!joined[i]) borders_.push_back({id, loop, static_cast<int>(i)});
   }
 }
 

@@ -7,6 +7,10 @@
 
 namespace planish::sheet_detail {
 
+/// Whether a loop outlines a form, within which the material goes on; `joined` marks its borders
+/// that are not edges of the sheet.
+bool outlines_form(const Face& face, int loop, const std::vector<bool>& joined);
+
 /// A bend cut along rulings into facets that are nearly flat.
 class BendFacets {
  public:
@@ -38,7 +42,7 @@ class BendFacets {
     int border;
   };
   const std::vector<Edge>& edges(int strip) const { return edges_[strip]; }
-  int border_count() const { return border_count_; }
+  const std::vector<BorderRef>& borders() const { return borders_; }
 
  private:
   struct UvSegment {
@@ -65,7 +69,7 @@ class BendFacets {
   std::vector<std::vector<UvSegment>> sides_;
   std::vector<std::vector<Polygon>> polygons_;
   std::vector<std::vector<Edge>> edges_;
-  int border_count_ = 0;
+  std::vector<BorderRef> borders_;
 };
 
 }  // namespace planish::sheet_detail

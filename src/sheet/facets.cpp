@@ -24,6 +24,12 @@ struct Hinge {
   double turn = 0.0;
 };
 
+/// The quadrilateral between the two borders of a joint, which run the same way.
+struct Band {
+  Segment line;
+  Segment across;
+};
+
 std::vector<Vec2> oriented(std::vector<Vec2> ring, bool counter_clockwise) {
   if ((ring_area(ring) > 0.0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
   return ring;
@@ -75,10 +81,19 @@ class FacetTree {
   void hang_bend(BendId bend, int entry, const Hinge& hinge);
   /// Adds the part beyond a joint whose side a exists already.
   void hang(const Joint& joint);
+  /// Adds the band of a sharp bend at a joint both of whose sides exist already.
+  void add_band(const Joint& joint);
 
   const BendFacets& strips_of(BendId bend);
 
  private:
+  /// Numbers a border of the sheet's outline.
+  int add_border(Curve2 image) {
+    made_.borders.push_back(std::move(image));
+    return static_cast<int>(made_.borders.size()) - 1;
+  }
+  void add_outline(int facet, const Curve2& image);
+  void add_formed_openings(FaceId face, int facet);
   int add(const PartId& part, const Hinge& hinge, std::vector<Polygon> polygons) {
     made_.facets.push_back(
         {part, hinge.parent, hinge.line, Angle::radians(hinge.turn), std::move(polygons)});
@@ -89,6 +104,8 @@ class FacetTree {
   Vec3 normal_beside(const BorderRef& ref);
   int facet_beside(const BorderRef& ref);
   double turn_at(const Joint& joint);
+  std::optional<Band> band_at(const Joint& joint) const;
+  int hang_band(const Joint& joint, const Band& band);
 
   const Sheet& sheet_;
   const Layout& layout_;
@@ -97,7 +114,6 @@ class FacetTree {
   IdVector<BendId, std::optional<BendFacets>> strips_;
   IdVector<FaceId, int> facet_of_face_;
   IdVector<BendId, std::vector<int>> facets_of_bend_;
-  int borders_ = 0;  ///< borders that have edges
   Facets made_;
 };
 
@@ -109,21 +125,43 @@ void FacetTree::hang_flange(FaceId first, const Hinge& hinge) {
       hang_flange_face(face, {facet_of_face_[first], longest_border(layout_.outline(face)), 0.0});
 }
 
+void FacetTree::add_outline(int facet, const Curve2& image) {
+  const int border = add_border(image);
+  const std::vector<Vec2> points = sampled(image, options_.chord);
+  for (size_t k = 1; k < points.size(); ++k)
+    made_.edges.push_back({facet, {points[k - 1], points[k]}, border});
+}
+
+/// The holes through forms of a face, where it goes on within the outlines of the forms.
+void FacetTree::add_formed_openings(FaceId face, int facet) {
+  if (options_.extruded == ExtrudedHoles::outline) return;
+  for (const FormedFeature& feature : sheet_.features) {
+    if (feature.face != face) continue;
+    for (const FormedOpening& opening : feature.openings) {
+      Loop image;
+      const bool pilot = options_.extruded == ExtrudedHoles::pilot;
+      for (const Border& border : pilot ? opening.pilot : opening.through)
+        image.push_back(transformed(border.curve, layout_.placement[face]));
+      made_.facets[facet].polygons.front().holes.push_back(
+          oriented(sampled(image, options_.chord), false));
+      for (const Curve2& curve : image)
+        add_outline(facet, curve);
+    }
+  }
+}
+
 void FacetTree::hang_flange_face(FaceId face, const Hinge& hinge) {
   const std::vector<Loop>& loops = layout_.images[face];
   Polygon polygon{oriented(sampled(loops.front(), options_.chord), true), {}};
-  for (size_t loop = 1; loop < loops.size(); ++loop)
-    polygon.holes.push_back(oriented(sampled(loops[loop], options_.chord), false));
+  for (int loop = 1; loop < std::ssize(loops); ++loop)
+    if (!outlines_form(sheet_[face], loop, joined_borders(sheet_, topology_, face, loop)))
+      polygon.holes.push_back(oriented(sampled(loops[loop], options_.chord), false));
   const int facet = add(sheet_[face].part_of, hinge, {std::move(polygon)});
   facet_of_face_[face] = facet;
   for (int loop = 0; loop < std::ssize(loops); ++loop)
-    for (int i = 0; i < std::ssize(loops[loop]); ++i) {
-      if (!topology_.is_free(BorderRef{face, loop, i})) continue;
-      const auto points = sampled(loops[loop][i], options_.chord);
-      for (size_t k = 1; k < points.size(); ++k)
-        made_.edges.push_back({facet, {points[k - 1], points[k]}, borders_});
-      ++borders_;
-    }
+    for (int i = 0; i < std::ssize(loops[loop]); ++i)
+      if (topology_.is_free(BorderRef{face, loop, i})) add_outline(facet, loops[loop][i]);
+  add_formed_openings(face, facet);
 }
 
 const BendFacets& FacetTree::strips_of(BendId bend) {
@@ -141,10 +179,13 @@ const BendFacets& FacetTree::strips_of(BendId bend) {
 void FacetTree::hang_bend(BendId bend, int entry, const Hinge& hinge) {
   const BendFacets& strips = strips_of(bend);
   std::vector<int> facets(strips.count());
+  const int first = static_cast<int>(made_.borders.size());
+  for (const BorderRef& ref : strips.borders())
+    add_border(layout_.image(ref));
   const auto add_strip = [&](int strip, const Hinge& on) {
     facets[strip] = add(bend, on, strips.polygons(strip));
     for (const BendFacets::Edge& edge : strips.edges(strip))
-      made_.edges.push_back({facets[strip], edge.line, borders_ + edge.border});
+      made_.edges.push_back({facets[strip], edge.line, first + edge.border});
   };
   const auto beside = [&](int from, int strip) -> Hinge {
     return {facets[from], strips.ruling(std::max(from, strip)), strips.turn(from, strip)};
@@ -154,7 +195,6 @@ void FacetTree::hang_bend(BendId bend, int entry, const Hinge& hinge) {
     add_strip(strip, beside(strip - 1, strip));
   for (int strip = entry - 1; strip >= 0; --strip)
     add_strip(strip, beside(strip + 1, strip));
-  borders_ += strips.border_count();
   facets_of_bend_[bend] = std::move(facets);
 }
 
@@ -191,23 +231,39 @@ double FacetTree::turn_at(const Joint& joint) {
   return std::atan2(line.dot(a.cross(b)), a.dot(b));
 }
 
-void FacetTree::hang(const Joint& joint) {
-  const double turn = turn_at(joint);
-  const int parent = facet_beside(joint.a);
+/// The band that a sharp bend takes at a joint: empty where its borders are one line.
+std::optional<Band> FacetTree::band_at(const Joint& joint) const {
   const Segment line = ends_of(layout_.image(joint.a));
-  if (!joint.sharp) return hang_part(joint.b, {parent, line, turn});
   const Segment other = ends_of(layout_.image(joint.b));  // runs the other way
   const Segment across{other.b, other.a};
   const Vec2 along = (line.b - line.a).normalized(), step = across.a - line.a;
-  const double gap = std::abs(along.x() * step.y() - along.y() * step.x());
   constexpr double kNoGap = tolerance::kComputed;  // mm
-  if (gap <= kNoGap) return hang_part(joint.b, {parent, line, turn});
-  // The band of a sharp bend, turned in two halves.
-  const int strip = add(*joint.sharp, {parent, line, 0.5 * turn},
+  if (std::abs(along.x() * step.y() - along.y() * step.x()) <= kNoGap) return std::nullopt;
+  return Band{line, across};
+}
+
+/// The band turns in two halves, one at each of its borders.
+int FacetTree::hang_band(const Joint& joint, const Band& band) {
+  const auto& [line, across] = band;
+  const int strip = add(*joint.sharp, {facet_beside(joint.a), line, 0.5 * turn_at(joint)},
                         {Polygon{oriented({line.a, line.b, across.b, across.a}, true), {}}});
-  made_.edges.push_back({strip, {line.a, across.a}, borders_++});
-  made_.edges.push_back({strip, {line.b, across.b}, borders_++});
-  hang_part(joint.b, {strip, across, 0.5 * turn});
+  add_outline(strip, Segment{line.a, across.a});
+  add_outline(strip, Segment{line.b, across.b});
+  return strip;
+}
+
+void FacetTree::hang(const Joint& joint) {
+  const double turn = turn_at(joint);
+  const auto band = joint.sharp ? band_at(joint) : std::nullopt;
+  if (!band)
+    return hang_part(joint.b, {facet_beside(joint.a), ends_of(layout_.image(joint.a)), turn});
+  const int strip = hang_band(joint, *band);
+  hang_part(joint.b, {strip, band->across, 0.5 * turn});
+}
+
+void FacetTree::add_band(const Joint& joint) {
+  if (!joint.sharp) return;
+  if (const auto band = band_at(joint)) hang_band(joint, *band);
 }
 
 /// The largest face of a flange; empty for sheets without flanges.
@@ -273,6 +329,8 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
   for (const int number : layout.tree)
     for (const BorderRef& ref : {sheet.joints[number].a, sheet.joints[number].b})
       joints_of[topology.node_of(ref.face)].push_back(number);
+  std::vector<int> kept = layout.tree;
+  std::sort(kept.begin(), kept.end());
   std::priority_queue<std::pair<double, int>> front;
   const auto enter = [&](int node) {
     hung[node] = true;
@@ -288,6 +346,9 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
     tree.hang(joint);
     enter(topology.node_of(joint.b.face));
   }
+  // A bend in several lines, or one that closes a cycle, has a band at each of its joints.
+  for (int number = 0; number < std::ssize(sheet.joints); ++number)
+    if (!std::binary_search(kept.begin(), kept.end(), number)) tree.add_band(sheet.joints[number]);
   return std::move(tree).take();
 }
 

@@ -98,6 +98,18 @@ TEST(Connect, RefusesARadiusThatWouldCutThePlatesAndSaysWhichFits) {
   EXPECT_EQ(c.error().where, "/bends/0/inside_radius");
 }
 
+TEST(Connect, NumbersBendsThatItFindsByTheirPlatesWhicheverAreNearer) {
+  for (const double height : {124.0, 150.0}) {  // of the third plate: it is nearer, then farther
+    PlateStructure s = angle_pair(14.0);
+    s.plates.push_back(rectangle_plate("C", {0, 124, height}, {200, 0, 0}, {0, 100, 0}));
+    const auto made = connect(s);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ(made->bends.size(), 2u);
+    EXPECT_EQ(made->bends[0].plates, (std::vector{0, 1})) << height;
+    EXPECT_EQ(made->bends[1].plates, (std::vector{1, 2})) << height;
+  }
+}
+
 TEST(Connect, JoinsATrayToOnePiece) {
   const double gap = 8.0, t = 3.0;
   const Connection c = joined(tray(gap, t));

@@ -105,6 +105,99 @@ TEST(Facets, CoverThePattern) {
   EXPECT_NEAR(area_of(facets_of(tube, layout)) / pattern.area, 1.0, 1e-9);
 }
 
+/// Two flanges, 50 × 40 and 40 × 30, of 2 mm, folded sharply along two lines of 15 mm; a window of
+/// 10 × 20 lies between these.
+Sheet sharp_in_two_lines() {
+  SheetBuilder builder(2.0);
+  const FaceId floor = builder.flange(
+      Frame{},
+      {polygon({{0, 0}, {50, 0}, {50, 15}, {40, 15}, {40, 25}, {50, 25}, {50, 40}, {0, 40}})});
+  Frame up;
+  up.origin = {50, 40, 0};
+  up.x = -Vec3::UnitY();
+  up.y = Vec3::UnitZ();
+  up.z = -Vec3::UnitX();
+  const FaceId wall = builder.flange(
+      up, {polygon({{0, 0}, {15, 0}, {15, 10}, {25, 10}, {25, 0}, {40, 0}, {40, 30}, {0, 30}})});
+  Bend sharp;
+  sharp.kind = BendKind::sharp;
+  sharp.angle = Angle::degrees(90);
+  sharp.reference_inside = true;
+  const BendId bend = builder.new_bend(sharp);
+  builder.join({floor, 0, 1}, {wall, 0, 4}, bend);
+  builder.join({floor, 0, 5}, {wall, 0, 0}, bend);
+  return builder.finish();
+}
+
+TEST(Facets, OfASharpBendLieAtEachOfItsLines) {
+  const Sheet sheet = sharp_in_two_lines();
+  const auto [layout, pattern] = laid(sheet);
+  const Facets facets = facets_of(sheet, layout);
+  const double allowance = std::numbers::pi / 2;  // α k t
+  EXPECT_NEAR(area_of(facets), 50 * 40 - 100 + 40 * 30 - 100 + 2 * 15 * allowance, 1e-9);
+  EXPECT_EQ(facets.facets.size(), 4u);
+  ASSERT_EQ(pattern.bends.front().lines.size(), 2u);
+  EXPECT_LT(off_flanges(sheet, layout, facets),
+            1.0);  // a sharp bend is shown as wide as it is flat
+  // The two lines are one: at every stage the bands lie in one plane.
+  for (const double share : {0.0, 0.4, 1.0}) {
+    const auto motions = folded(facets, share);
+    std::vector<Vec3> normals;
+    for (std::size_t i = 0; i < facets.facets.size(); ++i)
+      if (facets.facets[i].part == PartId(BendId{0})) normals.push_back(motions[i].linear().col(2));
+    ASSERT_EQ(normals.size(), 2u);
+    EXPECT_LT((normals[0] - normals[1]).norm(), 1e-9) << share;
+  }
+}
+
+/// A plate of 100 × 60 with a collar drawn out of it: Ø 20 at its foot, Ø 12 once it is drawn, and
+/// Ø 4 before.
+Sheet plate_with_collar() {
+  SheetBuilder builder(1.0);
+  const Vec2 middle(40, 30);
+  const FaceId face = builder.flange(Frame{}, {rectangle(100, 60), circular_opening(middle, 10)});
+  Sheet sheet = builder.finish();
+  FormedFeature collar;
+  collar.kind = "formed";
+  collar.face = face;
+  collar.openings.push_back(
+      {{{circular_opening(middle, 2).front()}}, {{circular_opening(middle, 6).front()}}});
+  sheet[BorderRef{face, 1, 0}].feature = sheet.features.push_back(collar);
+  return sheet;
+}
+
+TEST(Facets, GoOnWithinFormsAsThePatternDoes) {
+  const Sheet sheet = plate_with_collar();
+  constexpr double kChord = 1e-4;
+  const std::pair<ExtrudedHoles, double> holes[]{
+      {ExtrudedHoles::pilot, 2.0}, {ExtrudedHoles::through, 6.0}, {ExtrudedHoles::outline, 0.0}};
+  for (const auto& [extruded, radius] : holes) {
+    FlattenOptions options;
+    options.extruded = extruded;
+    const auto flat = flat_sheet(sheet, options);
+    ASSERT_TRUE(flat) << flat.error().message;
+    const Facets facets = facets_of(sheet, flat->layout, {.chord = kChord, .extruded = extruded});
+    EXPECT_NEAR(area_of(facets), 6000 - std::numbers::pi * radius * radius,
+                kChord * 2 * std::numbers::pi * radius + 1e-9);
+  }
+}
+
+TEST(Facets, KeepTheBordersExactly) {
+  const Sheet sheet = plate_with_holes();
+  const auto [layout, pattern] = laid(sheet);
+  const Facets facets = facets_of(sheet, layout, {.chord = 1.0});
+  const auto of = [&](double wanted) {
+    return std::count_if(facets.borders.begin(), facets.borders.end(), [&](const Curve2& curve) {
+      return std::abs(length(curve) - wanted) < 1e-9;
+    });
+  };
+  EXPECT_EQ(of(std::numbers::pi * 6.6), 1);
+  EXPECT_EQ(of(std::numbers::pi * 10), 1);
+  for (const FacetEdge& edge : facets.edges)
+    for (const Vec2& end : {edge.line.a, edge.line.b})
+      EXPECT_LT(nearest(facets.borders[edge.border], end).distance, 1e-9);
+}
+
 TEST(Facets, EdgesAreTheContours) {
   for (const auto& [name, sheet] : samples()) {
     const auto [layout, pattern] = laid(sheet);

@@ -204,6 +204,49 @@ class Paths(StudioTest):
         self.assertEqual(self.studio.get("/api/documents").status, 200)
 
 
+class Connections(StudioTest):
+    def opened(self, content):
+        """A connection on which that was sent, and nothing more comes."""
+        connection = socket.create_connection(("127.0.0.1", self.studio.port), timeout=30)
+        self.addCleanup(connection.close)
+        connection.sendall(content)
+        return connection
+
+    def test_half_open_connections_delay_nobody(self):
+        for content in (b"", b"GET / HTTP/1.1\r\nHost: 127.0.0.1"):
+            for _ in range(100):
+                self.opened(content)
+        time.sleep(0.3)
+        begun = time.monotonic()
+        self.assertEqual(self.studio.get("/api/documents").status, 200)
+        self.assertLess(time.monotonic() - begun, 2.0)  # they wait for 5 s
+
+    def test_headers_that_take_too_long_are_cut_off(self):
+        connection = self.opened(b"GET / HTTP/1.1\r\n")
+        begun = time.monotonic()
+        with self.assertRaises(OSError):  # the server has closed it
+            while time.monotonic() - begun < 30:
+                connection.sendall(b"A: b\r\n")
+                time.sleep(0.5)
+        self.assertLess(time.monotonic() - begun, 15.0)
+        self.assertGreater(time.monotonic() - begun, 5.0)
+
+    def test_a_connection_without_data_is_closed(self):
+        connection = self.opened(b"GET / HTTP/1.1\r\n")
+        begun = time.monotonic()
+        while connection.recv(4096):
+            pass
+        self.assertLess(time.monotonic() - begun, 9.0)
+
+    def test_a_request_that_comes_by_pieces_is_answered(self):
+        connection = self.opened(b"")
+        request = f"GET /api/documents HTTP/1.1\r\nHost: 127.0.0.1:{self.studio.port}\r\nX-Planish-Token: {self.studio.token}\r\n\r\n"
+        for at in range(0, len(request), 7):
+            connection.sendall(request[at:at + 7].encode())
+            time.sleep(0.01)
+        self.assertTrue(connection.recv(4096).startswith(b"HTTP/1.1 200"))
+
+
 class Examples(StudioTest):
     def test_the_list_names_what_can_be_had(self):
         listed = self.studio.get("/api/examples").json()

@@ -110,6 +110,27 @@ class Browser(StudioTest):
     def test_nothing_is_cut_off(self):
         self.flow("layout")
 
+    def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
+        self.flow("circle")
+
+    def test_an_assembly_opens_on_its_first_sheet_and_the_list_says_what_became_of_each_body(self):
+        self.flow("assembly")
+
+    def test_values_that_cannot_be_are_refused_with_a_sentence(self):
+        self.flow("refused")
+
+    def test_the_dxf_says_its_unit(self):
+        self.flow("dxfunit")
+
+    def test_what_was_dragged_is_there_after_a_reload(self):
+        self.flow("reload")
+
+    def test_bends_keep_their_names_and_the_pattern_its_way_while_plates_move(self):
+        self.flow("steady")
+
+    def test_a_rule_has_one_mark_until_it_is_chosen(self):
+        self.flow("marks")
+
     def test_the_page_works_under_its_policy(self):
         self.flow("policy")
 

@@ -6,6 +6,7 @@ import type { ApiProblem, Request } from './types.ts';
 const settle = 120; // ms without an edit before the whole result is asked for
 export const patience = 500; // ms before a bar is shown
 export const poll = 250;
+const zooming = 150; // ms without zooming before curves are drawn finer
 const restart = 120; // ms that a worker takes to restart after a cancelled request
 
 /**
@@ -24,13 +25,18 @@ export class Computation {
   private startedAt = 0;
   private resultTook = 0;
   private superseded = false;
+  private chord = Infinity; // of the result that is shown
+  private refining = false; // what is shown is asked for again, only finer
+  private zoomTimer = 0;
   private givenUp: Promise<unknown> | null = null; // a result that an edit has made pointless is being cancelled
 
   private readonly api: Api;
   private readonly store: Store;
   private readonly reopen: () => Promise<boolean>;
-  constructor(api: Api, store: Store, reopen: () => Promise<boolean>) {
+  private readonly wantedChord: (shown: number) => number; // how far polygons may lie from curves as they are seen
+  constructor(api: Api, store: Store, reopen: () => Promise<boolean>, wantedChord: (shown: number) => number) {
     this.reopen = reopen;
+    this.wantedChord = wantedChord;
     this.api = api;
     this.store = store;
     store.subscribe((state, before) => {
@@ -57,7 +63,21 @@ export class Computation {
     void this.next();
   }
 
+  /** Curves that are seen larger are drawn finer, once zooming pauses. */
+  zoomed() {
+    clearTimeout(this.zoomTimer);
+    this.zoomTimer = window.setTimeout(() => {
+      const { result, shape, shapeIsDraft, pending, stale } = this.store.state;
+      if (!result?.facet_parent.length || result !== shape || shapeIsDraft || pending || stale) return;
+      if (this.running || this.wantedChord(this.chord) >= this.chord) return;
+      this.refining = this.resultWanted = true;
+      void this.next();
+    }, zooming);
+  }
+
   private restart() {
+    this.chord = Infinity;
+    this.refining = false;
     ++this.generation;
     this.flight.abort();
     this.superseded = false;
@@ -87,7 +107,15 @@ export class Computation {
   private giveUpResult() {
     const { document } = this.store.state,
       left = this.resultTook - (performance.now() - this.startedAt);
-    if (this.running !== 'result' || this.givenUp || !document || document.kind === 'unfold' || left < restart) return;
+    if (
+      this.running !== 'result' ||
+      this.refining ||
+      this.givenUp ||
+      !document ||
+      document.kind === 'unfold' ||
+      left < restart
+    )
+      return;
     this.stop(document.id);
     this.superseded = true;
   }
@@ -104,6 +132,8 @@ export class Computation {
     const what = this.draftWanted ? 'draft' : 'result';
     if (what === 'draft') this.draftWanted = false;
     else this.resultWanted = false;
+    if (what === 'draft') this.refining = false;
+    const chord = what === 'result' ? this.wantedChord(this.chord) : undefined;
     const generation = this.generation;
     const draggedAt = this.dragAt;
     this.dragAt = null;
@@ -112,13 +142,14 @@ export class Computation {
     this.started(document.id);
     let ahead = false;
     try {
-      const request: Request = { spec: input.spec ?? undefined, options: input.options };
+      const request: Request = { spec: input.spec ?? undefined, options: input.options, chord };
       const shape = await (what === 'draft'
         ? this.api.draft(document.id, request, this.flight.signal)
         : this.api.result(document.id, request, this.flight.signal));
-      if (what === 'result') this.resultTook = performance.now() - this.startedAt;
+      if (what === 'result' && !this.refining) this.resultTook = performance.now() - this.startedAt;
       if (generation !== this.generation) return;
       ahead = this.askAhead();
+      if (chord !== undefined) this.chord = chord;
       this.store.dispatch({ type: 'shape', shape, draft: what === 'draft' });
       if (draggedAt !== null) geometryShown(draggedAt);
     } catch (error) {
@@ -130,7 +161,9 @@ export class Computation {
     this.superseded = false;
     if (generation !== this.generation) return;
     this.running = null;
+    this.refining = false;
     this.quiet();
+    if (what === 'result') this.zoomed(); // the views may have been fitted, or zoomed, meanwhile
     void this.next();
   }
 

@@ -1,13 +1,15 @@
 import { Api, ApiError } from './api.ts';
 import { patience, poll, problemOf } from './compute.ts';
 import { keepDocument, keptDocument } from './kept.ts';
-import type { Store } from './state.ts';
+import { statusOfBody, type Bodies, type BodyStatus, type Store } from './state.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
 interface Given {
   name: string;
   bytes: ArrayBuffer;
 }
+
+const looking = 5000; // ms in which a sheet among the bodies is found, or the first body is shown
 
 /** Opening: the main file becomes the document, text files beside it the scans that it names. */
 export class Documents {
@@ -152,10 +154,52 @@ export class Documents {
     }
     if (signal.aborted) this.leave(document.id);
     signal.throwIfAborted();
-    const before = this.store.state.document;
-    this.store.dispatch({ type: 'opened', document, spec });
+    const before = this.store.state.document,
+      { body, bodies } = await this.firstSheet(document, signal);
+    this.store.dispatch({ type: 'opened', document, spec, body, bodies });
+    void this.survey(document);
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
     this.leave(before?.id);
+  }
+
+  /** The first body of an assembly that is a sheet, if one is soon found: that is what one came for. */
+  private async firstSheet(document: OpenDocument, signal: AbortSignal): Promise<{ body?: number; bodies: Bodies }> {
+    const all = document.info?.bodies ?? [],
+      bodies: Bodies = {},
+      end = performance.now() + looking;
+    for (const { number } of all.length > 1 ? all : []) {
+      bodies[number] = await this.statusOf(document.id, number, signal);
+      signal.throwIfAborted();
+      if (bodies[number].status !== 'refused') return { body: number === all[0]!.number ? undefined : number, bodies };
+      if (performance.now() > end) break;
+    }
+    return { bodies };
+  }
+
+  /** Looks at the other bodies of an assembly, one by one, while nothing else is computed. */
+  private async survey({ id, info }: OpenDocument) {
+    const all = info?.bodies ?? [],
+      { state } = this.store,
+      unknown = all.length > 1 ? all.filter((b) => !state.bodies[b.number]) : [];
+    for (const { number } of unknown) {
+      await this.quiet();
+      if (this.store.state.document?.id !== id) return;
+      this.store.dispatch({ type: 'body', id, number, status: await this.statusOf(id, number) });
+    }
+  }
+
+  private async quiet() {
+    const { store } = this;
+    while (store.state.computing || store.state.pending || store.state.opening)
+      await new Promise((resolve) => setTimeout(resolve, poll));
+  }
+
+  private async statusOf(id: string, body: number, signal?: AbortSignal): Promise<BodyStatus> {
+    try {
+      return statusOfBody((await this.api.draft(id, { options: { body } }, signal)).report);
+    } catch (error) {
+      return { status: 'refused', code: problemOf(error).code };
+    }
   }
 
   private async addPoints(points: Given[]) {

@@ -12,15 +12,17 @@ export interface FindingMark {
 const [chosen, plain, dot] = [10, 7, 3.5]; // radii, pixels
 
 /**
- * One mark for each place of each finding, in the order in which they are drawn. Those of the chosen one have their
- * numbers first, then the findings in their order.
+ * One mark for each finding, at its worst place, and one for each place of the chosen one; in the order in which they
+ * are drawn. Those of the chosen one have their numbers first, then the findings in their order.
  */
 export function findingMarks(findings: Finding[], at: (place: Vec2) => Vec2, selected: number | null): FindingMark[] {
-  const wanted = findings.flatMap((f, finding) =>
-    (f.places ?? [{ severity: f.severity, at: f.at ?? [] }]).flatMap(({ severity, at: points }) =>
-      points.map((point) => ({ finding, severity, at: at(point) })),
-    ),
-  );
+  const wanted = findings.flatMap((f, finding) => {
+    const all = (f.places ?? [{ severity: f.severity, at: f.at ?? [] }]).flatMap(({ severity, at: points }) =>
+      points.map((point) => ({ severity, point })),
+    );
+    const shown = finding === selected ? all : all.slice(0, 1); // the worst is the first
+    return shown.map(({ severity, point }) => ({ finding, severity, at: at(point) }));
+  });
   const numbered: FindingMark[] = [],
     dots: FindingMark[] = [];
   for (const mark of [

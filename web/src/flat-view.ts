@@ -4,7 +4,8 @@ import { dimensionReach, drawDimensions } from './flat-dimensions.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
-import { distanceToSegment, type PickedLine } from './lines.ts';
+import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
+import { turnedPlace } from './orientation.ts';
 import { sidesAsReported, smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
 import type { BendRow, Finding, PieceReport, Shape, Vec2 } from './types.ts';
@@ -14,6 +15,7 @@ export interface FlatScene {
   shape: Shape | null;
   report: PieceReport | null; // of the piece that is shown
   findings: Finding[];
+  turn: number; // quarters by which the findings' pattern is shown turned
   selected: number | null; // row of parts
   edge: number | null; // number of an edge
   finding: number | null;
@@ -31,7 +33,7 @@ export class FlatView {
   private readonly canvas = document.createElement('canvas');
   private readonly c: CanvasRenderingContext2D;
   private scene: FlatScene;
-  private scale = 1;
+  scale = 1; // pixels a millimetre
   private fittedScale = 1;
   private offset: Vec2 = [0, 0];
   private bounds = { x0: 0, y0: 0, x1: 1, y1: 1 };
@@ -44,13 +46,16 @@ export class FlatView {
 
   private readonly box: HTMLElement;
   private readonly pick: PickInFlat;
-  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat) {
+  private readonly zoomed: () => void;
+  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat, zoomed: () => void) {
     this.box = box;
     this.pick = pick;
+    this.zoomed = zoomed;
     this.scene = {
       shape: null,
       report: null,
       findings: [],
+      turn: 0,
       selected: null,
       edge: null,
       finding: null,
@@ -163,6 +168,7 @@ export class FlatView {
         this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
         this.fitted = false;
         this.draw();
+        this.zoomed();
       },
       { passive: false },
     );
@@ -307,8 +313,8 @@ export class FlatView {
 
   private strokeOutline(shape: Shape) {
     this.strokeEdges(shape, () => true, this.scene.palette.outline, 1.3);
-    const { edge } = this.scene;
-    if (edge !== null) this.strokeEdges(shape, (i) => shape.edge_number[i] === edge, this.scene.palette.selected, 4);
+    const marked = markedWith(shape, this.scene.edge);
+    if (marked.size) this.strokeEdges(shape, (i) => marked.has(shape.edge_number[i]!), this.scene.palette.selected, 4);
   }
 
   private strokeEdges(shape: Shape, whose: (edge: number) => boolean, color: string, width: number) {
@@ -369,9 +375,10 @@ export class FlatView {
 
   private markFindings(writer: LabelWriter) {
     const { c } = this,
-      { palette, findings, finding, report } = this.scene,
+      { palette, findings, finding, report, turn } = this.scene,
       factor = millimetres(report?.units);
-    this.marks = findingMarks(findings, ([x, y]) => this.at(x * factor, y * factor), finding);
+    const at = (p: Vec2) => this.at(...turnedPlace([p[0] * factor, p[1] * factor], turn));
+    this.marks = findingMarks(findings, at, finding);
     for (const {
       finding: i,
       severity,
@@ -429,7 +436,7 @@ export class FlatView {
     for (const m of marks)
       writer.write({
         text: m.text,
-        at: this.at(m.at[0] * factor, m.at[1] * factor),
+        at: this.at(...turnedPlace([m.at[0] * factor, m.at[1] * factor], shape.turn)),
         angle: 0,
         room: 200,
         color: palette.label,

@@ -33,6 +33,7 @@ export interface FoldedViewEvents {
   dragAnchor(anchor: number, at: Vec3, event: number): void;
   dragPlate(id: string, moved: Matrix4, event: number): void;
   dragEnd(): void;
+  zoomed(): void;
 }
 
 export interface Overlay {
@@ -176,6 +177,11 @@ export class FoldedView {
     this.draw();
   }
 
+  /** Pixels a millimetre. */
+  get scale() {
+    return this.camera.zoom;
+  }
+
   /** Whether the view is as fitted, except for its direction. */
   private get isFitted() {
     return (
@@ -229,7 +235,10 @@ export class FoldedView {
   private orbiting(): OrbitControls {
     const orbit = new OrbitControls(this.camera, this.renderer.domElement);
     orbit.zoomToCursor = true;
-    orbit.addEventListener('change', () => this.draw());
+    orbit.addEventListener('change', () => {
+      this.draw();
+      this.events.zoomed();
+    });
     return orbit;
   }
 

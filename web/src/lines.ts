@@ -11,13 +11,37 @@ export function partOfEdge(shape: Shape, number: number): number | null {
   return at < 0 ? null : shape.facet_part[shape.edge_facet[at]!]!;
 }
 
-/** In the flat pattern, mm. */
-export function lengthOfEdge({ edges: e, edge_number }: Shape, number: number): number {
-  return edge_number.reduce(
-    (sum, n, i) => (n === number ? sum + Math.hypot(e[4 * i + 2]! - e[4 * i]!, e[4 * i + 3]! - e[4 * i + 1]!) : sum),
-    0,
-  );
+/** The circle that an edge lies on, in the flat pattern, mm; null if it is no arc. */
+export interface EdgeCircle {
+  radius: number;
+  whole: boolean; // it goes all round
+  edges: Set<number>; // those that go round together, or the edge alone
+  length: number; // of these
 }
+
+const alike = 1e-5; // of the radius: arrays hold seven digits
+
+export function circleOfEdge({ edge_circle: c, edge_length }: Shape, number: number): EdgeCircle | null {
+  const [x, y, radius, sweep] = c.subarray(4 * number, 4 * number + 4) as unknown as [number, number, number, number];
+  if (!(radius > 0)) return null;
+  const near = alike * (radius + Math.abs(x) + Math.abs(y));
+  const all: number[] = [];
+  for (let n = 0; 4 * n < c.length; ++n)
+    if (
+      Math.abs(c[4 * n + 2]! - radius) <= near &&
+      Math.hypot(c[4 * n]! - x, c[4 * n + 1]! - y) <= near &&
+      c[4 * n + 3]! > 0 === sweep > 0
+    )
+      all.push(n);
+  const turned = Math.abs(all.reduce((sum, n) => sum + c[4 * n + 3]!, 0)),
+    whole = Math.abs(turned - 2 * Math.PI) < 1e-4,
+    edges = new Set(whole ? all : [number]);
+  return { radius, whole, edges, length: [...edges].reduce((sum, n) => sum + edge_length[n]!, 0) };
+}
+
+/** The numbers of the edges that are marked with edge `number`: the whole circle, if it is part of one. */
+export const markedWith = (shape: Shape, number: number | null): Set<number> =>
+  number === null ? new Set() : (circleOfEdge(shape, number)?.edges ?? new Set([number]));
 
 /** Rows of the parts that part `row` is joined to. */
 export function partsBeside({ facet_parent, facet_part }: Shape, row: number): Set<number> {

@@ -61,8 +61,19 @@ const ui: Ui = {
     store.dispatch({ type: 'theme', theme });
   },
 };
-const views = new Views(ui, part('.folded .canvas'), part('.flat .canvas'), (at) => computation.dragged(at));
-const computation = new Computation(api, store, () => documents.reopen());
+const views = new Views(
+  ui,
+  part('.folded .canvas'),
+  part('.flat .canvas'),
+  (at) => computation.dragged(at),
+  () => store.state.document && computation.zoomed(),
+);
+const computation = new Computation(
+  api,
+  store,
+  () => documents.reopen(),
+  (shown) => views.chord(shown),
+);
 const documents = new Documents(api, store);
 
 let waiting = 0;
@@ -98,13 +109,13 @@ function draw() {
 const withoutHoles = (o: Options) =>
   Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
 
-async function download(artifact: string, suffix: string, profile?: string) {
+async function download(artifact: string, suffix: string, more: Pick<Options, 'profile' | 'units'> = {}) {
   const { document: d, input } = store.state;
   if (!d) return;
   try {
     const blob = await api.file(d.id, artifact, {
       spec: input.spec ?? undefined,
-      options: withoutHoles({ ...input.options, profile }),
+      options: withoutHoles({ ...input.options, ...more }),
     });
     const link = document.createElement('a'),
       url = URL.createObjectURL(blob);
@@ -224,9 +235,11 @@ window.addEventListener('drop', (e) => {
   root.classList.remove('dropping');
   if (e.dataTransfer?.files.length) ui.openFiles([...e.dataTransfer.files]);
 });
+window.addEventListener('refused', (e) => store.dispatch({ type: 'note', note: (e as CustomEvent<string>).detail }));
 window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
 store.subscribe((state, before) => {
-  if (state.input !== before.input && !state.pending) keepInput(state.input);
+  const changed = state.input !== before.input || before.pending !== null; // a drag that ends
+  if (changed && !state.pending) keepInput(state.input);
 });
 
 draw();

@@ -1,4 +1,4 @@
-import { lengthOfEdge, partOfEdge, partsBeside } from './lines.ts';
+import { circleOfEdge, partOfEdge, partsBeside } from './lines.ts';
 import type { State } from './state.ts';
 import { lengthText, unitName } from './units.ts';
 
@@ -24,11 +24,14 @@ export function bendsToMark(state: State): { picked: string | null; beside: Set<
   return own ? { picked: own, beside: new Set() } : { picked: null, beside: new Set(bends(partsBeside(shape, row))) };
 }
 
-/** "Edge of F2, 31.42 mm"; null where none is picked. */
+/** "Edge of F2, R 3 mm, 31.42 mm long", "Circle of F2, Ø 6.6 mm"; null where none is picked. */
 export function pickedEdgeText({ shape, selection: { edge }, units }: State): string | null {
   const row = shape && edge !== null ? partOfEdge(shape, edge) : null;
   if (!shape || edge === null || row === null) return null;
   const { name, plate } = shape.parts[row]!;
-  const length = `${lengthText(lengthOfEdge(shape, edge), 'mm', units)} ${unitName(units)}`;
-  return `Edge of ${plate ?? name}, ${length} long in the flat pattern.`;
+  const text = (length: number) => `${lengthText(length, 'mm', units)} ${unitName(units)}`,
+    circle = circleOfEdge(shape, edge),
+    long = `${text(circle?.length ?? shape.edge_length[edge]!)} long in the flat pattern.`;
+  if (circle?.whole) return `Circle of ${plate ?? name}, Ø ${text(2 * circle.radius)}, ${long}`;
+  return `Edge of ${plate ?? name}, ${circle ? `R ${text(circle.radius)}, ` : ''}${long}`;
 }

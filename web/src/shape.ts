@@ -12,6 +12,8 @@ const empty: Facets = {
   edges: new Float32Array(),
   edge_facet: new Uint32Array(),
   edge_number: new Uint32Array(),
+  edge_length: new Float32Array(),
+  edge_circle: new Float32Array(),
   contour_points: new Float32Array(),
   contour_starts: new Uint32Array([0]),
   contour_part: new Int32Array(),
@@ -43,6 +45,7 @@ export function decodeShape(data: ArrayBuffer): Shape {
     root: header.root ?? [],
     handles: header.handles ?? {},
     seconds: header.seconds ?? 0,
+    turn: 0,
   };
   for (const [name, place] of Object.entries(header.arrays ?? {}))
     if (name in empty) Object.assign(shape, { [name]: view(data, start, name, place) });

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineS
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
-import type { PickedLine } from './lines.ts';
+import { markedWith, type PickedLine } from './lines.ts';
 import { sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
@@ -118,11 +118,12 @@ export class SheetObject {
   /** The lines of what is picked: an edge, or a sharp bend, which has no facets to paint. */
   private mark() {
     const { part, edge } = this.picked,
-      on = part !== null || edge !== null;
+      on = this.mesh !== null && (part !== null || edge !== null),
+      marked = on ? markedWith(this.mesh!.shape, edge) : null;
     const ends = !on
       ? []
       : this.lines()
-          .filter(({ line }) => ('edge' in line ? line.edge === edge : line.part === part))
+          .filter(({ line }) => ('edge' in line ? marked!.has(line.edge) : line.part === part))
           .flatMap((l) => l.ends.flat());
     this.marked.visible = ends.length > 0;
     if (!ends.length) return;

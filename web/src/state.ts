@@ -13,6 +13,7 @@ import type {
   Vec2,
   Vec3,
 } from './types.ts';
+import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
 export interface Input {
@@ -38,6 +39,13 @@ export interface Selection {
   finding: number | null;
 }
 
+/** What became of a body, as far as is known: a draft says whether it is a sheet, a result says more. */
+export interface BodyStatus {
+  status: Report['status'];
+  code?: string; // of a refusal
+}
+export type Bodies = Record<number, BodyStatus>;
+
 /** A file that is being read; `long` once that takes more than half a second. */
 export interface Opening {
   name: string;
@@ -53,6 +61,8 @@ export interface State {
   future: Input[];
   shape: Shape | null;
   shapeIsDraft: boolean;
+  shapeOf: string; // the body and the piece that the shape is of
+  bodies: Bodies;
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
   known: Report | null; // the last report with a pattern
   selection: Selection;
@@ -79,7 +89,8 @@ export type Action =
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
-  | { type: 'opened'; document: OpenDocument; spec: Spec | null }
+  | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
+  | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
@@ -119,6 +130,8 @@ export function initialState(theme: Theme): State {
     future: [],
     shape: null,
     shapeIsDraft: false,
+    shapeOf: '',
+    bodies: {},
     result: null,
     known: null,
     selection: nothing,
@@ -153,7 +166,11 @@ export function reduce(state: State, action: Action): State {
     case 'opening':
       return { ...state, opening: action.opening };
     case 'opened':
-      return opened(state, action.document, action.spec);
+      return opened(state, action);
+    case 'body':
+      return state.document?.id === action.id
+        ? { ...state, bodies: { ...state.bodies, [action.number]: action.status } }
+        : state;
     case 'reopened':
       return { ...state, document: action.document, problem: null };
     case 'edit':
@@ -213,14 +230,15 @@ export function reduce(state: State, action: Action): State {
  */
 const isOfInput = ({ stale, shape }: State) => stale || shape?.report.status === 'refused';
 
-function opened(state: State, document: OpenDocument, spec: Spec | null): State {
+function opened(state: State, { document, spec, body, bodies }: Extract<Action, { type: 'opened' }>): State {
   return {
     ...initialState(state.theme),
     description: state.description,
     examples: state.examples,
     units: unitsOf(document, spec),
     document,
-    input: { spec, options: {} },
+    input: { spec, options: body === undefined ? {} : { body } },
+    bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
   };
 }
@@ -271,20 +289,26 @@ function redone(state: State): State {
 }
 
 function shaped(state: State, shape: Shape, draft: boolean): State {
+  const { body, piece } = state.input.options,
+    shapeOf = `${body ?? ''} ${piece ?? ''}`;
+  shape = asBefore(shape, state.shapeOf === shapeOf ? state.shape : null);
   const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // After a refusal without a shape the last shape stays visible; the message says that it is not this input's.
   const shown =
     hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are renumbered if their number changes.
-  const edge = shown.edge_number.length === state.shape?.edge_number.length ? state.selection.edge : null;
+  const edge = shown.edge_length.length === state.shape?.edge_length.length ? state.selection.edge : null;
   return {
     ...state,
     shape: shown,
+    shapeOf,
     selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge },
     known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
     shapeIsDraft: draft,
+    bodies: draft ? state.bodies : withStatus(state, shape.report),
     result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
+    note: shape.report.status === 'refused' ? null : state.note,
     stale: !hasGeometry && state.shape !== null,
   };
 }
@@ -304,6 +328,17 @@ function withPlates({ shape, document, input }: State): Shape | null {
     },
   };
 }
+
+/** The body that a file is shown by: the first, unless another was chosen. */
+export const bodyOf = ({ input, document }: State): number =>
+  typeof input.options.body === 'number' ? input.options.body : (document?.info?.bodies[0]?.number ?? 1);
+
+export const statusOfBody = ({ status, reason }: Report): BodyStatus => ({ status, code: reason?.code });
+
+const withStatus = (state: State, report: Report): Bodies =>
+  (state.document?.info?.bodies.length ?? 0) > 1
+    ? { ...state.bodies, [bodyOf(state)]: statusOfBody(report) }
+    : state.bodies;
 
 /** Drafts of slit sheets leave out what the bends are. */
 const tellsBends = (state: State, report: Report, draft: boolean) =>

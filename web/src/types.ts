@@ -116,6 +116,7 @@ export interface ArtifactRow {
 export interface Request {
   spec?: Spec;
   options: Options;
+  chord?: number; // how far polygons may lie from curves, mm
 }
 export interface Progress {
   stage: string;
@@ -170,6 +171,8 @@ export interface Facets {
   edges: Float32Array;
   edge_facet: Uint32Array;
   edge_number: Uint32Array;
+  edge_length: Float32Array; // by border
+  edge_circle: Float32Array; // 4 a border: middle, radius (0: no arc), sweep
   contour_points: Float32Array;
   contour_starts: Uint32Array;
   contour_part: Int32Array;
@@ -181,6 +184,7 @@ export interface Facets {
 }
 
 export interface Shape extends Facets {
+  turn: number; // quarters by which the flat pattern is shown turned against the report and the files
   report: Report;
   parts: Part[];
   root: number[];
@@ -357,7 +361,7 @@ export interface PlatesSpec {
   k_factor?: number;
   plates: PlateSpec[];
   bends?: BendSpec[];
-  defaults?: { inside_radius?: number; lateral?: BendSpec["lateral"]; trade_off?: number };
+  defaults?: { inside_radius?: number; lateral?: BendSpec['lateral']; trade_off?: number };
   root?: string;
 }
 

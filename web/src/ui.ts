@@ -14,7 +14,7 @@ export interface Ui {
   openFiles(files: FileList | File[]): void;
   openExample(name: string): void;
   /** `artifact`: of the description, or "spec", the edited input. */
-  download(artifact: string, suffix: string, profile?: string): void;
+  download(artifact: string, suffix: string, more?: Pick<Options, 'profile' | 'units'>): void;
   cancel(): void;
   /** Computes the result that was abandoned. */
   finish(): void;

@@ -7,6 +7,7 @@ import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
 import { pickedRow } from './picked.ts';
+import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
 import { findingsOf } from './panels/tables.ts';
@@ -26,7 +27,7 @@ export class Views {
   private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
-  constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void) {
+  constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void, zoomed: () => void) {
     this.ui = ui;
     this.dragged = dragged;
     this.folded = new FoldedView(folded, this.palette, {
@@ -40,8 +41,18 @@ export class Views {
         this.plateAtStart = null;
         this.ui.commit();
       },
+      zoomed,
     });
-    this.flat = new FlatView(flat, this.palette, (picked, facet) => this.pickInFlat(picked, facet));
+    this.flat = new FlatView(flat, this.palette, (picked, facet) => this.pickInFlat(picked, facet), zoomed);
+  }
+
+  /** How far polygons may lie from curves, so that a quarter of a pixel is not exceeded in either view, mm. */
+  chord(shown: number): number {
+    return chordFor(
+      Math.max(this.flat.scale, this.folded.scale) * window.devicePixelRatio,
+      this.ui.state.result,
+      shown,
+    );
   }
 
   /** New geometry, handed to the renderer at once. */
@@ -108,6 +119,7 @@ export class Views {
       shape: state.shape,
       report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
       findings: findingsOf({ ...this.ui, state }),
+      turn: state.result?.turn ?? 0,
       selected: pickedRow(state),
       edge: state.selection.edge,
       finding: state.selection.finding,

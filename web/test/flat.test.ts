@@ -3,7 +3,7 @@ import { test } from 'node:test';
 import { findingMarks, findingUnder } from '../src/finding-marks.ts';
 import { dimensionReach } from '../src/flat-dimensions.ts';
 import { sidesAsReported } from '../src/rectangle.ts';
-import type { Finding, Vec2 } from '../src/types.ts';
+import type { Finding, FindingPlace, Vec2 } from '../src/types.ts';
 
 const finding = (...at: Vec2[]): Finding => ({ code: 'opening_to_edge', severity: 'warning', message: '', at });
 
@@ -33,15 +33,36 @@ test('marks of findings that would cover each other lose their numbers, never th
     findingMarks(findings, at, selected)
       .filter((m) => m.numbered)
       .map((m) => [m.finding, m.at[0]]);
-  assert.deepEqual(numbered(null), [
+  assert.deepEqual(numbered(null), [[0, 0]]);
+  assert.deepEqual(numbered(2), [[2, 6]]);
+  assert.deepEqual(numbered(1), [
     [1, 100],
-    [0, 0],
+    [1, 5],
   ]);
-  assert.deepEqual(numbered(2), [
-    [1, 100],
-    [2, 6],
-  ]);
-  assert.equal(findingMarks(findings, at, null).length, 4, 'each place has a mark');
+});
+
+test('a rule has one mark, at its worst place, until it is chosen: then one at each place', () => {
+  const places = Array.from(
+      { length: 300 },
+      (_, i): FindingPlace => ({ severity: i ? 'info' : 'warning', message: '', at: [[30 * i, 0]] }),
+    ),
+    rules: Finding[] = [1, 2, 3].map((y) => ({
+      code: 'hole_size',
+      severity: 'warning',
+      message: '',
+      places: places.map((p) => ({ ...p, at: [[p.at[0]![0], 100 * y]] })),
+    }));
+  const marks = (selected: number | null) => findingMarks(rules, (p) => p, selected);
+  assert.deepEqual(
+    marks(null).map((m) => [m.finding, m.at[0], m.severity]),
+    [
+      [2, 0, 'warning'],
+      [1, 0, 'warning'],
+      [0, 0, 'warning'],
+    ],
+  );
+  assert.equal(marks(1).filter((m) => m.finding === 1).length, 300);
+  assert.equal(marks(1).length, 302);
 });
 
 test('a click on a mark means its finding, the uppermost one', () => {

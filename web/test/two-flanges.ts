@@ -123,6 +123,7 @@ export function twoFlanges(
       edges: Float32Array.from(edges),
       edge_facet: Uint32Array.from(edgeFacet),
       edge_number: Uint32Array.from(edgeNumber),
+      edge_length: Float32Array.from([40, 60, developed, developed, 30, 30, 60, 60]),
       bend_lines: Float32Array.from([middle, 0, middle, 60]),
       bend_line_part: Uint32Array.from([1]),
     },

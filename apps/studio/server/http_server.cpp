@@ -1,7 +1,8 @@
 #include "http_server.hpp"
 
+#include "connections.hpp"
+
 #include <fmt/format.h>
-#include <httplib.h>
 
 #include <algorithm>
 #include <thread>
@@ -12,12 +13,6 @@ namespace {
 constexpr auto kHost = "127.0.0.1";
 constexpr auto kAnyPath = R"(/.*)";
 constexpr std::size_t kLongestTarget = 2048;
-
-// A connection takes a thread while it is open. It carries one request: the unread rest of a
-// rejected request would be taken for the next one.
-constexpr std::size_t kThreads = 64;
-constexpr std::size_t kRequestsOfAConnection = 1;
-constexpr time_t kIdleSeconds = 5;
 
 // Scripts may set styles on elements; scripts come only from this server.
 constexpr auto kContentPolicy =
@@ -138,16 +133,14 @@ void explain(const httplib::Request& request, httplib::Response& response) {
 }  // namespace
 
 struct HttpServer::Content {
-  httplib::Server server;
+  ConnectionServer server;
   std::thread listening;
 };
 
 HttpServer::HttpServer() : content_(std::make_unique<Content>()) {
   httplib::Server& server = content_->server;
-  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  server.new_task_queue = [] { return new ConnectionThreads; };
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(kRequestsOfAConnection);
-  server.set_keep_alive_timeout(kIdleSeconds);
   server.set_payload_max_length(kLargestBody);
   // By default the library lets a second server take the same port and half of the requests.
   server.set_socket_options([](socket_t socket) {

@@ -14,6 +14,16 @@ Result<const job::Report*> shown_piece(const job::Made& made, const Asked& asked
   return piece;
 }
 
+// Drafts are seen for a moment, shaded smoothly: 0.15 mm, 10° will do.
+const FacetOptions kOfDrafts{0.15, Angle::degrees(10.0)};
+
+FacetOptions facet_options(const Asked& asked, job::Effort effort) {
+  FacetOptions options = effort == job::Effort::draft ? kOfDrafts : FacetOptions{};
+  if (asked.chord) options.chord = *asked.chord;
+  options.extruded = asked.request.extruded;
+  return options;
+}
+
 void add_flange_names(Shape& shape, const job::Made& made) {
   const auto names = made.flange_names();
   for (std::size_t i = 0; i < names.size() && i < shape.parts.size(); ++i)
@@ -80,7 +90,7 @@ Result<Shape> Document::shape(const Asked& asked, job::Effort effort, const Prog
   Shape shape;
   shape.report = (*made)->json();
   shape.handles = (*made)->handles();
-  add_sheet(shape, **piece, effort);
+  add_sheet(shape, **piece, facet_options(asked, effort));
   add_flange_names(shape, **made);
   if ((*made)->report().refusal)
     if (const auto solid = (*made)->refused_solid()) add_space(shape, *solid);

@@ -20,6 +20,19 @@ Result<void> read_options(const Json& options, const job::Maker& maker, job::Req
   return {};
 }
 
+// Below, a circle as large as a sheet would have thousands of corners; above, a small hole three.
+constexpr double kFinestChord = 1e-5, kCoarsestChord = 10.0;  // mm
+
+Result<double> read_chord(const Json& value) {
+  if (!value.is_number())
+    return mistake(fmt::format("the chord is {}; it must be a number", json_text(value)), "/chord");
+  const double chord = value.get<double>();
+  if (chord >= kFinestChord && chord <= kCoarsestChord) return chord;
+  return mistake(fmt::format("the chord is {} mm; it must be from {} to {} mm", chord, kFinestChord,
+                             kCoarsestChord),
+                 "/chord");
+}
+
 }  // namespace
 
 Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
@@ -27,17 +40,23 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
   if (!json) return tl::unexpected(json.error());
   if (!json->is_object()) return mistake("the request must be an object", "");
   Asked asked;
-  asked.key = text;
+  std::string options;
   for (const auto& [key, value] : json->items()) {
     if (key == "spec") {
       if (!value.is_null()) asked.spec = json_text(value);
     } else if (key == "options") {
       if (auto read = read_options(value, maker, asked.request); !read)
         return tl::unexpected(read.error());
+      options = json_text(value);
+    } else if (key == "chord") {
+      const auto chord = read_chord(value);
+      if (!chord) return tl::unexpected(chord.error());
+      asked.chord = *chord;
     } else {
       return mistake(fmt::format("a request has no key \"{}\"", key), "/" + key);
     }
   }
+  asked.key = asked.spec + "\n" + options;
   return asked;
 }
 

@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 #include <planish/job/run.hpp>
 
+#include <optional>
 #include <string>
 
 namespace planish::studio {
@@ -11,9 +12,10 @@ inline constexpr auto kOptions = "/options";  ///< where they are in a request
 
 /// A parsed request of docs/studio-api.md.
 struct Asked {
-  std::string key;   ///< the whole request as text: equal requests have equal keys
+  std::string key;   ///< spec and options as text: requests of the same geometry have equal keys
   std::string spec;  ///< JSON text; empty: none
   job::Request request;
+  std::optional<double> chord;  ///< how far facets may lie from curves, mm
 };
 
 /// Errors: `invalid_input` for anything that is not JSON, unknown keys, options that the maker does

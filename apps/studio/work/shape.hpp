@@ -5,6 +5,7 @@
 #include <planish/geometry/frame.hpp>
 #include <planish/geometry/mesh.hpp>
 #include <planish/job/report.hpp>
+#include <planish/sheet/facets.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -35,8 +36,8 @@ struct Shape {
 
 /// Adds flanges and bends as rows of `parts`, first the flanges, then the bends, each in the
 /// sheet's order; then the facets with their outline, the bend lines, and where the pattern covers
-/// itself. Adds nothing for a report without a pattern. Drafts have fewer facets.
-void add_sheet(Shape& shape, const job::Report& report, job::Effort effort);
+/// itself. Adds nothing for a report without a pattern.
+void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& options);
 
 /// Adds a solid to show.
 void add_space(Shape& shape, const Mesh& mesh);

@@ -1,20 +1,14 @@
 #include "overlap_triangles.hpp"
 #include "shape.hpp"
 
-#include <planish/sheet/facets.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 namespace planish::studio {
 namespace {
 
 using Numbers = std::vector<std::uint32_t>;
-
-// Drafts are seen for a moment, shaded smoothly: 0.15 mm, 10° will do.
-const FacetOptions kOfDrafts{0.15, Angle::degrees(10.0)};
 
 std::uint32_t count_of(std::size_t size) { return static_cast<std::uint32_t>(size); }
 
@@ -86,6 +80,20 @@ struct PolygonArrays {
   }
 };
 
+/// What the borders are, exactly: their lengths, and the circles on which arcs lie.
+void add_borders(Shape& shape, const std::vector<Curve2>& borders) {
+  std::vector<float> lengths, circles;
+  for (const Curve2& curve : borders) {
+    lengths.push_back(static_cast<float>(length(curve)));
+    const auto* arc = std::get_if<Arc>(&curve);
+    append(circles, arc ? arc->center : Vec2::Zero().eval());
+    circles.push_back(arc ? static_cast<float>(arc->radius) : 0.0F);
+    circles.push_back(arc ? static_cast<float>(arc->sweep) : 0.0F);
+  }
+  shape.add("edge_length", lengths);
+  shape.add("edge_circle", circles);
+}
+
 void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   PolygonArrays polygons;
   std::vector<std::int32_t> parents;
@@ -114,6 +122,7 @@ void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {
   shape.add("edges", edges);
   shape.add("edge_facet", edge_facets);
   shape.add("edge_number", edge_numbers);
+  add_borders(shape, facets.borders);
   shape.root = facets.root;
 }
 
@@ -125,8 +134,11 @@ class Contours {
   void add(const Loop& loop, bool outside, std::int32_t part) {
     const std::vector<Vec2> ring = sampled(loop, chord_);
     const bool turned = (ring_area(ring) > 0.0) != outside;
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      append(points_, ring[turned ? ring.size() - 1 - i : i]);
+    add(turned ? std::vector<Vec2>(ring.rbegin(), ring.rend()) : ring, part);
+  }
+  void add(const std::vector<Vec2>& ring, std::int32_t part) {
+    for (const Vec2& p : ring)
+      append(points_, p);
     starts_.push_back(count_of(points_.size() / 2));
     parts_.push_back(part);
   }
@@ -143,20 +155,33 @@ class Contours {
   std::vector<std::int32_t> parts_;
 };
 
-void add_contours(Shape& shape, const job::Report& report, double chord) {
-  const auto& [sheet, flat, layout] = std::tie(report.sheet, report.flat, report.layout);
+/// The parts: bends with faces by their outlines, the others by their facets.
+void add_part_contours(Contours& contours, const job::Report& report, const Facets& facets) {
+  const Sheet& sheet = report.sheet;
+  for (const BendId bend : sheet.bends.ids())
+    for (const FaceId face : sheet[bend].faces) {
+      const std::vector<Loop>& loops = report.layout.images[face];
+      for (std::size_t i = 0; i < loops.size(); ++i)
+        contours.add(loops[i], i == 0, static_cast<std::int32_t>(row_of(sheet, bend)));
+    }
+  for (const Facet& facet : facets.facets) {
+    if (!sheet.faces_of(facet.part).empty() && std::holds_alternative<BendId>(facet.part)) continue;
+    const auto row = std::visit([&](auto id) { return row_of(sheet, id); }, facet.part);
+    for (const Polygon& polygon : facet.polygons) {
+      contours.add(polygon.outer, static_cast<std::int32_t>(row));
+      for (const auto& hole : polygon.holes)
+        contours.add(hole, static_cast<std::int32_t>(row));
+    }
+  }
+}
+
+void add_contours(Shape& shape, const job::Report& report, const Facets& facets, double chord) {
   constexpr std::int32_t kWhole = -1;
   Contours contours(chord);
-  contours.add(flat.outer.loop, true, kWhole);
-  for (const Contour& opening : flat.openings)
+  contours.add(report.flat.outer.loop, true, kWhole);
+  for (const Contour& opening : report.flat.openings)
     contours.add(opening.loop, false, kWhole);
-  for (const FaceId id : sheet.faces.ids()) {
-    const auto row = std::visit([&, &sheet = sheet](auto part) { return row_of(sheet, part); },
-                                sheet[id].part_of);
-    const std::vector<Loop>& loops = layout.images[id];
-    for (std::size_t i = 0; i < loops.size(); ++i)
-      contours.add(loops[i], i == 0, static_cast<std::int32_t>(row));
-  }
+  add_part_contours(contours, report, facets);
   contours.add_to(shape);
 }
 
@@ -184,14 +209,14 @@ void add_overlaps(Shape& shape, const job::Report& report) {
 
 }  // namespace
 
-void add_sheet(Shape& shape, const job::Report& report, job::Effort effort) {
+void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& options) {
   const Sheet& sheet = report.sheet;
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
-  const FacetOptions options = effort == job::Effort::draft ? kOfDrafts : FacetOptions{};
-  add_facets(shape, sheet, facets_of(sheet, report.layout, options));
+  const Facets facets = facets_of(sheet, report.layout, options);
+  add_facets(shape, sheet, facets);
   add_directions(shape, sheet, report.flat);
-  add_contours(shape, report, options.chord);
+  add_contours(shape, report, facets, options.chord);
   add_bend_lines(shape, sheet, report.flat);
   add_overlaps(shape, report);
 }

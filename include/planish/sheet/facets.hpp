@@ -20,11 +20,12 @@ struct Facet {
   std::vector<Polygon> polygons;  ///< outer rings counter-clockwise, holes clockwise
 };
 
-/// A segment of the sheet's outline (cut edges, including those of openings), in the flat pattern.
+/// A segment of the sheet's outline (cut edges, including those of openings, and outlines of
+/// forms), in the flat pattern.
 struct FacetEdge {
   int facet = 0;
   Segment line;
-  int border = 0;  ///< the border that it is part of, counted from 0 without gaps: a line, an arc
+  int border = 0;  ///< the border that it is part of, a row of `Facets::borders`: a line, an arc
                    ///< or a spline, on bends across all facets
 };
 
@@ -35,6 +36,8 @@ struct Facets {
   std::vector<Facet> facets;  ///< parents before children; the root is a face of the largest flange
                               ///< or, in a sheet without flanges, a facet of a bend
   std::vector<FacetEdge> edges;
+  std::vector<Curve2> borders;  ///< of the outline, in the flat pattern, exact: `edges` are chords
+                                ///< of these, numbered as here
   Eigen::Isometry3d root = Eigen::Isometry3d::Identity();  ///< from the flat pattern (z = 0) to the
                                                            ///< root facet in space, in the middle
                                                            ///< of the material
@@ -44,11 +47,15 @@ struct FacetOptions {
   double chord = 0.05;               ///< largest distance of facets and polygons from curved
                                      ///< borders and bends, mm
   Angle most = Angle::degrees(6.0);  ///< largest angle between two facets of a bend
+  /// What is cut within forms, as in the pattern.
+  ExtrudedHoles extruded = ExtrudedHoles::pilot;
 };
 
 /// Cuts the sheet as it was laid out along its joints and along rulings of its bends. The tree is
-/// the layout's, rooted at the largest flange. Facets of a bend fold to its end within angle²/24 of
-/// its width. Requires the layout of that sheet and options above 0.
+/// the layout's, rooted at the largest flange; a sharp bend has a facet at each joint where it
+/// takes room. Facets cover what the pattern covers: they go on within the outlines of forms, which
+/// lie in one face. Facets of a bend fold to its end within angle²/24 of its width. Requires the
+/// layout of that sheet and options above 0.
 Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& options = {});
 
 /// For each facet, the motion from the flat pattern into space with every angle at `share` of its

@@ -13,7 +13,7 @@ import { knownPiece } from '../report.ts';
 import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
 import { platesOf, type Ui } from '../ui.ts';
-import { choice, lengthField, lengthSlider, niceAbove, numberField, section } from './fields.ts';
+import { choice, lengthField, lengthSlider, niceAbove, numberField, refuse, section } from './fields.ts';
 import { platesPart } from './plates.ts';
 
 export function connectPanel(ui: Ui) {
@@ -202,6 +202,7 @@ function edgesField(row: BendRow, own: BendSpec | undefined, id: string, set: (p
     const input = e.target as HTMLInputElement,
       edges = parseEdges(input.value);
     if (edges === null) {
+      refuse(input, `“${input.value}” names no edges; they are numbers such as 2 3 or 2…9.`);
       input.value = text;
       return;
     }

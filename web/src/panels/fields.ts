@@ -21,17 +21,46 @@ const largest = 1e8;
 
 const isSound = (value: number) => Number.isFinite(value) && Math.abs(value) <= largest;
 
-/** A number, applied when entered; invalid or out-of-range entries are reverted. */
+/** Says why an entry is not taken, after which the field goes back to what it was. */
+export const refuse = (input: HTMLElement, sentence: string) =>
+  input.dispatchEvent(new CustomEvent('refused', { bubbles: true, detail: sentence }));
+
+interface Limits {
+  label: string;
+  unit?: string;
+  digits?: number;
+  min?: number;
+  max?: number;
+}
+
+/** Why an entry cannot be a field's value; null if it can. */
+export function whyNot(entered: string, { label, unit, digits = 4, min, max }: Limits): string | null {
+  const value = Number(entered),
+    size = (v: number) => `${clean(v, digits)}${unit ? ` ${unit}` : ''}`,
+    nearZero = min !== undefined && min > 0 && Number(clean(min, digits)) === 0;
+  if (entered === '') return `${label} needs a number.`;
+  if (!Number.isFinite(value)) return `“${entered}” is no number; ${label} needs one.`;
+  if (!isSound(value)) return `${label} cannot be ${entered}: that is larger than anything in a workshop.`;
+  if (nearZero && value < min) return `${label} cannot be ${entered}; it is above 0.`;
+  if (min !== undefined && max !== undefined && (value < min || value > max))
+    return `${label} cannot be ${entered}; it is from ${size(min)} to ${size(max)}.`;
+  if (min !== undefined && value < min) return `${label} cannot be ${entered}; it is at least ${size(min)}.`;
+  if (max !== undefined && value > max) return `${label} cannot be ${entered}; it is at most ${size(max)}.`;
+  return null;
+}
+
+/** A number, applied when entered; entries that cannot be are refused with a sentence. */
 export function numberField(o: NumberOptions): TemplateResult {
   const text = o.value === null || o.value === undefined ? '' : clean(o.value, o.digits ?? 4);
   const change = (e: Event) => {
     const input = e.target as HTMLInputElement,
       entered = input.value.trim().replace(',', '.');
-    const value = Number(entered);
+    const no = whyNot(entered, o);
     if (entered === '' && o.placeholder !== undefined) o.on(null);
-    else if (entered === '' || !isSound(value) || value < (o.min ?? -Infinity) || value > (o.max ?? Infinity))
+    else if (no !== null) {
       input.value = text;
-    else if (entered !== text) o.on(value);
+      refuse(input, no);
+    } else if (entered !== text) o.on(Number(entered));
     if (o.momentary) input.value = text;
   };
   return html`<label class="field"
@@ -87,9 +116,12 @@ export function slider(o: SliderOptions): TemplateResult {
   const text = clean(o.value, o.digits ?? 3);
   const enter = (e: Event) => {
     const input = e.target as HTMLInputElement,
-      value = Number(input.value.replace(',', '.'));
-    if (input.value.trim() === '' || !isSound(value) || value < (o.least ?? -Infinity)) input.value = text;
-    else if (input.value !== text) o.on(value, false);
+      entered = input.value.trim().replace(',', '.'),
+      no = whyNot(entered, { label: o.label, unit: o.unit, digits: o.digits, min: o.least });
+    if (no !== null) {
+      input.value = text;
+      refuse(input, no);
+    } else if (entered !== text) o.on(Number(entered), false);
   };
   return html`<label class="slider"
     ><span>${o.label}</span>

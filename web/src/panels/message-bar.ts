@@ -7,7 +7,7 @@ import type { Ui } from '../ui.ts';
 /** A line that is always present, so that nothing moves when a message appears. */
 export function messageBar(ui: Ui) {
   const { problem, note, opening, busy, progress } = ui.state,
-    shown = opening?.name ? null : problem;
+    shown = opening?.name || note !== null ? null : problem; // a note is newer than the problem
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
     <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}
       >${shown

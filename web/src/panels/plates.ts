@@ -25,7 +25,7 @@ import {
 import type { BendRow, PlateSpec, PlatesSpec, Vec2, Vec3 } from '../types.ts';
 import { convert } from '../units.ts';
 import type { Ui } from '../ui.ts';
-import { lengthField, numberField } from './fields.ts';
+import { lengthField, numberField, refuse } from './fields.ts';
 
 /** Plates to choose from, actions on the chosen one, and new plates. */
 export function platesPart(ui: Ui, spec: PlatesSpec, rows: BendRow[]) {
@@ -61,6 +61,8 @@ function nameFields(ui: Ui, spec: PlatesSpec, plate: PlateSpec) {
       to = input.value.trim(),
       renamed = renamePlate(spec, plate.id, to);
     input.value = plate.id;
+    if (!renamed && to !== plate.id)
+      refuse(input, to === '' ? 'A plate needs a name.' : `Another plate is already called ${to}.`);
     if (!renamed) return;
     ui.edit<PlatesSpec>(() => renamed);
     choose(ui, to);

@@ -3,6 +3,7 @@ import { bendsToMark } from '../picked.ts';
 import { knownPiece, pieceOf } from '../report.ts';
 import { clean, lengthText, millimetres, residualText, sizeText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
+import { refuse, whyNot } from './fields.ts';
 import type { BendRow, Finding } from '../types.ts';
 
 const most = 120;
@@ -62,9 +63,12 @@ function kCell(ui: Ui, r: BendRow) {
   const change = (e: Event) => {
     const input = e.target as HTMLInputElement,
       entered = input.value.trim().replace(',', '.'),
-      k = Number(entered);
-    if (entered !== '' && !(k >= 0 && k <= 1)) input.value = text;
-    else
+      k = Number(entered),
+      no = entered === '' ? null : whyNot(entered, { label: `K of ${r.id}`, min: 0, max: 1 });
+    if (no !== null) {
+      input.value = text;
+      refuse(input, no);
+    } else
       ui.editOptions((o) => {
         const bend_k = { ...o.bend_k };
         if (entered === '') delete bend_k[r.id];

@@ -1,8 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { MakerRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
+import type { DisplayUnit } from '../units.ts';
 
-let profile: string | undefined; // names of the DXF's layers as last chosen; not part of the document
+// Of the DXF as last chosen, names of its layers and its unit; not part of the document. The unit is the page's until
+// another is chosen.
+let profile: string | undefined, dxfUnits: DisplayUnit | undefined;
 
 export function topBar(ui: Ui): TemplateResult {
   const { document: d, past, pending, future, units, theme } = ui.state;
@@ -101,7 +104,7 @@ function downloadMenu(ui: Ui) {
     maker = makers.find((m) => m.name === ui.state.document?.kind);
   const save = (artifact: string, suffix: string) => (e: Event) => {
     closeMenu(e);
-    ui.download(artifact, suffix, artifact === 'dxf' ? profile : undefined);
+    ui.download(artifact, suffix, artifact === 'dxf' ? { profile, units: dxfUnits ?? ui.state.units } : {});
   };
   const button = (name: string, suffix: string, description: string) =>
     html`<button data-testid="download-${name}" @click=${save(name, suffix)}>${description}</button>`;
@@ -113,12 +116,30 @@ function downloadMenu(ui: Ui) {
         ? html`<p class="hint">Open something first.</p>`
         : html`${rows.map(({ name, suffix, description }) =>
             name === 'dxf'
-              ? html`<div class="dxf">${button(name, suffix, description)}${layerChoice(maker)}</div>`
+              ? html`<div class="dxf">${button(name, suffix, description)}${unitChoice(ui)}${layerChoice(maker)}</div>`
               : button(name, suffix, description),
           )}
           ${maker.editable ? button('spec', '.json', 'JSON, the edited input') : nothing}`}
     </div>
   </details>`;
+}
+
+/** A DXF has a unit of its own: what is downloaded says which. */
+function unitChoice(ui: Ui) {
+  const chosen = dxfUnits ?? ui.state.units;
+  return html`<label
+    >in
+    <select
+      data-testid="dxf-units"
+      @change=${(e: Event) => {
+        dxfUnits = (e.target as HTMLSelectElement).value as DisplayUnit;
+      }}
+    >
+      ${(['mm', 'inch'] as const).map(
+        (unit) => html`<option value=${unit} .selected=${unit === chosen}>${unit}</option>`,
+      )}
+    </select></label
+  >`;
 }
 
 function layerChoice(maker: MakerRow) {

@@ -1,6 +1,6 @@
 import { html, nothing } from 'lit-html';
-import type { Options } from '../types.ts';
-import type { PickMode } from '../state.ts';
+import type { BodyInfo, Options } from '../types.ts';
+import type { BodyStatus, PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
 import { choice, numberField, section } from './fields.ts';
 
@@ -15,13 +15,7 @@ export function unfoldPanel(ui: Ui) {
           'Unfold',
           'body',
           String(options.body ?? bodies[0]!.number),
-          bodies.map(
-            (b) =>
-              [
-                String(b.number),
-                `${b.number} · ${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`,
-              ] as const,
-          ),
+          bodies.map((b) => [String(b.number), bodyText(b, ui.state.bodies[b.number])] as const),
           (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
         ),
       )
@@ -79,6 +73,20 @@ export function unfoldPanel(ui: Ui) {
       <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
   )}`;
 }
+
+/** A body for the list: its name, how many there are, and what is known of it. */
+const bodyText = (b: BodyInfo, known: BodyStatus | undefined) =>
+  [b.number, `${b.name || 'unnamed'}${b.quantity > 1 ? ` × ${b.quantity}` : ''}`, statusText(known)].join(' · ');
+
+/** What is known of a body. */
+const statusText = (known: BodyStatus | undefined): string =>
+  known === undefined
+    ? '…'
+    : known.status === 'refused'
+      ? `no flat pattern: ${(known.code ?? 'refused').replaceAll('_', ' ')}`
+      : known.status === 'warning'
+        ? 'sheet, with warnings'
+        : 'sheet';
 
 const kRule = (o: Options) => (o.din6935 ? 'din6935' : o.k === undefined ? 'default' : 'number');
 
