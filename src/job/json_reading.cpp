@@ -150,6 +150,14 @@ double JsonPlace::number() const {
 
 double JsonPlace::length() const { return number() * millimetres_in(reading_->unit()); }
 
+double JsonPlace::coordinate() const {
+  constexpr double kFarthest = 1e9;  // mm: beyond, doubles no longer place what is cut
+  const double value = length();
+  if (std::abs(value) <= kFarthest) return value;
+  mistake("is farther than 1,000 km away: move the parts to the origin");
+  return 0.0;
+}
+
 Angle JsonPlace::angle() const { return Angle::degrees(number()); }
 
 int JsonPlace::whole() const { return static_cast<int>(number()); }
@@ -167,13 +175,13 @@ bool JsonPlace::yes() const {
 Vec3 JsonPlace::point() const {
   const auto xyz = items();
   if (xyz.size() != 3) return Vec3::Zero();
-  return {xyz[0].length(), xyz[1].length(), xyz[2].length()};
+  return {xyz[0].coordinate(), xyz[1].coordinate(), xyz[2].coordinate()};
 }
 
 Vec2 JsonPlace::plane_point() const {
   const auto xy = items();
   if (xy.size() != 2) return Vec2::Zero();
-  return {xy[0].length(), xy[1].length()};
+  return {xy[0].coordinate(), xy[1].coordinate()};
 }
 
 std::optional<Vec3> JsonPlace::direction() const {

@@ -88,8 +88,10 @@ class JsonPlace {
 
   /// The value, or the schema's default if it was left out.
   double number() const;
-  double length() const;  ///< mm, from the file's unit
-  Angle angle() const;    ///< from degrees
+  double length() const;
+  /// A length of a point, mm; a mistake beyond 1,000 km.
+  double coordinate() const;  ///< mm, from the file's unit
+  Angle angle() const;        ///< from degrees
   int whole() const;
   std::string text() const;
   bool yes() const;

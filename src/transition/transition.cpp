@@ -20,6 +20,9 @@ constexpr double kSamePoint = 100.0 * tolerance::kComputed;
 /// A piece that loses more than this share cannot be folded.
 constexpr double kMostCut = 0.1;
 
+/// No transition is a kilometre wide or long, and far larger ones lose what doubles can tell; mm.
+constexpr double kLargest = 1e6;
+
 /// The ring, and the parts of each piece.
 struct Division {
   Ring ring;
@@ -33,6 +36,12 @@ Result<Division> divided(const TransitionSpec& spec, const TransitionOptions& op
   if (auto sound = check_request(spec); !sound) return tl::unexpected(sound.error());
   auto ring = ring_of(spec, options);
   if (!ring) return tl::unexpected(ring.error());
+  if (ring->size > kLargest)
+    return fail(ErrorCode::invalid_input,
+                fmt::format("the profiles are {:.4g} km wide or apart; the largest transition has "
+                            "1 km",
+                            ring->size / 1e6),
+                "/to");
   auto cuts = cuts_of(*ring, spec.seam, spec.pieces);
   if (!cuts) return tl::unexpected(cuts.error());
   if (ring->count() == 1) {
