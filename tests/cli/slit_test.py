@@ -299,7 +299,7 @@ class Refusals(SlitTest):
         press = {"code": "strips_press", "severity": "info"}
         for name, expected in ("low_chair", [press]), ("chair", []), ("plume", []):
             with self.subTest(name):
-                self.run_cli("slit", str(EXAMPLES / f"{name}.json"), "--json", "report.json")
+                self.run_cli("slit", str(EXAMPLES / f"{name}.json"), "--check", "--json", "report.json")
                 report = self.json("report.json")
                 found = [{key: check[key] for key in press} for check in report["checks"]
                          if check["code"] in ("strips_press", "self_intersection")]
