@@ -24,12 +24,8 @@ job::InfoRequest request_of(const InfoArguments& arguments) {
 
 /// Errors of the command line, before any work.
 std::optional<Error> unwritable(const InfoArguments& arguments) {
-  for (const auto& file : files_named({arguments.json})) {
-    if (arguments.input != "-")
-      if (const auto spared = spare_inputs(file, {arguments.input}); !spared) return spared.error();
-    if (const auto exists = folder_exists(file); !exists) return exists.error();
-    if (const auto fine = check_writable(file); !fine) return fine.error();
-  }
+  for (const auto& file : files_named({arguments.json}))
+    if (const auto fine = check_output(file, arguments.input); !fine) return fine.error();
   return std::nullopt;
 }
 

@@ -68,6 +68,13 @@ Result<void> folder_exists(const fs::path& file) {
               file.string());
 }
 
+Result<void> check_output(const fs::path& output, const std::string& input) {
+  if (input != "-")
+    if (auto spared = spare_inputs(output, {input}); !spared) return spared;
+  if (auto exists = folder_exists(output); !exists) return exists;
+  return check_writable(output);
+}
+
 Result<void> all_different(const std::vector<fs::path>& outputs) {
   std::set<fs::path> taken;
   for (const fs::path& path : outputs) {

@@ -37,6 +37,10 @@ Result<void> spare_inputs(const std::filesystem::path& output,
 /// after it.
 Result<void> folder_exists(const std::filesystem::path& file);
 
+/// All that can be said of one output of a command with one input ("-": standard input) before any
+/// work.
+Result<void> check_output(const std::filesystem::path& output, const std::string& input);
+
 /// `bad_option` for two outputs with one name, of which only the last would remain.
 Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
 

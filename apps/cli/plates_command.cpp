@@ -30,11 +30,8 @@ std::optional<Error> unwritable(const PlatesArguments& arguments) {
   if (arguments.output == "-") return std::nullopt;
   if (arguments.input == "-" && arguments.output.empty())
     return bad_option("standard input has no name to call the plates file after: add -o FILE");
-  const std::filesystem::path output = output_of(arguments);
-  if (arguments.input != "-")
-    if (const auto spared = spare_inputs(output, {arguments.input}); !spared) return spared.error();
-  if (const auto exists = folder_exists(output); !exists) return exists.error();
-  if (const auto fine = check_writable(output); !fine) return fine.error();
+  if (const auto fine = check_output(output_of(arguments), arguments.input); !fine)
+    return fine.error();
   return std::nullopt;
 }
 

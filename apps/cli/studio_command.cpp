@@ -32,7 +32,6 @@ const job::Option kTimeLimit{.name = "time_limit",
                              .group = "",
                              .description = "longest time for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
-constexpr int kUsualLimit = 120;                                                      // s
 
 std::filesystem::path own_path() {
   std::error_code unknown;
@@ -55,16 +54,15 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
 }
 
 int run_studio(const StudioArguments& arguments) {
-  const auto whole = [&](const char* name, int otherwise) {
-    return std::to_string(static_cast<int>(arguments.options.number(name).value_or(otherwise)));
+  const auto given = [&](const char* name) {
+    const auto value = arguments.options.number(name);
+    return value ? std::to_string(static_cast<int>(*value)) : std::string();
   };
   const std::filesystem::path program = own_path().parent_path() / "planish-studio";
-  std::array<std::string, 6> words{program.string(),
-                                   "serve",
-                                   arguments.input,
-                                   whole("port", 0),
-                                   whole("time_limit", kUsualLimit),
-                                   arguments.no_browser ? "no-browser" : "browser"};
+  std::array<std::string, 6> words{
+      program.string(),    "serve",
+      arguments.input,     given("port"),
+      given("time_limit"), arguments.no_browser ? "no-browser" : "browser"};
   std::array<char*, words.size() + 1> raw{};
   std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
   execv(program.c_str(), raw.data());

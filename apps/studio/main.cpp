@@ -7,7 +7,8 @@
 #include <string_view>
 
 // What `planish studio` goes on as, and what that starts as its workers:
-//   planish-studio serve FILE PORT SECONDS browser|no-browser      (FILE may be empty)
+//   planish-studio serve FILE PORT SECONDS browser|no-browser
+//                        the first three may be empty, which leaves the usual
 //   planish-studio studio-worker SERVER
 
 int main(int argc, char** argv) {
@@ -20,8 +21,8 @@ int main(int argc, char** argv) {
   }
   studio::StudioOptions options;
   if (*argv[2] != '\0') options.file = argv[2];
-  options.port = std::atoi(argv[3]);
-  options.time_limit = std::chrono::seconds(std::atoi(argv[4]));
+  if (*argv[3] != '\0') options.port = std::atoi(argv[3]);
+  if (*argv[4] != '\0') options.time_limit = std::chrono::seconds(std::atoi(argv[4]));
   options.open_browser = std::string_view(argv[5]) == "browser";
   const auto done = studio::run_studio(options);
   return done ? 0 : cli::complain(done.error());

@@ -88,7 +88,7 @@ std::vector<Finding> strip_meetings(const SlitReport& report, const Sheet& sheet
            places(meeting)});
     else
       pressed.push_back(
-          {Severity::warning,
+          {Severity::info,
            fmt::format("{} and {} need the same space, {:.3g} mm deep or more: move "
                        "their curves apart, or chamfer their edges",
                        name_of(pair.first, pair.first), name_of(pair.second, pair.first), depth),

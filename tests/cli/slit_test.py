@@ -304,6 +304,9 @@ class Refusals(SlitTest):
                 found = [{key: check[key] for key in press} for check in report["checks"]
                          if check["code"] in ("strips_press", "self_intersection")]
                 self.assertEqual(found, expected)
+                for check in report["checks"]:  # its places are no worse than the finding
+                    if check["code"] == "strips_press":
+                        self.assertEqual({place["severity"] for place in check["places"]}, {"info"})
 
     def test_strips_too_short(self):
         short = chair()
