@@ -38,8 +38,8 @@ find_package_handle_standard_args(Occt
 # Linker options that have a program load the toolkits that reading STEP takes before all other
 # libraries.
 set(Occt_LOAD_FIRST LINKER:--push-state,--no-as-needed)
-foreach(_toolkit TKSTEPBase TKSTEPAttr TKSTEP209 TKSTEP TKernel TKXSBase TKMath TKG3d TKG2d TKBRep
-    TKGeomBase TKTopAlgo TKGeomAlgo TKMesh TKShHealing)
+foreach(_toolkit TKSTEPBase TKMath TKSTEPAttr TKXSBase TKGeomAlgo TKSTEP TKGeomBase TKernel TKG3d
+    TKTopAlgo TKBRep TKShHealing TKSTEP209 TKMesh TKG2d)
   list(APPEND Occt_LOAD_FIRST "${Occt_${_toolkit}_LIBRARY}")
 endforeach()
 list(APPEND Occt_LOAD_FIRST LINKER:--pop-state)

@@ -28,9 +28,9 @@ set(PLANISH_WALLED_LIBS
   Dxflib::dxflib=dxflib/dl_dxf.h,dxflib/dl_creationadapter.h,dxflib/dl_creationinterface.h
   nlohmann_json::nlohmann_json=nlohmann/json.hpp,nlohmann/json_fwd.hpp
   CLI11::CLI11=CLI/CLI.hpp,CLI/App.hpp
-  Ceres::ceres=ceres/ceres.h,ceres/problem.h,ceres/solver.h,ceres/cost_function.h,ceres/manifold.h,ceres/jet.h,ceres/tiny_solver.h
+  TinySolver::TinySolver=ceres/ceres.h,ceres/problem.h,ceres/solver.h,ceres/cost_function.h,ceres/manifold.h,ceres/jet.h,ceres/tiny_solver.h
   nanoflann::nanoflann=nanoflann.hpp
-  fcl=fcl/fcl.h,fcl/config.h,fcl/geometry/bvh/BVH_model.h,fcl/broadphase/broadphase_dynamic_AABB_tree.h,fcl/geometry/shape/box.h,fcl/geometry/shape/convex.h,fcl/narrowphase/collision.h,fcl/narrowphase/collision_object.h
+  ccd=ccd/ccd.h
   Httplib::httplib=httplib.h
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 

@@ -87,10 +87,12 @@ class Apart {
     const auto answering = [this](const Texts&, const job::Parent& parent) {
       return texts_of(command_.make(parent));
     };
-    const auto child = ChildProcess::copy(answering, running_.limits.memory);
+    auto child = ChildProcess::copy(answering, running_.limits.memory);
     if (!child) return tl::unexpected(child.error());
+    child_ = std::move(*child);
     const auto hear = [this](const Texts& note) { command_.hear(note); };
-    const auto answer = (*child)->ask({}, time, {line_.progress(), hear});
+    const auto answer = child_->ask({}, time, {line_.progress(), hear});
+    child_->kill();
     if (!answer) return tl::unexpected(error_of(answer.error()));
     if (auto outcome = outcome_in(*answer)) return std::move(*outcome);
     return tl::unexpected(error_of({{}, job::kDamagedAnswer}));
@@ -109,6 +111,8 @@ class Apart {
   Command& command_;
   const Running& running_;
   ProgressLine line_;
+  // Waited for when its files are written: the system takes a while to clear up after it.
+  std::unique_ptr<ChildProcess> child_;
 };
 
 int said(const Outcome& outcome, const Running& running) {

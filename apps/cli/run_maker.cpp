@@ -106,11 +106,13 @@ class OnePart : public Command {
   Outcome make(const job::Parent& parent) override {
     const auto plan = planned(catalogue_, arguments_);
     if (!plan) return unplanned(arguments_, plan.error());
-    const auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
+    auto work = job::open_input(*arguments_.maker, plan->request, parent.progress);
     if (!work) return failed_outcome(arguments_, plan->request, work.error());
-    const auto made = (*work)->make(plan->request, parent.progress);
+    work_ = std::move(*work);
+    auto made = work_->make(plan->request, parent.progress);
     if (!made) return failed_outcome(arguments_, plan->request, made.error());
-    return outcome_of(**made, *plan);
+    made_ = std::move(*made);
+    return outcome_of(*made_, *plan);
   }
 
   Outcome failed(const Error& error) const override {
@@ -136,6 +138,9 @@ class OnePart : public Command {
 
   const job::Catalogue& catalogue_;
   const Arguments& arguments_;
+  // Kept: the process ends with its answer, and freeing them would only delay that.
+  std::unique_ptr<job::Work> work_;
+  std::unique_ptr<Made> made_;
 };
 
 /// Every body of a file. One that crashes the process is left out of the next.

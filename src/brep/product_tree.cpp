@@ -317,24 +317,25 @@ Result<ProductTree> read_products(std::istream& text, const fs::path& path, cons
     return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
   };
   progress.at("reading", 0.0);
-  Content content;
-  if (!content.parse(text, path))
+  const auto content = std::make_shared<Content>();
+  if (!content->parse(text, path))
     return fail(ErrorCode::invalid_input,
                 fmt::format("{} cannot be read: its STEP syntax is broken; export it again.", name),
                 name);
-  if (auto error = content.point_too_far_away(name)) return tl::unexpected(std::move(*error));
+  if (auto error = content->point_too_far_away(name)) return tl::unexpected(std::move(*error));
   if (progress.should_stop()) return stopped();
   progress.at("translating", kParsed);
   const Handle(Translating) translating = new Translating(progress);
-  const bool whole = content.translate(translating->Start());
+  const bool whole = content->translate(translating->Start());
   if (progress.should_stop()) return stopped();
   if (!whole)
     return fail(ErrorCode::no_solid,
                 fmt::format("{} holds no shape that can be read; export a solid body.", name),
                 name);
   ProductTree tree;
-  tree.unit = content.unit();
-  Walk(content, path.parent_path(), {path.lexically_normal()}, tree).add_all();
+  tree.unit = content->unit();
+  tree.content = content;
+  Walk(*content, path.parent_path(), {path.lexically_normal()}, tree).add_all();
   return tree;
 }
 

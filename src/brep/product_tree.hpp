@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct ProductTree {
   int surface_bodies = 0;  ///< shells, and faces without shell, that belong to no solid
   std::string unit;  ///< length unit of the file: "mm" (also where it names none), "m", or as it
                      ///< spells it
+  std::shared_ptr<const void> content;  ///< what the kernel made of the text; the solids do not
+                                        ///< need it
 };
 
 /// Reads a STEP text. Files that it refers to are looked for beside `path`, its own place. Errors:

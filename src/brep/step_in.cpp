@@ -95,6 +95,7 @@ Result<StepFile> transfer(const std::string& text, const std::string& path, cons
         file.bodies = BodyCollector(tree->solids).take(progress);
         file.surface_bodies = tree->surface_bodies;
         file.unit = tree->unit;
+        file.content = tree->content;
         if (progress.should_stop())
           return fail(ErrorCode::cancelled, "Stopped while reading " + name + ".", name);
         return file;

@@ -1,82 +1,60 @@
 #include "block_tree.hpp"
 
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/collision_object.h>
+#include <ccd/ccd.h>
 
-#include <cstdint>
-#include <cstdlib>
+#include <algorithm>
+#include <utility>
 
 namespace planish::collision_detail {
 namespace {
 
-using Object = fcl::CollisionObjectd;
-
-/// A hull for which FCL needs no faces: it asks for the farthest corner in a direction only.
-std::unique_ptr<Object> hull(const std::vector<Vec3>& corners, int number) {
-  const auto no_faces = std::make_shared<const std::vector<int>>();
-  auto object = std::make_unique<Object>(std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Vec3>>(corners), 0, no_faces));
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): a number, kept where FCL has room for it
-  object->setUserData(reinterpret_cast<void*>(static_cast<std::intptr_t>(number)));
-  return object;
+std::vector<Box3> boxes_of(const std::vector<std::vector<Vec3>>& blocks) {
+  std::vector<Box3> boxes(blocks.size());
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+    for (const Vec3& corner : blocks[i])
+      boxes[i].extend(corner);
+  return boxes;
 }
 
-int number_of(const Object* object) {
-  return static_cast<int>(reinterpret_cast<std::intptr_t>(object->getUserData()));
+/// The farthest corner in a direction: all that libccd asks about a hull.
+void farthest_corner(const void* block, const ccd_vec3_t* direction, ccd_vec3_t* farthest) {
+  const Eigen::Map<const Vec3> along(direction->v);
+  const auto& corners = *static_cast<const std::vector<Vec3>*>(block);
+  Eigen::Map<Vec3>(farthest->v) = *std::ranges::max_element(
+      corners, {}, [&](const Vec3& corner) { return along.dot(corner); });
 }
 
-Box3 object_box(const Object* object) { return {object->getAABB().min_, object->getAABB().max_}; }
-
-struct BlockPairs {
-  int apart = 0;  ///< blocks whose numbers differ by less are not tested
-  Box3 found;
-};
-
-bool test(Object* a, Object* b, void* data) {
-  auto& pairs = *static_cast<BlockPairs*>(data);
-  if (std::abs(number_of(a) - number_of(b)) < pairs.apart) return false;
-  fcl::CollisionResultd result;
-  if (fcl::collide(a, b, fcl::CollisionRequestd(), result) > 0)
-    pairs.found.extend(object_box(a).intersection(object_box(b)));
-  return false;  // go on
+/// Gilbert, Johnson and Keerthi's algorithm.
+bool intersect(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  constexpr int kMostSteps = 500;
+  ccd_t settings;
+  CCD_INIT(&settings);
+  settings.support1 = settings.support2 = farthest_corner;
+  settings.max_iterations = kMostSteps;
+  return ccdGJKIntersect(&a, &b, &settings) != 0;
 }
 
 }  // namespace
 
-struct BlockTree::Model {
-  std::vector<std::unique_ptr<Object>> objects;
-  mutable fcl::DynamicAABBTreeCollisionManagerd manager;
-};
-
-BlockTree::BlockTree(const std::vector<std::vector<Vec3>>& blocks)
-    : model_(std::make_unique<Model>()) {
-  std::vector<Object*> registered;
-  for (const auto& block : blocks) {
-    model_->objects.push_back(hull(block, static_cast<int>(registered.size())));
-    registered.push_back(model_->objects.back().get());
-  }
-  if (registered.empty()) return;
-  model_->manager.registerObjects(registered);
-  model_->manager.setup();
-}
-
-BlockTree::~BlockTree() = default;
-BlockTree::BlockTree(BlockTree&&) noexcept = default;
-BlockTree& BlockTree::operator=(BlockTree&&) noexcept = default;
+BlockTree::BlockTree(std::vector<std::vector<Vec3>> blocks)
+    : blocks_(std::move(blocks)), tree_(boxes_of(blocks_)) {}
 
 Box3 BlockTree::meetings(const BlockTree& other) const {
-  BlockPairs pairs;
-  if (!model_->objects.empty() && !other.model_->objects.empty())
-    model_->manager.collide(&other.model_->manager, &pairs, test);
-  return pairs.found;
+  Box3 found;
+  tree_.visit_pairs(other.tree_, 0.0, [&](int a, int b) {
+    if (intersect(blocks_[a], other.blocks_[b]))
+      found.extend(tree_.box(a).intersection(other.tree_.box(b)));
+  });
+  return found;
 }
 
 Box3 BlockTree::own_meetings() const {
-  BlockPairs pairs{.apart = 2, .found = {}};
-  if (!model_->objects.empty()) model_->manager.collide(&pairs, test);
-  return pairs.found;
+  Box3 found;
+  tree_.visit_pairs(0.0, [&](int a, int b) {
+    if (b - a > 1 && intersect(blocks_[a], blocks_[b]))
+      found.extend(tree_.box(a).intersection(tree_.box(b)));
+  });
+  return found;
 }
 
 }  // namespace planish::collision_detail

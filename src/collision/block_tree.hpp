@@ -1,19 +1,13 @@
 #pragma once
 
-#include <planish/geometry/mesh.hpp>
-
-#include <memory>
-#include <vector>
+#include "box_tree.hpp"
 
 namespace planish::collision_detail {
 
 /// Convex blocks, each the hull of its corners, in a tree of boxes.
 class BlockTree {
  public:
-  explicit BlockTree(const std::vector<std::vector<Vec3>>& blocks);
-  ~BlockTree();
-  BlockTree(BlockTree&&) noexcept;
-  BlockTree& operator=(BlockTree&&) noexcept;
+  explicit BlockTree(std::vector<std::vector<Vec3>> blocks);
 
   /// A box that holds all places where blocks of both intersect; empty if none do.
   Box3 meetings(const BlockTree& other) const;
@@ -21,8 +15,8 @@ class BlockTree {
   Box3 own_meetings() const;
 
  private:
-  struct Model;
-  std::unique_ptr<Model> model_;
+  std::vector<std::vector<Vec3>> blocks_;
+  BoxTree tree_;
 };
 
 }  // namespace planish::collision_detail

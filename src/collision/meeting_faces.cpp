@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -97,16 +98,34 @@ class FaceSearch {
       if (!where.isEmpty()) found.push_back({{a, b}, where});
     };
     for (const FaceId id : sheet_.faces.ids())
-      if (turn_of(sheet_[id]) > kLeastTurn.radians()) keep(id, id, blocks(id).own_meetings());
-    for (const auto& [i, j] : near_boxes(boxes(), 0.0)) {
-      const FaceId a{i}, b{j};
-      if (!parted(a, b)) keep(a, b, blocks(a).meetings(blocks(b)));
-    }
+      if (turn_of(sheet_[id]) > kLeastTurn.radians()) keep(id, id, blocks(id)->own_meetings());
+    const std::vector<Box3> boxes = hull_boxes();
+    const auto pairs = unparted_pairs(boxes);
+    IdVector<FaceId, int> others(sheet_.faces.size());
+    for (const auto& [a, b] : pairs)
+      ++others[a], ++others[b];
+    const auto blocks_near = [&](FaceId id, const Box3& box) {
+      return others[id] <= kFewOthers && is_flange(id) ? blocks_within(id, box) : blocks(id);
+    };
+    for (const auto& [a, b] : pairs)
+      keep(a, b, blocks_near(a, boxes[index_of(b)])->meetings(*blocks_near(b, boxes[index_of(a)])));
     return found;
   }
 
  private:
-  std::vector<Box3> boxes() const {
+  /// Flanges that few others come near are cut into blocks there only, the rest once and whole.
+  static constexpr int kFewOthers = 4;
+
+  bool is_flange(FaceId id) const { return std::holds_alternative<Frame>(sheet_[id].surface); }
+
+  std::vector<std::pair<FaceId, FaceId>> unparted_pairs(const std::vector<Box3>& boxes) const {
+    std::vector<std::pair<FaceId, FaceId>> pairs;
+    for (const auto& [i, j] : near_boxes(boxes, 0.0))
+      if (!parted(FaceId{i}, FaceId{j})) pairs.emplace_back(FaceId{i}, FaceId{j});
+    return pairs;
+  }
+
+  std::vector<Box3> hull_boxes() const {
     std::vector<Box3> result;
     for (const Block& hull : hulls_) {
       Box3& box = result.emplace_back();
@@ -125,19 +144,22 @@ class FaceSearch {
     return std::ranges::any_of(directions_[a], apart) || std::ranges::any_of(directions_[b], apart);
   }
 
-  const BlockTree& blocks(FaceId id) {
+  std::shared_ptr<const BlockTree> blocks_within(FaceId id, const std::optional<Box3>& box) const {
+    return std::make_shared<BlockTree>(folded_blocks(
+        sheet_, id, {.inset = 0.5 * depth_, .chord = kChordShare * depth_, .within = box}));
+  }
+
+  std::shared_ptr<const BlockTree> blocks(FaceId id) {
     auto& tree = trees_[index_of(id)];
-    if (!tree)
-      tree.emplace(
-          folded_blocks(sheet_, id, {.inset = 0.5 * depth_, .chord = kChordShare * depth_}));
-    return *tree;
+    if (!tree) tree = blocks_within(id, {});
+    return tree;
   }
 
   const Sheet& sheet_;
   double depth_;
   IdVector<FaceId, Block> hulls_;
   IdVector<FaceId, std::vector<Vec3>> directions_;
-  std::vector<std::optional<BlockTree>> trees_;  ///< by face; made when first asked for
+  std::vector<std::shared_ptr<const BlockTree>> trees_;  ///< by face; made when first asked for
 };
 
 }  // namespace

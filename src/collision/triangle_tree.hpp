@@ -1,10 +1,6 @@
 #pragma once
 
-#include <planish/geometry/mesh.hpp>
-
-#include <functional>
-#include <memory>
-#include <vector>
+#include "box_tree.hpp"
 
 namespace planish::collision_detail {
 
@@ -12,9 +8,6 @@ namespace planish::collision_detail {
 class TriangleTree {
  public:
   TriangleTree(const Mesh& mesh, std::vector<int> triangles);
-  ~TriangleTree();
-  TriangleTree(TriangleTree&&) noexcept;
-  TriangleTree& operator=(TriangleTree&&) noexcept;
 
   /// Calls `found(triangle)` for every triangle whose box meets `box`.
   void visit(const Box3& box, const std::function<void(int)>& found) const;
@@ -26,11 +19,8 @@ class TriangleTree {
   void visit_pairs(double reach, const std::function<void(int, int)>& found) const;
 
  private:
-  struct Model;
-  std::unique_ptr<Model> model_;
+  std::vector<int> triangles_;
+  BoxTree tree_;
 };
-
-/// Every two boxes that are at most `reach` apart, by their numbers.
-std::vector<std::pair<int, int>> near_boxes(const std::vector<Box3>& boxes, double reach);
 
 }  // namespace planish::collision_detail

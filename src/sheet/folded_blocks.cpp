@@ -68,15 +68,25 @@ std::vector<Polygon> beyond_mitres(const Sheet& sheet, FaceId face, double inset
   return strips;
 }
 
+/// What a box covers of a plane, looked at along its normal.
+Box2 seen_on(const Frame& plane, const Box3& box) {
+  Box2 seen;
+  for (int i = 0; i < 8; ++i)
+    seen.add(plane.local2(box.corner(static_cast<Box3::CornerType>(i))));
+  return seen;
+}
+
 std::vector<Block> blocks_of_flange(const Sheet& sheet, FaceId id, const BlockOptions& options) {
   const Face& face = sheet[id];
   Polygon polygon{ring_of(face.loops.front(), options.chord), {}};
   for (std::size_t i = 1; i < face.loops.size(); ++i)
     polygon.holes.push_back(ring_of(face.loops[i], options.chord));
   const Skins skins = skins_of(sheet, options.inset);
+  std::optional<Box2> within;
+  if (options.within) within = seen_on(std::get<Frame>(face.surface), *options.within);
   std::vector<Block> blocks;
   for (const auto& triangle :
-       inset_triangles(polygon, options.inset, beyond_mitres(sheet, id, options.inset))) {
+       inset_triangles(polygon, options.inset, beyond_mitres(sheet, id, options.inset), within)) {
     Block& block = blocks.emplace_back();
     for (const Vec2& corner : triangle)
       add_corners(block, face, corner, skins);

@@ -2,11 +2,9 @@
 
 #include "reach.hpp"
 
-#include <ceres/cost_function.h>
-#include <ceres/iteration_callback.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
+#include <ceres/tiny_solver.h>
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -18,84 +16,98 @@
 namespace planish::slit_detail {
 namespace {
 
-class ObjectiveCost final : public ceres::CostFunction {
- public:
-  ObjectiveCost(const StripProblem& problem, const EndChart& chart)
-      : problem_(problem), chart_(chart) {
-    set_num_residuals(problem.residuals());
-    mutable_parameter_block_sizes()->push_back(chart.dimensions());
-  }
+/// Ends a descent: TinySolver is left in no other way before it is satisfied itself.
+struct Ended {
+  bool converged = false;
+};
 
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const auto shape = chart_.shape(
-        Eigen::Map<const Eigen::VectorXd>(parameters[0], chart_.dimensions()));
-    if (!shape) return false;
-    Eigen::Map<Eigen::VectorXd> values(residuals, num_residuals());
-    if (!jacobians || !jacobians[0]) return evaluate(problem_, *shape, values, nullptr);
-    RowMatrix full(num_residuals(), problem_.parameters());
-    Eigen::Ref<RowMatrix> jacobian(full);
-    if (!evaluate(problem_, *shape, values, &jacobian)) return false;
-    Eigen::Map<RowMatrix>(jacobians[0], num_residuals(), chart_.dimensions()) = chart_.derivative(
-        *shape, std::move(full));
+/// The lowest point so far of a descent in the coordinates about one shape.
+struct Lowest {
+  Eigen::VectorXd xi;
+  double objective = std::numeric_limits<double>::infinity();
+  int steps = 0;
+};
+
+class Objective {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  Objective(const StripProblem& problem, const EndChart& chart, const DescentOptions& options,
+            Lowest& lowest)
+      : problem_(problem), chart_(chart), options_(options), lowest_(lowest) {}
+
+  int NumResiduals() const { return problem_.residuals(); }
+  int NumParameters() const { return chart_.dimensions(); }
+
+  /// TinySolver asks for values where a step leads, and for derivatives where it begins. Where
+  /// there is no shape the values are infinite: the next step is shorter.
+  bool operator()(const double* parameters, double* residuals, double* jacobian) const {
+    const Eigen::Map<const Eigen::VectorXd> xi(parameters, NumParameters());
+    Eigen::Map<Eigen::VectorXd> values(residuals, NumResiduals());
+    const auto shape = chart_.shape(xi);
+    if (jacobian) {
+      RowMatrix full(NumResiduals(), problem_.parameters());
+      Eigen::Ref<RowMatrix> ref(full);
+      if (!shape || !evaluate(problem_, *shape, values, &ref)) throw Ended();
+      Eigen::Map<Eigen::MatrixXd>(jacobian, NumResiduals(), NumParameters()) = chart_.derivative(
+          *shape, std::move(full));
+      if (lowest_.steps == 0) lowest_ = {xi, 0.5 * values.squaredNorm()};
+      return true;
+    }
+    if (!shape || !evaluate(problem_, *shape, values, nullptr))
+      values.setConstant(std::numeric_limits<double>::infinity());
+    note(xi, 0.5 * values.squaredNorm());
     return true;
   }
 
  private:
-  const StripProblem& problem_;
-  const EndChart& chart_;
-};
-
-class StopWhenAsked final : public ceres::IterationCallback {
- public:
-  explicit StopWhenAsked(const std::function<bool()>& stop) : stop_(stop) {}
-  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
-    return stop_ && stop_() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  void note(const Eigen::VectorXd& xi, double objective) const {
+    const double gain = lowest_.objective - objective;
+    if (gain > 0.0) lowest_ = {xi, objective, lowest_.steps};
+    ++lowest_.steps;
+    if (std::abs(gain) <= options_.function_tolerance * lowest_.objective) throw Ended{true};
+    if (options_.stop && options_.stop()) throw Ended();
   }
 
- private:
-  const std::function<bool()>& stop_;
+  const StripProblem& problem_;
+  const EndChart& chart_;
+  const DescentOptions& options_;
+  Lowest& lowest_;
 };
 
-// The gain ends the descent; these only stop it when a gain is too small to see.
-constexpr double kLeastGradient = 1e-12, kLeastStep = 1e-10;
+using Solver = ceres::TinySolver<Objective>;
 
-ceres::Solver::Options solver_options(const DescentOptions& options,
-                                      ceres::IterationCallback* callback) {
-  ceres::Solver::Options result;
-  result.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  result.max_num_iterations = options.max_iterations;
-  result.function_tolerance = options.function_tolerance;
-  result.gradient_tolerance = kLeastGradient;
-  result.parameter_tolerance = kLeastStep;
-  result.max_num_consecutive_invalid_steps = 30;
-  result.logging_type = ceres::SILENT;
-  result.callbacks.push_back(callback);
-  return result;
-}
-
-ceres::Problem::Options borrowing() {
-  ceres::Problem::Options options;
-  options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  options.disable_all_safety_checks = true;
+/// The gain of a step ends the descent; these only stop it when a gain is too small to see.
+Solver::Options solver_options(int most_steps) {
+  Solver::Options options;
+  options.max_num_iterations = most_steps + 1;  // it counts the start
+  options.gradient_tolerance = 1e-12;
+  options.parameter_tolerance = 1e-10;
+  options.function_tolerance = 0.0;  // absolute, Objective's is a share
+  options.cost_threshold = 0.0;
   return options;
 }
 
 /// Descends in the coordinates about one shape. Returns how far it went in them.
 double descend_in_chart(const StripProblem& problem, const DescentOptions& options,
-                        ceres::IterationCallback* callback, Descent& descent) {
+                        Descent& descent) {
   const EndChart chart(problem, descent.p);
-  ObjectiveCost cost(problem, chart);
+  Lowest lowest;
   Eigen::VectorXd xi = Eigen::VectorXd::Zero(chart.dimensions());
-  ceres::Problem ceres_problem(borrowing());
-  ceres_problem.AddResidualBlock(&cost, nullptr, xi.data());
-  ceres::Solver::Summary summary;
-  ceres::Solve(solver_options(options, callback), &ceres_problem, &summary);
-  if (const auto shape = chart.shape(xi)) descent.p = *shape;
-  descent.objective = summary.final_cost;
-  descent.iterations += static_cast<int>(summary.iterations.size());
-  descent.converged = summary.termination_type == ceres::CONVERGENCE;
-  return xi.size() ? xi.cwiseAbs().maxCoeff() : 0.0;
+  try {
+    Solver solver;
+    solver.options = solver_options(options.max_iterations);
+    solver.Solve(Objective(problem, chart, options, lowest), &xi);
+    descent.converged = solver.summary.status != Solver::HIT_MAX_ITERATIONS;
+  } catch (const Ended& ended) {
+    descent.converged = ended.converged;
+  }
+  if (lowest.objective == std::numeric_limits<double>::infinity()) return 0.0;
+  if (const auto shape = chart.shape(lowest.xi)) descent.p = *shape;
+  descent.objective = lowest.objective;
+  descent.iterations += lowest.steps;
+  return lowest.xi.size() ? lowest.xi.cwiseAbs().maxCoeff() : 0.0;
 }
 
 }  // namespace
@@ -106,11 +118,10 @@ Descent descend(const StripProblem& problem, const StripParameters& from,
   // about a new shape.
   constexpr double kFar = 0.5;
   Descent descent{from};
-  StopWhenAsked callback(options.stop);
   DescentOptions rest = options;
   double moved = std::numeric_limits<double>::infinity();
   while (rest.max_iterations > 0 && moved > kFar) {
-    moved = descend_in_chart(problem, rest, &callback, descent);
+    moved = descend_in_chart(problem, rest, descent);
     rest.max_iterations = options.max_iterations - descent.iterations;
     if (options.stop && options.stop()) break;
   }

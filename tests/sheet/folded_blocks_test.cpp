@@ -91,6 +91,35 @@ TEST(FoldedBlocks, LeaveOutOpeningsOfFlanges) {
   EXPECT_NEAR(with_holes, *plate.volume, 1e-3 * *plate.volume);
 }
 
+TEST(FoldedBlocks, OfFlangesCoverWhatLiesInABox) {
+  // An L bracket's 50 × 40 × 2 flange, and a box about the middle 10 mm of its width.
+  const Sheet sheet = l_bracket();
+  const FaceId flange = sheet.faces_of(FlangeId{0}).front();
+  Box3 whole;
+  for (const Block& block : folded_blocks(sheet, flange, {.inset = 0.5}))
+    for (const Vec3& p : block)
+      whole.extend(p);
+  Eigen::Index across = 0;
+  whole.sizes().minCoeff(&across);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (axis == across) continue;
+    Box3 part = whole;
+    part.min()[axis] = whole.center()[axis] - 5.0;
+    part.max()[axis] = whole.center()[axis] + 5.0;
+    double volume = 0.0;
+    Box3 covered;
+    for (const Block& block : folded_blocks(sheet, flange, {.inset = 0.5, .within = part})) {
+      volume += prism_volume(block);
+      for (const Vec3& p : block)
+        covered.extend(p);
+    }
+    EXPECT_TRUE(covered.contains(part));
+    const Vec3 sizes = covered.sizes();
+    EXPECT_NEAR(volume, sizes.prod(), 1e-6 * volume);  // no gap
+    EXPECT_LT(sizes[axis], 10.0 + 4 * 0.5);
+  }
+}
+
 TEST(FoldedBlocks, LieWithinTheHull) {
   for (const Sheet& sheet : {l_bracket(), box(), cone_joined(), rolled(), lofted_corner()})
     for (const FaceId face : sheet.faces.ids()) {

@@ -32,11 +32,14 @@ class Body {
 
 /// What a STEP file holds. Lengths are mm whatever the file's unit was.
 struct StepFile {
-  std::string schema;        ///< e.g. "AP214 (AUTOMOTIVE_DESIGN)"
-  std::string cad_system;    ///< originating system as stated in the header
-  std::string unit;          ///< length unit of the file, "mm", "inch", …
-  std::vector<Body> bodies;  ///< distinct bodies in file order
-  int surface_bodies = 0;    ///< shells that are not part of a solid
+  std::string schema;                   ///< e.g. "AP214 (AUTOMOTIVE_DESIGN)"
+  std::string cad_system;               ///< originating system as stated in the header
+  std::string unit;                     ///< length unit of the file, "mm", "inch", …
+  std::vector<Body> bodies;             ///< distinct bodies in file order
+  int surface_bodies = 0;               ///< shells that are not part of a solid
+  std::shared_ptr<const void> content;  ///< what the kernel made of the text. Nothing needs it;
+                                        ///< it is here because freeing it takes a while: reset it
+                                        ///< to save memory, keep it to save time
 };
 
 /// Reads a STEP file (AP203, AP214, AP242). Identical bodies are merged (`quantity`); mirror images

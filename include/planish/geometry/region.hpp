@@ -3,6 +3,7 @@
 #include <planish/geometry/curve.hpp>
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace planish {
@@ -41,9 +42,11 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
 /// Triangles that together cover what remains of a polygon without others, shrunk by `inset`. They
 /// meet in sides and corners and cover nothing else, to within 1e-9 of the extent; of a remainder
 /// that cannot be triangulated they cover the convex hull. Rings that cross themselves count by the
-/// even-odd rule. Requires inset ≥ 0. O(n log n) for n corners.
+/// even-odd rule. What does not meet `within` may be missing. Requires inset ≥ 0. O(n log n) for n
+/// corners.
 std::vector<std::array<Vec2, 3>> inset_triangles(const Polygon& polygon, double inset,
-                                                 const std::vector<Polygon>& without = {});
+                                                 const std::vector<Polygon>& without = {},
+                                                 const std::optional<Box2>& within = {});
 
 /// Places where a closed ring crosses itself. Only proper crossings count: touching, and crossing
 /// exactly at a corner, do not. Near-linear for outlines of ordinary parts.

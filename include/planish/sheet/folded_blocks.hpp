@@ -1,7 +1,9 @@
 #pragma once
 
+#include <planish/geometry/mesh.hpp>
 #include <planish/sheet/sheet.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace planish {
@@ -12,6 +14,7 @@ using Block = std::vector<Vec3>;
 struct BlockOptions {
   double inset = 0.0;   ///< how far from skins and borders blocks stay, mm
   double chord = 0.01;  ///< largest distance of blocks from curved skins and borders, mm
+  std::optional<Box3> within = {};  ///< blocks of a flange that do not meet it may be missing
 };
 
 /// Convex blocks of the material of a face, between the skins along their normals, that together
