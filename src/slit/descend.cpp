@@ -78,12 +78,14 @@ class Objective {
 
 using Solver = ceres::TinySolver<Objective>;
 
-/// The gain of a step ends the descent; these only stop it when a gain is too small to see.
+// The gain of a step ends the descent; these only stop it when a gain is too small to see.
+constexpr double kLeastGradient = 1e-12, kLeastStep = 1e-10;
+
 Solver::Options solver_options(int most_steps) {
   Solver::Options options;
   options.max_num_iterations = most_steps + 1;  // it counts the start
-  options.gradient_tolerance = 1e-12;
-  options.parameter_tolerance = 1e-10;
+  options.gradient_tolerance = kLeastGradient;
+  options.parameter_tolerance = kLeastStep;
   options.function_tolerance = 0.0;  // absolute, Objective's is a share
   options.cost_threshold = 0.0;
   return options;
