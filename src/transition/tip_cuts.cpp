@@ -14,6 +14,10 @@ namespace {
 constexpr double kInsideRadius = 0.1;
 /// Largest share of a ruling that may be cut off.
 constexpr double kMostOfRuling = 0.9;
+/// Largest share of a panel's border that is cut off for other panels.
+constexpr double kMostForOthers = 0.3;
+/// Sine of the angle between directions that are one.
+constexpr double kSameDirection = 1e-6;
 /// Corners of profiles that are one, a share of the extent.
 constexpr double kSameCorner = tolerance::kComputed;
 
@@ -26,6 +30,7 @@ struct PanelCorner {
   int side = 0;
   Vec3 at, one_way, other_way;  ///< the corner, and the next ones along both borders
   double fold = 0.0, other_fold = 0.0;
+  Vec3 normal = Vec3::Zero();
 };
 
 std::vector<PanelCorner> corners_of(const RuledPatch& patch, const PatchPart& part,
@@ -53,6 +58,35 @@ double cut_of(const PanelCorner& corner, double inside, double radius) {
   const double moved = inside * (std::tan(0.5 * corner.fold) + std::tan(0.5 * corner.other_fold));
   const double wanted = 0.5 * (radius - inside) * (corner.fold + corner.other_fold);
   return (moved * std::cos(0.5 * opening) + wanted) / (2.0 * std::sin(0.5 * opening));
+}
+
+bool share_a_border(const PanelCorner& a, const PanelCorner& b) {
+  const auto along = [](const PanelCorner& corner, const Vec3& way) {
+    return Vec3((way - corner.at).normalized());
+  };
+  for (const Vec3& way : {a.one_way, a.other_way})
+    for (const Vec3& other : {b.one_way, b.other_way})
+      if ((along(a, way) - along(b, other)).norm() <= kSameDirection) return true;
+  return false;
+}
+
+/// How far from its corner a panel clears another one that ends there, but for a fold that both
+/// share. Their planes meet in a line through the corner, from which the insides of both stay away
+/// by inside · tan(turn / 2). 0 where they are in one plane.
+double cut_beside(const PanelCorner& own, const PanelCorner& other, double inside, double room) {
+  const Vec3 line = own.normal.cross(other.normal);
+  if (line.norm() <= kSameDirection || share_a_border(own, other)) return 0.0;
+  Vec3 across = line.cross(own.normal).normalized();
+  const Vec3 one = own.one_way - own.at, next = own.other_way - own.at;
+  if (across.dot(one.normalized() + next.normalized()) < 0.0) across = -across;
+  const double wanted = inside * std::tan(0.5 * angle_between(own.normal, other.normal)) + room;
+  double cut = 0.0;
+  for (const Vec3& border : {one, next}) {
+    const double away = across.dot(border) / border.norm();
+    const double most = kMostForOthers * border.norm();
+    cut = std::max(cut, away * most > wanted ? wanted / away : most);
+  }
+  return cut;
 }
 
 }  // namespace
@@ -86,8 +120,10 @@ void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside
         for (int side = 0; side < 2; ++side)
           folds.push_back({side, patch.ruling(parts[i].from)[side], 0.0});
       if (!patch.plane()) continue;
-      for (const PanelCorner& corner : corners_of(patch, parts[i], first, last))
+      for (PanelCorner corner : corners_of(patch, parts[i], first, last)) {
+        corner.normal = patch.normal(0.5 * (parts[i].from + parts[i].to));
         corners.push_back(corner);
+      }
     }
   const std::vector<Tip> cones = tips_;
   for (const PanelCorner& corner : corners) {
@@ -98,6 +134,11 @@ void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside
                         std::count_if(cones.begin(), cones.end(), here);
     if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
   }
+  for (const PanelCorner& corner : corners)
+    for (const PanelCorner& other : corners)
+      if (other.side == corner.side && (other.at - corner.at).norm() <= near_)
+        if (const double cut = cut_beside(corner, other, inside, radius - inside); cut > 0.0)
+          tips_.push_back({corner.side, corner.at, cut});
 }
 
 double TipCuts::at(int side, const Vec3& p) const {

@@ -1,0 +1,109 @@
+// Random transitions: each has a net, whose lengths and area are those of closed forms and of a
+// convex hull made here. docs/transition.md says how it is run.
+#include "random_transition.hpp"
+
+#include <planish/job/run.hpp>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace planish::transitions {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Options {
+  std::uint64_t seed = 1;
+  int count = 40, first = 0;
+  std::string keep;  ///< folder for the files of what is wrong; empty: none
+};
+
+std::string off_by(const char* what, double value, double expected) {
+  constexpr double kShare = 1e-8;
+  if (std::abs(value - expected) <= kShare * expected) return {};
+  return fmt::format("{} is {}, not {}", what, value, expected);
+}
+
+/// What is wrong about the report of a net; empty: nothing.
+std::string wrong_with(const Json& file, const Json& report) {
+  if (!report["reason"].is_null()) return report["reason"].dump();
+  const Json &proof = report["verification"], &made = report["transition"];
+  constexpr double kLength = 1e-6, kVolume = 1e-2;
+  for (const char* figure : {"length_error", "refold_deviation"})
+    if (!proof[figure].is_number() || !(proof[figure].get<double>() <= kLength))
+      return fmt::format("{} is {}", figure, proof[figure].dump());
+  if (proof["volume_ratio"].is_number() &&
+      !(std::abs(proof["volume_ratio"].get<double>() - 1.0) <= kVolume))
+    return fmt::format("volume_ratio is {}", proof["volume_ratio"].dump());
+  for (std::size_t end = 0; end < 2; ++end)
+    if (const auto length = perimeter_of(file[end == 0 ? "from" : "to"]["profile"]))
+      if (auto wrong = off_by("a perimeter", made["perimeters"][end], *length); !wrong.empty())
+        return wrong;
+  if (const auto area = area_between(file)) return off_by("the area", made["area"], *area);
+  return {};
+}
+
+std::optional<Options> options_of(const std::vector<std::string>& words) {
+  Options options;
+  for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+    const std::string& value = words[i + 1];
+    if (words[i] == "--seed")
+      options.seed = std::strtoull(value.c_str(), nullptr, 10);
+    else if (words[i] == "--count")
+      options.count = std::atoi(value.c_str());
+    else if (words[i] == "--first")
+      options.first = std::atoi(value.c_str());
+    else if (words[i] == "--keep")
+      options.keep = value;
+    else
+      return std::nullopt;
+  }
+  return words.size() % 2 == 0 ? std::optional(options) : std::nullopt;
+}
+
+int run(const Options& options) {
+  int defects = 0;
+  std::map<std::string, int> findings;
+  for (int i = options.first; i < options.first + options.count; ++i) {
+    const Json file = random_transition(options.seed, i);
+    const Json request{{"maker", "transition"},
+                       {"input", {{"name", "t.json"}, {"content", file}}},
+                       {"artifacts", {"dxf", "step"}}};
+    const auto result = job::run(request.dump());
+    const Json report = result ? Json::parse(result->report) : Json();
+    const std::string wrong = result ? wrong_with(file, report) : result.error().message;
+    if (result)
+      for (const Json& finding : report["checks"]) {
+        const std::string severity = finding["severity"], code = finding["code"];
+        if (severity != "info") ++findings[severity + " " + code];
+        if (severity == "error") fmt::print("{}: {}\n", i, finding["message"].get<std::string>());
+      }
+    if (wrong.empty()) continue;
+    ++defects;
+    fmt::print("{}: {}\n", i, wrong);
+    if (!options.keep.empty())
+      std::ofstream(fmt::format("{}/transition_{}_{}.json", options.keep, options.seed, i))
+          << file.dump(1);
+  }
+  fmt::print("{} transitions, {} defects\n", options.count, defects);
+  for (const auto& [finding, count] : findings)
+    fmt::print("  {:5} with {}\n", count, finding);
+  return defects == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace planish::transitions
+
+int main(int argc, char** argv) {
+  const auto options = planish::transitions::options_of({argv + 1, argv + argc});
+  if (options) return planish::transitions::run(*options);
+  fmt::print(stderr, "random_transitions [--seed N] [--count N] [--first N] [--keep FOLDER]\n");
+  return 2;
+}
