@@ -2,6 +2,7 @@
 
 #include "reach.hpp"
 
+#include <Eigen/Cholesky>
 #include <ceres/tiny_solver.h>
 
 #include <cmath>
@@ -76,7 +77,7 @@ class Objective {
   Lowest& lowest_;
 };
 
-using Solver = ceres::TinySolver<Objective>;
+using Solver = ceres::TinySolver<Objective, Eigen::LLT<Eigen::MatrixXd>>;
 
 // The gain of a step ends the descent; these only stop it when a gain is too small to see.
 constexpr double kLeastGradient = 1e-12, kLeastStep = 1e-10;
