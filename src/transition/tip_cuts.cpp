@@ -16,6 +16,8 @@ constexpr double kInsideRadius = 0.1;
 constexpr double kMostOfRuling = 0.9;
 /// Largest share of a panel's border that is cut off for other panels.
 constexpr double kMostForOthers = 0.3;
+/// Sine of the angle by which a ruling is apart from a line.
+constexpr double kApart = 0.2;
 /// Sine of the angle between directions that are one.
 constexpr double kSameDirection = 1e-6;
 /// Corners of profiles that are one, a share of the extent.
@@ -30,6 +32,7 @@ struct PanelCorner {
   int side = 0;
   Vec3 at, one_way, other_way;  ///< the corner, and the next ones along both borders
   double fold = 0.0, other_fold = 0.0;
+  bool on_edge = false;  ///< of the profile, the other way
   Vec3 normal = Vec3::Zero();
 };
 
@@ -43,12 +46,12 @@ std::vector<PanelCorner> corners_of(const RuledPatch& patch, const PatchPart& pa
             {1, q1, p0, q0, last_fold, 0.0}};
   if (patch.stands(1))
     return {{1, q0, p0, p1, first_fold, last_fold},
-            {0, p0, q0, p1, first_fold, 0.0},
-            {0, p1, q0, p0, last_fold, 0.0}};
-  return {{0, p0, q0, p1, first_fold, 0.0},
-          {0, p1, q1, p0, last_fold, 0.0},
-          {1, q0, p0, q1, first_fold, 0.0},
-          {1, q1, p1, q0, last_fold, 0.0}};
+            {0, p0, q0, p1, first_fold, 0.0, true},
+            {0, p1, q0, p0, last_fold, 0.0, true}};
+  return {{0, p0, q0, p1, first_fold, 0.0, true},
+          {0, p1, q1, p0, last_fold, 0.0, true},
+          {1, q0, p0, q1, first_fold, 0.0, true},
+          {1, q1, p1, q0, last_fold, 0.0, true}};
 }
 
 /// How far from a panel's corner its inside is wide enough: folds move into the panel by inside ·
@@ -60,29 +63,20 @@ double cut_of(const PanelCorner& corner, double inside, double radius) {
   return (moved * std::cos(0.5 * opening) + wanted) / (2.0 * std::sin(0.5 * opening));
 }
 
-bool share_a_border(const PanelCorner& a, const PanelCorner& b) {
-  const auto along = [](const PanelCorner& corner, const Vec3& way) {
-    return Vec3((way - corner.at).normalized());
-  };
-  for (const Vec3& way : {a.one_way, a.other_way})
-    for (const Vec3& other : {b.one_way, b.other_way})
-      if ((along(a, way) - along(b, other)).norm() <= kSameDirection) return true;
-  return false;
-}
-
-/// How far from its corner a panel clears another one that ends there, but for a fold that both
-/// share. Their planes meet in a line through the corner, from which the insides of both stay away
-/// by inside · tan(turn / 2). 0 where they are in one plane.
+/// How far from its corner a panel clears another one that ends there. Their planes meet in a line
+/// through the corner, from which the insides of both stay away by inside · tan(turn / 2). Where
+/// that is a ruling or near one, it is the business of folds and cones.
 double cut_beside(const PanelCorner& own, const PanelCorner& other, double inside, double room) {
   const Vec3 line = own.normal.cross(other.normal);
-  if (line.norm() <= kSameDirection || share_a_border(own, other)) return 0.0;
-  Vec3 across = line.cross(own.normal).normalized();
-  const Vec3 one = own.one_way - own.at, next = own.other_way - own.at;
-  if (across.dot(one.normalized() + next.normalized()) < 0.0) across = -across;
+  if (line.norm() <= kSameDirection) return 0.0;
+  const Vec3 across = line.cross(own.normal).normalized();
   const double wanted = inside * std::tan(0.5 * angle_between(own.normal, other.normal)) + room;
   double cut = 0.0;
-  for (const Vec3& border : {one, next}) {
-    const double away = across.dot(border) / border.norm();
+  for (const Vec3& end : {own.one_way, own.other_way}) {
+    const Vec3 border = end - own.at;
+    const double away = std::abs(across.dot(border)) / border.norm();
+    const bool edge = own.on_edge && end == own.other_way;
+    if (!edge && away < kApart) continue;
     const double most = kMostForOthers * border.norm();
     cut = std::max(cut, away * most > wanted ? wanted / away : most);
   }
