@@ -23,7 +23,7 @@ Result<JointBorders> add_plates(SheetBuilder& sheet, const Parts& parts, const O
     made->face.part_of = sheet.add_flange();
     const FaceId id = sheet.add_face(std::move(made->face));
     for (const auto& joint : made->joints)
-      borders[{joint.plate, joint.bend}] = {id, 0, joint.border};
+      borders[{joint.plate, joint.bend}] = {id, joint.loop, joint.border};
   }
   return borders;
 }

@@ -1,6 +1,7 @@
 #include "bend_fit.hpp"
 
 #include "general_fit.hpp"
+#include "outline_run.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
@@ -32,12 +33,6 @@ double extent_of(const FitTask& task) {
   return extent;
 }
 
-// Edges with x growing, consecutive in the outline one way or the other.
-OutlineRun outline_run(const std::vector<int>& edges, int edge_count) {
-  const bool ascending = edges.size() == 1 || (edges[0] + 1) % edge_count == edges[1];
-  return {ascending ? edges.front() : edges.back(), static_cast<int>(edges.size())};
-}
-
 RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corners& corners) {
   RunEnds ends;
   for (int side = 0; side < 2; ++side) {
@@ -59,6 +54,17 @@ std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<I
   return both;
 }
 
+std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
+                                           int side) {
+  std::vector<std::vector<Vec2>> rings;
+  for (int r = 0; r < plate.ring_count(); ++r) {
+    std::vector<Vec2>& corners = rings.emplace_back();
+    for (const Vec2& p : plate.ring(r))
+      corners.push_back(surface.local(side, plate.frame.point(p)));
+  }
+  return rings;
+}
+
 std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
                                     const RunEnds& ends) {
   const double extent = extent_of(task);
@@ -70,10 +76,8 @@ std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surf
   std::array<std::vector<Interval>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
-    std::vector<Vec2> outline;
-    for (int c = 0; c < task.plates[i]->edge_count(); ++c)
-      outline.push_back(surface.local(side, task.plates[i]->corner(c)));
-    legal[i] = legal_sections(outline, low, high, kOnRuling * extent);
+    legal[i] = legal_sections(local_rings(*task.plates[i], surface, side), low, high,
+                              kOnRuling * extent);
     for (Interval& section : legal[i])
       section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
@@ -217,8 +221,13 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   if (!boundaries) return tl::unexpected(boundaries.error());
   fit.boundaries = std::move(*boundaries);
   const auto edges = choice.edges(best);
-  for (std::size_t side = 0; side < 2; ++side)
-    fit.runs[side] = outline_run(edges[side], task.plates[side]->edge_count());
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    const std::pair corner_ends{choice.frame.point(side, corners[i].front()),
+                                choice.frame.point(side, corners[i].back())};
+    fit.runs[i] = trimmed(outline_run(*task.plates[i], edges[i], corner_ends), *task.plates[i],
+                          fit.surface, fit.boundaries, side, task.thickness);
+  }
   if (auto radii = check_radii(task, fit); !radii) return tl::unexpected(radii.error());
   fill_report(fit, task, choice, options);
   return fit;

@@ -6,16 +6,30 @@
 #include <planish/connect/connect.hpp>
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace planish::connect_detail {
 
-/// Consecutive edges of an outline: first, first + 1, … (cyclically), `count` of them.
+/// Consecutive edges of a ring of a plate: those that begin at its corners first, first + 1, …
+/// (cyclically), `count` of them; of the first one the part from `start` on, of the last one that
+/// up to `end`, as shares of their lengths.
 struct OutlineRun {
   int first = 0;
   int count = 0;
+  int ring = 0;
+  double start = 0.0, end = 1.0;
+};
+
+/// The ends and corners of a run in the plate's own axes, in the order of its ring.
+std::vector<Vec2> run_points(const PlacedPlate& plate, const OutlineRun& run);
+
+/// A stretch of a bend from one lateral boundary to the other, and the edges that it joins.
+struct BendBand {
+  Boundaries boundaries;
+  std::array<OutlineRun, 2> runs;
 };
 
 /// A bend between two plates, or of one or none, ready for assembly.
@@ -24,7 +38,11 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
+  std::vector<BendBand> pieces;  ///< further stretches of an interrupted bend
 };
+
+/// Parts of an edge, each from one share of its length to another.
+using EdgeParts = std::vector<std::pair<double, double>>;
 
 /// What a bend is fitted between, and how.
 struct FitTask {
@@ -32,7 +50,8 @@ struct FitTask {
   BendRequest request;
   double thickness = 0.0;
   std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
-  std::array<std::set<int>, 2> taken;  ///< edges that other bends use already
+  std::array<std::set<int>, 2> taken;                   ///< edges that other bends use already
+  std::array<std::map<int, EdgeParts>, 2> taken_parts;  ///< of further edges, by number
 };
 
 /// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.

@@ -1,6 +1,7 @@
 #include "join_tree.hpp"
 
 #include "bend_frame.hpp"
+#include "outline_run.hpp"
 #include "request_check.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -21,14 +22,19 @@ constexpr double kEquallyNear = tolerance::kComputed;
 
 constexpr const char* kCancelled = "cancelled";
 
-/// Edges that bends use already, by plate.
-using TakenEdges = std::vector<std::set<int>>;
+/// What bends use of a plate's edges already.
+struct UsedEdges {
+  std::set<int> whole;
+  std::map<int, EdgeParts> parts;
+};
+using TakenEdges = std::vector<UsedEdges>;  // by plate
 
 /// Marks the edges of a bend as used.
-void take(const BendFit& fit, TakenEdges& taken) {
-  for (std::size_t side = 0; side < fit.report.plates.size(); ++side)
-    taken[fit.report.plates[side]].insert(fit.report.edges[side].begin(),
-                                          fit.report.edges[side].end());
+void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges& taken) {
+  for (std::size_t side = 0; side < fit.report.plates.size(); ++side) {
+    const int p = fit.report.plates[side];
+    take(plates[p], fit.runs[side], taken[p].whole, taken[p].parts);
+  }
 }
 
 FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
@@ -38,7 +44,8 @@ FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>&
   task.thickness = structure.thickness;
   for (std::size_t side = 0; side < rows.size(); ++side) {
     task.plates[side] = &plates[rows[side]];
-    task.taken[side] = taken[rows[side]];
+    task.taken[side] = taken[rows[side]].whole;
+    task.taken_parts[side] = taken[rows[side]].parts;
   }
   return task;
 }
@@ -197,7 +204,7 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
     auto fit = fit_checked(task, options);
     if (!fit) return tl::unexpected(fit.error());
     fit->report.plates = (*rows)[b];
-    take(*fit, taken);
+    take(*fit, plates, taken);
     fits[b] = std::move(*fit);
   }
   return fits;
@@ -232,7 +239,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
       continue;
     }
     fit->report.plates = {pair.a, pair.b};
-    take(*fit, taken);
+    take(*fit, plates, taken);
     groups.unite(pair.a, pair.b);
     fits.push_back(std::move(*fit));
   }

@@ -45,5 +45,8 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
 /// bibliography.md#thesis).
 std::vector<std::pair<double, double>> legal_sections(const std::vector<Vec2>& outline, double low,
                                                       double high, double tolerance);
+/// The same for an outline and its holes, in any order.
+std::vector<std::pair<double, double>> legal_sections(const std::vector<std::vector<Vec2>>& rings,
+                                                      double low, double high, double tolerance);
 
 }  // namespace planish::connect_detail

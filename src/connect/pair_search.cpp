@@ -1,5 +1,6 @@
 #include "pair_search.hpp"
 
+#include "outline_run.hpp"
 #include "tolerances.hpp"
 
 #include <fmt/format.h>
@@ -83,7 +84,9 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     outlines[i] = side_outline(*task.plates[i], frame, side);
-    choice.chains[i] = without(viable_chains(outlines[i]), task.taken[i]);
+    choice.chains[i] = free_chains(
+        without(side_chains(*task.plates[i], frame, side), task.taken[i]), task.taken_parts[i],
+        *task.plates[i], frame, side, task.thickness);
     if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
     if (frame.parallel())
       choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
@@ -191,7 +194,7 @@ FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options) {
     const double wanted = tangent_distance(frame, *radius + 0.5 * task.thickness);
     double nearest = wanted;
     for (int side = 0; side < 2; ++side)
-      for (const Chain& chain : viable_chains(side_outline(*task.plates[side], frame, side)))
+      for (const Chain& chain : side_chains(*task.plates[side], frame, side))
         for (std::size_t j = 0; j < chain.edges.size(); ++j) {
           const double y = std::min(chain.corners[j].y(), chain.corners[j + 1].y());
           if (chain.kind == EdgeKind::facing && y >= wanted - kAtLimit * per_radius)
