@@ -177,6 +177,23 @@ Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
               "/inside_radius");
 }
 
+// The line of a cylinder, moved so far that no edge drawn along it is cut: further pieces of the
+// bend may begin there, and files round.
+TangentLine clear_of_drawn(const PairChoice& choice, const TangentLine& line, const FitTask& task) {
+  const EdgeKind kind = choice.search.best.kind;
+  const double at = -line.offset, sign = kind == EdgeKind::facing ? 1.0 : -1.0;
+  double nearest = sign * at;
+  for (const auto& chains : choice.chains)
+    for (const Chain& chain : chains)
+      for (std::size_t j = 0; chain.kind == kind && j < chain.edges.size(); ++j) {
+        const double a = chain.corners[j].y(), b = chain.corners[j + 1].y();
+        if (std::abs(a - at) <= kDrawn && std::abs(b - at) <= kDrawn)
+          nearest = std::min({nearest, sign * a, sign * b});
+      }
+  const bool too_sharp = kind == EdgeKind::facing && nearest < least_height(task, choice.frame);
+  return too_sharp ? line : TangentLine{0.0, -sign * nearest};
+}
+
 // The mid-surface, with the tangent line and the plate extension it is for.
 Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice,
                                    const ConnectOptions& options, FittedBend& report) {
@@ -191,8 +208,9 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
     return general_surface(choice.frame, *lines, corners, task.request.tangent_point,
                            extent_of(task));
   }
-  const auto line = tangent_line(task, choice, options);
+  auto line = tangent_line(task, choice, options);
   if (!line) return tl::unexpected(line.error());
+  if (line->slope == 0.0 && !task.request.inside_radius) line = clear_of_drawn(choice, *line, task);
   report.line = *line;
   report.extension_area = extension_area(corners, best.kind, *line);
   return choice.frame.parallel() ? half_turn(choice.frame, *line)

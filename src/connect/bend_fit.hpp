@@ -38,7 +38,8 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
-  std::vector<BendBand> pieces;  ///< further stretches of an interrupted bend
+  std::vector<BendBand> pieces;      ///< further stretches of an interrupted bend
+  std::optional<int> piece_of = {};  ///< row of the fit of which this is a further piece
 };
 
 /// Parts of an edge, each from one share of its length to another.

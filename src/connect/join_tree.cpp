@@ -1,6 +1,7 @@
 #include "join_tree.hpp"
 
 #include "bend_frame.hpp"
+#include "bend_pieces.hpp"
 #include "outline_run.hpp"
 #include "request_check.hpp"
 
@@ -48,6 +49,20 @@ FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>&
     task.taken_parts[side] = taken[rows[side]].parts;
   }
   return task;
+}
+
+/// Adds the further pieces of interrupted bends, once every bend has its edges.
+void add_pieces(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                TakenEdges& taken, std::vector<BendFit>& fits) {
+  for (BendFit& fit : fits) {
+    const std::vector<int>& rows = fit.report.plates;
+    fit.pieces = further_pieces(fit, task_of(structure, plates, taken, rows, fit.report.request));
+    for (const BendBand& piece : fit.pieces)
+      for (std::size_t side = 0; side < rows.size(); ++side) {
+        UsedEdges& used = taken[rows[side]];
+        take(plates[rows[side]], piece.runs[side], used.whole, used.parts);
+      }
+  }
 }
 
 std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends) {
@@ -207,6 +222,7 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
     take(*fit, plates, taken);
     fits[b] = std::move(*fit);
   }
+  add_pieces(structure, plates, taken, fits);
   return fits;
 }
 
@@ -245,6 +261,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
   }
   for (int p = 1; p < problem.count(); ++p)
     if (!groups.same(p, 0)) return tl::unexpected(alone(problem, p, why[p]));
+  add_pieces(structure, plates, taken, fits);
   return fits;
 }
 

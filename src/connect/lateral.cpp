@@ -74,11 +74,6 @@ class Flat {
   double reference_ = 1.0;
 };
 
-Boundary along_directrix(const BendSurface& surface, double level, double extent) {
-  return {{surface.v_at(0, level), surface.v_at(1, level)},
-          surface.at_level(level, kCurveTolerance * extent)};
-}
-
 // The straight boundary between two corners; empty if it does not cross the rulings in order.
 std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
                                  const std::array<Vec2, 2>& corners, double extent) {
@@ -174,6 +169,11 @@ Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnd
 }
 
 }  // namespace
+
+Boundary along_directrix(const BendSurface& surface, double level, double extent) {
+  return {{surface.v_at(0, level), surface.v_at(1, level)},
+          surface.at_level(level, kCurveTolerance * extent)};
+}
 
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options) {

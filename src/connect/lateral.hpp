@@ -40,6 +40,9 @@ struct LateralOptions {
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options);
 
+/// The boundary along the circle of one level.
+Boundary along_directrix(const BendSurface& surface, double level, double extent);
+
 /// Sections of the ruling h = 0 next to which, at h < 0, an outline given in (v, h) has no
 /// material: intervals of v within [low, high], ascending (after appendix 1 of
 /// bibliography.md#thesis).

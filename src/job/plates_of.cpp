@@ -37,9 +37,10 @@ std::vector<Vec3> polygon_of(const Sheet& sheet, const Face& face, const BorderL
   return corners;
 }
 
-/// Whether nothing is cut along a loop: the material goes on into formed features.
+/// Whether nothing is cut along a loop: the material goes on into a formed feature, as a flat
+/// pattern shows it.
 bool goes_on(const BorderLoop& loop) {
-  return std::ranges::all_of(loop, [](const Border& border) { return border.feature.has_value(); });
+  return std::ranges::any_of(loop, [](const Border& border) { return border.feature.has_value(); });
 }
 
 /// Openings as they are cut before anything is formed: what a flat pattern cuts.

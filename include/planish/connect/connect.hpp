@@ -41,11 +41,18 @@ struct BendAlternative {
   double width = 0.0, span = 0.0;
 };
 
+/// A further piece of an interrupted bend: the edges that it joins, and how wide it is.
+struct BendPiece {
+  std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  double width = 0.0;                     ///< mm
+};
+
 /// A fitted bend, with everything that was chosen. Lengths on the mid-surface, mm.
 struct FittedBend {
   BendRequest request;                    ///< as it was given
   std::vector<int> plates;                ///< indices into the structure's plates: two, one or none
   std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  std::vector<BendPiece> pieces;          ///< besides that of `edges`
   EdgeKind edge_kind = EdgeKind::facing;
   BendKind kind = BendKind::cylinder;
   BendFrame frame;

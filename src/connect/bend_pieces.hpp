@@ -1,0 +1,13 @@
+#pragma once
+
+#include "bend_fit.hpp"
+
+namespace planish::connect_detail {
+
+/// The further pieces of an interrupted bend: wherever free edges of both plates lie on the tangent
+/// lines of `fit` and opposite each other, apart from the stretch that it has already. `task` is
+/// that of the fit, with all that bends use by now. Cylinders and right cones have such pieces;
+/// none is shorter than the thickness.
+std::vector<BendBand> further_pieces(const BendFit& fit, const FitTask& task);
+
+}  // namespace planish::connect_detail
