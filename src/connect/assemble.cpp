@@ -37,14 +37,14 @@ Bend bend_of(const FittedBend& fitted, int sense) {
   return bend;
 }
 
-/// Adds the face of a fit to its bend, which is `bends[…]` for a further piece and a new one
+/// Adds the face of a fit to its bend, which is `bends[…]` for a further stretch and a new one
 /// otherwise.
 BendId add_bend(SheetBuilder& sheet, const Parts& parts, int bend, int sense,
                 const JointBorders& borders, const std::vector<BendId>& bends) {
   JoinedFace made = bend_face(parts, bend, sense);
-  const auto& piece_of = parts.fits[bend].piece_of;
-  const BendId id = piece_of ? bends[*piece_of]
-                             : sheet.add_bend(bend_of(parts.fits[bend].report, sense));
+  const auto& stretch_of = parts.fits[bend].stretch_of;
+  const BendId id = stretch_of ? bends[*stretch_of]
+                               : sheet.add_bend(bend_of(parts.fits[bend].report, sense));
   made.face.part_of = id;
   const FaceId face = sheet.add_face(std::move(made.face));
   for (const auto& joint : made.joints) {

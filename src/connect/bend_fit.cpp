@@ -93,6 +93,19 @@ BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, c
   return result;
 }
 
+Nearness nearness_of(const PairChoice& choice) {
+  const EdgeChoice& best = choice.search.best;
+  const double turn = choice.frame.parallel() ? 0.5 * std::numbers::pi * choice.frame.rise.norm()
+                                              : 0.0;
+  const Corners corners = choice.corners(best);
+  const double left_a = corners[0].front().x(), left_b = corners[1].front().x();
+  const double right_a = corners[0].back().x(), right_b = corners[1].back().x();
+  const double common = std::min(right_a, right_b) - std::max(left_a, left_b);
+  if (common <= 0.0) return {best.span + turn, best.width};
+  const double shift = std::abs(left_a - left_b) + std::abs(right_a - right_b);
+  return {best.span - shift + turn, common};
+}
+
 // Lowest and highest level of the bend, whose middle is the recogniser's mid-length of a cone.
 std::pair<double, double> levels(const BendFit& fit) {
   const Boundary& low = fit.boundaries.low;
@@ -154,6 +167,7 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
   report.width = best.width;
   report.span = best.span +
                 (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
+  report.reach = nearness_of(choice).span;
   set_radii(report, fit, task.thickness);
   for (const EdgeChoice& other : choice.search.alternatives)
     report.alternatives.push_back(alternative(choice, other, task, options));
@@ -177,7 +191,7 @@ Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
               "/inside_radius");
 }
 
-// The line of a cylinder, moved so far that no edge drawn along it is cut: further pieces of the
+// The line of a cylinder, moved so far that no edge drawn along it is cut: further stretches of the
 // bend may begin there, and files round.
 TangentLine clear_of_drawn(const PairChoice& choice, const TangentLine& line, const FitTask& task) {
   const EdgeKind kind = choice.search.best.kind;
@@ -217,6 +231,27 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
                                  : tangent_surface(choice.frame, best.kind, *line);
 }
 
+std::array<OutlineRun, 2> whole_runs(const FitTask& task, const PairChoice& choice) {
+  const auto edges = choice.edges(choice.search.best);
+  const Corners corners = choice.corners(choice.search.best);
+  std::array<OutlineRun, 2> runs;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    runs[i] = outline_run(*task.plates[i], edges[i],
+                          {choice.frame.point(side, corners[i].front()),
+                           choice.frame.point(side, corners[i].back())});
+  }
+  return runs;
+}
+
+// Where another bend has left a part of an edge, this one does not flare out to it.
+LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
+  const bool part = std::ranges::any_of(
+      fit.runs, [](const OutlineRun& run) { return run.start > 0.0 || run.end < 1.0; });
+  const LateralBoundary wanted = task.request.lateral;
+  return part && wanted == LateralBoundary::automatic ? LateralBoundary::corner : wanted;
+}
+
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
@@ -235,17 +270,13 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   lateral.extent = extent_of(task);
   lateral.neutral_offset = (options.k_factor - 0.5) * task.thickness;
   lateral.legal = legal_on_both(task, fit.surface, ends);
-  auto boundaries = lateral_boundaries(fit.surface, ends, task.request.lateral, lateral);
+  fit.runs = whole_runs(task, choice);
+  auto boundaries = lateral_boundaries(fit.surface, ends, lateral_wanted(task, fit), lateral);
   if (!boundaries) return tl::unexpected(boundaries.error());
   fit.boundaries = std::move(*boundaries);
-  const auto edges = choice.edges(best);
-  for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    const std::pair corner_ends{choice.frame.point(side, corners[i].front()),
-                                choice.frame.point(side, corners[i].back())};
-    fit.runs[i] = trimmed(outline_run(*task.plates[i], edges[i], corner_ends), *task.plates[i],
-                          fit.surface, fit.boundaries, side, task.thickness);
-  }
+  for (int side = 0; side < 2; ++side)
+    fit.runs[side] = trimmed(fit.runs[side], *task.plates[side], fit.surface, fit.boundaries, side,
+                             task.thickness);
   if (auto radii = check_radii(task, fit); !radii) return tl::unexpected(radii.error());
   fill_report(fit, task, choice, options);
   return fit;
@@ -275,10 +306,7 @@ std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& opt
   best_alone.alternatives = 0;
   const auto choice = search_pair(task, best_alone);
   if (!choice) return std::nullopt;
-  const EdgeChoice& best = choice->search.best;
-  const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm()
-                                               : 0.0;
-  return Nearness{best.span + turn, best.width};
+  return nearness_of(*choice);
 }
 
 }  // namespace planish::connect_detail

@@ -38,8 +38,8 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
-  std::vector<BendBand> pieces;      ///< further stretches of an interrupted bend
-  std::optional<int> piece_of = {};  ///< row of the fit of which this is a further piece
+  std::vector<BendBand> stretches;     ///< further stretches of an interrupted bend
+  std::optional<int> stretch_of = {};  ///< row of the fit of which this is a further stretch
 };
 
 /// Parts of an edge, each from one share of its length to another.
@@ -61,8 +61,10 @@ Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
 /// A curved section with a free end: at an edge of one plate, or by itself (math.md#free-sections).
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
 
-/// The distance between plates in the sense of math.md#widest-bend, for choosing which to join:
-/// span over width of the best bend between them; empty if no bend fits.
+/// The distance between plates, for choosing which to join: of the best bend between them the span
+/// of math.md#widest-bend without the shift of its ends, over the width that both edges have in
+/// common (where they have none: span and width as they are). So a short wall is as near to a long
+/// floor as to a short one. Empty if no bend fits.
 struct Nearness {
   double span = 0.0, width = 0.0;
 };

@@ -107,19 +107,19 @@ std::vector<int> edges_of(const PlacedPlate& plate, const OutlineRun& run) {
   return edges;
 }
 
-/// Makes the pieces of interrupted bends fits of their own, after all others.
-void append_pieces(Parts& parts) {
+/// Makes the stretches of interrupted bends fits of their own, after all others.
+void append_stretches(Parts& parts) {
   const int bends = static_cast<int>(parts.fits.size());
   for (int b = 0; b < bends; ++b)
-    for (const BendBand& piece : std::exchange(parts.fits[b].pieces, {})) {
+    for (const BendBand& band : std::exchange(parts.fits[b].stretches, {})) {
       BendFit fit = parts.fits[b];
-      fit.boundaries = piece.boundaries;
-      fit.runs = piece.runs;
-      fit.piece_of = b;
-      BendPiece& report = parts.fits[b].report.pieces.emplace_back();
+      fit.boundaries = band.boundaries;
+      fit.runs = band.runs;
+      fit.stretch_of = b;
+      BendStretch& report = parts.fits[b].report.stretches.emplace_back();
       for (std::size_t side = 0; side < 2; ++side)
-        report.edges[side] = edges_of(parts.plates[fit.report.plates[side]], piece.runs[side]);
-      report.width = piece.boundaries.high.v[0] - piece.boundaries.low.v[0];
+        report.edges[side] = edges_of(parts.plates[fit.report.plates[side]], band.runs[side]);
+      report.width = band.boundaries.high.v[0] - band.boundaries.low.v[0];
       parts.fits.push_back(std::move(fit));
     }
 }
@@ -146,7 +146,7 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
 
   Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
   const std::size_t bends = parts.fits.size();
-  append_pieces(parts);
+  append_stretches(parts);
   for (const Plate& plate : structure.plates)
     parts.ids.push_back(plate.id);
   auto made = assembled(parts);

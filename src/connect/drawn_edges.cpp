@@ -1,12 +1,16 @@
 #include "drawn_edges.hpp"
 
-#include "tolerances.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace planish::connect_detail {
 namespace {
+
+// Edges this near a line (mm), and ends this near each other, are drawn so: real parts are not
+// quite straight, and curves are polygons within as much (`PlatesOfOptions::chord`).
+constexpr double kAsDrawn = 0.01;
+// An edge takes part in a bend that uses more than this share of it, or whose share it is.
+constexpr double kTakesPart = 0.1;
 
 /// Consecutive edges of a run, by position: first … last.
 struct Group {
@@ -41,7 +45,7 @@ Both drawn_of(const PairChoice& choice) {
     Drawn& side = both[i] = {corners[i], edges[i], {}};
     const auto on_line = [&](int corner) {
       const Vec2& p = side.corners[corner];
-      return std::abs(p.y() - best.line.at(p.x())) <= kDrawn;
+      return std::abs(p.y() - best.line.at(p.x())) <= kAsDrawn;
     };
     for (int j = 0; j <= side.whole().last; ++j) {
       if (!on_line(j) || !on_line(j + 1)) continue;
@@ -54,7 +58,7 @@ Both drawn_of(const PairChoice& choice) {
   return both;
 }
 
-bool opposite(double a, double b) { return std::abs(a - b) <= kDrawn; }
+bool opposite(double a, double b) { return std::abs(a - b) <= kAsDrawn; }
 
 /// Groups of the line and their parts, whose ends lie opposite each other: the widest.
 std::optional<GroupPair> widest_match(const Both& both) {
@@ -89,17 +93,32 @@ std::optional<GroupPair> widest_match(const Both& both) {
   return widest;
 }
 
-/// The groups that have most width in common.
+/// The edges of a group that take part in a bend from x = low to high.
+std::optional<Group> within(const Drawn& side, const Group& group, double low, double high) {
+  std::optional<Group> part;
+  for (int j = group.first; j <= group.last; ++j) {
+    const double left = side.left({j, j}), right = side.right({j, j});
+    const double common = std::min(right, high) - std::max(left, low);
+    if (common <= kTakesPart * std::min(right - left, high - low)) continue;
+    if (!part) part = Group{j, j};
+    part->last = j;
+  }
+  return part;
+}
+
+/// The edges of the two groups that have most width in common.
 std::optional<GroupPair> widest_overlap(const Both& both) {
   std::optional<GroupPair> widest;
   double width = 0.0;
   for (const Group& a : both[0].groups)
     for (const Group& b : both[1].groups) {
-      const double here = std::min(both[0].right(a), both[1].right(b)) -
-                          std::max(both[0].left(a), both[1].left(b));
-      if (here <= width) continue;
-      width = here;
-      widest = GroupPair{a, b};
+      const double low = std::max(both[0].left(a), both[1].left(b));
+      const double high = std::min(both[0].right(a), both[1].right(b));
+      if (high - low <= width) continue;
+      const auto first = within(both[0], a, low, high), second = within(both[1], b, low, high);
+      if (!first || !second) continue;
+      width = high - low;
+      widest = GroupPair{*first, *second};
     }
   return widest;
 }

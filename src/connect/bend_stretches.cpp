@@ -1,4 +1,4 @@
-#include "bend_pieces.hpp"
+#include "bend_stretches.hpp"
 
 #include "outline_run.hpp"
 #include "pair_search.hpp"
@@ -11,7 +11,7 @@ namespace planish::connect_detail {
 namespace {
 
 /// Edges of one chain on the tangent ruling of a side, between two values of v.
-struct Stretch {
+struct OnRuling {
   std::vector<int> edges;
   std::pair<Vec3, Vec3> ends;
   double low = 0.0, high = 0.0;
@@ -20,9 +20,10 @@ struct Stretch {
 // An edge that the ruling cuts by more than this share of the plates' extent is not on it.
 constexpr double kCut = tolerance::kComputed;
 
-std::vector<Stretch> stretches(const BendFit& fit, const FitTask& task, int side, double extent) {
+std::vector<OnRuling> edges_on_ruling(const BendFit& fit, const FitTask& task, int side,
+                                      double extent) {
   const BendFrame& frame = fit.report.frame;
-  std::vector<Stretch> found;
+  std::vector<OnRuling> found;
   for (const Chain& chain : open_chains(task, frame, side)) {
     if (chain.kind != fit.report.edge_kind) continue;
     bool going_on = false;
@@ -36,11 +37,11 @@ std::vector<Stretch> stretches(const BendFit& fit, const FitTask& task, int side
         found.push_back({{}, ends, std::min(a.x(), b.x()), std::max(a.x(), b.x())});
       going_on = on_ruling;
       if (!on_ruling) continue;
-      Stretch& stretch = found.back();
-      stretch.edges.push_back(chain.edges[j]);
-      stretch.ends.second = ends.second;
-      stretch.low = std::min({stretch.low, a.x(), b.x()});
-      stretch.high = std::max({stretch.high, a.x(), b.x()});
+      OnRuling& part = found.back();
+      part.edges.push_back(chain.edges[j]);
+      part.ends.second = ends.second;
+      part.low = std::min({part.low, a.x(), b.x()});
+      part.high = std::max({part.high, a.x(), b.x()});
     }
   }
   return found;
@@ -68,20 +69,34 @@ bool is_free(const BendFit& fit, const FitTask& task, double low, double high) {
   return true;
 }
 
+double larger_extent(const FitTask& task) {
+  return std::max(task.plates[0]->extent, task.plates[1]->extent);
+}
+
 }  // namespace
 
-std::vector<BendBand> further_pieces(const BendFit& fit, const FitTask& task) {
+std::array<double, 2> unused_edges(const BendFit& fit, const FitTask& task) {
+  std::array<double, 2> unused{};
+  if (fit.report.plates.size() != 2) return unused;
+  for (int side = 0; side < 2; ++side)
+    for (const OnRuling& part : edges_on_ruling(fit, task, side, larger_extent(task)))
+      unused[side] += part.high - part.low;
+  return unused;
+}
+
+std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task) {
   if (fit.report.plates.size() != 2 || fit.surface.kind == BendKind::general) return {};
   if (task.request.edges[0] || task.request.edges[1]) return {};
-  const double extent = std::max(task.plates[0]->extent, task.plates[1]->extent);
-  std::vector<BendBand> pieces;
-  const auto second = stretches(fit, task, 1, extent);
-  for (const Stretch& a : stretches(fit, task, 0, extent))
-    for (const Stretch& b : second) {
+  const double extent = larger_extent(task);
+  std::vector<BendBand> stretches;
+  const auto second = edges_on_ruling(fit, task, 1, extent);
+  for (const OnRuling& a : edges_on_ruling(fit, task, 0, extent))
+    for (const OnRuling& b : second) {
       const double low = std::max(a.low, b.low), high = std::min(a.high, b.high);
       if (high - low < task.thickness || !apart(fit.boundaries, low, high)) continue;
-      if (std::ranges::any_of(
-              pieces, [&](const BendBand& other) { return !apart(other.boundaries, low, high); }))
+      if (std::ranges::any_of(stretches, [&](const BendBand& other) {
+            return !apart(other.boundaries, low, high);
+          }))
         continue;
       if (!is_free(fit, task, low, high)) continue;
       BendBand band{{LateralBoundary::arc, along_directrix(fit.surface, low, extent),
@@ -89,13 +104,13 @@ std::vector<BendBand> further_pieces(const BendFit& fit, const FitTask& task) {
                     {}};
       for (int side = 0; side < 2; ++side) {
         const PlacedPlate& plate = *task.plates[side];
-        const Stretch& stretch = side == 0 ? a : b;
-        band.runs[side] = trimmed(outline_run(plate, stretch.edges, stretch.ends), plate,
-                                  fit.surface, band.boundaries, side, task.thickness);
+        const OnRuling& part = side == 0 ? a : b;
+        band.runs[side] = trimmed(outline_run(plate, part.edges, part.ends), plate, fit.surface,
+                                  band.boundaries, side, task.thickness);
       }
-      pieces.push_back(std::move(band));
+      stretches.push_back(std::move(band));
     }
-  return pieces;
+  return stretches;
 }
 
 }  // namespace planish::connect_detail
