@@ -23,7 +23,7 @@ TEST(LargestSpan, LeavesPlatesAtTheirDistanceUnjoined) {
   const auto apart = connect(s);
   ASSERT_FALSE(apart);
   EXPECT_EQ(apart.error().code, ErrorCode::too_far_apart);
-  EXPECT_EQ(apart.error().where, "/plates/0");
+  EXPECT_EQ(apart.error().where, "/plates/1");
   // The span is that of the thesis, with the arc linearised at a slope of 0.3.
   EXPECT_THAT(apart.error().message, HasSubstr("up to 46.62 mm"));
   s.largest_span = 1.02 * reach_of(30.0);

@@ -243,16 +243,5 @@ TEST(EdgeOfAnOpening, CarriesACurvedSectionWithAFreeEnd) {
   EXPECT_NEAR(flat_area(connection_of(s)), 200 * 200 - 60 * 40 + 60 * section, 1e-6);
 }
 
-TEST(Openings, InWhichPlatesStandDoNotMakeThemTouch) {
-  // Upright through the window, and beside its border.
-  PlateStructure s = window_tab(false);
-  s.plates[1] = upright("tab", {{-20, -30}, {20, -30}, {20, 60}, {-20, 60}});
-  s.bends = {{.between = {"floor", "tab"}}};
-  const auto through = connect(s);
-  if (!through) {
-    EXPECT_NE(through.error().code, ErrorCode::plates_intersect) << through.error().message;
-  }
-}
-
 }  // namespace
 }  // namespace planish::test

@@ -33,13 +33,13 @@ constexpr double kShare = 0.97;
 const std::map<std::string, std::string> kNamed{
     {"sm122", "a flange of two tabs that a strip 0.0003 mm wide holds together: no plate"}};
 
-using Pair = std::pair<int, int>;
-struct Turn {
+using FlangePair = std::pair<int, int>;
+struct BendSize {
   double angle = 0.0, radius = 0.0;
 };
-using Tree = std::map<Pair, Turn>;
+using BendTree = std::map<FlangePair, BendSize>;
 
-Pair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+FlangePair ordered(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 int flange_of(const Sheet& sheet, FaceId face) {
   const auto* flange = std::get_if<FlangeId>(&sheet[face].part_of);
@@ -48,7 +48,7 @@ int flange_of(const Sheet& sheet, FaceId face) {
 
 /// The bends of a part that join two flanges. Bends with a free end, and those that go on into
 /// another bend, are none of plates.
-Tree tree_of(const Sheet& sheet) {
+BendTree tree_of(const Sheet& sheet) {
   std::map<int, std::set<int>> joined;
   for (const Joint& joint : sheet.joints)
     for (const auto& [at, other] : {std::pair{joint.a, joint.b}, std::pair{joint.b, joint.a}}) {
@@ -58,7 +58,7 @@ Tree tree_of(const Sheet& sheet) {
       if (const auto* bend = std::get_if<BendId>(&sheet[at.face].part_of))
         joined[index_of(*bend)].insert(flange);
     }
-  Tree tree;
+  BendTree tree;
   for (const auto& [bend, flanges] : joined)
     if (flanges.size() == 2) {
       const Bend& turned = sheet[static_cast<BendId>(bend)];
@@ -71,8 +71,8 @@ Tree tree_of(const Sheet& sheet) {
 /// The flange whose plate it is: "3", "3a".
 int flange_number(const std::string& id) { return std::stoi(id) - 1; }
 
-Tree tree_of(const Connection& connection) {
-  Tree tree;
+BendTree tree_of(const Connection& connection) {
+  BendTree tree;
   for (const FittedBend& bend : connection.bends) {
     const auto& plates = connection.structure.plates;
     tree[ordered(flange_number(plates[bend.plates[0]].id),
@@ -84,10 +84,10 @@ Tree tree_of(const Connection& connection) {
 
 /// The angle through which the sheet turns between two flanges, by their planes alone, from 0 to
 /// 180°.
-double between(const Sheet& sheet, const Pair& pair) {
+double between(const Sheet& sheet, const FlangePair& pair) {
   const auto normal = [&](int flange) {
     const FaceId face = sheet[static_cast<FlangeId>(flange)].faces.front();
-    return outward_normal(sheet[face], parameter_box(sheet[face]).center());
+    return outward_normal(sheet[face], parameter_box(sheet[face]).lo);
   };
   const Vec3 a = normal(pair.first), b = normal(pair.second);
   return Angle::radians(std::atan2(a.cross(b).norm(), a.dot(b))).degrees();
@@ -95,7 +95,7 @@ double between(const Sheet& sheet, const Pair& pair) {
 
 /// Why the plates of a part do not hold what it is; empty for parts of plates and bends between
 /// them.
-std::string not_of_plates(const Sheet& sheet, const Tree& tree) {
+std::string not_of_plates(const Sheet& sheet, const BendTree& tree) {
   std::set<int> reached{0};
   for (std::size_t round = 0; round < tree.size(); ++round)
     for (const auto& [pair, turn] : tree)
@@ -111,7 +111,7 @@ std::string not_of_plates(const Sheet& sheet, const Tree& tree) {
   return {};
 }
 
-std::string difference(const Tree& part, const Tree& found) {
+std::string difference(const BendTree& part, const BendTree& found) {
   if (part.size() != found.size() ||
       !std::equal(part.begin(), part.end(), found.begin(),
                   [](const auto& a, const auto& b) { return a.first == b.first; }))
@@ -124,7 +124,7 @@ std::string difference(const Tree& part, const Tree& found) {
 }
 
 /// How the part differs that its plates are joined to; empty if it does not.
-std::string brought_back(const job::UnfoldReport& part, const Tree& tree,
+std::string brought_back(const job::UnfoldReport& part, const BendTree& tree,
                          const job::PlatesOfOptions& options) {
   const auto file = job::parse_plates(job::plates_text(job::plates_of(part.sheet, options)),
                                       "plates");
@@ -159,7 +159,7 @@ TEST(PlatesOfRealParts, AreConnectedToThePartAgain) {
     const std::string name = entry.path().stem().string(), key = name.substr(0, 5);
     const auto part = bent_part(entry.path());
     if (!part) continue;
-    const Tree tree = tree_of(part->sheet);
+    const BendTree tree = tree_of(part->sheet);
     if (const auto why = not_of_plates(part->sheet, tree); !why.empty()) {
       std::cout << name << " is left out: " << why << "\n";
       continue;
