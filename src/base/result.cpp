@@ -55,6 +55,7 @@ constexpr std::array kCodes{
     CodeRow{ErrorCode::radius_too_small, "radius_too_small", 4},
     CodeRow{ErrorCode::apex_in_span, "apex_in_span", 4},
     CodeRow{ErrorCode::no_common_width, "no_common_width", 4},
+    CodeRow{ErrorCode::too_far_apart, "too_far_apart", 4},
     CodeRow{ErrorCode::profile_not_convex, "profile_not_convex", 4},
     CodeRow{ErrorCode::profiles_meet, "profiles_meet", 4},
     CodeRow{ErrorCode::profile_hidden, "profile_hidden", 4},

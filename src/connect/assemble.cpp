@@ -23,7 +23,7 @@ Result<JointBorders> add_plates(SheetBuilder& sheet, const Parts& parts, const O
     made->face.part_of = sheet.add_flange();
     const FaceId id = sheet.add_face(std::move(made->face));
     for (const auto& joint : made->joints)
-      borders[{joint.plate, joint.bend}] = {id, 0, joint.border};
+      borders[{joint.plate, joint.bend}] = {id, joint.loop, joint.border};
   }
   return borders;
 }
@@ -37,10 +37,14 @@ Bend bend_of(const FittedBend& fitted, int sense) {
   return bend;
 }
 
+/// Adds the face of a fit to its bend, which is `bends[…]` for a further stretch and a new one
+/// otherwise.
 BendId add_bend(SheetBuilder& sheet, const Parts& parts, int bend, int sense,
-                const JointBorders& borders) {
+                const JointBorders& borders, const std::vector<BendId>& bends) {
   JoinedFace made = bend_face(parts, bend, sense);
-  const BendId id = sheet.add_bend(bend_of(parts.fits[bend].report, sense));
+  const auto& stretch_of = parts.fits[bend].stretch_of;
+  const BendId id = stretch_of ? bends[*stretch_of]
+                               : sheet.add_bend(bend_of(parts.fits[bend].report, sense));
   made.face.part_of = id;
   const FaceId face = sheet.add_face(std::move(made.face));
   for (const auto& joint : made.joints) {
@@ -62,7 +66,7 @@ Result<Assembled> assembled(const Parts& parts) {
   for (int plate = 0; plate < static_cast<int>(parts.plates.size()); ++plate)
     made.plate_faces.push_back(static_cast<FaceId>(plate));  // the first faces of the sheet
   for (int bend = 0; bend < static_cast<int>(parts.fits.size()); ++bend)
-    made.bends.push_back(add_bend(sheet, parts, bend, sides.bends[bend], *borders));
+    made.bends.push_back(add_bend(sheet, parts, bend, sides.bends[bend], *borders, made.bends));
   sheet.number_edges();
   auto built = std::move(sheet).build();
   if (!built) return tl::unexpected(built.error());

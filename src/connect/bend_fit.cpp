@@ -1,6 +1,7 @@
 #include "bend_fit.hpp"
 
 #include "general_fit.hpp"
+#include "outline_run.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
@@ -32,12 +33,6 @@ double extent_of(const FitTask& task) {
   return extent;
 }
 
-// Edges with x growing, consecutive in the outline one way or the other.
-OutlineRun outline_run(const std::vector<int>& edges, int edge_count) {
-  const bool ascending = edges.size() == 1 || (edges[0] + 1) % edge_count == edges[1];
-  return {ascending ? edges.front() : edges.back(), static_cast<int>(edges.size())};
-}
-
 RunEnds run_ends(const BendSurface& surface, const BendFrame& frame, const Corners& corners) {
   RunEnds ends;
   for (int side = 0; side < 2; ++side) {
@@ -59,6 +54,17 @@ std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<I
   return both;
 }
 
+std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
+                                           int side) {
+  std::vector<std::vector<Vec2>> rings;
+  for (int r = 0; r < plate.ring_count(); ++r) {
+    std::vector<Vec2>& corners = rings.emplace_back();
+    for (const Vec2& p : plate.ring(r))
+      corners.push_back(surface.local(side, plate.frame.point(p)));
+  }
+  return rings;
+}
+
 std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
                                     const RunEnds& ends) {
   const double extent = extent_of(task);
@@ -70,10 +76,8 @@ std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surf
   std::array<std::vector<Interval>, 2> legal;
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
-    std::vector<Vec2> outline;
-    for (int c = 0; c < task.plates[i]->edge_count(); ++c)
-      outline.push_back(surface.local(side, task.plates[i]->corner(c)));
-    legal[i] = legal_sections(outline, low, high, kOnRuling * extent);
+    legal[i] = legal_sections(local_rings(*task.plates[i], surface, side), low, high,
+                              kOnRuling * extent);
     for (Interval& section : legal[i])
       section = {surface.level(side, section.first), surface.level(side, section.second)};
   }
@@ -87,6 +91,19 @@ BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, c
   result.request.edges = {edges[0], edges[1]};
   if (std::abs(other.line.slope) < options.smallest_slope) result.kind = BendKind::cylinder;
   return result;
+}
+
+Nearness nearness_of(const PairChoice& choice) {
+  const EdgeChoice& best = choice.search.best;
+  const double turn = choice.frame.parallel() ? 0.5 * std::numbers::pi * choice.frame.rise.norm()
+                                              : 0.0;
+  const Corners corners = choice.corners(best);
+  const double left_a = corners[0].front().x(), left_b = corners[1].front().x();
+  const double right_a = corners[0].back().x(), right_b = corners[1].back().x();
+  const double common = std::min(right_a, right_b) - std::max(left_a, left_b);
+  if (common <= 0.0) return {best.span + turn, best.width};
+  const double shift = std::abs(left_a - left_b) + std::abs(right_a - right_b);
+  return {best.span - shift + turn, common};
 }
 
 // Lowest and highest level of the bend, whose middle is the recogniser's mid-length of a cone.
@@ -150,6 +167,7 @@ void fill_report(BendFit& fit, const FitTask& task, const PairChoice& choice,
   report.width = best.width;
   report.span = best.span +
                 (choice.frame.parallel() ? fit.surface.radius(0.0) * std::numbers::pi : 0.0);
+  report.reach = nearness_of(choice).span;
   set_radii(report, fit, task.thickness);
   for (const EdgeChoice& other : choice.search.alternatives)
     report.alternatives.push_back(alternative(choice, other, task, options));
@@ -173,6 +191,23 @@ Result<void> check_half_turn(const FitTask& task, const BendFrame& frame) {
               "/inside_radius");
 }
 
+// The line of a cylinder, moved so far that no edge drawn along it is cut: further stretches of the
+// bend may begin there, and files round.
+TangentLine clear_of_drawn(const PairChoice& choice, const TangentLine& line, const FitTask& task) {
+  const EdgeKind kind = choice.search.best.kind;
+  const double at = -line.offset, sign = kind == EdgeKind::facing ? 1.0 : -1.0;
+  double nearest = sign * at;
+  for (const auto& chains : choice.chains)
+    for (const Chain& chain : chains)
+      for (std::size_t j = 0; chain.kind == kind && j < chain.edges.size(); ++j) {
+        const double a = chain.corners[j].y(), b = chain.corners[j + 1].y();
+        if (std::abs(a - at) <= kDrawn && std::abs(b - at) <= kDrawn)
+          nearest = std::min({nearest, sign * a, sign * b});
+      }
+  const bool too_sharp = kind == EdgeKind::facing && nearest < least_height(task, choice.frame);
+  return too_sharp ? line : TangentLine{0.0, -sign * nearest};
+}
+
 // The mid-surface, with the tangent line and the plate extension it is for.
 Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice,
                                    const ConnectOptions& options, FittedBend& report) {
@@ -187,12 +222,34 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
     return general_surface(choice.frame, *lines, corners, task.request.tangent_point,
                            extent_of(task));
   }
-  const auto line = tangent_line(task, choice, options);
+  auto line = tangent_line(task, choice, options);
   if (!line) return tl::unexpected(line.error());
+  if (line->slope == 0.0 && !task.request.inside_radius) line = clear_of_drawn(choice, *line, task);
   report.line = *line;
   report.extension_area = extension_area(corners, best.kind, *line);
   return choice.frame.parallel() ? half_turn(choice.frame, *line)
                                  : tangent_surface(choice.frame, best.kind, *line);
+}
+
+std::array<OutlineRun, 2> whole_runs(const FitTask& task, const PairChoice& choice) {
+  const auto edges = choice.edges(choice.search.best);
+  const Corners corners = choice.corners(choice.search.best);
+  std::array<OutlineRun, 2> runs;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    runs[i] = outline_run(*task.plates[i], edges[i],
+                          {choice.frame.point(side, corners[i].front()),
+                           choice.frame.point(side, corners[i].back())});
+  }
+  return runs;
+}
+
+// Where another bend has left a part of an edge, this one does not flare out to it.
+LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
+  const bool part = std::ranges::any_of(
+      fit.runs, [](const OutlineRun& run) { return run.start > 0.0 || run.end < 1.0; });
+  const LateralBoundary wanted = task.request.lateral;
+  return part && wanted == LateralBoundary::automatic ? LateralBoundary::corner : wanted;
 }
 
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
@@ -213,12 +270,13 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   lateral.extent = extent_of(task);
   lateral.neutral_offset = (options.k_factor - 0.5) * task.thickness;
   lateral.legal = legal_on_both(task, fit.surface, ends);
-  auto boundaries = lateral_boundaries(fit.surface, ends, task.request.lateral, lateral);
+  fit.runs = whole_runs(task, choice);
+  auto boundaries = lateral_boundaries(fit.surface, ends, lateral_wanted(task, fit), lateral);
   if (!boundaries) return tl::unexpected(boundaries.error());
   fit.boundaries = std::move(*boundaries);
-  const auto edges = choice.edges(best);
-  for (std::size_t side = 0; side < 2; ++side)
-    fit.runs[side] = outline_run(edges[side], task.plates[side]->edge_count());
+  for (int side = 0; side < 2; ++side)
+    fit.runs[side] = trimmed(fit.runs[side], *task.plates[side], fit.surface, fit.boundaries, side,
+                             task.thickness);
   if (auto radii = check_radii(task, fit); !radii) return tl::unexpected(radii.error());
   fill_report(fit, task, choice, options);
   return fit;
@@ -248,10 +306,7 @@ std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& opt
   best_alone.alternatives = 0;
   const auto choice = search_pair(task, best_alone);
   if (!choice) return std::nullopt;
-  const EdgeChoice& best = choice->search.best;
-  const double turn = choice->frame.parallel() ? 0.5 * std::numbers::pi * choice->frame.rise.norm()
-                                               : 0.0;
-  return Nearness{best.span + turn, best.width};
+  return nearness_of(*choice);
 }
 
 }  // namespace planish::connect_detail

@@ -6,16 +6,30 @@
 #include <planish/connect/connect.hpp>
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace planish::connect_detail {
 
-/// Consecutive edges of an outline: first, first + 1, … (cyclically), `count` of them.
+/// Consecutive edges of a ring of a plate: those that begin at its corners first, first + 1, …
+/// (cyclically), `count` of them; of the first one the part from `start` on, of the last one that
+/// up to `end`, as shares of their lengths.
 struct OutlineRun {
   int first = 0;
   int count = 0;
+  int ring = 0;
+  double start = 0.0, end = 1.0;
+};
+
+/// The ends and corners of a run in the plate's own axes, in the order of its ring.
+std::vector<Vec2> run_points(const PlacedPlate& plate, const OutlineRun& run);
+
+/// A stretch of a bend from one lateral boundary to the other, and the edges that it joins.
+struct BendBand {
+  Boundaries boundaries;
+  std::array<OutlineRun, 2> runs;
 };
 
 /// A bend between two plates, or of one or none, ready for assembly.
@@ -24,7 +38,12 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
+  std::vector<BendBand> stretches;     ///< further stretches of an interrupted bend
+  std::optional<int> stretch_of = {};  ///< row of the fit of which this is a further stretch
 };
+
+/// Parts of an edge, each from one share of its length to another.
+using EdgeParts = std::vector<std::pair<double, double>>;
 
 /// What a bend is fitted between, and how.
 struct FitTask {
@@ -32,7 +51,8 @@ struct FitTask {
   BendRequest request;
   double thickness = 0.0;
   std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
-  std::array<std::set<int>, 2> taken;  ///< edges that other bends use already
+  std::array<std::set<int>, 2> taken;                   ///< edges that other bends use already
+  std::array<std::map<int, EdgeParts>, 2> taken_parts;  ///< of further edges, by number
 };
 
 /// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.
@@ -41,8 +61,10 @@ Result<BendFit> fit_between(const FitTask& task, const ConnectOptions& options);
 /// A curved section with a free end: at an edge of one plate, or by itself (math.md#free-sections).
 Result<BendFit> fit_section(const FitTask& task, const ConnectOptions& options);
 
-/// The distance between plates in the sense of math.md#widest-bend, for choosing which to join:
-/// span over width of the best bend between them; empty if no bend fits.
+/// The distance between plates, for choosing which to join: of the best bend between them the span
+/// of math.md#widest-bend without the shift of its ends, over the width that both edges have in
+/// common (where they have none: span and width as they are). So a short wall is as near to a long
+/// floor as to a short one. Empty if no bend fits.
 struct Nearness {
   double span = 0.0, width = 0.0;
 };

@@ -101,10 +101,28 @@ std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, P
 }
 
 std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame, int side) {
-  std::vector<Vec2> outline;
-  for (int i = 0; i < plate.edge_count(); ++i)
-    outline.push_back(frame.local(side, plate.corner(i)));
-  return outline;
+  return side_ring(plate, 0, frame, side);
+}
+
+std::vector<Vec2> side_ring(const PlacedPlate& plate, int ring, const BendFrame& frame, int side) {
+  std::vector<Vec2> corners;
+  for (const Vec2& p : plate.ring(ring))
+    corners.push_back(frame.local(side, plate.frame.point(p)));
+  return corners;
+}
+
+std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame, int side) {
+  std::vector<Chain> chains;
+  for (int ring = 0; ring < plate.ring_count(); ++ring)
+    for (Chain& chain : viable_chains(side_ring(plate, ring, frame, side))) {
+      // The material lies outside a hole.
+      if (ring > 0)
+        chain.kind = chain.kind == EdgeKind::facing ? EdgeKind::averted : EdgeKind::facing;
+      for (int& edge : chain.edges)
+        edge = plate.edge_number({ring, edge});
+      chains.push_back(std::move(chain));
+    }
+  return chains;
 }
 
 }  // namespace planish::connect_detail

@@ -20,5 +20,10 @@ std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, P
 
 /// The outline in (x, y) of a side.
 std::vector<Vec2> side_outline(const PlacedPlate& plate, const BendFrame& frame, int side);
+/// The same of one ring of the plate.
+std::vector<Vec2> side_ring(const PlacedPlate& plate, int ring, const BendFrame& frame, int side);
+
+/// The chains of the outline and of all holes, with the plate's numbers of the edges.
+std::vector<Chain> side_chains(const PlacedPlate& plate, const BendFrame& frame, int side);
 
 }  // namespace planish::connect_detail

@@ -10,6 +10,9 @@ namespace {
 // Share of the outline's extent: corners closer to the intersection line lie on it, edges with
 // smaller |Δx| are parallel to the y axis.
 constexpr double kOnAxis = tolerance::kComputed;
+// Edges this steep (Δx over Δy, 0.06°) are parallel to the y axis as well: they are the sides of
+// reliefs, which no file draws exactly.
+constexpr double kSteep = 1e-3;
 
 enum class Use { none, facing, averted };
 
@@ -39,7 +42,8 @@ std::vector<Use> uses_of(const std::vector<Vec2>& corners, double tolerance) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2& a = corners[i];
     const Vec2& b = corners[(i + 1) % n];
-    if (a.y() < 0.0 || b.y() < 0.0 || std::abs(b.x() - a.x()) <= tolerance) continue;
+    const double across = std::abs(b.x() - a.x()), up = std::abs(b.y() - a.y());
+    if (a.y() < 0.0 || b.y() < 0.0 || across <= tolerance || across <= kSteep * up) continue;
     // The outward normal of a counter-clockwise outline is (Δy, −Δx).
     uses[i] = (b.x() > a.x()) == counter_clockwise ? Use::facing : Use::averted;
   }

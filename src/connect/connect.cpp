@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace planish {
 namespace {
@@ -97,6 +98,32 @@ Result<void> check_whole(const PlateStructure& structure) {
   return {};
 }
 
+std::vector<int> edges_of(const PlacedPlate& plate, const OutlineRun& run) {
+  std::vector<int> edges;
+  const int n = static_cast<int>(plate.ring(run.ring).size());
+  for (int j = 0; j < run.count; ++j)
+    edges.push_back(plate.edge_number({run.ring, (run.first + j) % n}));
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+/// Makes the stretches of interrupted bends fits of their own, after all others.
+void append_stretches(Parts& parts) {
+  const int bends = static_cast<int>(parts.fits.size());
+  for (int b = 0; b < bends; ++b)
+    for (const BendBand& band : std::exchange(parts.fits[b].stretches, {})) {
+      BendFit fit = parts.fits[b];
+      fit.boundaries = band.boundaries;
+      fit.runs = band.runs;
+      fit.stretch_of = b;
+      BendStretch& report = parts.fits[b].report.stretches.emplace_back();
+      for (std::size_t side = 0; side < 2; ++side)
+        report.edges[side] = edges_of(parts.plates[fit.report.plates[side]], band.runs[side]);
+      report.width = band.boundaries.high.v[0] - band.boundaries.low.v[0];
+      parts.fits.push_back(std::move(fit));
+    }
+}
+
 }  // namespace
 
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options,
@@ -118,13 +145,15 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
               [](const BendFit& a, const BendFit& b) { return a.report.plates < b.report.plates; });
 
   Parts parts{structure.thickness, std::move(*plates), {}, std::move(*fits), *root};
+  const std::size_t bends = parts.fits.size();
+  append_stretches(parts);
   for (const Plate& plate : structure.plates)
     parts.ids.push_back(plate.id);
   auto made = assembled(parts);
   if (!made) return tl::unexpected(made.error());
   Connection connection{
       structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
-  for (std::size_t b = 0; b < parts.fits.size(); ++b) {
+  for (std::size_t b = 0; b < bends; ++b) {
     connection.bends.push_back(std::move(parts.fits[b].report));
     connection.bends.back().bend = made->bends[b];
   }

@@ -20,8 +20,10 @@ struct Place {
   std::pair<int, int> run;
 };
 
-std::optional<Place> place_of(const std::vector<Chain>& chains, const std::vector<int>& edges) {
+/// Several where bends have left parts of an edge.
+std::vector<Place> places_in(const std::vector<Chain>& chains, const std::vector<int>& edges) {
   const std::set<int> wanted(edges.begin(), edges.end());
+  std::vector<Place> places;
   for (std::size_t c = 0; c < chains.size(); ++c) {
     int first = -1, last = -1, found = 0;
     for (std::size_t j = 0; j < chains[c].edges.size(); ++j) {
@@ -31,9 +33,9 @@ std::optional<Place> place_of(const std::vector<Chain>& chains, const std::vecto
       ++found;
     }
     if (found == static_cast<int>(wanted.size()) && last - first + 1 == found)
-      return Place{static_cast<int>(c), {first, last}};
+      places.push_back({static_cast<int>(c), {first, last}});
   }
-  return std::nullopt;
+  return places;
 }
 
 std::string listed(const std::vector<int>& edges) {
@@ -43,15 +45,15 @@ std::string listed(const std::vector<int>& edges) {
   return text;
 }
 
-using Places = std::array<std::optional<Place>, 2>;
+using Places = std::array<std::optional<std::vector<Place>>, 2>;
 
 /// The places of the given edges.
 Result<Places> places_of(const Sides& sides, const EdgeSearchOptions& options) {
   Places places;
   for (std::size_t i = 0; i < 2; ++i) {
     if (!options.edges[i]) continue;
-    places[i] = place_of(sides[i], *options.edges[i]);
-    if (!places[i])
+    places[i] = places_in(sides[i], *options.edges[i]);
+    if (places[i]->empty())
       return fail(ErrorCode::unknown_edge,
                   fmt::format("edges {} cannot carry one bend: they must follow each other, look "
                               "the same way, towards the line where the plates' planes meet or "
@@ -71,37 +73,106 @@ Envelopes envelopes_of(const Sides& sides) {
   return envelopes;
 }
 
-/// The pair of two chains, one per side, given by their indices.
-ChainPair pair_of(const Sides& sides, const Envelopes& envelopes,
-                  const std::array<std::size_t, 2>& rows, const Places& places) {
-  ChainPair pair;
-  std::array<CornerRange, 2> whole;
-  for (std::size_t i = 0; i < 2; ++i) {
-    pair.chains[i] = static_cast<int>(rows[i]);
-    pair.sides[i] = &sides[i][rows[i]];
-    pair.envelopes[i] = &envelopes[i][rows[i]];
-    if (places[i]) pair.fixed[i] = places[i]->run;
-    whole[i] = {pair.envelopes[i], 0, static_cast<int>(pair.sides[i]->corners.size()) - 1};
-  }
-  pair.kind = pair.sides[0]->kind;
-  pair.size = size_of(whole);
-  return pair;
+const Place* place_in(const std::optional<std::vector<Place>>& places, std::size_t chain) {
+  for (const Place& place : *places)
+    if (place.chain == static_cast<int>(chain)) return &place;
+  return nullptr;
 }
 
-/// All pairs of chains of one kind that contain the given edges.
-std::vector<ChainPair> pairs_of(const Sides& sides, const Envelopes& envelopes,
-                                const Places& places, Angle beta, const GivenLine& line) {
-  std::vector<ChainPair> pairs;
-  for (std::size_t a = 0; a < sides[0].size(); ++a)
-    for (std::size_t b = 0; b < sides[1].size(); ++b) {
-      const bool chosen = (!places[0] || places[0]->chain == static_cast<int>(a)) &&
-                          (!places[1] || places[1]->chain == static_cast<int>(b));
-      if (!chosen || sides[0][a].kind != sides[1][b].kind) continue;
-      ChainPair& pair = pairs.emplace_back(pair_of(sides, envelopes, {a, b}, places));
-      pair.factor = arc_factor(beta, pair.kind, kLinearisedSlope);
-      pair.line = line;
+/// Two chains of one kind, one per side, that contain the given edges. Plates with many openings
+/// have many such pairs: what no bend between them can be shorter or wider than takes one look.
+struct Candidate {
+  std::array<std::size_t, 2> rows{};
+  double shortest = 0.0;  ///< no bend between them is shorter, nor has it a smaller span
+  double widest = 0.0;
+};
+
+/// What `search_edges` searches.
+struct Search {
+  const Sides& sides;
+  const Places& places;
+  Angle beta;
+  const EdgeSearchOptions& options;
+  Envelopes envelopes = envelopes_of(sides);
+  std::vector<Candidate> candidates = {};
+
+  ChainPair pair(const Candidate& candidate) const {
+    ChainPair pair;
+    std::array<CornerRange, 2> whole;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t row = candidate.rows[i];
+      pair.chains[i] = static_cast<int>(row);
+      pair.sides[i] = &sides[i][row];
+      pair.envelopes[i] = &envelopes[i][row];
+      if (places[i]) pair.fixed[i] = place_in(places[i], row)->run;
+      whole[i] = {pair.envelopes[i], 0, static_cast<int>(pair.sides[i]->corners.size()) - 1};
     }
-  return pairs;
+    pair.kind = pair.sides[0]->kind;
+    pair.size = size_of(whole);
+    pair.factor = arc_factor(beta, pair.kind, kLinearisedSlope);
+    pair.line = options.line;
+    return pair;
+  }
+};
+
+double lowest(const Chain& chain) {
+  return std::min_element(chain.corners.begin(), chain.corners.end(),
+                          [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); })
+      ->y();
+}
+
+std::vector<Candidate> candidates_of(const Search& search) {
+  std::array<std::vector<double>, 2> heights;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Chain& chain : search.sides[i])
+      heights[i].push_back(lowest(chain));
+  const auto of_height = [&](EdgeKind kind) {
+    const auto& chains = search.sides[0];
+    if (std::ranges::none_of(chains, [&](const Chain& c) { return c.kind == kind; })) return 0.0;
+    const double half = 0.5 * arc_factor(search.beta, kind, kLinearisedSlope);
+    return kind == EdgeKind::facing ? std::min(half, 1.0) : half;
+  };
+  const double facing = of_height(EdgeKind::facing), averted = of_height(EdgeKind::averted);
+  const auto width = [](const Chain& c) { return c.corners.back().x() - c.corners.front().x(); };
+  std::vector<Candidate> candidates;
+  for (std::size_t a = 0; a < search.sides[0].size(); ++a) {
+    if (search.places[0] && !place_in(search.places[0], a)) continue;
+    const Chain& first = search.sides[0][a];
+    for (std::size_t b = 0; b < search.sides[1].size(); ++b) {
+      const Chain& second = search.sides[1][b];
+      if (first.kind != second.kind || (search.places[1] && !place_in(search.places[1], b)))
+        continue;
+      const double share = first.kind == EdgeKind::facing ? facing : averted;
+      candidates.push_back(
+          {{a, b}, share * (heights[0][a] + heights[1][b]), 0.5 * (width(first) + width(second))});
+    }
+  }
+  return candidates;
+}
+
+std::vector<Candidate> nearest_first(std::vector<Candidate> candidates) {
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.shortest < b.shortest; });
+  return candidates;
+}
+
+double noise_of(const Search& search) {
+  double size = 0.0;
+  for (const auto& chains : search.sides)
+    for (const Chain& chain : chains)
+      for (const Vec2& p : chain.corners)
+        size = std::max(size, p.cwiseAbs().maxCoeff());
+  return kEqualWidths * size;
+}
+
+/// The length of the reference bend; infinite if there is none.
+double shortest_length(const Search& search, double noise) {
+  double length = std::numeric_limits<double>::infinity();
+  for (const Candidate& candidate : nearest_first(search.candidates)) {
+    if (candidate.shortest > length + noise) break;
+    if (const auto bend = reference_bend(search.pair(candidate), length)) length = bend->length;
+  }
+  return length;
 }
 
 bool faces(const std::vector<Chain>& chains, EdgeKind kind) {
@@ -124,23 +195,28 @@ Error nothing_fits(const Sides& sides) {
 }
 
 /// The next best choices: the best of each other pair of chains, nearest pairs first.
-std::vector<EdgeChoice> alternatives(const std::vector<ChainPair>& pairs, const EdgeSearch& found,
-                                     const EdgeSearchOptions& options) {
-  std::vector<std::pair<const ChainPair*, ReferenceBend>> others;
-  for (const ChainPair& pair : pairs) {
-    const bool same = pair.chains[0] == found.best.runs[0].chain &&
-                      pair.chains[1] == found.best.runs[1].chain;
+std::vector<EdgeChoice> alternatives(const Search& search, const EdgeSearch& found, double noise) {
+  const auto count = static_cast<std::size_t>(std::max(0, search.options.alternatives));
+  std::vector<std::pair<Candidate, ReferenceBend>> others;
+  for (const Candidate& candidate : nearest_first(search.candidates)) {
+    const bool same = static_cast<int>(candidate.rows[0]) == found.best.runs[0].chain &&
+                      static_cast<int>(candidate.rows[1]) == found.best.runs[1].chain;
     if (same) continue;
-    if (const auto reference = reference_bend(pair, std::numeric_limits<double>::infinity()))
-      others.emplace_back(&pair, *reference);
+    if (others.size() == count && candidate.shortest > others.back().second.length + noise) break;
+    const auto reference = reference_bend(search.pair(candidate),
+                                          std::numeric_limits<double>::infinity());
+    if (!reference) continue;
+    const auto later = std::upper_bound(others.begin(), others.end(), *reference,
+                                        [](const ReferenceBend& bend, const auto& other) {
+                                          return bend.length < other.second.length;
+                                        });
+    others.insert(later, {candidate, *reference});
+    if (others.size() > count) others.pop_back();
   }
-  std::stable_sort(others.begin(), others.end(),
-                   [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
-  if (static_cast<int>(others.size()) > options.alternatives)
-    others.resize(static_cast<std::size_t>(std::max(0, options.alternatives)));
   std::vector<EdgeChoice> choices;
-  for (const auto& [pair, reference] : others)
-    if (auto best = widest_bend(*pair, reference.choice, options.trade_off, std::nullopt))
+  for (const auto& [candidate, reference] : others)
+    if (auto best = widest_bend(search.pair(candidate), reference.choice, search.options.trade_off,
+                                std::nullopt))
       choices.push_back(std::move(*best));
   std::stable_sort(choices.begin(), choices.end(),
                    [](const EdgeChoice& a, const EdgeChoice& b) { return a.width > b.width; });
@@ -152,22 +228,30 @@ std::vector<EdgeChoice> alternatives(const std::vector<ChainPair>& pairs, const 
 Result<EdgeSearch> search_edges(const Sides& sides, Angle beta, const EdgeSearchOptions& options) {
   const auto places = places_of(sides, options);
   if (!places) return tl::unexpected(places.error());
-  const Envelopes envelopes = envelopes_of(sides);
-  const std::vector<ChainPair> pairs = pairs_of(sides, envelopes, *places, beta, options.line);
+  Search search{sides, *places, beta, options};
+  search.candidates = candidates_of(search);
+  const double noise = noise_of(search), length = shortest_length(search, noise);
+  if (!std::isfinite(length)) return tl::unexpected(nothing_fits(sides));
   EdgeSearch found;
   found.reference_length = std::numeric_limits<double>::infinity();
-  for (const ChainPair& pair : pairs)
-    if (const auto reference = reference_bend(pair, found.reference_length)) {
-      found.reference = reference->choice;
-      found.reference_length = reference->length;
+  for (const Candidate& candidate : search.candidates) {
+    if (candidate.shortest > length + noise) continue;
+    if (const auto bend = reference_bend(search.pair(candidate), found.reference_length)) {
+      found.reference = bend->choice;
+      found.reference_length = bend->length;
     }
-  if (!std::isfinite(found.reference_length)) return tl::unexpected(nothing_fits(sides));
+  }
   std::optional<EdgeChoice> best;
-  for (const ChainPair& pair : pairs)
-    if (auto wider = widest_bend(pair, found.reference, options.trade_off, best))
+  const double budget = found.reference.span - options.trade_off * found.reference.width + noise;
+  for (const Candidate& candidate : search.candidates) {
+    const bool hopeless = candidate.shortest - options.trade_off * candidate.widest > budget ||
+                          (best && candidate.widest < best->width - noise);
+    if (hopeless) continue;
+    if (auto wider = widest_bend(search.pair(candidate), found.reference, options.trade_off, best))
       best = std::move(*wider);
+  }
   found.best = best.value_or(found.reference);
-  if (options.alternatives > 0) found.alternatives = alternatives(pairs, found, options);
+  if (options.alternatives > 0) found.alternatives = alternatives(search, found, noise);
   return found;
 }
 

@@ -1,6 +1,8 @@
 #include "join_tree.hpp"
 
 #include "bend_frame.hpp"
+#include "bend_stretches.hpp"
+#include "outline_run.hpp"
 #include "request_check.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -21,14 +23,22 @@ constexpr double kEquallyNear = tolerance::kComputed;
 
 constexpr const char* kCancelled = "cancelled";
 
-/// Edges that bends use already, by plate.
-using TakenEdges = std::vector<std::set<int>>;
+// A bend longer than this many diagonals of its plates joins what a shop would call two parts.
+constexpr double kFarApart = 2.0;
+
+/// What bends use of a plate's edges already.
+struct UsedEdges {
+  std::set<int> whole;
+  std::map<int, EdgeParts> parts;
+};
+using TakenEdges = std::vector<UsedEdges>;  // by plate
 
 /// Marks the edges of a bend as used.
-void take(const BendFit& fit, TakenEdges& taken) {
-  for (std::size_t side = 0; side < fit.report.plates.size(); ++side)
-    taken[fit.report.plates[side]].insert(fit.report.edges[side].begin(),
-                                          fit.report.edges[side].end());
+void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges& taken) {
+  for (std::size_t side = 0; side < fit.report.plates.size(); ++side) {
+    const int p = fit.report.plates[side];
+    take(plates[p], fit.runs[side], taken[p].whole, taken[p].parts);
+  }
 }
 
 FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
@@ -38,9 +48,36 @@ FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>&
   task.thickness = structure.thickness;
   for (std::size_t side = 0; side < rows.size(); ++side) {
     task.plates[side] = &plates[rows[side]];
-    task.taken[side] = taken[rows[side]];
+    task.taken[side] = taken[rows[side]].whole;
+    task.taken_parts[side] = taken[rows[side]].parts;
   }
   return task;
+}
+
+/// Adds the further stretches of interrupted bends, once every bend has its edges, and what is left
+/// of these.
+void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                   TakenEdges& taken, std::vector<BendFit>& fits) {
+  for (BendFit& fit : fits) {
+    const std::vector<int>& rows = fit.report.plates;
+    fit.stretches = further_stretches(fit,
+                                      task_of(structure, plates, taken, rows, fit.report.request));
+    for (const BendBand& band : fit.stretches)
+      for (std::size_t side = 0; side < rows.size(); ++side) {
+        UsedEdges& used = taken[rows[side]];
+        take(plates[rows[side]], band.runs[side], used.whole, used.parts);
+      }
+  }
+  for (BendFit& fit : fits) {
+    const auto width = [](const Boundaries& b) {
+      return 0.5 * (b.high.v[0] + b.high.v[1] - b.low.v[0] - b.low.v[1]);
+    };
+    fit.report.joined = width(fit.boundaries);
+    for (const BendBand& band : fit.stretches)
+      fit.report.joined += width(band.boundaries);
+    fit.report.unused = unused_edges(
+        fit, task_of(structure, plates, taken, fit.report.plates, fit.report.request));
+  }
 }
 
 std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends) {
@@ -95,10 +132,22 @@ Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options) 
   return task.request.between.size() == 2 ? fit_between(task, options) : fit_section(task, options);
 }
 
+/// A bend that is given is held only to a largest span that is given too.
+Result<void> check_span(const PlateStructure& structure, const BendFit& fit,
+                        const std::string& pointer) {
+  if (!structure.largest_span || fit.report.reach <= *structure.largest_span) return {};
+  return fail(ErrorCode::too_far_apart,
+              fmt::format("the bend would be {:.4g} mm long from plate to plate, and largest_span "
+                          "is {:.4g} mm",
+                          fit.report.reach, *structure.largest_span),
+              pointer);
+}
+
 /// A pair of plates that may be joined.
 struct Pair {
   double cost = 0.0, width = 0.0;
   int a = 0, b = 0;
+  double span = 0.0;
 };
 struct LaterPair {
   bool operator()(const Pair& x, const Pair& y) const {
@@ -118,6 +167,9 @@ struct Problem {
   const ConnectOptions& options;
 
   int count() const { return static_cast<int>(plates.size()); }
+  double largest_span(int a, int b) const {
+    return structure.largest_span.value_or(kFarApart * (plates[a].extent + plates[b].extent));
+  }
   FitTask task(int a, int b, const TakenEdges& taken) const {
     const BendRequest request{.between = {structure.plates[a].id, structure.plates[b].id},
                               .inside_radius = structure.defaults.inside_radius,
@@ -131,7 +183,7 @@ struct Problem {
 std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEdges& taken) {
   const auto near = nearness(problem.task(a, b, taken), problem.options);
   if (!near) return std::nullopt;
-  return Pair{near->span / near->width, near->width, a, b};
+  return Pair{near->span / near->width, near->width, a, b, near->span};
 }
 
 Result<PairQueue> all_pairs(const Problem& problem, const TakenEdges& taken,
@@ -141,9 +193,35 @@ Result<PairQueue> all_pairs(const Problem& problem, const TakenEdges& taken,
     if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
     progress.at("finding which plates to join", static_cast<double>(a) / problem.count());
     for (int b = a + 1; b < problem.count(); ++b)
-      if (const auto pair = measured(problem, a, b, taken)) pairs.push(*pair);
+      if (const auto pair = measured(problem, a, b, taken);
+          pair && pair->span <= problem.largest_span(a, b))
+        pairs.push(*pair);
   }
   return pairs;
+}
+
+/// The refusal of a plate whose group only a bend longer than the largest span would join to the
+/// rest; empty if none would at all.
+std::optional<Error> too_far(const Problem& problem, UnionFind& groups, int p,
+                             const TakenEdges& taken) {
+  std::optional<Pair> nearest;
+  for (int a = 0; a < problem.count(); ++a)
+    for (int b = 0; b < problem.count(); ++b) {
+      if (!groups.same(a, p) || groups.same(b, p)) continue;
+      const auto pair = measured(problem, a, b, taken);
+      if (pair && (!nearest || pair->span < nearest->span)) nearest = pair;
+    }
+  if (!nearest || nearest->span <= problem.largest_span(nearest->a, nearest->b))
+    return std::nullopt;
+  const std::vector<Plate>& plates = problem.structure.plates;
+  return Error{
+      ErrorCode::too_far_apart,
+      fmt::format("plate \"{}\" is not joined to the others: the shortest bend, to plate "
+                  "\"{}\", would be {:.4g} mm long from plate to plate, and up to {:.4g} mm "
+                  "are joined: give a larger largest_span, or the bend itself",
+                  plates[nearest->a].id, plates[nearest->b].id, nearest->span,
+                  problem.largest_span(nearest->a, nearest->b)),
+      fmt::format("/plates/{}", nearest->a)};
 }
 
 /// Why a plate remains unconnected; `why` is that of its nearest pair, if one was tried.
@@ -196,10 +274,13 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
     task.pointer = fmt::format("/bends/{}", b);
     auto fit = fit_checked(task, options);
     if (!fit) return tl::unexpected(fit.error());
+    if (auto near = check_span(structure, *fit, task.pointer); !near)
+      return tl::unexpected(near.error());
     fit->report.plates = (*rows)[b];
-    take(*fit, taken);
+    take(*fit, plates, taken);
     fits[b] = std::move(*fit);
   }
+  add_stretches(structure, plates, taken, fits);
   return fits;
 }
 
@@ -220,7 +301,7 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
     if (groups.same(pair.a, pair.b)) continue;
     // Its edges may have been taken since.
     const auto now = measured(problem, pair.a, pair.b, taken);
-    if (!now) continue;
+    if (!now || now->span > problem.largest_span(pair.a, pair.b)) continue;
     if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
       open->push(*now);
       continue;
@@ -232,12 +313,16 @@ Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
       continue;
     }
     fit->report.plates = {pair.a, pair.b};
-    take(*fit, taken);
+    take(*fit, plates, taken);
     groups.unite(pair.a, pair.b);
     fits.push_back(std::move(*fit));
   }
   for (int p = 1; p < problem.count(); ++p)
-    if (!groups.same(p, 0)) return tl::unexpected(alone(problem, p, why[p]));
+    if (!groups.same(p, 0)) {
+      if (const auto far = too_far(problem, groups, p, taken)) return tl::unexpected(*far);
+      return tl::unexpected(alone(problem, p, why[p]));
+    }
+  add_stretches(structure, plates, taken, fits);
   return fits;
 }
 

@@ -13,7 +13,8 @@ struct JoinedFace {
   Face face;
   struct Joint {
     int plate = 0, bend = 0;  ///< indices into the parts
-    int border = 0;           ///< of the outer loop
+    int border = 0;
+    int loop = 0;
   };
   std::vector<Joint> joints;
 };

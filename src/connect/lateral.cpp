@@ -74,11 +74,6 @@ class Flat {
   double reference_ = 1.0;
 };
 
-Boundary along_directrix(const BendSurface& surface, double level, double extent) {
-  return {{surface.v_at(0, level), surface.v_at(1, level)},
-          surface.at_level(level, kCurveTolerance * extent)};
-}
-
 // The straight boundary between two corners; empty if it does not cross the rulings in order.
 std::optional<Boundary> straight(const BendSurface& surface, const Flat& flat,
                                  const std::array<Vec2, 2>& corners, double extent) {
@@ -175,6 +170,11 @@ Result<Boundaries> directrix_boundaries(const BendSurface& surface, const RunEnd
 
 }  // namespace
 
+Boundary along_directrix(const BendSurface& surface, double level, double extent) {
+  return {{surface.v_at(0, level), surface.v_at(1, level)},
+          surface.at_level(level, kCurveTolerance * extent)};
+}
+
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options) {
   Flat flat(surface, options.neutral_offset);
@@ -196,16 +196,22 @@ Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds&
 
 std::vector<Interval> legal_sections(const std::vector<Vec2>& outline, double low, double high,
                                      double tolerance) {
+  return legal_sections(std::vector<std::vector<Vec2>>{outline}, low, high, tolerance);
+}
+
+std::vector<Interval> legal_sections(const std::vector<std::vector<Vec2>>& rings, double low,
+                                     double high, double tolerance) {
   // Crossings of the line just below h = 0: a corner on it counts as above.
   std::vector<double> crossings;
-  for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Vec2& a = outline[i];
-    const Vec2& b = outline[(i + 1) % outline.size()];
-    const bool a_below = a.y() < -tolerance, b_below = b.y() < -tolerance;
-    if (a_below == b_below) continue;
-    const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
-    crossings.push_back(a.x() + t * (b.x() - a.x()));
-  }
+  for (const std::vector<Vec2>& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec2& a = ring[i];
+      const Vec2& b = ring[(i + 1) % ring.size()];
+      const bool a_below = a.y() < -tolerance, b_below = b.y() < -tolerance;
+      if (a_below == b_below) continue;
+      const double t = std::clamp(a.y() / (a.y() - b.y()), 0.0, 1.0);
+      crossings.push_back(a.x() + t * (b.x() - a.x()));
+    }
   std::sort(crossings.begin(), crossings.end());
   std::vector<Interval> sections;
   double from = low;

@@ -40,10 +40,16 @@ struct LateralOptions {
 Result<Boundaries> lateral_boundaries(const BendSurface& surface, const RunEnds& ends,
                                       LateralBoundary wanted, const LateralOptions& options);
 
+/// The boundary along the circle of one level.
+Boundary along_directrix(const BendSurface& surface, double level, double extent);
+
 /// Sections of the ruling h = 0 next to which, at h < 0, an outline given in (v, h) has no
 /// material: intervals of v within [low, high], ascending (after appendix 1 of
 /// bibliography.md#thesis).
 std::vector<std::pair<double, double>> legal_sections(const std::vector<Vec2>& outline, double low,
                                                       double high, double tolerance);
+/// The same for an outline and its holes, in any order.
+std::vector<std::pair<double, double>> legal_sections(const std::vector<std::vector<Vec2>>& rings,
+                                                      double low, double high, double tolerance);
 
 }  // namespace planish::connect_detail

@@ -1,5 +1,7 @@
 #include "pair_search.hpp"
 
+#include "drawn_edges.hpp"
+#include "outline_run.hpp"
 #include "tolerances.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +12,7 @@
 namespace planish::connect_detail {
 namespace {
 
-// Chains without the edges that other bends use already.
+// Chains without some of their edges.
 std::vector<Chain> without(const std::vector<Chain>& chains, const std::set<int>& taken) {
   std::vector<Chain> left;
   for (const Chain& chain : chains) {
@@ -76,6 +78,18 @@ bool is_too_near(const FitTask& task, const PairChoice& choice) {
   return false;
 }
 
+// The choice with the edges that are drawn up to the bend, if it has such.
+PairChoice as_drawn(PairChoice choice, const FitTask& task, EdgeSearchOptions wanted) {
+  if (task.request.edges[0] || task.request.edges[1]) return choice;
+  const auto edges = drawn_edges(choice);
+  if (!edges) return choice;
+  wanted.edges = {(*edges)[0], (*edges)[1]};
+  wanted.alternatives = 0;
+  const auto found = search_edges(choice.chains, choice.frame.beta, wanted);
+  if (found) choice.search.best = found->best;
+  return choice;
+}
+
 Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
                                 const ConnectOptions& options, std::optional<EdgeKind> kind) {
   PairChoice choice{frame, {}, {}};
@@ -83,7 +97,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   for (int side = 0; side < 2; ++side) {
     const auto i = static_cast<std::size_t>(side);
     outlines[i] = side_outline(*task.plates[i], frame, side);
-    choice.chains[i] = without(viable_chains(outlines[i]), task.taken[i]);
+    choice.chains[i] = open_chains(task, frame, side);
     if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
     if (frame.parallel())
       choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
@@ -109,9 +123,9 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
         farther.chains[i] = without(farther.chains[i],
                                     too_near(farther.chains[i], least_height(task, frame)));
     }
-    if (search(farther, wanted)) return farther;
+    if (search(farther, wanted)) choice = std::move(farther);
   }
-  return choice;
+  return as_drawn(std::move(choice), task, wanted);
 }
 
 bool better(const PairChoice& a, const PairChoice& b) {
@@ -150,6 +164,12 @@ std::array<std::vector<int>, 2> PairChoice::edges(const EdgeChoice& choice) cons
     result[side].assign(all.begin() + run.first, all.begin() + run.last + 1);
   }
   return result;
+}
+
+std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int side) {
+  const PlacedPlate& plate = *task.plates[side];
+  return free_chains(without(side_chains(plate, frame, side), task.taken[side]),
+                     task.taken_parts[side], plate, frame, side, task.thickness);
 }
 
 bool is_conical(const BendRequest& request) {
@@ -191,7 +211,7 @@ FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options) {
     const double wanted = tangent_distance(frame, *radius + 0.5 * task.thickness);
     double nearest = wanted;
     for (int side = 0; side < 2; ++side)
-      for (const Chain& chain : viable_chains(side_outline(*task.plates[side], frame, side)))
+      for (const Chain& chain : side_chains(*task.plates[side], frame, side))
         for (std::size_t j = 0; j < chain.edges.size(); ++j) {
           const double y = std::min(chain.corners[j].y(), chain.corners[j + 1].y());
           if (chain.kind == EdgeKind::facing && y >= wanted - kAtLimit * per_radius)

@@ -24,6 +24,9 @@ struct PairChoice {
 /// `no_bend_fits`.
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options);
 
+/// The chains of a side without what other bends use already.
+std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int side);
+
 /// The task, its inside radius reduced to what the edges allow where these are drawn at most
 /// 0.001 mm short of it: plates of real parts carry the rounding of their file.
 FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options);

@@ -44,27 +44,21 @@ BorderLoop border_loop(const std::vector<Edge>& edges) {
   return loop;
 }
 
-std::vector<Edge> hole_edges(const std::vector<Vec2>& hole) {
-  std::vector<Edge> edges;
-  for (std::size_t i = 0; i < hole.size(); ++i)
-    edges.push_back({hole[i], hole[(i + 1) % hole.size()], std::nullopt});
-  return edges;
-}
-
 }  // namespace
 
 Result<JoinedFace> plate_face(const Parts& parts, int plate, int sense) {
   const PlacedPlate& placed = parts.plates[plate];
-  const auto outline = extended_outline(placed, bends_on(parts, plate), parts.ids[plate]);
-  if (!outline) return tl::unexpected(outline.error());
+  const std::vector<BendOnPlate> bends = bends_on(parts, plate);
   JoinedFace made;
   made.face.surface = skin_frame(placed, parts.thickness, sense);
-  const std::vector<Edge> outer = seen_from_outside(outline->edges, sense);
-  for (std::size_t i = 0; i < outer.size(); ++i)
-    if (outer[i].bend) made.joints.push_back({plate, *outer[i].bend, static_cast<int>(i)});
-  made.face.loops.push_back(border_loop(outer));
-  for (const auto& hole : placed.holes)
-    made.face.loops.push_back(border_loop(seen_from_outside(hole_edges(hole), sense)));
+  for (int ring = 0; ring < placed.ring_count(); ++ring) {
+    const auto outline = extended_outline(placed, bends, parts.ids[plate], ring);
+    if (!outline) return tl::unexpected(outline.error());
+    const std::vector<Edge> edges = seen_from_outside(outline->edges, sense);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      if (edges[i].bend) made.joints.push_back({plate, *edges[i].bend, static_cast<int>(i), ring});
+    made.face.loops.push_back(border_loop(edges));
+  }
   return made;
 }
 

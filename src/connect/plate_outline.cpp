@@ -19,10 +19,9 @@ double cross2(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x
 
 // Corners of the run in (v, h), in the order of the outline.
 std::vector<Vec2> run_corners(const BendFit& fit, int side, const PlacedPlate& plate) {
-  const OutlineRun& run = fit.runs[side];
   std::vector<Vec2> corners;
-  for (int j = 0; j <= run.count; ++j)
-    corners.push_back(fit.surface.local(side, plate.corner((run.first + j) % plate.edge_count())));
+  for (const Vec2& p : run_points(plate, fit.runs[side]))
+    corners.push_back(fit.surface.local(side, plate.frame.point(p)));
   return corners;
 }
 
@@ -95,9 +94,9 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   for (const Vec2& vh : path.points)
     points.push_back(plate.frame.local2(on.fit->surface.point(on.side, vh)));
   // The ends are exactly corners of the plate.
-  const OutlineRun& run = on.fit->runs[on.side];
-  points.front() = plate.outline[run.first];
-  points.back() = plate.outline[(run.first + run.count) % plate.edge_count()];
+  const std::vector<Vec2> run = run_points(plate, on.fit->runs[on.side]);
+  points.front() = run.front();
+  points.back() = run.back();
   const double same = kSame * plate.extent;
   // If the joint begins or ends at a corner of the plate, use that corner exactly.
   if (path.joint == 1 && (points[1] - points[0]).norm() <= same) points[1] = points[0];
@@ -107,6 +106,27 @@ void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
   for (std::size_t j = 0; j < last; ++j)
     append(outline, points[j], points[j + 1],
            j == path.joint ? std::optional(on.bend) : std::nullopt, same);
+}
+
+const OutlineRun& run_of(const BendOnPlate& on) { return on.fit->runs[on.side]; }
+
+// What is free of the ring from the end of one run to the start of the next; `around` if that is
+// the first one again.
+void append_free(ExtendedOutline& outline, const PlacedPlate& plate, const OutlineRun& from,
+                 const OutlineRun& to, bool around) {
+  const std::vector<Vec2>& corners = plate.ring(from.ring);
+  const int n = static_cast<int>(corners.size());
+  const int edge = (from.first + from.count - 1) % n;
+  int edges = (to.first - edge + n) % n;
+  if (edges == 0 && around) edges = n;
+  const double same = kSame * plate.extent;
+  Vec2 at = run_points(plate, from).back();
+  for (int j = 1; j <= edges; ++j) {
+    const Vec2& corner = corners[(edge + j) % n];
+    append(outline, at, corner, std::nullopt, same);
+    at = corner;
+  }
+  append(outline, at, run_points(plate, to).front(), std::nullopt, same);
 }
 
 // A corner that lies on an edge that does not end there: the extension runs back over the plate.
@@ -121,12 +141,12 @@ std::optional<Vec2> touching(const std::vector<Vec2>& ring, double same) {
 }
 
 Result<void> check_simple(const ExtendedOutline& outline, const PlacedPlate& plate,
-                          const std::string& id) {
+                          const std::string& id, int number) {
   std::vector<Vec2> ring;
   for (const Edge& edge : outline.edges)
     ring.push_back(edge.a);
   const auto crossings = self_crossings(ring);
-  if (crossings.empty() && ring_area(ring) > 0.0) {
+  if (crossings.empty() && (number == 0 ? 1.0 : -1.0) * ring_area(ring) > 0.0) {
     if (const auto at = touching(ring, kSame * plate.extent))
       return fail(ErrorCode::no_common_width,
                   fmt::format("the bend that fits best begins beside the edges of plate {}, where "
@@ -152,28 +172,25 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate) {
 }
 
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
-                                         const std::string& id) {
-  const auto run_of = [](const BendOnPlate& on) { return on.fit->runs[on.side]; };
-  std::sort(bends.begin(), bends.end(), [&](const BendOnPlate& a, const BendOnPlate& b) {
-    return run_of(a).first < run_of(b).first;
+                                         const std::string& id, int ring) {
+  std::erase_if(bends, [&](const BendOnPlate& on) { return run_of(on).ring != ring; });
+  std::sort(bends.begin(), bends.end(), [](const BendOnPlate& a, const BendOnPlate& b) {
+    return std::pair{run_of(a).first, run_of(a).start} <
+           std::pair{run_of(b).first, run_of(b).start};
   });
   ExtendedOutline outline;
-  const int n = plate.edge_count();
-  // Once around the outline, from the first bend's run (which may include corner 0).
-  const int start = bends.empty() ? 0 : run_of(bends.front()).first;
-  std::size_t next = 0;
-  for (int done = 0; done < n;) {
-    const int edge = (start + done) % n;
-    if (next < bends.size() && run_of(bends[next]).first == edge) {
-      append_bend(outline, plate, bends[next]);
-      done += run_of(bends[next]).count;
-      ++next;
-    } else {
-      append(outline, plate.outline[edge], plate.outline[(edge + 1) % n], std::nullopt, 0.0);
-      ++done;
-    }
+  const std::vector<Vec2>& corners = plate.ring(ring);
+  if (bends.empty())
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      outline.edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  // Once around the ring, from the first bend's run (which may include corner 0).
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const bool last = i + 1 == bends.size();
+    append_bend(outline, plate, bends[i]);
+    append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
-  if (auto simple = check_simple(outline, plate, id); !simple)
+  if (ring > 0 && bends.empty()) return outline;  // as it was given
+  if (auto simple = check_simple(outline, plate, id, ring); !simple)
     return tl::unexpected(simple.error());
   return outline;
 }

@@ -32,8 +32,9 @@ JointRange joint_range(const BendFit& fit, int side, const PlacedPlate& plate);
 
 /// Adds the plate extensions of math.md#tangent-lines: the selected edges are replaced by the
 /// shortest paths from their ends to the lateral boundaries that do not cut the plate, and by the
-/// tangent line between. Error: `overlap` if extensions run into each other or over the plate.
+/// tangent line between. Another ring than 0 is a hole, which runs clockwise; bends on other rings
+/// are passed over. Error: `overlap` if extensions run into each other or over the plate.
 Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<BendOnPlate> bends,
-                                         const std::string& id);
+                                         const std::string& id, int ring = 0);
 
 }  // namespace planish::connect_detail

@@ -22,14 +22,17 @@ constexpr double kTouch = kNegligible;
 // Intervals of the line y = 0 with material on both of its sides.
 std::vector<Interval> inside_intervals(const PlacedPlate& plate, const Vec3& origin, const Vec3& d,
                                        const Vec3& e, double tolerance) {
-  std::vector<Vec2> above, below;
+  std::vector<std::vector<Vec2>> above, below;
   double low = 0.0, high = 0.0;
-  for (int i = 0; i < plate.edge_count(); ++i) {
-    const Vec3 p = plate.corner(i) - origin;
-    above.emplace_back(p.dot(d), p.dot(e));
-    below.emplace_back(p.dot(d), -p.dot(e));
-    low = std::min(low, p.dot(d));
-    high = std::max(high, p.dot(d));
+  for (int r = 0; r < plate.ring_count(); ++r) {
+    std::vector<Vec2>&over = above.emplace_back(), &under = below.emplace_back();
+    for (const Vec2& corner : plate.ring(r)) {
+      const Vec3 p = plate.frame.point(corner) - origin;
+      over.emplace_back(p.dot(d), p.dot(e));
+      under.emplace_back(p.dot(d), -p.dot(e));
+      low = std::min(low, p.dot(d));
+      high = std::max(high, p.dot(d));
+    }
   }
   // Complements of the sections that are free on one side or the other.
   std::vector<Interval> free = legal_sections(above, low, high, tolerance);
@@ -57,10 +60,17 @@ std::optional<Vec3> crossing(const PlacedPlate& a, const PlacedPlate& b, const B
 }
 
 std::optional<Vec3> common_area(const PlacedPlate& a, const PlacedPlate& b) {
-  Polygon first{a.outline, {}}, second;
-  for (int i = 0; i < b.edge_count(); ++i)
-    second.outer.push_back(a.frame.local2(b.corner(i)));
-  if (ring_area(second.outer) < 0.0) std::reverse(second.outer.begin(), second.outer.end());
+  Polygon first{a.outline, a.holes}, second;
+  for (int r = 0; r < b.ring_count(); ++r) {
+    std::vector<Vec2> ring;
+    for (const Vec2& p : b.ring(r))
+      ring.push_back(a.frame.local2(b.frame.point(p)));
+    if ((ring_area(ring) < 0.0) == (r == 0)) std::reverse(ring.begin(), ring.end());
+    if (r == 0)
+      second.outer = std::move(ring);
+    else
+      second.holes.push_back(std::move(ring));
+  }
   const double extent = std::max(a.extent, b.extent);
   const auto shared = overlaps({first, second}, 0.0, kTouch * extent * extent);
   if (shared.empty()) return std::nullopt;
@@ -92,10 +102,11 @@ std::optional<TooNear> too_near(const PlacedPlate& a, const PlacedPlate& b, doub
       if (distance >= needed * (1.0 - kTouch) || !inside({a.outline}, local.head<2>())) continue;
       // Near a's border a bend or a weld may be intended; farther in, the sheets overlap.
       double to_border = std::numeric_limits<double>::infinity();
-      for (std::size_t j = 0; j < a.outline.size(); ++j) {
-        const Vec2 &c = a.outline[j], &d = a.outline[(j + 1) % a.outline.size()];
-        to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
-      }
+      for (int r = 0; r < a.ring_count(); ++r)
+        for (std::size_t j = 0; j < a.ring(r).size(); ++j) {
+          const Vec2 &c = a.ring(r)[j], &d = a.ring(r)[(j + 1) % a.ring(r).size()];
+          to_border = std::min(to_border, nearest(Segment{c, d}, local.head<2>()).distance);
+        }
       if (to_border <= thickness) continue;
       const bool in_hole = std::any_of(a.holes.begin(), a.holes.end(), [&](const auto& hole) {
         return inside({hole}, local.head<2>());

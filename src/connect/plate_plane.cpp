@@ -188,13 +188,41 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
                                 text(ring[i])),
                     fmt::format("{}/{}", place, i));
     if (auto apart = check_hole_apart(placed, hole, place); !apart) return apart;
-    if (ring_area(hole) > 0.0) std::reverse(hole.begin(), hole.end());
+    placed.turned.push_back(ring_area(hole) > 0.0);
+    if (placed.turned.back()) std::reverse(hole.begin(), hole.end());
     placed.holes.push_back(std::move(hole));
   }
   return {};
 }
 
+// The number within a ring of `count` edges when it runs the other way; its own inverse.
+int renumbered(int edge, int count) { return (2 * count - 2 - edge) % count; }
+
 }  // namespace
+
+int PlacedPlate::all_edges() const {
+  int count = 0;
+  for (int r = 0; r < ring_count(); ++r)
+    count += static_cast<int>(ring(r).size());
+  return count;
+}
+
+int PlacedPlate::edge_number(const EdgePlace& place) const {
+  int before = 0;
+  for (int r = 0; r < place.ring; ++r)
+    before += static_cast<int>(ring(r).size());
+  const bool other_way = place.ring > 0 && turned[place.ring - 1];
+  const int count = static_cast<int>(ring(place.ring).size());
+  return before + (other_way ? renumbered(place.corner, count) : place.corner);
+}
+
+EdgePlace PlacedPlate::place_of(int edge) const {
+  int r = 0;
+  while (edge >= static_cast<int>(ring(r).size()))
+    edge -= static_cast<int>(ring(r++).size());
+  const bool other_way = r > 0 && turned[r - 1];
+  return {r, other_way ? renumbered(edge, static_cast<int>(ring(r).size())) : edge};
+}
 
 Result<PlacedPlate> placed(const Plate& plate, const std::string& pointer, double planarity) {
   const std::string place = pointer + "/outline";

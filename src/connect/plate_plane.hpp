@@ -9,17 +9,31 @@
 
 namespace planish::connect_detail {
 
+/// Where an edge of a plate is: in the outline (ring 0) or in a hole (ring 1 …), from that corner
+/// to the next.
+struct EdgePlace {
+  int ring = 0, corner = 0;
+};
+
 /// A plate in the axes of its own plane: the outline runs counter-clockwise about the frame's z,
-/// corner by corner as in the plate; holes run clockwise.
+/// corner by corner as in the plate; holes run clockwise. Edges are numbered in the plate's order:
+/// those of the outline, then those of each hole.
 struct PlacedPlate {
   Frame frame;
   std::vector<Vec2> outline;
   std::vector<std::vector<Vec2>> holes;
-  double extent = 0.0;  ///< diagonal of its bounding box, mm
+  std::vector<bool> turned;  ///< by hole: it runs against the plate's order
+  double extent = 0.0;       ///< diagonal of its bounding box, mm
   double area = 0.0;
 
   Vec3 corner(int i) const { return frame.point(outline[i]); }
-  int edge_count() const { return static_cast<int>(outline.size()); }
+  int edge_count() const { return static_cast<int>(outline.size()); }  ///< of the outline
+
+  int ring_count() const { return 1 + static_cast<int>(holes.size()); }
+  const std::vector<Vec2>& ring(int r) const { return r == 0 ? outline : holes[r - 1]; }
+  int all_edges() const;  ///< of the outline and the holes
+  int edge_number(const EdgePlace& place) const;
+  EdgePlace place_of(int edge) const;  ///< edge < all_edges()
 };
 
 /// Lays a plate into its plane. `pointer` is the plate's place in the file, "/plates/2". Errors:

@@ -107,7 +107,7 @@ Result<void> check_numbers(const BendRequest& request, const std::string& pointe
 Result<void> check_edges(const FitTask& task) {
   for (std::size_t side = 0; side < 2; ++side) {
     if (!task.plates[side] || !task.request.edges[side]) continue;
-    const int count = task.plates[side]->edge_count();
+    const int count = task.plates[side]->all_edges();
     const std::string place = fmt::format("{}/edges/{}", task.pointer,
                                           escaped(task.request.between[side]));
     if (task.request.edges[side]->empty())

@@ -35,12 +35,15 @@ Result<Beginning> beginning(const FitTask& task) {
                              "a bend of one plate begins at one of its edges: name it in edges",
                              "/edges"));
   const int edge = edges->front();
-  if (task.taken[0].count(edge) != 0)
+  if (task.taken[0].count(edge) + task.taken_parts[0].count(edge) != 0)
     return tl::unexpected(
         at(task, ErrorCode::unknown_edge,
            fmt::format("edge {} is used by another bend already: each edge carries one", edge),
            "/edges"));
-  const Vec3 from = plate->corner(edge), to = plate->corner((edge + 1) % plate->edge_count());
+  const EdgePlace place = plate->place_of(edge);
+  const std::vector<Vec2>& ring = plate->ring(place.ring);
+  const Vec3 from = plate->frame.point(ring[place.corner]);
+  const Vec3 to = plate->frame.point(ring[(place.corner + 1) % ring.size()]);
   const Vec3 d = (to - from).normalized();
   const double up = task.request.angle->radians() > 0.0 ? 1.0 : -1.0;
   return Beginning{from, d, d.cross(plate->frame.z), up * plate->frame.z, (to - from).norm()};
@@ -158,7 +161,8 @@ Result<BendFit> fit_section(const FitTask& task, const ConnectOptions&) {
     roll_cone(fit, *begin, radii, sweep);
   }
   if (task.plates[0] != nullptr) {
-    fit.runs[0] = {request.edges[0]->front(), 1};
+    const EdgePlace place = task.plates[0]->place_of(request.edges[0]->front());
+    fit.runs[0] = {place.corner, 1, place.ring};
     fit.report.edges[0] = *request.edges[0];
   }
   FittedBend& report = fit.report;

@@ -8,6 +8,10 @@ namespace planish::connect_detail {
 /// lengths as a share of the plates' extent.
 inline constexpr double kNegligible = 1e-6;
 
+/// Edges within this distance of a line (mm) are drawn on it: plates of real parts carry the
+/// rounding of their file.
+inline constexpr double kDrawn = 1e-3;
+
 /// Inside radii below this (mm) are too small for a solid, which needs a cylinder there.
 inline constexpr double kSmallestInsideRadius = 1e-3;
 

@@ -29,7 +29,8 @@ std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const R
                           const Progress& progress) {
   const AllowanceRule allowance = allowance_of(file, request);
   progress.at("joining the plates", 0.0);
-  auto connection = planish::connect(file.structure, options_for(allowance), first_part(progress));
+  auto connection = planish::connect(with_options(file, request.join), options_for(allowance),
+                                     first_part(progress));
   if (!connection) return placed(connection.error(), place_name(request.input.string()));
   return finish(report, std::move(*connection), allowance, request, progress);
 }

@@ -84,6 +84,12 @@ Maker connect_maker() {
                                        {"k_table"},
                                        {"din6935"},
                                        {"material"},
+                                       {"inside_radius", "that of the plates file"},
+                                       {"lateral", "that of the plates file, or auto"},
+                                       {"trade_off", "that of the plates file, or 1"},
+                                       {"largest_span",
+                                        "that of the plates file, or of a bend that the program "
+                                        "finds twice the diagonals of both plates"},
                                        {"process"},
                                        {"rules"},
                                        {"no_rules"}}),

@@ -55,6 +55,15 @@ Json edges_json(const FittedBend& bend, const PlateStructure& structure) {
   return json;
 }
 
+Json stretch_json(const BendStretch& stretch, const FittedBend& bend,
+                  const PlateStructure& structure, const Units& units) {
+  Json json{{"edges", Json::object()}, {"width", number_json(units.length(stretch.width))}};
+  const auto ids = plate_ids(bend, structure);
+  for (std::size_t side = 0; side < ids.size(); ++side)
+    json["edges"][ids[side]] = stretch.edges[side];
+  return json;
+}
+
 Json direction_json(const Vec3& v) {
   return Json::array({number_json(v.x()), number_json(v.y()), number_json(v.z())});
 }
@@ -107,6 +116,10 @@ void add_fit(Json& json, const FittedBend& bend, const PlateStructure& structure
   json["lateral"] = lateral_name(bend.lateral);
   json["width"] = number_json(units.length(bend.width));
   json["span"] = number_json(units.length(bend.span));
+  json["joined"] = number_json(units.length(bend.joined));
+  json["stretches"] = Json::array();
+  for (const BendStretch& stretch : bend.stretches)
+    json["stretches"].push_back(stretch_json(stretch, bend, structure, units));
   json["extension_area"] = number_json(units.area(bend.extension_area));
   json["frame"] = frame_json(bend.frame, units);
   json["alternatives"] = Json::array();
@@ -150,6 +163,8 @@ ReportDetails connect_report_details() {
                                      required("surface", surface), required("facing", facing),
                                      required("width", measured_length()),
                                      required("span", measured_length())});
+  const Schema stretch = object(
+      {required("edges", map(list(whole()))), required("width", measured_length())});
   return {{},
           {optional("between", list(text())), optional("edges", map(list(whole()))),
            optional("surface", surface), optional("facing", facing),
@@ -158,6 +173,7 @@ ReportDetails connect_report_details() {
            optional("inside_radii", list(measured_length())),
            optional("lateral", words({"auto", "straight", "arc", "corner"})),
            optional("width", measured_length()), optional("span", measured_length()),
+           optional("joined", measured_length()), optional("stretches", list(stretch)),
            optional("extension_area", measured_area()), optional("frame", frame),
            optional("alternatives", list(alternative))}};
 }

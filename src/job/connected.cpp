@@ -1,5 +1,6 @@
 #include "connected.hpp"
 
+#include "bend_spans.hpp"
 #include "folded.hpp"
 
 namespace planish::job {
@@ -21,7 +22,12 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
   if (!report.connection.structure.plates.empty()) options.root = report.connection.root;
   const EdgeDistance distance = checks.effort == Effort::full ? border_distance(sheet)
                                                               : EdgeDistance();
-  return lay_flat(report, {sheet, distance, checks, folded}, options, progress);
+  if (auto error = lay_flat(report, {sheet, distance, checks, folded}, options, progress))
+    return error;
+  if (checks.effort == Effort::full)
+    for (Finding& finding : span_findings(report))
+      report.findings.push_back(std::move(finding));
+  return std::nullopt;
 }
 
 AllowanceRule allowance_of(const PlatesFile& file, const Request& request) {

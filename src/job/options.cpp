@@ -145,6 +145,55 @@ const std::vector<Option>& bend_options() {
   return table;
 }
 
+Done set_lateral(Request& to, const OptionValue& value) {
+  const std::string& word = text_of(value);
+  to.join.lateral = word == "straight" ? LateralBoundary::straight
+                    : word == "arc"    ? LateralBoundary::arc
+                    : word == "corner" ? LateralBoundary::corner
+                                       : LateralBoundary::automatic;
+  return {};
+}
+
+const std::vector<Option>& join_options() {
+  static const std::vector<Option> table{
+      {.name = "inside_radius",
+       .kind = OptionKind::number,
+       .group = "Joining",
+       .description = "inside radius of every bend between two plates that gives none, in mm",
+       .range = kAtLeastZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.join.inside_radius = number_of(value);
+         return {};
+       }},
+      {.name = "lateral",
+       .kind = OptionKind::word,
+       .group = "Joining",
+       .description = "lateral boundaries of every bend between two plates that gives none",
+       .words = {"auto", "straight", "arc", "corner"},
+       .set = set_lateral},
+      {.name = "trade_off",
+       .kind = OptionKind::number,
+       .group = "Joining",
+       .description = "how much longer a bend may be for being wider, of every bend that does not "
+                      "say it",
+       .range = kAtLeastZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.join.trade_off = number_of(value);
+         return {};
+       }},
+      {.name = "largest_span",
+       .kind = OptionKind::number,
+       .group = "Joining",
+       .description = "longest way from plate to plate that a bend bridges, in mm",
+       .range = kAboveZero,
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.join.largest_span = number_of(value);
+         return {};
+       }},
+  };
+  return table;
+}
+
 const std::vector<Option>& form_options() {
   static const std::vector<Option> table{
       {.name = "extruded",
@@ -334,7 +383,7 @@ const std::vector<Option>& general_options() {
 std::span<const Option> options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> joined;
-    for (const auto* group : {&general_options(), &bend_options(), &form_options(),
+    for (const auto* group : {&general_options(), &bend_options(), &join_options(), &form_options(),
                               &relief_options(), &dxf_options(), &check_options()})
       joined.insert(joined.end(), group->begin(), group->end());
     return joined;

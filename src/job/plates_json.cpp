@@ -89,6 +89,9 @@ Schema make_schema() {
   fields.push_back(optional(
       "bends", list(bend_schema()).said("if left out, the program finds which plates to join")));
   fields.push_back(optional("defaults", defaults_schema()));
+  fields.push_back(
+      optional("largest_span",
+               length(kAboveZero).said("longest way from plate to plate that a bend bridges")));
   fields.push_back(optional("root", text().said("id of the plate that stays where it is")));
   return object(std::move(fields)).said("Plates in space to be joined by bends");
 }
@@ -170,14 +173,25 @@ BendDefaults defaults_at(const JsonPlace& place) {
   return defaults;
 }
 
-/// What a bend leaves open. A radius is no default where something of a cone or of the tangent
-/// lines is given, from which it follows.
-void take_defaults(BendRequest& bend, const JsonPlace& place, const BendDefaults& defaults) {
-  if (!place["trade_off"].given()) bend.trade_off = defaults.trade_off;
-  if (bend.between.size() == 2 && !place["lateral"].given()) bend.lateral = defaults.lateral;
-  const bool open = !bend.inside_radius && !bend.inside_radii && !bend.aperture && !bend.slope &&
-                    !bend.apex && !bend.tangent_point && bend.surface != SurfaceChoice::general;
-  if (open) bend.inside_radius = defaults.inside_radius;
+/// A radius is left open only where nothing of a cone or of the tangent lines is given, from which
+/// it follows.
+OpenKeys open_keys(const BendRequest& bend, const JsonPlace& place) {
+  OpenKeys open;
+  open.trade_off = !place["trade_off"].given();
+  open.lateral = bend.between.size() == 2 && !place["lateral"].given();
+  open.inside_radius = !bend.inside_radius && !bend.inside_radii && !bend.aperture && !bend.slope &&
+                       !bend.apex && !bend.tangent_point && bend.surface != SurfaceChoice::general;
+  return open;
+}
+
+void take_defaults(PlateStructure& structure, const std::vector<OpenKeys>& open) {
+  const BendDefaults& defaults = structure.defaults;
+  for (std::size_t b = 0; b < std::min(structure.bends.size(), open.size()); ++b) {
+    BendRequest& bend = structure.bends[b];
+    if (open[b].trade_off) bend.trade_off = defaults.trade_off;
+    if (open[b].lateral) bend.lateral = defaults.lateral;
+    if (open[b].inside_radius) bend.inside_radius = defaults.inside_radius;
+  }
 }
 
 void read_sizes(BendRequest& bend, const JsonPlace& place) {
@@ -220,7 +234,7 @@ void check_together(const BendRequest& bend, const JsonPlace& place) {
         "the plate's edges: leave it out");
 }
 
-BendRequest bend_at(const JsonPlace& place, const BendDefaults& defaults) {
+BendRequest bend_at(const JsonPlace& place) {
   BendRequest bend;
   bend.between = ids_at(place["between"]);
   read_edges(bend, place["edges"]);
@@ -228,7 +242,6 @@ BendRequest bend_at(const JsonPlace& place, const BendDefaults& defaults) {
   bend.lateral = place["lateral"].choice(kBoundaries);
   read_sizes(bend, place);
   check_together(bend, place);
-  take_defaults(bend, place, defaults);
   return bend;
 }
 
@@ -237,6 +250,17 @@ BendRequest bend_at(const JsonPlace& place, const BendDefaults& defaults) {
 const Schema& plates_schema() {
   static const Schema schema = make_schema();
   return schema;
+}
+
+PlateStructure with_options(const PlatesFile& file, const JoinOptions& options) {
+  PlateStructure structure = file.structure;
+  BendDefaults& defaults = structure.defaults;
+  if (options.inside_radius) defaults.inside_radius = options.inside_radius;
+  defaults.lateral = options.lateral.value_or(defaults.lateral);
+  defaults.trade_off = options.trade_off.value_or(defaults.trade_off);
+  if (options.largest_span) structure.largest_span = options.largest_span;
+  take_defaults(structure, file.open);
+  return structure;
 }
 
 Result<PlatesFile> parse_plates(const std::string& json, const std::string& name) {
@@ -250,7 +274,9 @@ Result<PlatesFile> parse_plates(const std::string& json, const std::string& name
   structure.plates = plates_at(file["plates"]);
   structure.defaults = defaults_at(file["defaults"]);
   for (const JsonPlace& bend : file["bends"].items())
-    structure.bends.push_back(bend_at(bend, structure.defaults));
+    plates.open.push_back(open_keys(structure.bends.emplace_back(bend_at(bend)), bend));
+  take_defaults(structure, plates.open);
+  structure.largest_span = file["largest_span"].maybe_length();
   structure.root = file["root"].text();
   if (structure.plates.empty() && structure.bends.empty())
     file["plates"].mistake("is empty: give plates, or bends that need no plate");

@@ -37,11 +37,24 @@ std::vector<Vec3> polygon_of(const Sheet& sheet, const Face& face, const BorderL
   return corners;
 }
 
+/// Whether nothing is cut along a loop: the material goes on into a formed feature, as a flat
+/// pattern shows it.
+bool goes_on(const BorderLoop& loop) {
+  return std::ranges::any_of(loop, [](const Border& border) { return border.feature.has_value(); });
+}
+
+/// Openings as they are cut before anything is formed: what a flat pattern cuts.
 Plate plate_of(const Sheet& sheet, FaceId id, std::string name, double chord) {
   const Face& face = sheet[id];
   Plate plate{std::move(name), polygon_of(sheet, face, face.loops.front(), chord), {}};
+  const auto add_hole = [&](const BorderLoop& loop) {
+    plate.holes.push_back(polygon_of(sheet, face, loop, chord));
+  };
   for (std::size_t i = 1; i < face.loops.size(); ++i)
-    plate.holes.push_back(polygon_of(sheet, face, face.loops[i], chord));
+    if (!goes_on(face.loops[i])) add_hole(face.loops[i]);
+  for (const FormedFeature& feature : sheet.features)
+    for (const FormedOpening& opening : feature.openings)
+      if (feature.face == id) add_hole(opening.pilot);
   std::erase_if(plate.holes, [](const auto& hole) { return hole.size() < 3; });
   return plate;
 }

@@ -16,7 +16,7 @@ EXAMPLES = pathlib.Path(__file__).parents[2] / "examples" / "connect"
 BEND_KEYS = {"id", "kind", "angle", "inside_radius", "k_factor", "allowance", "deduction",
              "direction", "length", "line", "between", "edges", "slope", "apex", "width", "span",
              "extension_area", "surface", "facing", "frame", "half_angle", "inside_radii",
-             "lateral", "alternatives"}
+             "lateral", "alternatives", "joined", "stretches"}
 
 THICKNESS, RADIUS, WIDTH, HEIGHT, GAP = 4.0, 12.0, 200.0, 100.0, 20.0
 

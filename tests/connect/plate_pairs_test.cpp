@@ -33,6 +33,18 @@ TEST(Intersection, IsNotThereWherePlatesOnlyTouch) {
   EXPECT_FALSE(intersection(floor_plate(), upright({300, 40, -30}), kPlanarity)) << "beside it";
 }
 
+TEST(Intersection, IsNotThereWhereAPlateStandsInAnOpening) {
+  Plate holed = rectangle_plate("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0});
+  holed.holes = {{{40, 20, 0}, {160, 20, 0}, {160, 60, 0}, {40, 60, 0}}};
+  EXPECT_FALSE(intersection(laid(holed), upright({50, 40, -30}), kPlanarity));
+  EXPECT_TRUE(intersection(laid(holed), upright({50, 80, -30}), kPlanarity)) << "behind it";
+  const auto wider = intersection(laid(holed), upright({30, 40, -30}), kPlanarity);
+  ASSERT_TRUE(wider) << "into both sides of it";
+  EXPECT_NEAR(wider->x(), 35.0, 1e-9);
+  const PlacedPlate inlay = laid(rectangle_plate("B", {50, 25, 0}, {50, 0, 0}, {0, 30, 0}));
+  EXPECT_FALSE(intersection(laid(holed), inlay, kPlanarity)) << "in one plane";
+}
+
 TEST(Intersection, OfPlatesInOnePlaneIsACommonArea) {
   const auto beside = [](double x) {
     return laid(rectangle_plate("B", {x, 50, 0}, {100, 0, 0}, {0, 100, 0}));

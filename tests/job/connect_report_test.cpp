@@ -92,7 +92,8 @@ TEST(ConnectReport, HasTheKeysOfEveryReportAndOfItsBends) {
                     "allowance",  "deduction",      "direction", "length",        "line",
                     "between",    "edges",          "slope",     "apex",          "width",
                     "span",       "extension_area", "surface",   "facing",        "frame",
-                    "half_angle", "inside_radii",   "lateral",   "alternatives"}));
+                    "half_angle", "inside_radii",   "lateral",   "alternatives",  "joined",
+                    "stretches"}));
 }
 
 TEST(ConnectReport, SaysHowEachBendWasFitted) {

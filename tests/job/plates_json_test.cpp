@@ -306,6 +306,36 @@ TEST(PlatesJson, GivesDefaultsToBendsThatLeaveThemOpen) {
             "p.json/defaults/inside_radius");
 }
 
+TEST(PlatesJson, TakesOptionsInsteadOfItsDefaults) {
+  json file = example();
+  file["defaults"] = {{"inside_radius", 3}, {"lateral", "arc"}, {"trade_off", 0.25}};
+  file["largest_span"] = 400;
+  file["bends"] = {{{"between", {"A", "B"}}},
+                   {{"between", {"A", "B"}}, {"inside_radius", 7}, {"lateral", "corner"}},
+                   {{"between", {"A", "B"}}, {"slope", 0.1}, {"trade_off", 2}}};
+  const auto read = parse_plates(file.dump(), "p.json");
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_EQ(read->structure.largest_span, 400.0);
+  const PlateStructure same = with_options(*read, {});
+  EXPECT_EQ(same.bends[0].inside_radius, 3.0);
+  EXPECT_EQ(same.largest_span, 400.0);
+
+  const PlateStructure other = with_options(*read, {.inside_radius = 5.0,
+                                                    .lateral = LateralBoundary::straight,
+                                                    .trade_off = 0.5,
+                                                    .largest_span = 250.0});
+  EXPECT_EQ(other.defaults.inside_radius, 5.0);
+  EXPECT_EQ(other.largest_span, 250.0);
+  EXPECT_EQ(other.bends[0].inside_radius, 5.0);
+  EXPECT_EQ(other.bends[0].lateral, LateralBoundary::straight);
+  EXPECT_EQ(other.bends[0].trade_off, 0.5);
+  EXPECT_EQ(other.bends[1].inside_radius, 7.0);
+  EXPECT_EQ(other.bends[1].lateral, LateralBoundary::corner);
+  EXPECT_FALSE(other.bends[2].inside_radius) << "it follows from the slope";
+  EXPECT_EQ(other.bends[2].trade_off, 2.0);
+  EXPECT_EQ(error_of(with("/largest_span", 0)).where, "p.json/largest_span");
+}
+
 TEST(PlatesJson, TakesNoKeyTwice) {
   const Error error = error_of(
       R"({"thickness": 1, "plates": [{"id": "A", "outline": [], "id": "B"}]})");

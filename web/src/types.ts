@@ -65,6 +65,10 @@ export interface Options {
   din6935?: boolean;
   material?: OptionFile<Record<string, unknown>>;
   bend_k?: Record<string, number>;
+  inside_radius?: number;
+  lateral?: 'auto' | 'straight' | 'arc' | 'corner';
+  trade_off?: number;
+  largest_span?: number;
   density?: number;
   piece?: number;
   units?: LengthUnit;
@@ -229,6 +233,8 @@ export interface BendRow {
   frame?: { origin: Vec3; d: Vec3; e1: Vec3; e2: Vec3; beta: number; rise: number[] };
   width?: number;
   span?: number;
+  joined?: number;
+  stretches?: { edges: Record<string, number[]>; width: number }[];
   extension_area?: number;
   alternatives?: Alternative[];
 }
@@ -362,6 +368,7 @@ export interface PlatesSpec {
   plates: PlateSpec[];
   bends?: BendSpec[];
   defaults?: { inside_radius?: number; lateral?: BendSpec['lateral']; trade_off?: number };
+  largest_span?: number;
   root?: string;
 }
 

@@ -54,6 +54,7 @@ enum class ErrorCode {
   radius_too_small,        ///< the thickness is too large for the radius of a bend
   apex_in_span,            ///< the apex of a cone lies within the span of its edges
   no_common_width,         ///< a bend would run over the interior of a plate on all of its width
+  too_far_apart,           ///< plates that only a bend longer than the largest span would join
   profile_not_convex,      ///< a profile of a transition that turns inwards somewhere
   profiles_meet,      ///< profiles of a transition that touch each other's plane, or lie in one
   profile_hidden,     ///< a part of a profile would be hidden inside the transition

@@ -41,11 +41,18 @@ struct BendAlternative {
   double width = 0.0, span = 0.0;
 };
 
+/// A further stretch of an interrupted bend: the edges that it joins, and how wide it is.
+struct BendStretch {
+  std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  double width = 0.0;                     ///< mm
+};
+
 /// A fitted bend, with everything that was chosen. Lengths on the mid-surface, mm.
 struct FittedBend {
   BendRequest request;                    ///< as it was given
   std::vector<int> plates;                ///< indices into the structure's plates: two, one or none
   std::array<std::vector<int>, 2> edges;  ///< by plate, ascending
+  std::vector<BendStretch> stretches;     ///< besides that of `edges`
   EdgeKind edge_kind = EdgeKind::facing;
   BendKind kind = BendKind::cylinder;
   BendFrame frame;
@@ -57,6 +64,9 @@ struct FittedBend {
   std::optional<Angle> half_angle;       ///< of cones
   LateralBoundary lateral = LateralBoundary::straight;
   double width = 0.0, span = 0.0;  ///< of the edges, math.md#widest-bend
+  double reach = 0.0;              ///< the span without the shift of its ends
+  double joined = 0.0;             ///< of all stretches together, along the tangent line
+  std::array<double, 2> unused{};  ///< by plate, what its edges on the tangent line leave free
   double extension_area = 0.0;     ///< math.md#least-extension, at `line`
   std::vector<BendAlternative> alternatives;
   BendId bend{};  ///< index into the sheet's bends
@@ -92,7 +102,8 @@ struct ConnectOptions {
 /// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset`
 /// (parallel planes that no half-turn joins), `no_bend_fits` (with the feasible range of what was
 /// given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,
-/// `no_common_width`, `overlap` (the extensions of a plate run into each other or over it).
+/// `no_common_width`, `too_far_apart` (beyond the largest span), `overlap` (the extensions of a
+/// plate run into each other or over it).
 /// Error (exit status 1): `cancelled`.
 Result<Connection> connect(const PlateStructure& structure, const ConnectOptions& options = {},
                            const Progress& progress = {});

@@ -28,7 +28,8 @@ struct Chain {
 
 /// Viable chains of an outline (either way round) with y ≥ 0, in the order of their first edge
 /// number. Edges of one kind never close a loop. Edges whose |Δx| is below 1e-9 of
-/// the outline's extent count as parallel to the y axis, corners with |y| below that as y = 0.
+/// the outline's extent or 0.001 of |Δy| count as parallel to the y axis, corners with |y| below
+/// 1e-9 of the extent as y = 0.
 std::vector<Chain> viable_chains(const std::vector<Vec2>& outline);
 
 /// Ψ(φ) of math.md#arc-factor for the slope k = tan φ: arc length of the circular directrix over

@@ -64,6 +64,10 @@ struct PlateStructure {
   std::vector<Plate> plates;
   std::vector<BendRequest> bends;
   BendDefaults defaults = {};
+  /// The longest way from plate to plate, extensions included, that a bend may bridge, mm. Empty: a
+  /// bend that the program finds, twice the diagonals of both plates together; a bend that is
+  /// given, any.
+  std::optional<double> largest_span = std::nullopt;
   std::string root;  ///< id of the plate that stays where it is; empty: the largest
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/connect/plates.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/sheet/layout.hpp>
@@ -44,6 +45,15 @@ struct ReliefOptions {
   double width = 0.0;  ///< of rips along slits, mm; 0: each slit is one line, cut once
 };
 
+/// What holds for bends between plates that say nothing else, instead of the defaults of the plates
+/// file. Lengths in mm.
+struct JoinOptions {
+  std::optional<double> inside_radius;
+  std::optional<LateralBoundary> lateral;
+  std::optional<double> trade_off;
+  std::optional<double> largest_span;
+};
+
 /// A request to a maker, as data. `options()` has an entry for each member except `input`; a maker
 /// uses those that its own entry lists.
 struct Request : PatternChecks {
@@ -56,6 +66,7 @@ struct Request : PatternChecks {
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
   ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   ReliefOptions relief;
+  JoinOptions join;
   std::optional<LengthUnit> units;  ///< of the report and of the DXF; empty: the file's
   int piece = 0;                    ///< which of several pieces is shown, from 0
   DxfOptions dxf;                   ///< its units are ignored: the report's are used

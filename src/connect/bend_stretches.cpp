@@ -1,0 +1,116 @@
+#include "bend_stretches.hpp"
+
+#include "outline_run.hpp"
+#include "pair_search.hpp"
+#include "tolerances.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::connect_detail {
+namespace {
+
+/// Edges of one chain on the tangent ruling of a side, between two values of v.
+struct OnRuling {
+  std::vector<int> edges;
+  std::pair<Vec3, Vec3> ends;
+  double low = 0.0, high = 0.0;
+};
+
+// An edge that the ruling cuts by more than this share of the plates' extent is not on it.
+constexpr double kCut = tolerance::kComputed;
+
+std::vector<OnRuling> edges_on_ruling(const BendFit& fit, const FitTask& task, int side,
+                                      double extent) {
+  const BendFrame& frame = fit.report.frame;
+  std::vector<OnRuling> found;
+  for (const Chain& chain : open_chains(task, frame, side)) {
+    if (chain.kind != fit.report.edge_kind) continue;
+    bool going_on = false;
+    for (std::size_t j = 0; j < chain.edges.size(); ++j) {
+      const std::pair ends{frame.point(side, chain.corners[j]),
+                           frame.point(side, chain.corners[j + 1])};
+      const Vec2 a = fit.surface.local(side, ends.first), b = fit.surface.local(side, ends.second);
+      const auto [low, high] = std::minmax({a.y(), b.y()});
+      const bool on_ruling = low >= -kCut * extent && high <= kDrawn;
+      if (on_ruling && !going_on)
+        found.push_back({{}, ends, std::min(a.x(), b.x()), std::max(a.x(), b.x())});
+      going_on = on_ruling;
+      if (!on_ruling) continue;
+      OnRuling& part = found.back();
+      part.edges.push_back(chain.edges[j]);
+      part.ends.second = ends.second;
+      part.low = std::min({part.low, a.x(), b.x()});
+      part.high = std::max({part.high, a.x(), b.x()});
+    }
+  }
+  return found;
+}
+
+bool apart(const Boundaries& band, double low, double high) {
+  for (std::size_t side = 0; side < 2; ++side)
+    if (low <= band.high.v[side] + kDrawn && high >= band.low.v[side] - kDrawn) return false;
+  return true;
+}
+
+// Whether neither plate has material beyond its ruling there.
+bool is_free(const BendFit& fit, const FitTask& task, double low, double high) {
+  for (int side = 0; side < 2; ++side) {
+    const PlacedPlate& plate = *task.plates[side];
+    std::vector<std::vector<Vec2>> rings;
+    for (int r = 0; r < plate.ring_count(); ++r) {
+      rings.emplace_back();
+      for (const Vec2& p : plate.ring(r))
+        rings.back().push_back(fit.surface.local(side, plate.frame.point(p)));
+    }
+    const auto legal = legal_sections(rings, low, high, kDrawn);
+    if (legal.size() != 1 || legal[0].second - legal[0].first < high - low - kDrawn) return false;
+  }
+  return true;
+}
+
+double larger_extent(const FitTask& task) {
+  return std::max(task.plates[0]->extent, task.plates[1]->extent);
+}
+
+}  // namespace
+
+std::array<double, 2> unused_edges(const BendFit& fit, const FitTask& task) {
+  std::array<double, 2> unused{};
+  if (fit.report.plates.size() != 2) return unused;
+  for (int side = 0; side < 2; ++side)
+    for (const OnRuling& part : edges_on_ruling(fit, task, side, larger_extent(task)))
+      unused[side] += part.high - part.low;
+  return unused;
+}
+
+std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task) {
+  if (fit.report.plates.size() != 2 || fit.surface.kind == BendKind::general) return {};
+  if (task.request.edges[0] || task.request.edges[1]) return {};
+  const double extent = larger_extent(task);
+  std::vector<BendBand> stretches;
+  const auto second = edges_on_ruling(fit, task, 1, extent);
+  for (const OnRuling& a : edges_on_ruling(fit, task, 0, extent))
+    for (const OnRuling& b : second) {
+      const double low = std::max(a.low, b.low), high = std::min(a.high, b.high);
+      if (high - low < task.thickness || !apart(fit.boundaries, low, high)) continue;
+      if (std::ranges::any_of(stretches, [&](const BendBand& other) {
+            return !apart(other.boundaries, low, high);
+          }))
+        continue;
+      if (!is_free(fit, task, low, high)) continue;
+      BendBand band{{LateralBoundary::arc, along_directrix(fit.surface, low, extent),
+                     along_directrix(fit.surface, high, extent)},
+                    {}};
+      for (int side = 0; side < 2; ++side) {
+        const PlacedPlate& plate = *task.plates[side];
+        const OnRuling& part = side == 0 ? a : b;
+        band.runs[side] = trimmed(outline_run(plate, part.edges, part.ends), plate, fit.surface,
+                                  band.boundaries, side, task.thickness);
+      }
+      stretches.push_back(std::move(band));
+    }
+  return stretches;
+}
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,247 @@
+#include "sample_plates.hpp"
+
+#include <planish/connect/connect.hpp>
+#include <planish/geometry/region.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+// Bends and edges that do not go one to one: a bend in several stretches, several bends on one
+// edge, bends on the edges of openings. Right angles at D = 10 from the line of the planes, so that
+// bends of a mid-surface radius of 10 need no extension; flat areas follow by hand.
+
+namespace planish::test {
+namespace {
+
+using std::numbers::pi;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double kGap = 10.0, kThickness = 2.0, kK = 0.44;
+// Along the neutral surface, across a right angle of that radius.
+constexpr double kAllowance = pi / 2 * (kGap - kThickness / 2 + kK * kThickness);
+
+/// A floor in z = 0 whose outline is given by (x, y), y ≤ −gap beside the line y = z = 0, and an
+/// upright plate in y = 0 whose outline is given by (x, z).
+Plate lying(const std::string& id, const std::vector<Vec2>& outline) {
+  Plate plate{id, {}, {}};
+  for (const Vec2& p : outline)
+    plate.outline.emplace_back(p.x(), p.y(), 0.0);
+  return plate;
+}
+Plate upright(const std::string& id, const std::vector<Vec2>& outline) {
+  Plate plate{id, {}, {}};
+  for (const Vec2& p : outline)
+    plate.outline.emplace_back(p.x(), 0.0, p.y());
+  return plate;
+}
+Plate wall(const std::string& id, double from, double to) {
+  return upright(id, {{from, kGap}, {to, kGap}, {to, 60}, {from, 60}});
+}
+std::vector<Vec2> floor_outline(double to = 200) {
+  return {{0, -100}, {to, -100}, {to, -kGap}, {0, -kGap}};
+}
+
+/// A floor of 200 and a wall as wide, each with a recess 8 deep between x = 80 and 120 of its edge.
+PlateStructure interrupted() {
+  PlateStructure s;
+  s.thickness = kThickness;
+  s.plates = {
+      lying("floor", {{0, -100},
+                      {200, -100},
+                      {200, -10},
+                      {120, -10},
+                      {120, -18},
+                      {80, -18},
+                      {80, -10},
+                      {0, -10}}),
+      upright("wall",
+              {{0, 10}, {80, 10}, {80, 18}, {120, 18}, {120, 10}, {200, 10}, {200, 60}, {0, 60}})};
+  return s;
+}
+constexpr double kInterruptedArea = 200 * 90 + 200 * 50 - 2 * 40 * 8;
+
+Connection connection_of(const PlateStructure& structure) {
+  auto connection = connect(structure);
+  EXPECT_TRUE(connection) << (connection ? "" : connection.error().message);
+  return connection ? *connection : Connection{};
+}
+
+double flat_area(const Connection& connection) {
+  const auto pattern = flatten(connection.sheet, {.allowance = ConstantK{kK, "test"}});
+  EXPECT_TRUE(pattern) << (pattern ? "" : pattern.error().message);
+  return pattern ? pattern->area : 0.0;
+}
+
+TEST(InterruptedBend, IsOneBendWithAllItsStretches) {
+  for (const PlateStructure& s : {interrupted(), mirrored(interrupted())}) {
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 1u);
+    const FittedBend& bend = c.bends[0];
+    EXPECT_NEAR(bend.inside_radius, kGap - kThickness / 2, 1e-9);
+    ASSERT_EQ(bend.stretches.size(), 1u);
+    EXPECT_NEAR(bend.stretches[0].width, 80.0, 1e-9);
+    EXPECT_NEAR(bend.joined, 160.0, 1e-9);
+    EXPECT_NEAR(bend.unused[0] + bend.unused[1], 0.0, 1e-9);
+    EXPECT_EQ(c.sheet.bends.size(), 1u);
+    EXPECT_EQ(c.sheet[bend.bend].faces.size(), 2u);
+    EXPECT_NEAR(flat_area(c), kInterruptedArea + 160 * kAllowance, 1e-6);
+  }
+}
+
+TEST(InterruptedBend, KeepsItsRecessWhereARunCouldCloseIt) {
+  // The sides of the recess lean, so the edges on both sides of it are one chain.
+  PlateStructure s = interrupted();
+  for (Plate& plate : s.plates)
+    for (Vec3& p : plate.outline)
+      if (std::max(-p.y(), p.z()) == 18.0) p.x() += p.x() < 100 ? 4 : -4;
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_EQ(c.bends[0].stretches.size(), 1u);
+  EXPECT_NEAR(flat_area(c), kInterruptedArea + 2 * 4 * 8 + 160 * kAllowance, 1e-6);
+}
+
+TEST(InterruptedBend, HasStretchesWhereCoordinatesAreRounded) {
+  PlateStructure s = interrupted();
+  s.plates[0].outline[2].y() -= 1e-6;
+  s.plates[0].outline[7].y() += 1e-6;
+  s.plates[1].outline[0].z() -= 1e-6;
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].joined, 160.0, 1e-3);
+  EXPECT_NEAR(flat_area(c), kInterruptedArea + 160 * kAllowance, 1e-2);
+}
+
+TEST(InterruptedBend, HasOnlyTheStretchWhoseEdgesAreGiven) {
+  PlateStructure s = interrupted();
+  s.bends = {{.between = {"floor", "wall"}, .edges = {std::vector{2}, std::vector{4}}}};
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_TRUE(c.bends[0].stretches.empty());
+  EXPECT_NEAR(c.bends[0].joined, 80.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].unused[0], 80.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].unused[1], 80.0, 1e-9);
+}
+
+TEST(DrawnEdges, EndABendWhereBothPlatesHaveACorner) {
+  // The edges go on beside the bend, flush with it, by different lengths.
+  PlateStructure s;
+  s.thickness = kThickness;
+  s.plates = {lying("floor", {{0, -100}, {200, -100}, {200, -10}, {150, -10}, {50, -10}, {0, -10}}),
+              upright("wall", {{10, 10}, {50, 10}, {150, 10}, {195, 10}, {195, 60}, {10, 60}})};
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].joined, 100.0, 1e-9);
+  EXPECT_TRUE(c.bends[0].stretches.empty());
+  EXPECT_NEAR(flat_area(c), 200 * 90 + 185 * 50 + 100 * kAllowance, 1e-6);
+}
+
+TEST(DrawnEdges, OfOneLengthAreUsedWhole) {
+  // Corners in the middle of edges that end opposite each other mean nothing.
+  PlateStructure s;
+  s.thickness = kThickness;
+  s.plates = {lying("floor", {{0, -100}, {200, -100}, {200, -10}, {90, -10}, {0, -10}}),
+              upright("wall", {{0, 10}, {90, 10}, {200, 10}, {200, 60}, {0, 60}})};
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].joined, 200.0, 1e-9);
+}
+
+PlateStructure two_walls() {
+  PlateStructure s;
+  s.thickness = kThickness;
+  s.plates = {lying("floor", floor_outline()), wall("left", 0, 70), wall("right", 110, 195)};
+  return s;
+}
+constexpr double kTwoWallsArea = 200 * 90 + 70 * 50 + 85 * 50 + (70 + 85) * kAllowance;
+
+TEST(OneEdge, CarriesSeveralBends) {
+  for (const PlateStructure& s : {two_walls(), mirrored(two_walls())}) {
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 2u);
+    for (const FittedBend& bend : c.bends) {
+      EXPECT_EQ(bend.edges[0], std::vector{2});
+      EXPECT_EQ(bend.edge_kind, EdgeKind::facing);
+      EXPECT_NEAR(bend.inside_radius, kGap - kThickness / 2, 1e-9);
+    }
+    EXPECT_NEAR(c.bends[0].joined, 70.0, 1e-9);
+    EXPECT_NEAR(c.bends[1].joined, 85.0, 1e-9);
+    EXPECT_NEAR(flat_area(c), kTwoWallsArea, 1e-6);
+  }
+}
+
+TEST(OneEdge, CarriesSeveralBendsThatAreGiven) {
+  PlateStructure s = two_walls();
+  s.bends = {{.between = {"floor", "right"}, .edges = {std::vector{2}, std::nullopt}},
+             {.between = {"floor", "left"}, .edges = {std::vector{2}, std::vector{0}}}};
+  EXPECT_NEAR(flat_area(connection_of(s)), kTwoWallsArea, 1e-6);
+}
+
+TEST(OneEdge, CarriesThirtyWallsWithoutRelief) {
+  PlateStructure s;
+  s.thickness = kThickness;
+  const int walls = 30;
+  s.plates = {lying("floor", floor_outline(20.0 * walls))};
+  for (int i = 0; i < walls; ++i)
+    s.plates.push_back(wall("wall " + std::to_string(i), 20.0 * i + 0.5, 20.0 * i + 19.5));
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 30u);
+  for (const FittedBend& bend : c.bends) {
+    EXPECT_EQ(bend.plates[0], 0);
+    EXPECT_NEAR(bend.joined, 19.0, 0.5);
+  }
+}
+
+/// A floor with a window 60 × 40, given either way round, and a tab upright on one of its edges.
+PlateStructure window_tab(bool turned) {
+  PlateStructure s;
+  s.thickness = kThickness;
+  s.plates = {lying("floor", {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}}),
+              upright("tab", {{-30, kGap}, {30, kGap}, {30, 35}, {-30, 35}})};
+  std::vector<Vec3> window{{-30, -10, 0}, {30, -10, 0}, {30, 30, 0}, {-30, 30, 0}};
+  if (turned) std::reverse(window.begin(), window.end());
+  s.plates[0].holes = {window};
+  return s;
+}
+
+TEST(EdgeOfAnOpening, CarriesABend) {
+  for (const bool turned : {false, true}) {
+    const Connection c = connection_of(window_tab(turned));
+    ASSERT_EQ(c.bends.size(), 1u);
+    const FittedBend& bend = c.bends[0];
+    // The window's edges follow those of the outline, in the order of the file.
+    EXPECT_EQ(bend.edges[0], std::vector{turned ? 6 : 4});
+    EXPECT_EQ(bend.edge_kind, EdgeKind::facing);
+    EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
+    EXPECT_NEAR(flat_area(c), 200 * 200 - 60 * 40 + 60 * 25 + 60 * kAllowance, 1e-6);
+  }
+}
+
+TEST(EdgeOfAnOpening, CanBeGiven) {
+  PlateStructure s = window_tab(false);
+  s.bends = {{.between = {"floor", "tab"}, .edges = {std::vector{4}, std::vector{0}}}};
+  EXPECT_EQ(connection_of(s).bends[0].edges[0], std::vector{4});
+  s.bends[0].edges[0] = std::vector{8};
+  const auto beyond = connect(s);
+  ASSERT_FALSE(beyond);
+  EXPECT_EQ(beyond.error().code, ErrorCode::unknown_edge);
+  EXPECT_THAT(beyond.error().message, HasSubstr("0 to 7"));
+}
+
+TEST(EdgeOfAnOpening, CarriesACurvedSectionWithAFreeEnd) {
+  PlateStructure s = window_tab(false);
+  s.plates.pop_back();
+  s.bends = {{.between = {"floor"},
+              .edges = {std::vector{4}, std::nullopt},
+              .inside_radius = 5.0,
+              .angle = Angle::degrees(90)}};
+  const double section = pi / 2 * (5.0 + kK * kThickness);
+  EXPECT_NEAR(flat_area(connection_of(s)), 200 * 200 - 60 * 40 + 60 * section, 1e-6);
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,78 @@
+#include "bend_spans.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+// What `connect` says of bends that hold but that a shop would ask about.
+
+namespace planish::job {
+namespace {
+
+using ::testing::HasSubstr;
+
+Plate rectangle(const std::string& id, const Vec3& o, const Vec3& a, const Vec3& b) {
+  return {id, {o, o + a, o + a + b, o + b}, {}};
+}
+
+ConnectReport connected(std::vector<Plate> plates, std::vector<BendRequest> bends = {}) {
+  PlatesFile file;
+  file.structure.thickness = 2.0;
+  file.structure.plates = std::move(plates);
+  file.structure.bends = std::move(bends);
+  const auto report = connect_plates(file, {});
+  EXPECT_TRUE(report) << (report ? "" : report.error().message);
+  if (report && report->refusal) ADD_FAILURE() << report->refusal->message;
+  return report ? *report : ConnectReport{};
+}
+
+/// The finding of that code, which has one place; empty if there is none.
+std::string said(const ConnectReport& report, const std::string& code) {
+  const auto found = std::ranges::find(report.findings, code, &Finding::code);
+  if (found == report.findings.end()) return {};
+  EXPECT_EQ(found->severity, Severity::warning);
+  EXPECT_EQ(found->at.size(), 1u);
+  return found->message;
+}
+
+const Plate kFloor = rectangle("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0});
+
+TEST(SpanFindings, AreNoneForAnOrdinaryBend) {
+  const auto report = connected({kFloor, rectangle("B", {0, 110, 10}, {200, 0, 0}, {0, 0, 60})});
+  for (const char* code : {"round_the_back", "long_span", "unused_edge"})
+    EXPECT_EQ(said(report, code), "") << code;
+}
+
+TEST(SpanFindings, NameABendRoundTheBack) {
+  // The outer edges of plates whose inner edges face each other.
+  const auto report = connected(
+      {kFloor, rectangle("B", {0, 110, 10}, {200, 0, 0}, {0, 0, 100})},
+      {{.between = {"A", "B"}, .edges = {std::vector{0}, std::vector{2}}}});
+  const std::string message = said(report, "round_the_back");
+  EXPECT_THAT(message, HasSubstr("B1 between \"A\" and \"B\" turns 270° round the back"));
+  EXPECT_THAT(message, HasSubstr("need 90°"));
+}
+
+TEST(SpanFindings, NameABendManyTimesLongerThanWide) {
+  // 10 mm wide, an arc of radius 60 at a right angle.
+  const auto report = connected({rectangle("A", {0, 0, 0}, {10, 0, 0}, {0, 100, 0}),
+                                 rectangle("B", {0, 160, 60}, {10, 0, 0}, {0, 0, 60})});
+  EXPECT_THAT(said(report, "long_span"), HasSubstr("10 mm wide: 9."));
+}
+
+TEST(SpanFindings, NameEdgesThatAreHardlyUsed) {
+  // Of two edges of 200 only 40 lie opposite each other.
+  const auto report = connected({kFloor, rectangle("B", {160, 110, 10}, {200, 0, 0}, {0, 0, 60})});
+  EXPECT_THAT(said(report, "unused_edge"),
+              HasSubstr("is 40 mm wide, and the edges of the plates on its tangent lines have 160 "
+                        "and 160 mm more"));
+  // A short wall on a long floor uses all of its own edge.
+  EXPECT_EQ(said(connected({kFloor, rectangle("B", {160, 110, 10}, {40, 0, 0}, {0, 0, 60})}),
+                 "unused_edge"),
+            "");
+}
+
+}  // namespace
+}  // namespace planish::job
