@@ -195,6 +195,8 @@ Result<BendSurface> chosen_surface(const FitTask& task, const PairChoice& choice
                                  : tangent_surface(choice.frame, best.kind, *line);
 }
 
+}  // namespace
+
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
@@ -223,8 +225,6 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   fill_report(fit, task, choice, options);
   return fit;
 }
-
-}  // namespace
 
 Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options) {
   const FitTask task = at_limit_of_edges(asked, options);

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "parts.hpp"
+
+#include <planish/base/result.hpp>
+
+namespace planish::connect_detail {
+
+/// Whether both plates of a bend keep all of their material beside it and the other bends that they
+/// have so far, and meet it along some width. Errors: `no_common_width`, `overlap`.
+Result<void> check_on_plates(const Parts& parts, int bend);
+
+/// Whether a bend and its two plates, alone, lie flat without covering each other. Errors:
+/// `overlap`, and those of `lay_out`.
+Result<void> check_flat(const Parts& parts, int bend, double k_factor);
+
+}  // namespace planish::connect_detail
