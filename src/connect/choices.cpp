@@ -75,7 +75,7 @@ class Trial {
     if (!fit) return failed(fit.error());
     if (auto sound = checks_.must(*fit); !sound) return failed(sound.error());
     if (auto good = checks_.should(*fit); !good) {
-      if (!fallback_) fallback_ = std::move(*fit);
+      if (tries_ == 1) fallback_ = std::move(*fit);
       return failed(good.error());
     }
     found_ = std::move(*fit);

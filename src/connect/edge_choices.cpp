@@ -21,7 +21,11 @@ class Choices {
       std::sort(side.begin(), side.end());
     const Vec3& e = choice.frame.e[0];
     const Vec3& f = choice.frame.e[1];
-    if (!known_.insert({best.kind, edges[0], edges[1], {e.x(), e.y(), e.z(), f.x(), f.y(), f.z()}})
+    if (!known_
+             .insert({best.kind,
+                      edges[0],
+                      edges[1],
+                      {e.x(), e.y(), e.z(), f.x(), f.y(), f.z(), best.width}})
              .second)
       return;
     all_.push_back(std::move(choice));
@@ -38,7 +42,7 @@ class Choices {
   }
 
  private:
-  std::set<std::tuple<EdgeKind, std::vector<int>, std::vector<int>, std::array<double, 6>>> known_;
+  std::set<std::tuple<EdgeKind, std::vector<int>, std::vector<int>, std::array<double, 7>>> known_;
   std::vector<PairChoice> all_;
 };
 
@@ -92,6 +96,51 @@ void add_short(Choices& choices, const PairChoice& frame, EdgeSearchOptions want
     }
 }
 
+// The parts of facing chains that are at least `height` above the intersection line: of plates that
+// touch there, what leaves room for a bend.
+std::vector<Chain> above(const std::vector<Chain>& chains, double height) {
+  std::vector<Chain> parts;
+  for (const Chain& chain : chains) {
+    if (chain.kind != EdgeKind::facing) continue;
+    Chain part{chain.kind, {}, {}};
+    const auto close = [&] {
+      if (!part.edges.empty()) parts.push_back(std::move(part));
+      part = Chain{chain.kind, {}, {}};
+    };
+    for (std::size_t j = 0; j < chain.edges.size(); ++j) {
+      const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
+      const bool from = a.y() >= height, to = b.y() >= height;
+      if (!from && !to) continue;
+      const Vec2 crossing = a + (height - a.y()) / (b.y() - a.y()) * (b - a);
+      if (part.edges.empty()) part.corners.push_back(from ? a : crossing);
+      part.corners.push_back(to ? b : crossing);
+      part.edges.push_back(chain.edges[j]);
+      if (!to) close();
+    }
+    close();
+  }
+  return parts;
+}
+
+// What is left of the facing edges for bends of some inside radius.
+void add_above(Choices& choices, const PairChoice& frame, const EdgeSearchOptions& wanted,
+               double thickness) {
+  for (const double radius : {thickness, 0.25 * thickness}) {
+    const double height = tangent_distance(frame.frame, radius + 0.5 * thickness);
+    PairChoice rest = frame;
+    bool shorter = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      rest.chains[i] = above(frame.chains[i], height);
+      for (const Chain& chain : frame.chains[i])
+        for (const Vec2& p : chain.corners)
+          shorter |= chain.kind == EdgeKind::facing && p.y() < height;
+    }
+    if (!shorter) continue;
+    add_best(choices, rest, wanted);
+    add_short(choices, rest, wanted);
+  }
+}
+
 }  // namespace
 
 std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& options) {
@@ -105,6 +154,7 @@ std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& 
     const EdgeSearchOptions wanted = search_options(task, frame, kAllAlternatives);
     add_best(choices, *chains, wanted);
     add_short(choices, *chains, wanted);
+    if (!frame.parallel()) add_above(choices, *chains, wanted, task.thickness);
   }
   return std::move(choices).nearest_first();
 }

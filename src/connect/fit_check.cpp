@@ -2,6 +2,9 @@
 
 #include "assemble.hpp"
 #include "joined_face.hpp"
+#include "pair_search.hpp"
+#include "sheets_meet.hpp"
+#include "tolerances.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
@@ -19,12 +22,16 @@ constexpr double kNothingLost = 1e-7;
 // Parts of a pattern that share less than this share of the thickness in width only touch.
 constexpr double kContact = 1e-3;
 
+std::vector<Vec2> corners_of(const BorderLoop& loop) {
+  std::vector<Vec2> corners;
+  for (const Border& border : loop)
+    corners.push_back(point_at(border.curve, 0.0));
+  return corners;
+}
+
 double lost_area(const PlacedPlate& plate, const BorderLoop& extended) {
-  Polygon face;
-  for (const Border& border : extended)
-    face.outer.push_back(point_at(border.curve, 0.0));
   double kept = 0.0;
-  for (const Overlap& part : overlaps({{plate.outline, {}}, face}, 0.0, 0.0))
+  for (const Overlap& part : overlaps({{plate.outline, {}}, {corners_of(extended), {}}}, 0.0, 0.0))
     kept += part.area;
   return ring_area(plate.outline) - kept;
 }
@@ -34,6 +41,18 @@ Error cuts(const std::string& id, double lost) {
           fmt::format("the straight way from the edges of plate {} to the bend would cut off "
                       "{:.4g} mm² of the plate",
                       id, lost),
+          {}};
+}
+
+Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
+  const BendFrame& frame = parts.fits[bend].report.frame;
+  return {ErrorCode::plates_touch,
+          fmt::format("the sheets of {:.4g} mm run into each other at ({:.6g}, {:.6g}, {:.6g}): "
+                      "move the plates apart or cut them back there, to {:.4g} mm from the line "
+                      "where their planes meet; plates that share an edge can be folded sharply "
+                      "(inside_radius 0)",
+                      parts.thickness, meet.at.x(), meet.at.y(), meet.at.z(),
+                      tangent_distance(frame, kSmallestInsideRadius + 0.5 * parts.thickness)),
           {}};
 }
 
@@ -52,7 +71,23 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
     if (lost > kNothingLost * parts.plates[plate].area)
       return tl::unexpected(cuts(parts.ids[plate], lost));
   }
+  // A bend round the back leaves the plates as near each other in front as they are.
+  if (parts.fits[bend].report.edge_kind == EdgeKind::averted) return check_room(parts, bend);
   return {};
+}
+
+Result<void> check_room(const Parts& parts, int bend) {
+  const FittedBend& report = parts.fits[bend].report;
+  std::vector<PlacedPlate> extended;
+  for (const int plate : report.plates) {
+    const auto made = plate_face(parts, plate, 1);
+    if (!made) return tl::unexpected(made.error());
+    extended.push_back(parts.plates[plate]);
+    extended.back().outline = corners_of(made->face.loops.front());
+  }
+  const auto meet = sheets_meet(extended[0], extended[1], report.frame, parts.thickness);
+  if (!meet) return {};
+  return tl::unexpected(run_into(*meet, parts, bend));
 }
 
 Result<void> check_flat(const Parts& parts, int bend, double k_factor) {

@@ -112,7 +112,8 @@ FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows
           [&parts, bend, rows, number, &options](const BendFit& fit) {
             parts.fits[bend] = fit;
             parts.fits[bend].report.plates = rows;
-            auto good = check_flat(parts, number, options.k_factor);
+            auto good = check_room(parts, number);
+            if (good) good = check_flat(parts, number, options.k_factor);
             if (!good) parts.fits[bend] = {};
             return good;
           }};

@@ -206,8 +206,11 @@ EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, in
 
 // It must not move the bend to the back of the plates: the kind is that without it.
 std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
-  if (!task.request.slope && !task.request.apex) return std::nullopt;
+  const BendRequest& asked = task.request;
+  if (!asked.slope && !asked.apex && !asked.aperture && !asked.inside_radii) return std::nullopt;
   FitTask free = task;
+  free.request.aperture.reset();
+  free.request.inside_radii.reset();
   free.request.slope.reset();
   free.request.apex.reset();
   const auto choice = search_pair(free, options);
