@@ -1,6 +1,7 @@
 #include "bend_fit.hpp"
 
 #include "general_fit.hpp"
+#include "sharp_fit.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
@@ -227,6 +228,7 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
 }
 
 Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options) {
+  if (asks_for_fold(asked.request)) return fit_fold(asked, options);
   const FitTask task = at_limit_of_edges(asked, options);
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
     return tl::unexpected(at(
@@ -243,6 +245,11 @@ Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options)
 }
 
 std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& options) {
+  if (asks_for_fold(asked.request)) {
+    const auto fold = fit_fold(asked, options);
+    if (!fold) return std::nullopt;
+    return Nearness{0.0, fold->report.width};
+  }
   const FitTask task = at_limit_of_edges(asked, options);
   ConnectOptions best_alone = options;
   best_alone.alternatives = 0;

@@ -6,6 +6,7 @@
 #include <planish/connect/connect.hpp>
 
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,12 +19,22 @@ struct OutlineRun {
   int count = 0;
 };
 
+/// A fold of inside radius 0: it has no surface, the plates' inner skins meet in a line.
+struct Fold {
+  double reach = 0.0;            ///< of that line from the intersection line, mm
+  double low = 0.0, high = 0.0;  ///< its ends along the intersection line
+  /// By side: its low and high end are at corners of the plate.
+  std::array<std::array<bool, 2>, 2> at_corner{};
+  bool reference_inside = true;  ///< settled once all bends are known
+};
+
 /// A bend between two plates, or of one or none, ready for assembly.
 struct BendFit {
   FittedBend report;
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
+  std::optional<Fold> fold = {};
 };
 
 /// What a bend is fitted between, and how.

@@ -1,5 +1,6 @@
 #include "choices.hpp"
 
+#include "sharp_fit.hpp"
 #include "tolerances.hpp"
 
 #include <fmt/format.h>
@@ -73,10 +74,10 @@ class Trial {
   bool take(Result<BendFit> fit) {
     ++tries_;
     if (!fit) return failed(fit.error());
-    if (auto sound = checks_.must(*fit); !sound) return failed(sound.error());
+    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error()));
     if (auto good = checks_.should(*fit); !good) {
       if (tries_ == 1) fallback_ = std::move(*fit);
-      return failed(good.error());
+      return failed(placed(good.error()));
     }
     found_ = std::move(*fit);
     return true;
@@ -97,9 +98,16 @@ class Trial {
   }
 
  private:
+  Error placed(Error error) const {
+    if (error.where.empty()) error.where = task_.pointer;
+    return error;
+  }
+
   bool failed(const Error& error) {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
+    if (tries_ == 1) first_ = error;
+    if (error.code == ErrorCode::plates_touch && !touch_) touch_ = error;
     return false;
   }
 
@@ -119,8 +127,10 @@ class Trial {
   }
 
   Error why() const {
-    const auto& [farthest, last] = *failures_.rbegin();
-    Error error = last.second;
+    // What can be mended by moving the plates; else what the choices that came farthest met.
+    Error error = failures_.rbegin()->second.second;
+    if (touch_) error = *touch_;
+    if (rank(first_.code) == 1 || tries_ == 1) error = first_;
     if (tries_ == 1) return error;
     constexpr std::array kWhat{"fit no tangent line", "are too near for the thickness",
                                "have no width on which the bend runs over neither plate",
@@ -129,9 +139,8 @@ class Trial {
     for (const auto& [rank, failure] : failures_)
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", failure.first, kWhat[rank]);
     error.message = fmt::format(
-        "none of {} choices of edges, lateral boundaries and surfaces works ({}); of the best of "
-        "them: {}",
-        tries_, counts, error.message);
+        "{}; none of {} choices of edges, lateral boundaries and surfaces works ({})",
+        error.message, tries_, counts);
     return error;
   }
 
@@ -139,6 +148,8 @@ class Trial {
   const ConnectOptions& options_;
   const FitChecks& checks_;
   int tries_ = 0;
+  Error first_;
+  std::optional<Error> touch_;
   std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
   std::optional<BendFit> found_, fallback_;
 };
@@ -181,12 +192,17 @@ Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& opti
   auto fit = fit_between(task, options);
   if (!fit) return fit;
   for (const auto& check : {checks.must, checks.should})
-    if (auto sound = check(*fit); !sound) return tl::unexpected(sound.error());
+    if (auto sound = check(*fit); !sound) {
+      Error error = sound.error();
+      if (error.where.empty()) error.where = task.pointer;
+      return tl::unexpected(error);
+    }
   return fit;
 }
 
 Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& options,
                                const FitChecks& checks) {
+  if (asks_for_fold(asked.request)) return fit_first_choice(asked, options, checks);
   const FitTask task = at_limit_of_edges(asked, options);
   Trial trial(task, options, checks);
   if (!trial.take(fit_between(asked, options))) {

@@ -67,6 +67,7 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
     if (!joined)
       return fail(ErrorCode::no_common_width,
                   fmt::format("the bend touches plate {} in a point only", parts.ids[plate]));
+    if (parts.fits[bend].fold) continue;  // which cuts the plates back
     const double lost = lost_area(parts.plates[plate], made->face.loops.front());
     if (lost > kNothingLost * parts.plates[plate].area)
       return tl::unexpected(cuts(parts.ids[plate], lost));

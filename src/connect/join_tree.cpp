@@ -67,7 +67,7 @@ Result<void> check_joined(const PlateStructure& structure, UnionFind& groups) {
   return {};
 }
 
-/// The indices of the plates that each request joins. Errors: those of `rows_of`; `bend_loop`,
+/// The indices of the plates that each request joins. Errors: those of `rows_of`;
 /// `not_connected`.
 Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structure) {
   UnionFind groups(static_cast<int>(structure.plates.size()));
@@ -77,12 +77,7 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
     const std::string pointer = fmt::format("/bends/{}", b);
     auto found = rows_of(structure, request, pointer);
     if (!found) return tl::unexpected(found.error());
-    if (found->size() == 2 && !groups.unite((*found)[0], (*found)[1]))
-      return fail(ErrorCode::bend_loop,
-                  fmt::format("the bend between \"{}\" and \"{}\" closes a loop: they are joined "
-                              "already, and a loop cannot be laid flat",
-                              request.between[0], request.between[1]),
-                  pointer);
+    if (found->size() == 2) groups.unite((*found)[0], (*found)[1]);
     rows.push_back(std::move(*found));
   }
   if (auto joined = check_joined(structure, groups); !joined) return tl::unexpected(joined.error());
