@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -72,6 +73,10 @@ void add_fold(SheetBuilder& sheet, const Parts& parts, BendId id, int bend,
     both[side] = border->second;
   }
   sheet.join(both[0], both[1], id);
+  // The mitre outside holds more than the arc of material that bends to it.
+  const Fold& fold = *parts.fits[bend].fold;
+  const double turn = parts.fits[bend].report.angle.radians(), t = parts.thickness;
+  sheet.add_mitre_volume((fold.high - fold.low) * t * t * (std::tan(0.5 * turn) - 0.5 * turn));
 }
 
 Bend bend_of(const FittedBend& fitted, int sense) {
