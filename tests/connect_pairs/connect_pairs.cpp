@@ -120,6 +120,14 @@ std::string text_of(const BendRequest& request) {
   return text;
 }
 
+// Plates that look at each other over a common edge can be folded there.
+bool folds(PlateStructure pair) {
+  BendRequest fold{.between = {pair.plates[0].id, pair.plates[1].id}, .inside_radius = 0.0};
+  pair.bends = {fold};
+  const job::ConnectReport report = joined(pair);
+  return !report.refusal && wrong_with(report, false).empty();
+}
+
 // A choice that joins a refused pair; empty: there is none.
 std::optional<std::string> missed_choice(const PlateStructure& pair, bool touching) {
   std::optional<std::string> missed;
@@ -162,6 +170,7 @@ void examine(const Options& options, int index, Tally& tally) {
   ++tally.refused;
   const std::string code(code_name(report.refusal->code));
   ++tally.codes[fmt::format("{} [{}]", pair.how, code)];
+  if (pair.how == "at an edge" && folds(pair.structure)) ++tally.codes["… of them folded sharply"];
   const auto missed = missed_choice(pair.structure, touching);
   if (missed) ++tally.defects;
   if (missed || options.list)

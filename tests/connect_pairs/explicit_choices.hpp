@@ -8,8 +8,8 @@
 namespace planish::pairs {
 
 /// Calls `tried` with one way after another in which a person could ask for the bend between both
-/// plates: edges (any one of each plate, any two neighbours, or none named), lateral boundaries,
-/// trade-offs, surfaces and radii. Ends when it returns true; says whether it did.
+/// plates: by a trade-off; or by edges (any one of each plate, any two neighbours), a lateral
+/// boundary and a surface or radius. Ends when it returns true; says whether it did.
 bool any_choice(const PlateStructure& pair, const std::function<bool(const BendRequest&)>& tried);
 
 }  // namespace planish::pairs
