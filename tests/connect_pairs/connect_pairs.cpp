@@ -78,7 +78,9 @@ std::string wrong_with(const job::ConnectReport& report, bool touching) {
   if (!(proof.length_error <= kLength)) return fmt::format("lengths off by {}", proof.length_error);
   if (!(proof.refold_deviation.value_or(HUGE_VAL) <= kRefold))
     return fmt::format("refolded off by {}", proof.refold_deviation.value_or(HUGE_VAL));
-  if (const auto ratio = proof.volume_ratio; ratio && !(std::abs(*ratio - 1.0) <= kVolume))
+  // Of folds the solid's mitres are left out.
+  const auto ratio = proof.explained_ratio ? proof.explained_ratio : proof.volume_ratio;
+  if (ratio && !(std::abs(*ratio - 1.0) <= kVolume))
     return fmt::format("area × thickness is {} of the volume", *ratio);
   const auto& plates = report.connection.structure.plates;
   for (std::size_t p = 0; p < plates.size(); ++p) {
@@ -120,12 +122,11 @@ std::string text_of(const BendRequest& request) {
   return text;
 }
 
-// Plates that look at each other over a common edge can be folded there.
+// Whether plates with a common edge can be folded there.
 bool folds(PlateStructure pair) {
   BendRequest fold{.between = {pair.plates[0].id, pair.plates[1].id}, .inside_radius = 0.0};
   pair.bends = {fold};
-  const job::ConnectReport report = joined(pair);
-  return !report.refusal && wrong_with(report, false).empty();
+  return !joined(pair).refusal;
 }
 
 // A choice that joins a refused pair; empty: there is none.
