@@ -2,10 +2,15 @@
 
 #include "joined_face.hpp"
 #include "orientation.hpp"
+#include "tolerances.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/sheet/builder.hpp>
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -28,6 +33,52 @@ Result<JointBorders> add_plates(SheetBuilder& sheet, const Parts& parts, const O
   return borders;
 }
 
+// The reference skin is the inner one of folds where that can be: the other is the root's.
+Orientation settled(Parts& parts) {
+  Orientation sides = orientation_of(parts);
+  int outer = 0;
+  for (std::size_t b = 0; b < parts.fits.size(); ++b)
+    if (parts.fits[b].fold) outer += sides.bends[b];
+  if (outer > 0)
+    for (auto* of : {&sides.plates, &sides.bends})
+      for (int& side : *of)
+        side = -side;
+  for (std::size_t b = 0; b < parts.fits.size(); ++b)
+    if (auto& fold = parts.fits[b].fold) fold->reference_inside = sides.bends[b] < 0;
+  return sides;
+}
+
+// From its outer skin a fold is found only if it takes both edges from corner to corner.
+Result<void> check_folds(const Parts& parts) {
+  for (const BendFit& fit : parts.fits) {
+    if (!fit.fold || fit.fold->reference_inside) continue;
+    for (std::size_t side = 0; side < 2; ++side)
+      if (!fit.fold->at_corner[side][0] || !fit.fold->at_corner[side][1])
+        return fail(ErrorCode::no_bend_fits,
+                    fmt::format("folds of inside radius 0 in both directions need edges of equal "
+                                "length; plate {} has a longer one: give it an inside radius of "
+                                "{} mm or more",
+                                parts.ids[fit.report.plates[side]], kSmallestInsideRadius));
+  }
+  return {};
+}
+
+void add_fold(SheetBuilder& sheet, const Parts& parts, BendId id, int bend,
+              const JointBorders& borders) {
+  const std::vector<int>& plates = parts.fits[bend].report.plates;
+  std::array<BorderRef, 2> both;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto border = borders.find({plates[side], bend});
+    PLANISH_ASSERT(border != borders.end());
+    both[side] = border->second;
+  }
+  sheet.join(both[0], both[1], id);
+  // The mitre outside holds more than the arc of material that bends to it.
+  const Fold& fold = *parts.fits[bend].fold;
+  const double turn = parts.fits[bend].report.angle.radians(), t = parts.thickness;
+  sheet.add_mitre_volume((fold.high - fold.low) * t * t * (std::tan(0.5 * turn) - 0.5 * turn));
+}
+
 Bend bend_of(const FittedBend& fitted, int sense) {
   Bend bend;
   bend.kind = fitted.kind;
@@ -41,6 +92,11 @@ Bend bend_of(const FittedBend& fitted, int sense) {
 /// otherwise.
 BendId add_bend(SheetBuilder& sheet, const Parts& parts, int bend, int sense,
                 const JointBorders& borders, const std::vector<BendId>& bends) {
+  if (parts.fits[bend].fold) {
+    const BendId fold = sheet.add_bend(bend_of(parts.fits[bend].report, sense));
+    add_fold(sheet, parts, fold, bend, borders);
+    return fold;
+  }
   JoinedFace made = bend_face(parts, bend, sense);
   const auto& stretch_of = parts.fits[bend].stretch_of;
   const BendId id = stretch_of ? bends[*stretch_of]
@@ -57,9 +113,10 @@ BendId add_bend(SheetBuilder& sheet, const Parts& parts, int bend, int sense,
 
 }  // namespace
 
-Result<Assembled> assembled(const Parts& parts) {
+Result<Assembled> assembled(Parts parts) {
   SheetBuilder sheet(parts.thickness);
-  const Orientation sides = orientation_of(parts);
+  const Orientation sides = settled(parts);
+  if (auto sound = check_folds(parts); !sound) return tl::unexpected(sound.error());
   const auto borders = add_plates(sheet, parts, sides);
   if (!borders) return tl::unexpected(borders.error());
   Assembled made;

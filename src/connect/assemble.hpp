@@ -16,7 +16,8 @@ struct Assembled {
 };
 
 /// The sheet: flange i is plate i with its extensions, bend i is fit i. The reference skin is that
-/// to which the root's normal points. Errors: `overlap` as in `extended_outline`, `invalid_sheet`.
-Result<Assembled> assembled(const Parts& parts);
+/// to which the root's normal points; with folds of inside radius 0 the one that is inside most of
+/// them. Errors: `overlap` as in `extended_outline`, `invalid_sheet`.
+Result<Assembled> assembled(Parts parts);
 
 }  // namespace planish::connect_detail

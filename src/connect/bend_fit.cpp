@@ -2,6 +2,7 @@
 
 #include "general_fit.hpp"
 #include "outline_run.hpp"
+#include "sharp_fit.hpp"
 #include "tangent_line.hpp"
 #include "tolerances.hpp"
 
@@ -252,6 +253,8 @@ LateralBoundary lateral_wanted(const FitTask& task, const BendFit& fit) {
   return part && wanted == LateralBoundary::automatic ? LateralBoundary::corner : wanted;
 }
 
+}  // namespace
+
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options) {
   if (auto turn = check_half_turn(task, choice.frame); !turn) return tl::unexpected(turn.error());
@@ -282,9 +285,8 @@ Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
   return fit;
 }
 
-}  // namespace
-
 Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options) {
+  if (asks_for_fold(asked.request)) return fit_fold(asked, options);
   const FitTask task = at_limit_of_edges(asked, options);
   if (task.request.inside_radius && *task.request.inside_radius < kSmallestInsideRadius)
     return tl::unexpected(at(
@@ -301,6 +303,11 @@ Result<BendFit> fit_between(const FitTask& asked, const ConnectOptions& options)
 }
 
 std::optional<Nearness> nearness(const FitTask& asked, const ConnectOptions& options) {
+  if (asks_for_fold(asked.request)) {
+    const auto fold = fit_fold(asked, options);
+    if (!fold) return std::nullopt;
+    return Nearness{0.0, fold->report.width};
+  }
   const FitTask task = at_limit_of_edges(asked, options);
   ConnectOptions best_alone = options;
   best_alone.alternatives = 0;

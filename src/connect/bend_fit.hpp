@@ -7,6 +7,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -32,6 +33,15 @@ struct BendBand {
   std::array<OutlineRun, 2> runs;
 };
 
+/// A fold of inside radius 0: it has no surface, the plates' inner skins meet in a line.
+struct Fold {
+  double reach = 0.0;            ///< of that line from the intersection line, mm
+  double low = 0.0, high = 0.0;  ///< its ends along the intersection line
+  /// By side: its low and high end are at corners of the plate.
+  std::array<std::array<bool, 2>, 2> at_corner{};
+  bool reference_inside = true;  ///< settled once all bends are known
+};
+
 /// A bend between two plates, or of one or none, ready for assembly.
 struct BendFit {
   FittedBend report;
@@ -40,6 +50,7 @@ struct BendFit {
   std::array<OutlineRun, 2> runs;
   std::vector<BendBand> stretches;     ///< further stretches of an interrupted bend
   std::optional<int> stretch_of = {};  ///< row of the fit of which this is a further stretch
+  std::optional<Fold> fold = {};
 };
 
 /// Parts of an edge, each from one share of its length to another.

@@ -1,5 +1,6 @@
 #include "assemble.hpp"
 #include "join_tree.hpp"
+#include "loops.hpp"
 #include "plate_pairs.hpp"
 
 #include <planish/connect/connect.hpp>
@@ -151,6 +152,8 @@ Result<Connection> connect(const PlateStructure& structure, const ConnectOptions
     parts.ids.push_back(plate.id);
   auto made = assembled(parts);
   if (!made) return tl::unexpected(made.error());
+  if (auto flat = check_loops(parts, *made, options.k_factor); !flat)
+    return tl::unexpected(flat.error());
   Connection connection{
       structure, std::move(made->sheet), {}, std::move(made->plate_faces), made->root};
   for (std::size_t b = 0; b < bends; ++b) {

@@ -2,6 +2,8 @@
 
 #include "bend_frame.hpp"
 #include "bend_stretches.hpp"
+#include "choices.hpp"
+#include "fit_check.hpp"
 #include "outline_run.hpp"
 #include "request_check.hpp"
 
@@ -102,7 +104,7 @@ Result<void> check_joined(const PlateStructure& structure, UnionFind& groups) {
   return {};
 }
 
-/// The indices of the plates that each request joins. Errors: those of `rows_of`; `bend_loop`,
+/// The indices of the plates that each request joins. Errors: those of `rows_of`;
 /// `not_connected`.
 Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structure) {
   UnionFind groups(static_cast<int>(structure.plates.size()));
@@ -112,24 +114,51 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
     const std::string pointer = fmt::format("/bends/{}", b);
     auto found = rows_of(structure, request, pointer);
     if (!found) return tl::unexpected(found.error());
-    if (found->size() == 2 && !groups.unite((*found)[0], (*found)[1]))
-      return fail(ErrorCode::bend_loop,
-                  fmt::format("the bend between \"{}\" and \"{}\" closes a loop: they are joined "
-                              "already, and a loop cannot be laid flat",
-                              request.between[0], request.between[1]),
-                  pointer);
+    if (found->size() == 2) groups.unite((*found)[0], (*found)[1]);
     rows.push_back(std::move(*found));
   }
   if (auto joined = check_joined(structure, groups); !joined) return tl::unexpected(joined.error());
   return rows;
 }
 
+/// The plates, with the bends that they have so far.
+Parts parts_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+               std::size_t bends) {
+  Parts parts{structure.thickness, plates, {}, std::vector<BendFit>(bends), 0};
+  for (const Plate& plate : structure.plates)
+    parts.ids.push_back(plate.id);
+  return parts;
+}
+
+/// A fit of bend number `bend`, between the plates in `rows`, is held against the others.
+FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows,
+                    const ConnectOptions& options) {
+  const int number = static_cast<int>(bend);
+  return {[&parts, bend, rows, number](const BendFit& fit) {
+            parts.fits[bend] = fit;
+            parts.fits[bend].report.plates = rows;
+            auto sound = check_on_plates(parts, number);
+            if (!sound) parts.fits[bend] = {};
+            return sound;
+          },
+          [&parts, bend, rows, number, &options](const BendFit& fit) {
+            parts.fits[bend] = fit;
+            parts.fits[bend].report.plates = rows;
+            auto good = check_room(parts, number);
+            if (good) good = check_flat(parts, number, options.k_factor);
+            if (!good) parts.fits[bend] = {};
+            return good;
+          }};
+}
+
 /// Fits a request after checking it.
-Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options) {
+Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options,
+                            const FitChecks& checks) {
   if (auto numbers = check_numbers(task.request, task.pointer); !numbers)
     return tl::unexpected(numbers.error());
   if (auto edges = check_edges(task); !edges) return tl::unexpected(edges.error());
-  return task.request.between.size() == 2 ? fit_between(task, options) : fit_section(task, options);
+  return task.request.between.size() == 2 ? fit_any_choice(task, options, checks)
+                                          : fit_section(task, options);
 }
 
 /// A bend that is given is held only to a largest span that is given too.
@@ -255,6 +284,75 @@ Error alone(const Problem& problem, int p, const std::optional<Error>& why) {
           where};
 }
 
+/// Grows over the plates, nearest pairs first.
+class Tree {
+ public:
+  explicit Tree(const Problem& problem)
+      : problem_(problem),
+        groups_(problem.count()),
+        taken_(problem.plates.size()),
+        why_(problem.plates.size()),
+        parts_(parts_of(problem.structure, problem.plates, 0)) {}
+
+  using Fit = Result<BendFit>(const FitTask&, const ConnectOptions&, const FitChecks&);
+
+  Result<void> grow(Fit* fit, const Progress& progress) {
+    if (parts_.fits.size() + 1 >= problem_.plates.size()) return {};
+    auto open = all_pairs(problem_, taken_, progress);
+    if (!open) return tl::unexpected(open.error());
+    while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
+      if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
+      const Pair pair = open->top();
+      open->pop();
+      if (groups_.same(pair.a, pair.b)) continue;
+      // Its edges may have been taken since.
+      const auto now = measured(problem_, pair.a, pair.b, taken_);
+      if (!now || now->span > problem_.largest_span(pair.a, pair.b)) continue;
+      if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
+        open->push(*now);
+        continue;
+      }
+      join(pair, fit);
+    }
+    return {};
+  }
+
+  Result<std::vector<BendFit>> fits() && {
+    for (int p = 1; p < problem_.count(); ++p)
+      if (!groups_.same(p, 0)) {
+        if (const auto far = too_far(problem_, groups_, p, taken_)) return tl::unexpected(*far);
+        return tl::unexpected(alone(problem_, p, why_[p]));
+      }
+    add_stretches(problem_.structure, problem_.plates, taken_, parts_.fits);
+    return std::move(parts_.fits);
+  }
+
+ private:
+  void join(const Pair& pair, Fit* how) {
+    const std::vector<int> rows{pair.a, pair.b};
+    parts_.fits.emplace_back();
+    const std::size_t bend = parts_.fits.size() - 1;
+    auto fit = how(problem_.task(pair.a, pair.b, taken_), problem_.options,
+                   checks_at(parts_, bend, rows, problem_.options));
+    if (!fit) {
+      parts_.fits.pop_back();
+      for (const int p : rows)
+        if (!why_[p] || how == fit_any_choice) why_[p] = fit.error();
+      return;
+    }
+    fit->report.plates = rows;
+    take(*fit, problem_.plates, taken_);
+    groups_.unite(pair.a, pair.b);
+    parts_.fits.back() = std::move(*fit);
+  }
+
+  const Problem& problem_;
+  UnionFind groups_;
+  TakenEdges taken_;
+  std::vector<std::optional<Error>> why_;  // by plate: its nearest pair failed so
+  Parts parts_;
+};
+
 }  // namespace
 
 Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
@@ -264,7 +362,7 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
   const auto rows = joined_rows(structure);
   if (!rows) return tl::unexpected(rows.error());
   TakenEdges taken(plates.size());
-  std::vector<BendFit> fits(structure.bends.size());
+  Parts parts = parts_of(structure, plates, structure.bends.size());
   std::size_t done = 0;
   for (const std::size_t b : with_edges_first(structure.bends)) {
     if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
@@ -272,58 +370,27 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
                 static_cast<double>(done++) / static_cast<double>(structure.bends.size()));
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
     task.pointer = fmt::format("/bends/{}", b);
-    auto fit = fit_checked(task, options);
+    auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], options));
     if (!fit) return tl::unexpected(fit.error());
     if (auto near = check_span(structure, *fit, task.pointer); !near)
       return tl::unexpected(near.error());
     fit->report.plates = (*rows)[b];
     take(*fit, plates, taken);
-    fits[b] = std::move(*fit);
+    parts.fits[b] = std::move(*fit);
   }
-  add_stretches(structure, plates, taken, fits);
-  return fits;
+  add_stretches(structure, plates, taken, parts.fits);
+  return std::move(parts.fits);
 }
 
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
                                       const ConnectOptions& options, const Progress& progress) {
   const Problem problem{structure, plates, options};
-  UnionFind groups(problem.count());
-  TakenEdges taken(plates.size());
-  std::vector<BendFit> fits;
-  std::vector<std::optional<Error>> why(plates.size());  // by plate: its nearest pair failed so
-  auto open = all_pairs(problem, taken, progress);
-  if (!open) return tl::unexpected(open.error());
-  while (!open->empty() && fits.size() + 1 < plates.size()) {
-    if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
-    const Pair pair = open->top();
-    open->pop();
-    if (groups.same(pair.a, pair.b)) continue;
-    // Its edges may have been taken since.
-    const auto now = measured(problem, pair.a, pair.b, taken);
-    if (!now || now->span > problem.largest_span(pair.a, pair.b)) continue;
-    if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
-      open->push(*now);
-      continue;
-    }
-    auto fit = fit_between(problem.task(pair.a, pair.b, taken), options);
-    if (!fit) {
-      for (const int p : {pair.a, pair.b})
-        if (!why[p]) why[p] = fit.error();
-      continue;
-    }
-    fit->report.plates = {pair.a, pair.b};
-    take(*fit, plates, taken);
-    groups.unite(pair.a, pair.b);
-    fits.push_back(std::move(*fit));
-  }
-  for (int p = 1; p < problem.count(); ++p)
-    if (!groups.same(p, 0)) {
-      if (const auto far = too_far(problem, groups, p, taken)) return tl::unexpected(*far);
-      return tl::unexpected(alone(problem, p, why[p]));
-    }
-  add_stretches(structure, plates, taken, fits);
-  return fits;
+  Tree tree(problem);
+  // Other choices than the first only where plates would be left alone.
+  for (const auto fit : {fit_first_choice, fit_any_choice})
+    if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
+  return std::move(tree).fits();
 }
 
 }  // namespace planish::connect_detail

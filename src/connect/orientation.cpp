@@ -43,4 +43,14 @@ Orientation orientation_of(const Parts& parts) {
   return result;
 }
 
+bool has_two_sides(const Parts& parts) {
+  const Orientation sides = orientation_of(parts);
+  for (int bend = 0; bend < static_cast<int>(parts.fits.size()); ++bend)
+    for (int side = 0; side < 2; ++side)
+      if (const auto plate = parts.plate_of(bend, side))
+        if (sides.plates[*plate] * alignment(parts, bend, side, *plate) != sides.bends[bend])
+          return false;
+  return true;
+}
+
 }  // namespace planish::connect_detail

@@ -15,4 +15,7 @@ struct Orientation {
 /// Starts at the root, whose normal points outwards. Bends without plates have +1.
 Orientation orientation_of(const Parts& parts);
 
+/// Whether all bends agree: a loop of them may turn the sheet over, as a Möbius strip is.
+bool has_two_sides(const Parts& parts);
+
 }  // namespace planish::connect_detail

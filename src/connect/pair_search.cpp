@@ -92,28 +92,10 @@ PairChoice as_drawn(PairChoice choice, const FitTask& task, EdgeSearchOptions wa
 
 Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
                                 const ConnectOptions& options, std::optional<EdgeKind> kind) {
-  PairChoice choice{frame, {}, {}};
-  std::array<std::vector<Vec2>, 2> outlines;
-  for (int side = 0; side < 2; ++side) {
-    const auto i = static_cast<std::size_t>(side);
-    outlines[i] = side_outline(*task.plates[i], frame, side);
-    choice.chains[i] = open_chains(task, frame, side);
-    if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
-    if (frame.parallel())
-      choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
-  }
-  if (frame.parallel() && beside(outlines))
-    return fail(
-        ErrorCode::plates_offset,
-        fmt::format(
-            "the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
-            "half-turn joins plates that lie over each other: put a third plate between them",
-            frame.rise.norm()));
-  EdgeSearchOptions wanted;
-  wanted.trade_off = task.request.trade_off;
-  wanted.line = given_line(task.request, frame, task.thickness);
-  wanted.edges = task.request.edges;
-  wanted.alternatives = options.alternatives;
+  auto chains = chains_in(task, frame, kind);
+  if (!chains) return chains;
+  PairChoice choice = std::move(*chains);
+  const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
   if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
   if (is_too_near(task, choice)) {
     PairChoice farther = choice;
@@ -130,18 +112,6 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
 
 bool better(const PairChoice& a, const PairChoice& b) {
   return a.search.reference_length < b.search.reference_length;
-}
-
-// A slope or an apex applies to the edges that would be joined without it: it must not move the
-// bend to the back of the plates.
-std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
-  if (!task.request.slope && !task.request.apex) return std::nullopt;
-  FitTask free = task;
-  free.request.slope.reset();
-  free.request.apex.reset();
-  const auto choice = search_pair(free, options);
-  if (!choice) return std::nullopt;
-  return choice->search.best.kind;
 }
 
 }  // namespace
@@ -221,6 +191,51 @@ FitTask at_limit_of_edges(FitTask task, const ConnectOptions& options) {
     if (nearest < wanted && allowed >= kSmallestInsideRadius) radius = allowed;
   }
   return task;
+}
+
+Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
+                             std::optional<EdgeKind> kind) {
+  PairChoice choice{frame, {}, {}};
+  std::array<std::vector<Vec2>, 2> outlines;
+  for (int side = 0; side < 2; ++side) {
+    const auto i = static_cast<std::size_t>(side);
+    outlines[i] = side_outline(*task.plates[i], frame, side);
+    choice.chains[i] = open_chains(task, frame, side);
+    if (kind) choice.chains[i] = of_kind(std::move(choice.chains[i]), *kind);
+    if (frame.parallel())
+      choice.chains[i] = of_kind(std::move(choice.chains[i]), EdgeKind::averted);
+  }
+  if (frame.parallel() && beside(outlines))
+    return fail(
+        ErrorCode::plates_offset,
+        fmt::format(
+            "the plates lie in parallel planes {:.4g} mm apart and beside each other; a "
+            "half-turn joins plates that lie over each other: put a third plate between them",
+            frame.rise.norm()));
+  return choice;
+}
+
+EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, int alternatives) {
+  EdgeSearchOptions wanted;
+  wanted.trade_off = task.request.trade_off;
+  wanted.line = given_line(task.request, frame, task.thickness);
+  wanted.edges = task.request.edges;
+  wanted.alternatives = alternatives;
+  return wanted;
+}
+
+// It must not move the bend to the back of the plates: the kind is that without it.
+std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options) {
+  const BendRequest& asked = task.request;
+  if (!asked.slope && !asked.apex && !asked.aperture && !asked.inside_radii) return std::nullopt;
+  FitTask free = task;
+  free.request.aperture.reset();
+  free.request.inside_radii.reset();
+  free.request.slope.reset();
+  free.request.apex.reset();
+  const auto choice = search_pair(free, options);
+  if (!choice) return std::nullopt;
+  return choice->search.best.kind;
 }
 
 Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& options) {

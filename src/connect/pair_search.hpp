@@ -18,6 +18,17 @@ struct PairChoice {
   std::array<std::vector<int>, 2> edges(const EdgeChoice& choice) const;
 };
 
+/// The frame of a pair, and the chains of edges that are free there; not searched.
+/// Error: `plates_offset`.
+Result<PairChoice> chains_in(const FitTask& task, const BendFrame& frame,
+                             std::optional<EdgeKind> kind);
+
+/// What the request asks of the search for edges.
+EdgeSearchOptions search_options(const FitTask& task, const BendFrame& frame, int alternatives);
+
+/// The kind of edges that a given slope or apex applies to; empty: any.
+std::optional<EdgeKind> natural_kind(const FitTask& task, const ConnectOptions& options);
+
 /// Searches all frames of the pair and takes the one with the shortest reference bend. Whatever the
 /// request gives of the tangent line is respected if it does not depend on the edges chosen;
 /// `given` holds further requirements. Errors: `plates_coplanar`, `plates_offset`, `unknown_edge`,
@@ -26,6 +37,15 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
 
 /// The chains of a side without what other bends use already.
 std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int side);
+
+/// Every choice of edges for a pair of plates, in each of its frames: the best for several
+/// trade-offs with their alternatives, and each pair of edges or of two neighbours; the smallest
+/// ratio of span to width first.
+std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& options);
+
+/// The bend on the edges of a choice. Errors: those of `connect` for one bend.
+Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
+                           const ConnectOptions& options);
 
 /// The task, its inside radius reduced to what the edges allow where these are drawn at most
 /// 0.001 mm short of it: plates of real parts carry the rounding of their file.

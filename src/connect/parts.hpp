@@ -8,7 +8,8 @@
 
 namespace planish::connect_detail {
 
-/// Plates and the bends that join them, ready to become a sheet. The bends form a tree.
+/// Plates and the bends that join them, ready to become a sheet. The bends form a tree, or close
+/// loops that lie flat.
 struct Parts {
   double thickness = 0.0;
   std::vector<PlacedPlate> plates;

@@ -88,7 +88,59 @@ void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, std::optiona
   if ((b - a).norm() > same) outline.edges.push_back({a, b, bend});
 }
 
+// The run, an edge on the intersection line, with the fold's line in place of its part: at `reach`
+// inside the plate, or beyond it if the reference skin is the outer one. Where it ends at a corner
+// of the plate, the edge beside it is run back over; `without_spikes` removes that.
+void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
+  const Fold& fold = *on.fit->fold;
+  const std::vector<Vec2> corners = run_corners(*on.fit, on.side, plate);  // h = −reach
+  const bool ascending = corners.front().x() < corners.back().x();
+  const double height = fold.reference_inside ? 0.0 : -2.0 * fold.reach;
+  const double from = ascending ? fold.low : fold.high, to = ascending ? fold.high : fold.low;
+  const int n = plate.edge_count(), edge = on.fit->runs[on.side].first;
+  const auto& at_corner = fold.at_corner[static_cast<std::size_t>(on.side)];
+  // On the edge beside a corner of the plate, at the height of the fold; else on the run.
+  const auto step = [&](const Vec2& corner, int beyond, bool corner_here, double end) -> Vec2 {
+    if (!fold.reference_inside || !corner_here) return {end, corner.y()};
+    const Vec2 far = on.fit->surface.local(on.side, plate.corner((beyond + n) % n));
+    const double share = corner.y() / (far.y() - corner.y());
+    return {corner.x() - share * (far.x() - corner.x()), 0.0};
+  };
+  const std::vector<Vec2> path{corners.front(),
+                               step(corners.front(), edge - 1, at_corner[ascending ? 0 : 1], from),
+                               {from, height},
+                               {to, height},
+                               step(corners.back(), edge + 2, at_corner[ascending ? 1 : 0], to),
+                               corners.back()};
+  for (std::size_t j = 0; j + 1 < path.size(); ++j)
+    append(outline, plate.frame.local2(on.fit->surface.point(on.side, path[j])),
+           plate.frame.local2(on.fit->surface.point(on.side, path[j + 1])),
+           j == 2 ? std::optional(on.bend) : std::nullopt, kSame * plate.extent);
+}
+
+// Two edges of which the second runs back over the first become one.
+void without_spikes(ExtendedOutline& outline, double same) {
+  std::vector<Edge>& edges = outline.edges;
+  for (std::size_t i = 0; i < edges.size() && edges.size() > 3;) {
+    Edge& e = edges[i];
+    const std::size_t next = (i + 1) % edges.size();
+    const Vec2 there = e.b - e.a, back = edges[next].b - edges[next].a;
+    const bool runs_back = !e.bend && !edges[next].bend && there.dot(back) < 0.0 &&
+                           std::abs(cross2(there, back)) <= same * there.norm();
+    if (!runs_back) {
+      ++i;
+      continue;
+    }
+    e.b = edges[next].b;
+    const bool nothing_left = (e.b - e.a).norm() <= same;
+    edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(next));
+    if (nothing_left)
+      edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(next < i ? i - 1 : i));
+  }
+}
+
 void append_bend(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
+  if (on.fit->fold) return append_fold(outline, plate, on);
   const Path path = path_of(*on.fit, on.side, plate);
   std::vector<Vec2> points;
   for (const Vec2& vh : path.points)
@@ -189,6 +241,9 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
     append_bend(outline, plate, bends[i]);
     append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
+  if (std::any_of(bends.begin(), bends.end(),
+                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); }))
+    without_spikes(outline, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple)
     return tl::unexpected(simple.error());

@@ -71,11 +71,11 @@ TEST(ConnectRefuses, PlatesAndEdgesThatDoNotExist) {
 
 TEST(ConnectRefuses, LoopsAndPlatesLeftAlone) {
   PlateStructure s = tray();
-  s.bends = {{.between = {"floor", "front"}},
-             {.between = {"floor", "left"}},
-             {.between = {"front", "left"}}};
-  expect_refused(s, ErrorCode::bend_loop, "/bends/2", "front");
-  s.bends.pop_back();
+  s.bends = {{.between = {"floor", "front"}}, {.between = {"floor", "left"}}};
+  PlateStructure corner = s;
+  corner.plates = {s.plates[0], s.plates[1], s.plates[3]};
+  corner.bends.push_back({.between = {"front", "left"}});
+  expect_refused(corner, ErrorCode::bend_loop, "/bends/2", "front");
   expect_refused(s, ErrorCode::not_connected, "/bends", "back");
 }
 

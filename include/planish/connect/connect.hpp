@@ -98,7 +98,8 @@ struct ConnectOptions {
 /// (formats.md#plates): "/plates/2/outline/3", "/bends/0/inside_radius".
 /// Errors (exit status 3): `invalid_input` (numbers not finite, thickness not positive),
 /// `too_few_corners`, `repeated_corner`, `not_planar`, `self_crossing`, `unknown_plate`,
-/// `unknown_edge`, `bend_loop`, `not_connected` (the bends given leave a plate unconnected).
+/// `unknown_edge`, `bend_loop` (a loop of the bends given does not lie flat), `not_connected` (they
+/// leave a plate unconnected).
 /// Errors (exit status 4): `plates_intersect`, `plates_touch`, `plates_coplanar`, `plates_offset`
 /// (parallel planes that no half-turn joins), `no_bend_fits` (with the feasible range of what was
 /// given), `radius_too_small` (thickness too large for the radius), `apex_in_span`,

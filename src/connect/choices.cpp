@@ -1,0 +1,223 @@
+#include "choices.hpp"
+
+#include "sharp_fit.hpp"
+#include "tolerances.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace planish::connect_detail {
+namespace {
+
+// Edges, surfaces and boundaries are tried up to this number: some tenths of a second.
+constexpr int kMostTries = 6000;
+// General bends take a hundred times longer than others to fit.
+constexpr int kMostGeneral = 60;
+
+bool surface_is_free(const BendRequest& request) {
+  return request.surface == SurfaceChoice::automatic && !request.slope && !request.apex &&
+         !request.aperture && !request.inside_radii && !request.inside_radius;
+}
+
+BendRequest with_surface(BendRequest request, SurfaceChoice surface) {
+  request.surface = surface;
+  return request;
+}
+
+// Cylinders nearer to the line where the planes meet, or farther behind the plates, than the one
+// of least extension.
+std::vector<BendRequest> other_cylinders(const FitTask& task, const PairChoice& choice) {
+  const bool facing = choice.search.best.kind == EdgeKind::facing;
+  double limit = facing ? HUGE_VAL : 0.0;
+  for (const auto& side : choice.corners(choice.search.best))
+    for (const Vec2& p : side)
+      limit = facing ? std::min(limit, p.y()) : std::max(limit, p.y());
+  std::vector<BendRequest> requests;
+  for (const double share : facing ? std::array{0.7, 0.4, 0.15} : std::array{1.5, 2.5, 5.0}) {
+    const double mid = share * limit * std::tan(0.5 * choice.frame.beta.radians());
+    const double radius = mid - 0.5 * task.thickness;
+    if (radius < kSmallestInsideRadius) continue;
+    requests.push_back(task.request);
+    requests.back().inside_radius = radius;
+  }
+  return requests;
+}
+
+std::vector<BendRequest> with_laterals(const std::vector<BendRequest>& requests) {
+  std::vector<BendRequest> all;
+  for (BendRequest request : requests) {
+    if (request.lateral != LateralBoundary::automatic) {
+      all.push_back(request);
+      continue;
+    }
+    for (const LateralBoundary lateral : {LateralBoundary::automatic, LateralBoundary::corner,
+                                          LateralBoundary::arc, LateralBoundary::straight}) {
+      request.lateral = lateral;
+      all.push_back(request);
+    }
+  }
+  return all;
+}
+
+/// Tries choices and remembers why they failed.
+class Trial {
+ public:
+  Trial(const FitTask& task, const ConnectOptions& options, const FitChecks& checks)
+      : task_(task), options_(options), checks_(checks) {}
+
+  // True: `found` holds.
+  bool take(Result<BendFit> fit) {
+    ++tries_;
+    if (!fit) return failed(fit.error());
+    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error()));
+    // What overlaps when flat can be shortened; round the back it would be another part.
+    if (fallback_ && fallback_->report.edge_kind == EdgeKind::facing &&
+        fit->report.edge_kind == EdgeKind::averted)
+      return false;
+    if (auto good = checks_.should(*fit); !good) {
+      if (tries_ == 1) fallback_ = std::move(*fit);
+      return failed(placed(good.error()));
+    }
+    found_ = std::move(*fit);
+    return true;
+  }
+
+  bool take(const PairChoice& choice, const BendRequest& request) {
+    FitTask task = task_;
+    task.request = request;
+    return take(fit_choice(task, choice, options_));
+  }
+
+  bool tired() const { return tries_ >= kMostTries; }
+
+  Result<BendFit> result() const {
+    if (found_) return *found_;
+    if (fallback_) return *fallback_;
+    return tl::unexpected(why());
+  }
+
+ private:
+  Error placed(Error error) const {
+    if (error.where.empty()) error.where = task_.pointer;
+    return error;
+  }
+
+  bool failed(const Error& error) {
+    auto& [count, first] = failures_[rank(error.code)];
+    if (count++ == 0) first = error;
+    if (tries_ == 1) first_ = error;
+    if (error.code == ErrorCode::plates_touch && !touch_) touch_ = error;
+    return false;
+  }
+
+  // How far a choice with this error came.
+  static int rank(ErrorCode code) {
+    switch (code) {
+      case ErrorCode::radius_too_small:
+      case ErrorCode::plates_touch:
+        return 1;
+      case ErrorCode::no_common_width:
+        return 2;
+      case ErrorCode::overlap:
+        return 3;
+      default:
+        return 0;
+    }
+  }
+
+  Error why() const {
+    // What can be mended by moving the plates; else what the choices that came farthest met.
+    Error error = failures_.rbegin()->second.second;
+    if (touch_) error = *touch_;
+    if (rank(first_.code) == 1 || tries_ == 1) error = first_;
+    if (tries_ == 1) return error;
+    constexpr std::array kWhat{"fit no tangent line", "are too near for the thickness",
+                               "have no width on which the bend runs over neither plate",
+                               "would cut or cover a plate"};
+    std::string counts;
+    for (const auto& [rank, failure] : failures_)
+      counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", failure.first, kWhat[rank]);
+    error.message = fmt::format(
+        "{}; none of {} choices of edges, lateral boundaries and surfaces works ({})",
+        error.message, tries_, counts);
+    return error;
+  }
+
+  const FitTask& task_;
+  const ConnectOptions& options_;
+  const FitChecks& checks_;
+  int tries_ = 0;
+  Error first_;
+  std::optional<Error> touch_;
+  std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
+  std::optional<BendFit> found_, fallback_;
+};
+
+bool any_as_asked(Trial& trial, const std::vector<PairChoice>& choices, const FitTask& task) {
+  const auto requests = with_laterals({task.request});
+  for (const PairChoice& choice : choices)
+    for (const BendRequest& request : requests)
+      if (trial.tired() || trial.take(choice, request)) return true;
+  return false;
+}
+
+bool any_other_surface(Trial& trial, const std::vector<PairChoice>& choices, const FitTask& task) {
+  for (const PairChoice& choice : choices) {
+    if (choice.frame.parallel()) continue;
+    std::vector<BendRequest> requests{with_surface(task.request, SurfaceChoice::cylinder)};
+    for (const BendRequest& cylinder : other_cylinders(task, choice))
+      requests.push_back(cylinder);
+    for (const BendRequest& request : with_laterals(requests))
+      if (trial.tired() || trial.take(choice, request)) return true;
+  }
+  return false;
+}
+
+bool any_general(Trial& trial, const std::vector<PairChoice>& choices, const FitTask& task) {
+  int tries = 0;
+  for (const PairChoice& choice : choices) {
+    if (choice.frame.parallel() || choice.search.best.kind == EdgeKind::averted) continue;
+    for (const BendRequest& request :
+         with_laterals({with_surface(task.request, SurfaceChoice::general)}))
+      if (++tries > kMostGeneral || trial.take(choice, request)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& options,
+                                 const FitChecks& checks) {
+  auto fit = fit_between(task, options);
+  if (!fit) return fit;
+  for (const auto& check : {checks.must, checks.should})
+    if (auto sound = check(*fit); !sound) {
+      Error error = sound.error();
+      if (error.where.empty()) error.where = task.pointer;
+      return tl::unexpected(error);
+    }
+  return fit;
+}
+
+Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& options,
+                               const FitChecks& checks) {
+  if (asks_for_fold(asked.request)) return fit_first_choice(asked, options, checks);
+  const FitTask task = at_limit_of_edges(asked, options);
+  Trial trial(task, options, checks);
+  if (!trial.take(fit_between(asked, options))) {
+    const std::vector<PairChoice> choices = edge_choices(task, options);
+    if (!any_as_asked(trial, choices, task) && surface_is_free(task.request) &&
+        !any_other_surface(trial, choices, task))
+      any_general(trial, choices, task);
+  }
+  auto fit = trial.result();
+  if (fit) fit->report.request = asked.request;
+  return fit;
+}
+
+}  // namespace planish::connect_detail

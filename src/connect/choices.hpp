@@ -1,0 +1,27 @@
+#pragma once
+
+#include "pair_search.hpp"
+
+#include <functional>
+
+namespace planish::connect_detail {
+
+/// What a fit must keep to beyond the bend itself, and what it should.
+struct FitChecks {
+  using Check = std::function<Result<void>(const BendFit&)>;
+  Check must, should;
+};
+
+/// The first choice (`fit_between`), if it holds. Errors: those of `fit_between` and of the checks.
+Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& options,
+                                 const FitChecks& checks);
+
+/// The first choice that holds, of all that the request leaves open: the edges, nearest and widest
+/// first, also round the back of the plates; the lateral boundaries; cylinders of smaller and
+/// larger radius, general bends. If none keeps to `should`, the first that keeps to `must`. The
+/// error counts what was tried, by what stands against it; its code is that of the choices that
+/// came farthest.
+Result<BendFit> fit_any_choice(const FitTask& task, const ConnectOptions& options,
+                               const FitChecks& checks);
+
+}  // namespace planish::connect_detail

@@ -1,0 +1,156 @@
+#include "sharp_fit.hpp"
+
+#include "pair_search.hpp"
+#include "tolerances.hpp"
+
+#include <planish/base/tolerance.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish::connect_detail {
+namespace {
+
+// Edges within this share of the plates' extent of the intersection line lie on it, as the
+// coordinates of files go.
+constexpr double kOnFoldLine = tolerance::kFileDigits;
+
+/// A stretch of the intersection line on which both plates have an edge.
+struct Common {
+  BendFrame frame;
+  std::array<int, 2> edges{};
+  double low = 0.0, high = 0.0;
+  double length() const { return high - low; }
+};
+
+struct LineEdge {
+  int edge = 0;
+  double low = 0.0, high = 0.0;
+};
+
+std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side,
+                                    const FitTask& task) {
+  const double near = kOnFoldLine * std::max(task.plates[0]->extent, task.plates[1]->extent);
+  const auto& wanted = task.request.edges[side];
+  std::vector<LineEdge> edges;
+  for (const Chain& chain : frame.chains[side])
+    for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j) {
+      if (wanted && std::count(wanted->begin(), wanted->end(), chain.edges[j]) == 0) continue;
+      const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
+      if (std::max(std::abs(a.y()), std::abs(b.y())) <= near)
+        edges.push_back({chain.edges[j], a.x(), b.x()});
+    }
+  return edges;
+}
+
+std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& options) {
+  const PlanePair planes = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
+  if (planes != PlanePair::crossing) return std::nullopt;
+  const double least = kNegligible * std::max(task.plates[0]->extent, task.plates[1]->extent);
+  std::optional<Common> best;
+  for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], planes)) {
+    const auto chains = chains_in(task, frame, EdgeKind::facing);
+    if (!chains) continue;
+    for (const LineEdge& a : edges_on_line(*chains, 0, task))
+      for (const LineEdge& b : edges_on_line(*chains, 1, task)) {
+        const Common part{
+            frame, {a.edge, b.edge}, std::max(a.low, b.low), std::min(a.high, b.high)};
+        if (part.length() > std::max(least, best ? best->length() : 0.0)) best = part;
+      }
+  }
+  return best;
+}
+
+/// Where the edge beside a corner of the fold crosses the line at the height `reach`; empty if the
+/// plate ends below it.
+std::optional<double> beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
+                             bool at_low, double reach) {
+  const int n = plate.edge_count();
+  const auto at = [&](int i) { return frame.local(side, plate.corner((i % n + n) % n)); };
+  const bool ascending = at(edge).x() < at(edge + 1).x();
+  const bool first = ascending == at_low;
+  const Vec2 corner = first ? at(edge) : at(edge + 1);
+  const Vec2 far = first ? at(edge - 1) : at(edge + 2);
+  if (far.y() <= reach) return std::nullopt;
+  return corner.x() + (reach - corner.y()) / (far.y() - corner.y()) * (far.x() - corner.x());
+}
+
+Error no_room(double reach) {
+  return {ErrorCode::overlap,
+          fmt::format("the edges beside the fold leave no room to cut the plates back by {:.4g} "
+                      "mm, to where their inner skins meet",
+                      reach),
+          "/inside_radius"};
+}
+
+Result<Fold> fold_along(const FitTask& task, const Common& common) {
+  Fold fold;
+  fold.reach = tangent_distance(common.frame, 0.5 * task.thickness);
+  fold.low = common.low;
+  fold.high = common.high;
+  for (int side = 0; side < 2; ++side) {
+    const PlacedPlate& plate = *task.plates[static_cast<std::size_t>(side)];
+    const int edge = common.edges[static_cast<std::size_t>(side)];
+    const double near = kOnFoldLine * plate.extent;
+    const auto x = [&](int i) {
+      return common.frame.local(side, plate.corner(i % plate.edge_count())).x();
+    };
+    const double from = std::min(x(edge), x(edge + 1)), to = std::max(x(edge), x(edge + 1));
+    for (const bool low : {true, false}) {
+      const bool corner = std::abs(low ? from - common.low : to - common.high) <= near;
+      fold.at_corner[static_cast<std::size_t>(side)][low ? 0 : 1] = corner;
+      if (!corner) continue;
+      const auto cut = beside(plate, common.frame, side, edge, low, fold.reach);
+      if (!cut) return tl::unexpected(no_room(fold.reach));
+      if (low)
+        fold.low = std::max(fold.low, *cut);
+      else
+        fold.high = std::min(fold.high, *cut);
+    }
+  }
+  if (fold.high - fold.low <= kNegligible * task.plates[0]->extent)
+    return tl::unexpected(no_room(fold.reach));
+  return fold;
+}
+
+}  // namespace
+
+bool asks_for_fold(const BendRequest& request) {
+  return request.inside_radius == 0.0 && request.between.size() == 2;
+}
+
+Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
+  const auto common = longest_common(task, options);
+  if (!common)
+    return fail(ErrorCode::no_bend_fits,
+                "a fold of inside radius 0 needs an edge of both plates on the line where the "
+                "planes of their middle surfaces meet, side by side on some length: extend the "
+                "plates to that line, or give a radius",
+                task.pointer + "/inside_radius");
+  auto fold = fold_along(task, *common);
+  if (!fold) {
+    Error error = fold.error();
+    error.where = task.pointer + error.where;
+    return tl::unexpected(error);
+  }
+  BendFit fit;
+  fit.fold = *fold;
+  fit.report.line = {0.0, -fold->reach};
+  fit.surface = tangent_surface(common->frame, EdgeKind::facing, fit.report.line);
+  FittedBend& report = fit.report;
+  report.request = task.request;
+  for (std::size_t side = 0; side < 2; ++side) {
+    report.edges[side] = {common->edges[side]};
+    fit.runs[side] = {common->edges[side], 1};
+  }
+  report.kind = BendKind::sharp;
+  report.frame = common->frame;
+  report.angle = Angle::radians(std::numbers::pi - common->frame.beta.radians());
+  report.width = common->length();
+  return fit;
+}
+
+}  // namespace planish::connect_detail
