@@ -6,19 +6,20 @@
 #include "sheets_meet.hpp"
 #include "tolerances.hpp"
 
-#include <planish/base/tolerance.hpp>
+#include <planish/geometry/curve.hpp>
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/layout.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace planish::connect_detail {
 namespace {
 
-// A plate that loses less than this share of its area to its extensions keeps its size: rounding.
-constexpr double kNothingLost = 1e-7;
+// Within this share of the plate's extent of its outline a place is on it.
+constexpr double kOnOutline = 1e-7;
 // Parts of a pattern that share less than this share of the thickness in width only touch.
 constexpr double kContact = 1e-3;
 
@@ -29,18 +30,53 @@ std::vector<Vec2> corners_of(const BorderLoop& loop) {
   return corners;
 }
 
-double lost_area(const PlacedPlate& plate, const BorderLoop& extended) {
-  double kept = 0.0;
-  for (const Overlap& part : overlaps({{plate.outline, {}}, {corners_of(extended), {}}}, 0.0, 0.0))
-    kept += part.area;
-  return ring_area(plate.outline) - kept;
+bool is_edge(const std::vector<Vec2>& ring, const Vec2& a, const Vec2& b) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (ring[i] == a && ring[(i + 1) % ring.size()] == b) return true;
+  return false;
 }
 
-Error cuts(const std::string& id, double lost) {
+bool well_inside(const std::vector<Vec2>& ring, const Vec2& p, double depth) {
+  if (!inside({ring}, p)) return false;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (nearest(Segment{ring[i], ring[(i + 1) % ring.size()]}, p).distance <= depth) return false;
+  return true;
+}
+
+// Where the way from a to b runs through the plate: between its crossings of the outline it is on
+// one side of it.
+std::optional<Vec2> within(const PlacedPlate& plate, const Vec2& a, const Vec2& b) {
+  const std::vector<Vec2>& ring = plate.outline;
+  std::vector<double> cuts{0.0, 1.0};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 along = ring[(i + 1) % ring.size()] - ring[i], way = b - a, to = ring[i] - a;
+    const double across = way.x() * along.y() - way.y() * along.x();
+    const double share = (to.x() * along.y() - to.y() * along.x()) / across;
+    if (share > 0.0 && share < 1.0) cuts.push_back(share);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const Vec2 middle = a + 0.5 * (cuts[i] + cuts[i + 1]) * (b - a);
+    if (well_inside(ring, middle, kOnOutline * plate.extent)) return middle;
+  }
+  return std::nullopt;
+}
+
+// A place where the extended outline runs through the plate, which loses what is beyond.
+std::optional<Vec2> cut_place(const PlacedPlate& plate, const std::vector<Vec2>& extended) {
+  for (std::size_t i = 0; i < extended.size(); ++i) {
+    const Vec2 &a = extended[i], &b = extended[(i + 1) % extended.size()];
+    if (is_edge(plate.outline, a, b)) continue;
+    if (const auto at = within(plate, a, b)) return at;
+  }
+  return std::nullopt;
+}
+
+Error cuts(const std::string& id, const Vec3& at) {
   return {ErrorCode::overlap,
-          fmt::format("the straight way from the edges of plate {} to the bend would cut off "
-                      "{:.4g} mm² of the plate",
-                      id, lost),
+          fmt::format("the straight way from the edges of plate {} to the bend would cut through "
+                      "the plate, near ({:.6g}, {:.6g}, {:.6g})",
+                      id, at.x(), at.y(), at.z()),
           {}};
 }
 
@@ -68,9 +104,9 @@ Result<void> check_on_plates(const Parts& parts, int bend) {
       return fail(ErrorCode::no_common_width,
                   fmt::format("the bend touches plate {} in a point only", parts.ids[plate]));
     if (parts.fits[bend].fold) continue;  // which cuts the plates back
-    const double lost = lost_area(parts.plates[plate], made->face.loops.front());
-    if (lost > kNothingLost * parts.plates[plate].area)
-      return tl::unexpected(cuts(parts.ids[plate], lost));
+    const PlacedPlate& placed = parts.plates[plate];
+    if (const auto at = cut_place(placed, corners_of(made->face.loops.front())))
+      return tl::unexpected(cuts(parts.ids[plate], placed.frame.point(*at)));
   }
   // A bend round the back leaves the plates as near each other in front as they are.
   if (parts.fits[bend].report.edge_kind == EdgeKind::averted) return check_room(parts, bend);
