@@ -30,6 +30,7 @@ std::vector<Vec2> run_points(const PlacedPlate& plate, const OutlineRun& run);
 struct BendBand {
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
+  std::array<std::vector<OutlineRun>, 2> more;  ///< beyond recesses of one plate, along the band
 };
 
 /// A bend between two plates, or of one or none, ready for assembly.
@@ -38,7 +39,10 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
-  std::vector<BendBand> stretches;     ///< further stretches of an interrupted bend
+  std::array<std::vector<OutlineRun>, 2> more;  ///< as of a band
+  std::vector<BendBand> stretches;              ///< further stretches of an interrupted bend
+  /// If this is only a further joint of another fit's band: the row of that fit, and the side.
+  std::optional<std::pair<int, int>> joint_of = {};
   std::optional<int> stretch_of = {};  ///< row of the fit of which this is a further stretch
 };
 
