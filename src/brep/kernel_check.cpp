@@ -5,9 +5,13 @@
 #include <BRepCheck_Shell.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_DataMapIteratorOfDataMapOfShapeInteger.hxx>
+#include <TopTools_DataMapOfShapeInteger.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Iterator.hxx>
 #include <TopoDS_Wire.hxx>
@@ -38,6 +42,23 @@ void add_contours(const TopoDS_Face& face, TopoDS_Compound& to) {
   }
 }
 
+// Whether the faces run along each edge as often one way as the other. The kernel's own check takes
+// a time that grows with the square of the edges of a face.
+bool is_oriented(const TopoDS_Shell& shell) {
+  TopTools_DataMapOfShapeInteger balance;
+  for (TopExp_Explorer edges(shell, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;
+    if (edge.Orientation() != TopAbs_FORWARD && edge.Orientation() != TopAbs_REVERSED) return false;
+    const int way = edge.Orientation() == TopAbs_FORWARD ? 1 : -1;
+    const TopoDS_Shape key = edge.Oriented(TopAbs_FORWARD);
+    balance.Bind(key, way + (balance.IsBound(key) ? balance.Find(key) : 0));
+  }
+  for (TopTools_DataMapIteratorOfDataMapOfShapeInteger it(balance); it.More(); it.Next())
+    if (it.Value() != 0) return false;
+  return true;
+}
+
 }  // namespace
 
 bool is_sound(const TopoDS_Shell& shell) {
@@ -52,8 +73,7 @@ bool is_sound(const TopoDS_Shell& shell) {
       builder.Add(parts, face);
   }
   if (!BRepCheck_Analyzer(parts).IsValid()) return false;
-  BRepCheck_Shell whole(shell);
-  return whole.Closed() == BRepCheck_NoError && whole.Orientation() == BRepCheck_NoError;
+  return BRepCheck_Shell(shell).Closed() == BRepCheck_NoError && is_oriented(shell);
 }
 
 }  // namespace planish::brep

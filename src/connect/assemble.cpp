@@ -122,8 +122,12 @@ Result<Assembled> assembled(Parts parts) {
   Assembled made;
   for (int plate = 0; plate < static_cast<int>(parts.plates.size()); ++plate)
     made.plate_faces.push_back(static_cast<FaceId>(plate));  // the first faces of the sheet
-  for (int bend = 0; bend < static_cast<int>(parts.fits.size()); ++bend)
-    made.bends.push_back(add_bend(sheet, parts, bend, sides.bends[bend], *borders, made.bends));
+  for (int bend = 0; bend < static_cast<int>(parts.fits.size()); ++bend) {
+    const auto& joint_of = parts.fits[bend].joint_of;
+    made.bends.push_back(
+        joint_of ? made.bends[joint_of->first]
+                 : add_bend(sheet, parts, bend, sides.bends[bend], *borders, made.bends));
+  }
   sheet.number_edges();
   auto built = std::move(sheet).build();
   if (!built) return tl::unexpected(built.error());

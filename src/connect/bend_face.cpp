@@ -16,6 +16,7 @@ constexpr double kNoPiece = tolerance::kComputed;
 struct TaggedCurve {
   Curve2 curve;
   std::optional<int> plate = {};  // that is joined there
+  int row = 0;                    // of the fits, whose joint it is
 };
 using TaggedLoop = std::vector<TaggedCurve>;
 
@@ -54,21 +55,41 @@ TaggedLoop reversed_loop(TaggedLoop loop) {
   return loop;
 }
 
-// The ruling at a side from lower to higher v, the joint in the middle.
+/// A joint of a side: along the ruling, and the row of the fits that it belongs to.
+struct RulingJoint {
+  JointRange range;
+  int row = 0;
+};
+
+// The joints of a band with the plate on one of its sides, from lower to higher v.
+std::vector<RulingJoint> joints_of(const Parts& parts, int bend, int side, int plate) {
+  std::vector<RulingJoint> joints;
+  for (int row = 0; row < static_cast<int>(parts.fits.size()); ++row)
+    if (row == bend || parts.fits[row].joint_of == std::pair{bend, side})
+      joints.push_back({joint_range(parts.fits[row], side, parts.plates[plate]), row});
+  std::sort(joints.begin(), joints.end(),
+            [](const RulingJoint& a, const RulingJoint& b) { return a.range.low < b.range.low; });
+  return joints;
+}
+
+// The ruling at a side from lower to higher v.
 TaggedLoop ruling(const Parts& parts, int bend, int side) {
   const BendFit& fit = parts.fits[bend];
   const double u = fit.surface.azimuth(side), low = fit.boundaries.low.v[side],
                high = fit.boundaries.high.v[side];
   const auto plate = parts.plate_of(bend, side);
   if (!plate) return {TaggedCurve{Segment{{u, low}, {u, high}}}};
-  JointRange joint = joint_range(fit, side, parts.plates[*plate]);
   const double least = kNoPiece * (high - low);
-  if (joint.low - low <= least) joint.low = low;
-  if (high - joint.high <= least) joint.high = high;
   TaggedLoop part;
-  if (joint.low > low) part.push_back({Segment{{u, low}, {u, joint.low}}});
-  part.push_back({Segment{{u, joint.low}, {u, joint.high}}, plate});
-  if (joint.high < high) part.push_back({Segment{{u, joint.high}, {u, high}}});
+  double from = low;
+  for (auto [range, row] : joints_of(parts, bend, side, *plate)) {
+    if (range.low - from <= least) range.low = from;
+    if (high - range.high <= least) range.high = high;
+    if (range.low > from) part.push_back({Segment{{u, from}, {u, range.low}}});
+    part.push_back({Segment{{u, range.low}, {u, range.high}}, plate, row});
+    from = range.high;
+  }
+  if (from < high) part.push_back({Segment{{u, from}, {u, high}}});
   return part;
 }
 
@@ -108,7 +129,7 @@ JoinedFace bend_face(const Parts& parts, int bend, int sense) {
   for (const TaggedCurve& border : loop) {
     const Curve2 curve = shifted(border.curve, shift);
     if (border.plate)
-      made.joints.push_back({*border.plate, bend, static_cast<int>(borders.size())});
+      made.joints.push_back({*border.plate, border.row, static_cast<int>(borders.size())});
     borders.push_back({.curve = curve, .edge_length = length_in_space(surface, curve)});
   }
   made.face.loops.push_back(std::move(borders));

@@ -31,6 +31,7 @@ std::vector<Vec2> run_points(const PlacedPlate& plate, const OutlineRun& run);
 struct BendBand {
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
+  std::array<std::vector<OutlineRun>, 2> more;  ///< beyond recesses of one plate, along the band
 };
 
 /// A fold of inside radius 0: it has no surface, the plates' inner skins meet in a line.
@@ -48,7 +49,10 @@ struct BendFit {
   BendSurface surface;
   Boundaries boundaries;
   std::array<OutlineRun, 2> runs;
-  std::vector<BendBand> stretches;     ///< further stretches of an interrupted bend
+  std::array<std::vector<OutlineRun>, 2> more;  ///< as of a band
+  std::vector<BendBand> stretches;              ///< further stretches of an interrupted bend
+  /// If this is only a further joint of another fit's band: the row of that fit, and the side.
+  std::optional<std::pair<int, int>> joint_of = {};
   std::optional<int> stretch_of = {};  ///< row of the fit of which this is a further stretch
   std::optional<Fold> fold = {};
 };

@@ -101,6 +101,7 @@ std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task)
       if (!is_free(fit, task, low, high)) continue;
       BendBand band{{LateralBoundary::arc, along_directrix(fit.surface, low, extent),
                      along_directrix(fit.surface, high, extent)},
+                    {},
                     {}};
       for (int side = 0; side < 2; ++side) {
         const PlacedPlate& plate = *task.plates[side];
@@ -111,6 +112,50 @@ std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task)
       stretches.push_back(std::move(band));
     }
   return stretches;
+}
+
+namespace {
+
+// Whether one edge carries both runs.
+bool on_one_edge(const OutlineRun& a, const OutlineRun& b) {
+  return a.count == 1 && b.count == 1 && a.ring == b.ring && a.first == b.first;
+}
+
+/// `band` with `next`, which follows it; empty if no edge goes on from one to the other.
+std::optional<BendBand> merged(const BendBand& band, const BendBand& next, const BendFit& fit,
+                               const FitTask& task) {
+  const double low = band.boundaries.high.v[0], high = next.boundaries.low.v[0];
+  for (std::size_t side = 0; side < 2; ++side) {
+    const OutlineRun &a = band.runs[side], &b = next.runs[side];
+    if (!on_one_edge(a, b) || !is_free(fit, task, low, high)) continue;
+    BendBand both = band;
+    both.boundaries.high = next.boundaries.high;
+    both.runs[side].start = std::min(a.start, b.start);
+    both.runs[side].end = std::max(a.end, b.end);
+    std::vector<OutlineRun>& more = both.more[1 - side];
+    more.push_back(next.runs[1 - side]);
+    more.insert(more.end(), next.more[1 - side].begin(), next.more[1 - side].end());
+    return both;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<BendBand> merged_stretches(std::vector<BendBand> bands, const BendFit& fit,
+                                       const FitTask& task) {
+  std::sort(bands.begin(), bands.end(), [](const BendBand& a, const BendBand& b) {
+    return a.boundaries.low.v[0] < b.boundaries.low.v[0];
+  });
+  std::vector<BendBand> all;
+  for (BendBand& band : bands) {
+    auto both = all.empty() ? std::nullopt : merged(all.back(), band, fit, task);
+    if (both)
+      all.back() = std::move(*both);
+    else
+      all.push_back(std::move(band));
+  }
+  return all;
 }
 
 }  // namespace planish::connect_detail

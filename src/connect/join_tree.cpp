@@ -64,11 +64,26 @@ void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlat
     const std::vector<int>& rows = fit.report.plates;
     fit.stretches = further_stretches(fit,
                                       task_of(structure, plates, taken, rows, fit.report.request));
+    if (fit.stretches.empty()) continue;
+    fit.stretches.insert(fit.stretches.begin(), {fit.boundaries, fit.runs, {}});
+    fit.stretches = merged_stretches(std::move(fit.stretches), fit,
+                                     task_of(structure, plates, taken, rows, fit.report.request));
     for (const BendBand& band : fit.stretches)
       for (std::size_t side = 0; side < rows.size(); ++side) {
         UsedEdges& used = taken[rows[side]];
         take(plates[rows[side]], band.runs[side], used.whole, used.parts);
+        for (const OutlineRun& run : band.more[side])
+          take(plates[rows[side]], run, used.whole, used.parts);
       }
+    // The band that was fitted stays the bend's own, with what it was merged with.
+    const double at = fit.boundaries.low.v[0];
+    const auto own = std::ranges::find_if(fit.stretches, [&](const BendBand& band) {
+      return band.boundaries.low.v[0] <= at && at < band.boundaries.high.v[0];
+    });
+    fit.boundaries = std::move(own->boundaries);
+    fit.runs = own->runs;
+    fit.more = std::move(own->more);
+    fit.stretches.erase(own);
   }
   for (BendFit& fit : fits) {
     const auto width = [](const Boundaries& b) {

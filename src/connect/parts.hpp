@@ -20,6 +20,8 @@ struct Parts {
   /// The plate on one side of a bend; empty if that end is free.
   std::optional<int> plate_of(int bend, int side) const {
     const auto& rows = fits[bend].report.plates;
+    const auto& joint_of = fits[bend].joint_of;
+    if (joint_of && joint_of->second != side) return std::nullopt;
     if (side >= static_cast<int>(rows.size())) return std::nullopt;
     return rows[side];
   }

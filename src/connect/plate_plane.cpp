@@ -150,9 +150,22 @@ std::optional<Vec2> meeting(const std::vector<Vec2>& first, const std::vector<Ve
   return std::nullopt;
 }
 
-Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>& hole,
-                              const std::string& place) {
+Box2 box_of(const std::vector<Vec2>& ring) {
+  Box2 box;
+  for (const Vec2& p : ring)
+    box.add(p);
+  return box;
+}
+
+bool apart(const Box2& a, const Box2& b, double by) {
+  return ((a.lo - b.hi).array() > by).any() || ((b.lo - a.hi).array() > by).any();
+}
+
+// `boxes` are those of the holes so far.
+Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Box2>& boxes,
+                              const std::vector<Vec2>& hole, const std::string& place) {
   const double same = kSameCorner * placed.extent;
+  const Box2 box = box_of(hole);
   if (const auto at = meeting(hole, placed.outline, same))
     return fail(
         ErrorCode::self_crossing,
@@ -160,6 +173,7 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>
                     text(placed.frame.point(*at))),
         place);
   for (std::size_t h = 0; h < placed.holes.size(); ++h) {
+    if (apart(box, boxes[h], same)) continue;
     const auto& other = placed.holes[h];
     const auto at = meeting(hole, other, same);
     if (!at && !inside({other}, hole.front()) && !inside({hole}, other.front())) continue;
@@ -173,6 +187,7 @@ Result<void> check_hole_apart(const PlacedPlate& placed, const std::vector<Vec2>
 
 Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::string& pointer,
                        double planarity) {
+  std::vector<Box2> boxes;
   for (std::size_t h = 0; h < plate.holes.size(); ++h) {
     const std::string place = fmt::format("{}/holes/{}", pointer, h);
     const Ring& ring = plate.holes[h];
@@ -187,7 +202,8 @@ Result<void> add_holes(PlacedPlate& placed, const Plate& plate, const std::strin
                     fmt::format("corner {} of the hole at {} lies outside the plate's outline", i,
                                 text(ring[i])),
                     fmt::format("{}/{}", place, i));
-    if (auto apart = check_hole_apart(placed, hole, place); !apart) return apart;
+    if (auto apart = check_hole_apart(placed, boxes, hole, place); !apart) return apart;
+    boxes.push_back(box_of(hole));
     placed.turned.push_back(ring_area(hole) > 0.0);
     if (placed.turned.back()) std::reverse(hole.begin(), hole.end());
     placed.holes.push_back(std::move(hole));

@@ -127,6 +127,25 @@ TEST(InterruptedBend, HasOnlyTheStretchWhoseEdgesAreGiven) {
   EXPECT_NEAR(c.bends[0].unused[1], 80.0, 1e-9);
 }
 
+TEST(InterruptedBend, GoesOnPastARecessOfOnePlate) {
+  // The floor's edge is unbroken: the bend is as long, and joins the wall on both sides of its
+  // recess.
+  for (const bool mirror : {false, true}) {
+    PlateStructure s = interrupted();
+    s.plates[0] = lying("floor", floor_outline());
+    if (mirror) s = mirrored(s);
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 1u);
+    const FittedBend& bend = c.bends[0];
+    EXPECT_NEAR(bend.joined, 200.0, 1e-9);
+    ASSERT_EQ(bend.stretches.size(), 1u);
+    EXPECT_NEAR(bend.stretches[0].width, 80.0, 1e-9);
+    EXPECT_EQ(c.sheet[bend.bend].faces.size(), 1u);
+    EXPECT_NEAR(bend.unused[0] + bend.unused[1], 0.0, 1e-9);
+    EXPECT_NEAR(flat_area(c), 200 * 90 + 200 * 50 - 40 * 8 + 200 * kAllowance, 1e-6);
+  }
+}
+
 TEST(DrawnEdges, EndABendWhereBothPlatesHaveACorner) {
   // The edges go on beside the bend, flush with it, by different lengths.
   PlateStructure s;
