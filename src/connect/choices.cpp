@@ -17,7 +17,7 @@ namespace {
 // Edges, surfaces and boundaries are tried up to this number: some tenths of a second.
 constexpr int kMostTries = 6000;
 // General bends take a hundred times longer than others to fit.
-constexpr int kMostGeneral = 60;
+constexpr int kMostGeneral = 240;
 
 bool surface_is_free(const BendRequest& request) {
   return request.surface == SurfaceChoice::automatic && !request.slope && !request.apex &&

@@ -17,7 +17,7 @@ using Interval = std::pair<double, double>;
 
 constexpr int kSections = 64;
 // Sheets that share less than this share of the thickness touch.
-constexpr double kTouch = 1e-3;
+constexpr double kSharedShare = 1e-3;
 
 using Rings = std::vector<std::vector<Vec2>>;
 
@@ -108,7 +108,7 @@ std::optional<SheetsMeet> sheets_meet(const PlacedPlate& a, const PlacedPlate& b
       for (const Interval& q : section(plates[1], x)) {
         const Bar first{e[0], p.first * e[0], p.second * e[0], 0.5 * thickness};
         const Bar second{e[1], q.first * e[1], q.second * e[1], 0.5 * thickness};
-        if (overlap(first, second, kTouch * thickness)) return p.first;
+        if (overlap(first, second, kSharedShare * thickness)) return p.first;
       }
     return std::nullopt;
   };
