@@ -130,6 +130,9 @@ Result<void> check_room(const Parts& parts, int bend) {
 }
 
 Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
+  // Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
+  const FittedBend& fitted = parts.fits[bend].report;
+  if (fitted.extension_area <= kContact * parts.thickness * fitted.width) return {};
   const std::vector<int>& rows = parts.fits[bend].report.plates;
   Parts alone{parts.thickness, {}, {}, {parts.fits[bend]}, 0};
   for (const int plate : rows) {
