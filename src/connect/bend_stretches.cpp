@@ -10,7 +10,8 @@
 namespace planish::connect_detail {
 namespace {
 
-/// Edges of one chain on the tangent ruling of a side, between two values of v.
+/// Edges of one chain as far from the tangent ruling of a side as the bend's own, between two
+/// values of v.
 struct OnRuling {
   std::vector<int> edges;
   std::pair<Vec3, Vec3> ends;
@@ -20,9 +21,22 @@ struct OnRuling {
 // An edge that the ruling cuts by more than this share of the plates' extent is not on it.
 constexpr double kCut = tolerance::kComputed;
 
+/// How far the edges of the bend are from its ruling, if they are parallel to it; else 0.
+double distance_of_run(const BendFit& fit, const PlacedPlate& plate, int side) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Vec2& p : run_points(plate, fit.runs[side])) {
+    const double y = fit.surface.local(side, plate.frame.point(p)).y();
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  return high - low <= kDrawn && low > 0.0 ? 0.5 * (low + high) : 0.0;
+}
+
 std::vector<OnRuling> edges_on_ruling(const BendFit& fit, const FitTask& task, int side,
                                       double extent) {
   const BendFrame& frame = fit.report.frame;
+  const double distance = distance_of_run(fit, *task.plates[side], side);
+  const double least = distance > kDrawn ? distance - kDrawn : -kCut * extent;
   std::vector<OnRuling> found;
   for (const Chain& chain : open_chains(task, frame, side)) {
     if (chain.kind != fit.report.edge_kind) continue;
@@ -32,7 +46,7 @@ std::vector<OnRuling> edges_on_ruling(const BendFit& fit, const FitTask& task, i
                            frame.point(side, chain.corners[j + 1])};
       const Vec2 a = fit.surface.local(side, ends.first), b = fit.surface.local(side, ends.second);
       const auto [low, high] = std::minmax({a.y(), b.y()});
-      const bool on_ruling = low >= -kCut * extent && high <= kDrawn;
+      const bool on_ruling = low >= least && high <= distance + kDrawn;
       if (on_ruling && !going_on)
         found.push_back({{}, ends, std::min(a.x(), b.x()), std::max(a.x(), b.x())});
       going_on = on_ruling;

@@ -143,7 +143,7 @@ std::string fit_table(const ConnectReport& report, const Units& units) {
     const auto ids = plate_ids(*bend, report.connection.structure);
     table.add({flat.id, fmt::format("{}", fmt::join(ids, " – ")),
                std::string(kind_name(bend->kind)), units.length_text(bend->inside_radius),
-               angle_text(bend->angle), units.length_text(bend->width),
+               angle_text(bend->angle), units.length_text(bend->joined),
                units.area_text(bend->extension_area)});
   }
   return table.text();

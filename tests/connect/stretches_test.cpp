@@ -93,6 +93,19 @@ TEST(InterruptedBend, IsOneBendWithAllItsStretches) {
   }
 }
 
+TEST(InterruptedBend, KeepsItsStretchesWithASmallerRadiusThanIsDrawn) {
+  // Both edges are extended by 3 mm, on both stretches.
+  constexpr double kInside = kGap - kThickness / 2 - 3.0;
+  for (PlateStructure s : {interrupted(), mirrored(interrupted())}) {
+    s.bends = {{.between = {"floor", "wall"}, .inside_radius = kInside}};
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 1u);
+    EXPECT_NEAR(c.bends[0].joined, 160.0, 1e-9);
+    const double allowance = pi / 2 * (kInside + kK * kThickness);
+    EXPECT_NEAR(flat_area(c), kInterruptedArea + 160 * (2 * 3.0 + allowance), 1e-6);
+  }
+}
+
 TEST(InterruptedBend, KeepsItsRecessWhereARunCouldCloseIt) {
   // The sides of the recess lean, so the edges on both sides of it are one chain.
   PlateStructure s = interrupted();
