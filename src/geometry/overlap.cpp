@@ -49,6 +49,7 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
     boxes[i].hi.array() -= clearance;
     if ((boxes[i].lo.array() > boxes[i].hi.array()).any()) boxes[i] = Box2{};
   }
+  const double reach = all.empty() ? 0.0 : all.lo.cwiseAbs().cwiseMax(all.hi.cwiseAbs()).maxCoeff();
   const Geos geos;
   // Only polygons that may meet another are passed to GEOS.
   std::vector<Geos::Geometry> shrunk(polygons.size());
@@ -61,7 +62,7 @@ std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons, double clear
     const Geos::Geometry& a = area_of(first);
     const Geos::Geometry& b = area_of(second);
     if (!geos.intersect(a, b)) continue;
-    const Geos::Geometry common = geos.intersection(a, b, largest(all.size()));
+    const Geos::Geometry common = geos.intersection(a, b, reach);
     const double shared = geos.area(common);
     if (!(shared > smallest_area)) continue;
     found.push_back(

@@ -52,7 +52,7 @@ Connection joined() {
   bend.inside_radii = {2.54, 5.08};
   bend.half_angle = Angle::degrees(12);
   bend.lateral = LateralBoundary::arc;
-  bend.width = 50.8;
+  bend.width = bend.joined = 50.8;
   bend.span = 25.4;
   bend.extension_area = 25.4 * 25.4;
   BendAlternative other;

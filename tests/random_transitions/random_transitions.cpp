@@ -35,13 +35,14 @@ std::string off_by(const char* what, double value, double expected) {
 std::string wrong_with(const Json& file, const Json& report) {
   if (!report["reason"].is_null()) return report["reason"].dump();
   const Json &proof = report["verification"], &made = report["transition"];
-  constexpr double kLength = 1e-6, kVolume = 1e-2;
+  constexpr double kLength = 1e-6, kVolume = 1e-3, kMostTips = 0.2;
   for (const char* figure : {"length_error", "refold_deviation"})
     if (!proof[figure].is_number() || !(proof[figure].get<double>() <= kLength))
       return fmt::format("{} is {}", figure, proof[figure].dump());
-  if (proof["volume_ratio"].is_number() &&
-      !(std::abs(proof["volume_ratio"].get<double>() - 1.0) <= kVolume))
-    return fmt::format("volume_ratio is {}", proof["volume_ratio"].dump());
+  // The folded solid lacks the tips where folds meet in a corner, the net does not.
+  if (const Json& ratio = proof["volume_ratio"];
+      ratio.is_number() && !(ratio >= 1.0 - kVolume && ratio <= 1.0 + kMostTips))
+    return fmt::format("volume_ratio is {}", ratio.dump());
   for (std::size_t end = 0; end < 2; ++end)
     if (const auto length = perimeter_of(file[end == 0 ? "from" : "to"]["profile"]))
       if (auto wrong = off_by("a perimeter", made["perimeters"][end], *length); !wrong.empty())
