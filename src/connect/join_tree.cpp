@@ -89,7 +89,7 @@ void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlat
     const auto width = [](const Boundaries& b) {
       return 0.5 * (b.high.v[0] + b.high.v[1] - b.low.v[0] - b.low.v[1]);
     };
-    fit.report.joined = width(fit.boundaries);
+    fit.report.joined = fit.fold ? fit.fold->high - fit.fold->low : width(fit.boundaries);
     for (const BendBand& band : fit.stretches)
       fit.report.joined += width(band.boundaries);
     fit.report.unused = unused_edges(

@@ -79,7 +79,8 @@ Error too_sharp(const FitTask& task, const PairChoice& choice, const Corners& co
         ErrorCode::plates_touch,
         fmt::format(
             "the plates touch where the bend would be; a bend needs a gap: move the plates so that "
-            "their edges stay {:.4g} mm or more away from the line where their planes meet",
+            "their edges stay {:.4g} mm or more away from the line where their planes meet; plates "
+            "that share an edge can be folded sharply (inside_radius 0)",
             least_height(task, choice.frame)),
         {}};
   double nearest = std::numeric_limits<double>::infinity();

@@ -75,6 +75,7 @@ TEST(ConnectFolds, PartOfAnEdge) {
   ASSERT_TRUE(c) << c.error().message;
   const double allowance = 0.5 * std::numbers::pi * 0.5 * 2.0;
   EXPECT_NEAR(c->bends[0].width, 50.0, 1e-9);
+  EXPECT_NEAR(c->bends[0].joined, 50.0, 1e-9);
   EXPECT_NEAR(flat_area(*c, 0.5), 100.0 * 50.0 + 50.0 * (40.0 - 2.0 + allowance), 1e-6);
 }
 
