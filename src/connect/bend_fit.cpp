@@ -55,17 +55,6 @@ std::vector<Interval> common(const std::vector<Interval>& a, const std::vector<I
   return both;
 }
 
-std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
-                                           int side) {
-  std::vector<std::vector<Vec2>> rings;
-  for (int r = 0; r < plate.ring_count(); ++r) {
-    std::vector<Vec2>& corners = rings.emplace_back();
-    for (const Vec2& p : plate.ring(r))
-      corners.push_back(surface.local(side, plate.frame.point(p)));
-  }
-  return rings;
-}
-
 std::vector<Interval> legal_on_both(const FitTask& task, const BendSurface& surface,
                                     const RunEnds& ends) {
   const double extent = extent_of(task);

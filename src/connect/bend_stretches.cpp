@@ -67,16 +67,17 @@ bool apart(const Boundaries& band, double low, double high) {
   return true;
 }
 
+/// The rings of both plates, by side, as the bend sees them.
+using BothRings = std::array<std::vector<std::vector<Vec2>>, 2>;
+
+BothRings both_rings(const BendFit& fit, const FitTask& task) {
+  return {local_rings(*task.plates[0], fit.surface, 0),
+          local_rings(*task.plates[1], fit.surface, 1)};
+}
+
 // Whether neither plate has material beyond its ruling there.
-bool is_free(const BendFit& fit, const FitTask& task, double low, double high) {
-  for (int side = 0; side < 2; ++side) {
-    const PlacedPlate& plate = *task.plates[side];
-    std::vector<std::vector<Vec2>> rings;
-    for (int r = 0; r < plate.ring_count(); ++r) {
-      rings.emplace_back();
-      for (const Vec2& p : plate.ring(r))
-        rings.back().push_back(fit.surface.local(side, plate.frame.point(p)));
-    }
+bool is_free(const BothRings& plates, double low, double high) {
+  for (const auto& rings : plates) {
     const auto legal = legal_sections(rings, low, high, kDrawn);
     if (legal.size() != 1 || legal[0].second - legal[0].first < high - low - kDrawn) return false;
   }
@@ -102,6 +103,7 @@ std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task)
   if (fit.report.plates.size() != 2 || fit.surface.kind == BendKind::general) return {};
   if (task.request.edges[0] || task.request.edges[1]) return {};
   const double extent = larger_extent(task);
+  const BothRings rings = both_rings(fit, task);
   std::vector<BendBand> stretches;
   const auto second = edges_on_ruling(fit, task, 1, extent);
   for (const OnRuling& a : edges_on_ruling(fit, task, 0, extent))
@@ -112,7 +114,7 @@ std::vector<BendBand> further_stretches(const BendFit& fit, const FitTask& task)
             return !apart(other.boundaries, low, high);
           }))
         continue;
-      if (!is_free(fit, task, low, high)) continue;
+      if (!is_free(rings, low, high)) continue;
       BendBand band{{LateralBoundary::arc, along_directrix(fit.surface, low, extent),
                      along_directrix(fit.surface, high, extent)},
                     {},
@@ -136,12 +138,11 @@ bool on_one_edge(const OutlineRun& a, const OutlineRun& b) {
 }
 
 /// `band` with `next`, which follows it; empty if no edge goes on from one to the other.
-std::optional<BendBand> merged(const BendBand& band, const BendBand& next, const BendFit& fit,
-                               const FitTask& task) {
+std::optional<BendBand> merged(const BendBand& band, const BendBand& next, const BothRings& rings) {
   const double low = band.boundaries.high.v[0], high = next.boundaries.low.v[0];
   for (std::size_t side = 0; side < 2; ++side) {
     const OutlineRun &a = band.runs[side], &b = next.runs[side];
-    if (!on_one_edge(a, b) || !is_free(fit, task, low, high)) continue;
+    if (!on_one_edge(a, b) || !is_free(rings, low, high)) continue;
     BendBand both = band;
     both.boundaries.high = next.boundaries.high;
     both.runs[side].start = std::min(a.start, b.start);
@@ -161,9 +162,11 @@ std::vector<BendBand> merged_stretches(std::vector<BendBand> bands, const BendFi
   std::sort(bands.begin(), bands.end(), [](const BendBand& a, const BendBand& b) {
     return a.boundaries.low.v[0] < b.boundaries.low.v[0];
   });
+  if (bands.size() < 2) return bands;
+  const BothRings rings = both_rings(fit, task);
   std::vector<BendBand> all;
   for (BendBand& band : bands) {
-    auto both = all.empty() ? std::nullopt : merged(all.back(), band, fit, task);
+    auto both = all.empty() ? std::nullopt : merged(all.back(), band, rings);
     if (both)
       all.back() = std::move(*both);
     else

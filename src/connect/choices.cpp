@@ -64,6 +64,11 @@ std::vector<BendRequest> with_laterals(const std::vector<BendRequest>& requests)
   return all;
 }
 
+Error placed(Error error, const FitTask& task) {
+  if (error.where.empty()) error.where = task.pointer;
+  return error;
+}
+
 /// Tries choices and remembers why they failed.
 class Trial {
  public:
@@ -74,14 +79,14 @@ class Trial {
   bool take(Result<BendFit> fit) {
     ++tries_;
     if (!fit) return failed(fit.error());
-    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error()));
+    if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error(), task_));
     // What overlaps when flat can be shortened; round the back it would be another part.
     if (fallback_ && fallback_->report.edge_kind == EdgeKind::facing &&
         fit->report.edge_kind == EdgeKind::averted)
       return false;
     if (auto good = checks_.should(*fit); !good) {
       if (tries_ == 1) fallback_ = std::move(*fit);
-      return failed(placed(good.error()));
+      return failed(placed(good.error(), task_));
     }
     found_ = std::move(*fit);
     return true;
@@ -102,11 +107,6 @@ class Trial {
   }
 
  private:
-  Error placed(Error error) const {
-    if (error.where.empty()) error.where = task_.pointer;
-    return error;
-  }
-
   bool failed(const Error& error) {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
@@ -196,11 +196,7 @@ Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& opti
   auto fit = fit_between(task, options);
   if (!fit) return fit;
   for (const auto& check : {checks.must, checks.should})
-    if (auto sound = check(*fit); !sound) {
-      Error error = sound.error();
-      if (error.where.empty()) error.where = task.pointer;
-      return tl::unexpected(error);
-    }
+    if (auto sound = check(*fit); !sound) return tl::unexpected(placed(sound.error(), task));
   return fit;
 }
 

@@ -148,22 +148,19 @@ Parts parts_of(const PlateStructure& structure, const std::vector<PlacedPlate>& 
 /// A fit of bend number `bend`, between the plates in `rows`, is held against the others.
 FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows,
                     const ConnectOptions& options) {
-  const int number = static_cast<int>(bend);
-  return {[&parts, bend, rows, number](const BendFit& fit) {
-            parts.fits[bend] = fit;
-            parts.fits[bend].report.plates = rows;
-            auto sound = check_on_plates(parts, number);
-            if (!sound) parts.fits[bend] = {};
-            return sound;
-          },
-          [&parts, bend, rows, number, &options](const BendFit& fit) {
-            parts.fits[bend] = fit;
-            parts.fits[bend].report.plates = rows;
-            auto good = check_room(parts, number);
-            if (good) good = check_flat(parts, number, options.k_factor);
-            if (!good) parts.fits[bend] = {};
-            return good;
-          }};
+  const auto held = [&parts, bend, rows](const auto& check) {
+    return [&parts, bend, rows, check](const BendFit& fit) {
+      parts.fits[bend] = fit;
+      parts.fits[bend].report.plates = rows;
+      Result<void> sound = check(parts, static_cast<int>(bend));
+      if (!sound) parts.fits[bend] = {};
+      return sound;
+    };
+  };
+  return {held(check_on_plates), held([&options](const Parts& all, int number) -> Result<void> {
+            if (auto room = check_room(all, number); !room) return room;
+            return check_flat(all, number, options.k_factor);
+          })};
 }
 
 /// Fits a request after checking it.

@@ -159,4 +159,15 @@ std::vector<Chain> free_chains(const std::vector<Chain>& chains,
   return all;
 }
 
+std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
+                                           int side) {
+  std::vector<std::vector<Vec2>> rings;
+  for (int r = 0; r < plate.ring_count(); ++r) {
+    std::vector<Vec2>& corners = rings.emplace_back();
+    for (const Vec2& p : plate.ring(r))
+      corners.push_back(surface.local(side, plate.frame.point(p)));
+  }
+  return rings;
+}
+
 }  // namespace planish::connect_detail

@@ -17,6 +17,10 @@ OutlineRun outline_run(const PlacedPlate& plate, const std::vector<int>& edges,
 OutlineRun trimmed(const OutlineRun& run, const PlacedPlate& plate, const BendSurface& surface,
                    const Boundaries& boundaries, int side, double thickness);
 
+/// The outline and the holes of a plate where `surface.local` has them.
+std::vector<std::vector<Vec2>> local_rings(const PlacedPlate& plate, const BendSurface& surface,
+                                           int side);
+
 /// Marks what a run uses.
 void take(const PlacedPlate& plate, const OutlineRun& run, std::set<int>& whole,
           std::map<int, EdgeParts>& parts);

@@ -1,5 +1,4 @@
 #include "geos.hpp"
-#include "planar.hpp"
 
 #include <planish/geometry/region.hpp>
 

@@ -23,6 +23,11 @@ constexpr double kSameDirection = 1e-6;
 /// Corners of profiles that are one, a share of the extent.
 constexpr double kSameCorner = tolerance::kComputed;
 
+/// Whether a tip or a panel's corner is where another is.
+bool same_corner(const auto& a, const auto& b, double near) {
+  return a.side == b.side && (a.at - b.at).norm() <= near;
+}
+
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -122,16 +127,14 @@ void TipCuts::add_fans(const Ring& ring, const PieceParts& pieces, double inside
     }
   const std::vector<Tip> cones = tips_;
   for (const PanelCorner& corner : corners) {
-    const auto here = [&](const Tip& tip) {
-      return tip.side == corner.side && (tip.at - corner.at).norm() <= near_;
-    };
+    const auto here = [&](const Tip& tip) { return same_corner(tip, corner, near_); };
     const auto ending = std::count_if(folds.begin(), folds.end(), here) +
                         std::count_if(cones.begin(), cones.end(), here);
     if (ending > 1) tips_.push_back({corner.side, corner.at, cut_of(corner, inside, radius)});
   }
   for (const PanelCorner& corner : corners)
     for (const PanelCorner& other : corners)
-      if (other.side == corner.side && (other.at - corner.at).norm() <= near_)
+      if (same_corner(other, corner, near_))
         if (const double cut = cut_beside(corner, other, inside, radius - inside); cut > 0.0)
           tips_.push_back({corner.side, corner.at, cut});
 }

@@ -3,6 +3,7 @@
 // run.
 #include "connect_pairs/explicit_choices.hpp"
 #include "connect_pairs/random_pairs.hpp"
+#include "support/random_run.hpp"
 
 #include <planish/geometry/region.hpp>
 #include <planish/job/connect.hpp>
@@ -23,12 +24,7 @@
 namespace planish::pairs {
 namespace {
 
-struct Options {
-  std::uint64_t seed = 1;
-  int count = 60, first = 0;
-  std::string keep;  ///< folder for the plates files of what is refused or wrong; empty: none
-  bool list = false;
-};
+using Options = test::RandomRun;
 
 job::ConnectReport joined(const PlateStructure& structure) {
   job::Request request;
@@ -190,30 +186,6 @@ void examine(const Options& options, int index, Tally& tally) {
                      report.refusal->message));
 }
 
-std::optional<Options> options_of(const std::vector<std::string>& words) {
-  Options options;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] == "--list") {
-      options.list = true;
-      continue;
-    }
-    if (i + 1 == words.size()) return std::nullopt;
-    const std::string& value = words[i + 1];
-    if (words[i] == "--seed")
-      options.seed = std::strtoull(value.c_str(), nullptr, 10);
-    else if (words[i] == "--count")
-      options.count = std::atoi(value.c_str());
-    else if (words[i] == "--first")
-      options.first = std::atoi(value.c_str());
-    else if (words[i] == "--keep")
-      options.keep = value;
-    else
-      return std::nullopt;
-    ++i;
-  }
-  return options;
-}
-
 int run(const Options& options) {
   Tally tally;
   for (int i = 0; i < options.count; ++i)
@@ -229,8 +201,8 @@ int run(const Options& options) {
 }  // namespace planish::pairs
 
 int main(int argc, char** argv) {
-  const auto options = planish::pairs::options_of({argv + 1, argv + argc});
+  const auto options = planish::test::random_run({argv + 1, argv + argc}, 60);
   if (options) return planish::pairs::run(*options);
-  fmt::print(stderr, "connect_pairs [--seed N] [--count N] [--first N] [--list] [--keep FOLDER]\n");
+  fmt::print(stderr, "connect_pairs {}\n", planish::test::kRandomRunUsage);
   return 2;
 }

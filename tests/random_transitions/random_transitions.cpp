@@ -1,6 +1,7 @@
 // Random transitions: each has a net, whose lengths and area are those of closed forms and of a
 // convex hull made here. docs/transition.md says how it is run.
 #include "random_transition.hpp"
+#include "support/random_run.hpp"
 
 #include <planish/job/run.hpp>
 
@@ -19,11 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Options {
-  std::uint64_t seed = 1;
-  int count = 40, first = 0;
-  std::string keep;  ///< folder for the files of what is wrong; empty: none
-};
+using Options = test::RandomRun;
 
 std::string off_by(const char* what, double value, double expected) {
   constexpr double kShare = 1e-8;
@@ -51,24 +48,6 @@ std::string wrong_with(const Json& file, const Json& report) {
   return {};
 }
 
-std::optional<Options> options_of(const std::vector<std::string>& words) {
-  Options options;
-  for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
-    const std::string& value = words[i + 1];
-    if (words[i] == "--seed")
-      options.seed = std::strtoull(value.c_str(), nullptr, 10);
-    else if (words[i] == "--count")
-      options.count = std::atoi(value.c_str());
-    else if (words[i] == "--first")
-      options.first = std::atoi(value.c_str());
-    else if (words[i] == "--keep")
-      options.keep = value;
-    else
-      return std::nullopt;
-  }
-  return words.size() % 2 == 0 ? std::optional(options) : std::nullopt;
-}
-
 int run(const Options& options) {
   int defects = 0;
   std::map<std::string, int> findings;
@@ -84,7 +63,8 @@ int run(const Options& options) {
       for (const Json& finding : report["checks"]) {
         const std::string severity = finding["severity"], code = finding["code"];
         if (severity != "info") ++findings[severity + " " + code];
-        if (severity == "error") fmt::print("{}: {}\n", i, finding["message"].get<std::string>());
+        if (severity == "error" || options.list)
+          fmt::print("{}: {}\n", i, finding["message"].get<std::string>());
       }
     if (wrong.empty()) continue;
     ++defects;
@@ -103,8 +83,8 @@ int run(const Options& options) {
 }  // namespace planish::transitions
 
 int main(int argc, char** argv) {
-  const auto options = planish::transitions::options_of({argv + 1, argv + argc});
+  const auto options = planish::test::random_run({argv + 1, argv + argc}, 40);
   if (options) return planish::transitions::run(*options);
-  fmt::print(stderr, "random_transitions [--seed N] [--count N] [--first N] [--keep FOLDER]\n");
+  fmt::print(stderr, "random_transitions {}\n", planish::test::kRandomRunUsage);
   return 2;
 }
