@@ -20,8 +20,6 @@ namespace {
 
 // Within this share of the plate's extent of its outline a place is on it.
 constexpr double kOnOutline = 1e-7;
-// Parts of a pattern that share less than this share of the thickness in width only touch.
-constexpr double kContact = 1e-3;
 
 std::vector<Vec2> corners_of(const BorderLoop& loop) {
   std::vector<Vec2> corners;
@@ -130,9 +128,6 @@ Result<void> check_room(const Parts& parts, int bend) {
 }
 
 Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
-  // Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
-  const FittedBend& fitted = parts.fits[bend].report;
-  if (fitted.extension_area <= kContact * parts.thickness * fitted.width) return {};
   const std::vector<int>& rows = parts.fits[bend].report.plates;
   Parts alone{parts.thickness, {}, {}, {parts.fits[bend]}, 0};
   for (const int plate : rows) {
