@@ -90,7 +90,7 @@ void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, std::optiona
 
 // The run, an edge on the intersection line, with the fold's line in place of its part: at `reach`
 // inside the plate, or beyond it if the reference skin is the outer one. Where it ends at a corner
-// of the plate, the edge beside it is run back over; `without_spikes` removes that.
+// of the plate, the edge beside it is run back over; `with_runs_joined` removes that.
 void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
   const Fold& fold = *on.fit->fold;
   const std::vector<Vec2> corners = run_corners(*on.fit, on.side, plate);  // h = −reach
@@ -118,16 +118,16 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
            j == 2 ? std::optional(on.bend) : std::nullopt, kSame * plate.extent);
 }
 
-// Two edges of which the second runs back over the first become one.
-void without_spikes(ExtendedOutline& outline, double same) {
+// Two edges of which the second runs on along the first, or back over it, become one.
+void with_runs_joined(ExtendedOutline& outline, double same) {
   std::vector<Edge>& edges = outline.edges;
   for (std::size_t i = 0; i < edges.size() && edges.size() > 3;) {
     Edge& e = edges[i];
     const std::size_t next = (i + 1) % edges.size();
-    const Vec2 there = e.b - e.a, back = edges[next].b - edges[next].a;
-    const bool runs_back = !e.bend && !edges[next].bend && there.dot(back) < 0.0 &&
-                           std::abs(cross2(there, back)) <= same * there.norm();
-    if (!runs_back) {
+    const Vec2 there = e.b - e.a, on = edges[next].b - edges[next].a;
+    const bool along = !e.bend && !edges[next].bend &&
+                       std::abs(cross2(there, on)) <= same * there.norm();
+    if (!along) {
       ++i;
       continue;
     }
@@ -243,7 +243,7 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
   }
   if (std::any_of(bends.begin(), bends.end(),
                   [](const BendOnPlate& on) { return on.fit->fold.has_value(); }))
-    without_spikes(outline, kSame * plate.extent);
+    with_runs_joined(outline, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple)
     return tl::unexpected(simple.error());

@@ -64,17 +64,20 @@ std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& 
   return best;
 }
 
-/// Where the edge beside a corner of the fold crosses the line at the height `reach`; empty if the
-/// plate ends below it.
-std::optional<double> beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
-                             bool at_low, double reach) {
+/// The edge beside a corner of the fold, from there.
+Segment edge_beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
+                    bool at_low) {
   const int n = plate.edge_count();
   const auto at = [&](int i) { return frame.local(side, plate.corner((i % n + n) % n)); };
   const bool ascending = at(edge).x() < at(edge + 1).x();
   const bool first = ascending == at_low;
-  const Vec2 corner = first ? at(edge) : at(edge + 1);
-  const Vec2 far = first ? at(edge - 1) : at(edge + 2);
-  if (far.y() <= reach) return std::nullopt;
+  return {first ? at(edge) : at(edge + 1), first ? at(edge - 1) : at(edge + 2)};
+}
+
+/// Where it crosses the line at the height `reach`; empty if the plate ends below that.
+std::optional<double> crossing_at(const Segment& beside, double reach, double near) {
+  const auto& [corner, far] = beside;
+  if (far.y() <= reach - near) return std::nullopt;
   return corner.x() + (reach - corner.y()) / (far.y() - corner.y()) * (far.x() - corner.x());
 }
 
@@ -100,10 +103,13 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
     };
     const double from = std::min(x(edge), x(edge + 1)), to = std::max(x(edge), x(edge + 1));
     for (const bool low : {true, false}) {
-      const bool corner = std::abs(low ? from - common.low : to - common.high) <= near;
+      const Segment beside = edge_beside(plate, common.frame, side, edge, low);
+      // A plate that goes on past the line beside the fold is cut as if inside an edge.
+      const bool corner = std::abs(low ? from - common.low : to - common.high) <= near &&
+                          beside.b.y() > near;
       fold.at_corner[static_cast<std::size_t>(side)][low ? 0 : 1] = corner;
       if (!corner) continue;
-      const auto cut = beside(plate, common.frame, side, edge, low, fold.reach);
+      const auto cut = crossing_at(beside, fold.reach, near);
       if (!cut) return tl::unexpected(no_room(fold.reach));
       if (low)
         fold.low = std::max(fold.low, *cut);
