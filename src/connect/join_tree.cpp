@@ -137,6 +137,7 @@ struct Problem {
   const PlateStructure& structure;
   const std::vector<PlacedPlate>& plates;
   const ConnectOptions& options;
+  bool share_edges = false;
 
   int count() const { return static_cast<int>(plates.size()); }
   SpanLimit span_limit(int a, int b) const {
@@ -149,7 +150,9 @@ struct Problem {
                               .inside_radius = structure.defaults.inside_radius,
                               .lateral = structure.defaults.lateral,
                               .trade_off = structure.defaults.trade_off};
-    return task_of(structure, plates, taken, {a, b}, request);
+    FitTask task = task_of(structure, plates, taken, {a, b}, request);
+    task.shares_edges = share_edges;
+    return task;
   }
 };
 
@@ -308,12 +311,27 @@ class Tree {
   Parts parts_;
 };
 
-}  // namespace
+std::ptrdiff_t round_the_back(const std::vector<BendFit>& fits) {
+  return std::ranges::count(fits, EdgeKind::averted,
+                            [](const BendFit& fit) { return fit.report.edge_kind; });
+}
 
-Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
-                                           const std::vector<PlacedPlate>& plates,
-                                           const ConnectOptions& options,
-                                           const Progress& progress) {
+/// The fits of bends that use edges as wholes, or, where that leaves others without an edge in
+/// front, no more of them than they need.
+template <typename Make>
+Result<std::vector<BendFit>> sharing_where_needed(const Make& make) {
+  auto whole = make(false);
+  if (whole ? round_the_back(*whole) == 0 : whole.error().code == ErrorCode::cancelled)
+    return whole;
+  auto shared = make(true);
+  if (!shared || (whole && round_the_back(*whole) <= round_the_back(*shared))) return whole;
+  return shared;
+}
+
+Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
+                                               const std::vector<PlacedPlate>& plates,
+                                               const ConnectOptions& options, bool share_edges,
+                                               const Progress& progress) {
   const auto rows = joined_rows(structure);
   if (!rows) return tl::unexpected(rows.error());
   TakenEdges taken(plates.size());
@@ -328,6 +346,7 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
                 static_cast<double>(done++) / static_cast<double>(structure.bends.size()));
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
     task.pointer = fmt::format("/bends/{}", b);
+    task.shares_edges = share_edges;
     auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options));
     if (!fit) return tl::unexpected(fit.error());
     fit->report.plates = (*rows)[b];
@@ -338,15 +357,28 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
   return std::move(parts.fits);
 }
 
+}  // namespace
+
+Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
+                                           const std::vector<PlacedPlate>& plates,
+                                           const ConnectOptions& options,
+                                           const Progress& progress) {
+  return sharing_where_needed([&](bool share_edges) {
+    return fit_all_requested(structure, plates, options, share_edges, progress);
+  });
+}
+
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
                                       const ConnectOptions& options, const Progress& progress) {
-  const Problem problem{structure, plates, options};
-  Tree tree(problem);
-  // Other choices than the first only where plates would be left alone.
-  for (const auto fit : {fit_first_choice, fit_any_choice})
-    if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
-  return std::move(tree).fits();
+  return sharing_where_needed([&](bool share_edges) -> Result<std::vector<BendFit>> {
+    const Problem problem{structure, plates, options, share_edges};
+    Tree tree(problem);
+    // Other choices than the first only where plates would be left alone.
+    for (const auto fit : {fit_first_choice, fit_any_choice})
+      if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
+    return std::move(tree).fits();
+  });
 }
 
 }  // namespace planish::connect_detail

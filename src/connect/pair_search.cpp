@@ -67,6 +67,70 @@ Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
   return {};
 }
 
+// How much of the line both chains pass; negative if they lie beside each other.
+double common_width(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return std::min(a.back().x(), b.back().x()) - std::max(a.front().x(), b.front().x());
+}
+
+// The chains that pass a part of the line together with one of the other side.
+std::array<std::vector<Chain>, 2> opposite(const std::array<std::vector<Chain>, 2>& chains) {
+  std::array<std::vector<Chain>, 2> result;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Chain& chain : chains[i])
+      if (std::ranges::any_of(chains[1 - i], [&](const Chain& other) {
+            return chain.kind == other.kind && common_width(chain.corners, other.corners) > 0.0;
+          }))
+        result[i].push_back(chain);
+  return result;
+}
+
+// The best choice of edges opposite each other, where the best of all lie beside each other: the
+// ends of a long edge are far from those of a short wall, and those of a stub beside it near.
+PairChoice as_opposite(PairChoice choice, const EdgeSearchOptions& wanted) {
+  const auto corners = choice.corners(choice.search.best);
+  if (wanted.edges[0] || wanted.edges[1] || common_width(corners[0], corners[1]) > 0.0)
+    return choice;
+  PairChoice facing{choice.frame, opposite(choice.chains), {}};
+  return search(facing, wanted) ? facing : choice;
+}
+
+// Whether the edge of a run of one is parallel to the intersection line.
+bool is_level(const std::vector<Vec2>& corners) {
+  return corners.size() == 2 && std::abs(corners[0].y() - corners[1].y()) <= kDrawn;
+}
+
+// A straight edge that goes on far past the other plate's, parallel to it, and has to be extended
+// to the bend, is used as far as they lie opposite each other: the rest of it stays where it is,
+// for other bends.
+PairChoice as_part(PairChoice choice, const FitTask& task, EdgeSearchOptions wanted) {
+  const EdgeChoice& best = choice.search.best;
+  const auto corners = choice.corners(best);
+  if (!is_level(corners[0]) || !is_level(corners[1])) return choice;
+  const double low = std::max(corners[0].front().x(), corners[1].front().x());
+  const double high = std::min(corners[0].back().x(), corners[1].back().x());
+  if (high - low <= task.thickness) return choice;
+  PairChoice part{choice.frame, {}, {}};
+  bool shorter = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec2 &a = corners[i].front(), &b = corners[i].back();
+    const bool drawn = std::abs(a.y() - best.line.at(a.x())) <= kDrawn;
+    const bool far = std::max(low - a.x(), b.x() - high) > high - low;
+    const double least = drawn || !(far || task.shares_edges) ? HUGE_VAL : task.thickness;
+    const double from = low - a.x() > least ? low : a.x();
+    const double to = b.x() - high > least ? high : b.x();
+    shorter |= from > a.x() || to < b.x();
+    part.chains[i] = {{best.kind, {{from, a.y()}, {to, b.y()}}, choice.edges(best)[i]}};
+  }
+  wanted.alternatives = 0;
+  if (!shorter || !search(part, wanted)) return choice;
+  choice.search.best = part.search.best;
+  for (std::size_t i = 0; i < 2; ++i) {
+    choice.search.best.runs[i].chain = static_cast<int>(choice.chains[i].size());
+    choice.chains[i].push_back(part.chains[i].front());
+  }
+  return choice;
+}
+
 // Whether the best edges reach so near the intersection line that the bend there would be too
 // sharp.
 bool is_too_near(const FitTask& task, const PairChoice& choice) {
@@ -97,6 +161,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   PairChoice choice = std::move(*chains);
   const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
   if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
+  choice = as_opposite(std::move(choice), wanted);
   if (is_too_near(task, choice)) {
     PairChoice farther = choice;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -107,7 +172,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
     }
     if (search(farther, wanted)) choice = std::move(farther);
   }
-  return as_drawn(std::move(choice), task, wanted);
+  return as_part(as_drawn(std::move(choice), task, wanted), task, wanted);
 }
 
 bool better(const PairChoice& a, const PairChoice& b) {

@@ -240,6 +240,58 @@ PlateStructure window_tab(bool turned) {
   return s;
 }
 
+// A floor of 100 and walls `gap` behind its front edge, one radius of 10 above it: the floor has to
+// be extended by gap − 10 as far as a wall goes.
+PlateStructure walls_behind(double gap, std::vector<std::pair<double, double>> walls) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("floor", {0, -50, 0}, {100, 0, 0}, {0, 50, 0})};
+  for (const auto& [from, width] : walls)
+    s.plates.push_back(rectangle_plate("wall" + std::to_string(s.plates.size()), {from, gap, 10},
+                                       {width, 0, 0}, {0, 0, 30}));
+  return s;
+}
+
+TEST(OneEdge, ExtendsALongEdgeOnlyWhereAWallIs) {
+  const auto c = connect(walls_behind(12.0, {{30, 30}}));
+  ASSERT_TRUE(c) << c.error().message;
+  EXPECT_EQ(c->bends[0].kind, BendKind::cylinder);
+  EXPECT_NEAR(c->bends[0].inside_radius, 9.0, 1e-9);
+  EXPECT_NEAR(c->bends[0].extension_area, 2.0 * 30.0, 1e-6);
+}
+
+TEST(OneEdge, SharesAnEdgeBetweenWallsThatItHasToBeExtendedTo) {
+  // The first wall alone would take all of the edge, by an extension that runs slanted to its ends.
+  PlateStructure s = walls_behind(20.0, {{0, 60}, {65, 30}});
+  for (const bool given : {false, true}) {
+    if (given) s.bends = {{.between = {"floor", "wall1"}}, {.between = {"floor", "wall2"}}};
+    const auto c = connect(s);
+    ASSERT_TRUE(c) << c.error().message;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const double width = b == 0 ? 60.0 : 30.0;
+      EXPECT_EQ(c->bends[b].edge_kind, EdgeKind::facing);
+      EXPECT_NEAR(c->bends[b].inside_radius, 9.0, 1e-9);
+      EXPECT_NEAR(c->bends[b].joined, width, 1e-6);
+      EXPECT_NEAR(c->bends[b].extension_area, 10.0 * width, 1e-6);
+    }
+  }
+}
+
+TEST(OneEdge, PrefersTheEdgeOppositeAWallToAStubBesideIt) {
+  // Wall 1 has taken the edge up to a stub of 5 mm, whose ends are nearer to those of wall 2 than
+  // the ends of the 700 mm that lie opposite; the side wall is not nearer.
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("floor", {0, 0, 0}, {750, 0, 0}, {0, 200, 0}),
+              rectangle_plate("wall1", {5, -10, 10}, {40, 0, 0}, {0, 0, 30}),
+              rectangle_plate("wall2", {55, -10, 10}, {40, 0, 0}, {0, 0, 30}),
+              rectangle_plate("side", {-10, 0, 10}, {0, 200, 0}, {0, 0, 30})};
+  const auto c = connect(s);
+  ASSERT_TRUE(c) << c.error().message;
+  for (const FittedBend& bend : c->bends)
+    EXPECT_EQ(bend.plates[0], 0);
+}
+
 TEST(EdgeOfAnOpening, CarriesABend) {
   for (const bool turned : {false, true}) {
     const Connection c = connection_of(window_tab(turned));
