@@ -1,5 +1,6 @@
 #include "sharp_fit.hpp"
 
+#include "outline_run.hpp"
 #include "pair_search.hpp"
 #include "tolerances.hpp"
 
@@ -150,7 +151,11 @@ Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
   report.request = task.request;
   for (std::size_t side = 0; side < 2; ++side) {
     report.edges[side] = {common->edges[side]};
-    fit.runs[side] = {common->edges[side], 1};
+    // The rest of the edge can carry other bends.
+    const int i = static_cast<int>(side);
+    fit.runs[side] = outline_run(*task.plates[side], report.edges[side],
+                                 {common->frame.point(i, {common->low, 0.0}),
+                                  common->frame.point(i, {common->high, 0.0})});
   }
   report.kind = BendKind::sharp;
   report.frame = common->frame;

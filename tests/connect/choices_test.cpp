@@ -210,6 +210,24 @@ TEST(ConnectFolds, PartOfAnEdge) {
   EXPECT_NEAR(flat_area(*c, 0.5), 100.0 * 50.0 + 50.0 * (40.0 - 2.0 + allowance), 1e-6);
 }
 
+TEST(ConnectFolds, SeveralOnOneEdge) {
+  PlateStructure s;
+  s.thickness = 1.0;
+  s.plates = {rectangle_plate("A", {0, 0, 0}, {100, 0, 0}, {0, 60, 0}),
+              rectangle_plate("B", {5, 0, 0}, {35, 0, 0}, {0, 0, 30}),
+              rectangle_plate("C", {60, 0, 0}, {35, 0, 0}, {0, 0, 30})};
+  s.defaults.inside_radius = 0.0;
+  for (const bool given : {false, true}) {
+    if (given)
+      s.bends = {{.between = {"A", "B"}, .inside_radius = 0.0},
+                 {.between = {"A", "C"}, .inside_radius = 0.0}};
+    const auto c = connect(s);
+    ASSERT_TRUE(c) << c.error().message;
+    const double allowance = 0.5 * std::numbers::pi * 0.5 * 1.0;
+    EXPECT_NEAR(flat_area(*c, 0.5), 100.0 * 60.0 + 2 * 35.0 * (30.0 - 1.0 + allowance), 1e-6);
+  }
+}
+
 TEST(ConnectFolds, BothWaysFromCornerToCorner) {
   PlateStructure s;
   s.thickness = 2.0;
