@@ -67,6 +67,18 @@ Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
   return {};
 }
 
+// Round the back only where that is shorter for its width than what is in front: of a toothed edge
+// the search sees one tooth at a time, all of which a bend then joins.
+PairChoice as_facing(PairChoice choice, const EdgeSearchOptions& wanted) {
+  if (choice.search.best.kind == EdgeKind::facing || choice.frame.parallel()) return choice;
+  PairChoice front{choice.frame, {}, {}};
+  for (std::size_t i = 0; i < 2; ++i)
+    front.chains[i] = of_kind(choice.chains[i], EdgeKind::facing);
+  if (!search(front, wanted)) return choice;
+  const Nearness back = nearness_of(choice), near = nearness_of(front);
+  return near.span * back.width < back.span * near.width ? front : choice;
+}
+
 // How much of the line both chains pass; negative if they lie beside each other.
 double common_width(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return std::min(a.back().x(), b.back().x()) - std::max(a.front().x(), b.front().x());
@@ -92,6 +104,41 @@ PairChoice as_opposite(PairChoice choice, const EdgeSearchOptions& wanted) {
     return choice;
   PairChoice facing{choice.frame, opposite(choice.chains), {}};
   return search(facing, wanted) ? facing : choice;
+}
+
+// Whether points lie on a tangent line.
+bool is_on(const TangentLine& line, const std::vector<Vec2>& corners) {
+  return std::ranges::all_of(
+      corners, [&](const Vec2& p) { return std::abs(p.y() - line.at(p.x())) <= kDrawn; });
+}
+
+// On how much of a tangent line both sides have an edge.
+double drawn_width(const PairChoice& choice, const TangentLine& line) {
+  std::array<std::vector<std::pair<double, double>>, 2> drawn;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (const Chain& chain : choice.chains[i])
+      for (std::size_t j = 0; j < chain.edges.size(); ++j)
+        if (is_on(line, {chain.corners[j], chain.corners[j + 1]}))
+          drawn[i].emplace_back(chain.corners[j].x(), chain.corners[j + 1].x());
+  double width = 0.0;
+  for (const auto& [low, high] : drawn[0])
+    for (const auto& [from, to] : drawn[1])
+      width += std::max(0.0, std::min(high, to) - std::max(low, from));
+  return width;
+}
+
+// The teeth of an edge that are drawn up to the bend, where the best choice is a wider recess
+// between them: together they are wider.
+PairChoice as_teeth(PairChoice choice, EdgeSearchOptions wanted) {
+  const auto corners = choice.corners(choice.search.best);
+  const TangentLine& line = choice.search.best.line;
+  if (wanted.edges[0] || wanted.edges[1] || (is_on(line, corners[0]) && is_on(line, corners[1])))
+    return choice;
+  PairChoice shortest = choice;
+  wanted.trade_off = 0.0;
+  if (!search(shortest, wanted)) return choice;
+  const double width = drawn_width(shortest, shortest.search.best.line);
+  return width > common_width(corners[0], corners[1]) ? shortest : choice;
 }
 
 // Whether the edge of a run of one is parallel to the intersection line.
@@ -161,7 +208,8 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   PairChoice choice = std::move(*chains);
   const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
   if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
-  choice = as_opposite(std::move(choice), wanted);
+  choice = as_opposite(as_facing(std::move(choice), wanted), wanted);
+  choice = as_teeth(std::move(choice), wanted);
   if (is_too_near(task, choice)) {
     PairChoice farther = choice;
     for (std::size_t i = 0; i < 2; ++i) {

@@ -1,5 +1,7 @@
 #include "plate_outline.hpp"
 
+#include "tolerances.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
@@ -34,8 +36,8 @@ std::pair<double, double> boundary_ends(const BendFit& fit, int side,
 }
 
 // Where the joint begins at the run's corner: at the boundary, but not past a corner on the ruling.
-double joint_end(const Vec2& corner, double boundary, double inward, double tolerance) {
-  const bool on_ruling = corner.y() <= tolerance;
+double joint_end(const Vec2& corner, double boundary, double inward) {
+  const bool on_ruling = corner.y() <= kDrawn;
   const bool past = (corner.x() - boundary) * inward > 0.0;
   return on_ruling && past ? corner.x() : boundary;
 }
@@ -70,11 +72,10 @@ struct Path {
 
 Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
   std::vector<Vec2> corners = run_corners(fit, side, plate);
-  const double tolerance = kSame * plate.extent;
   const auto [first, last] = boundary_ends(fit, side, corners);
   const double inward = last > first ? 1.0 : -1.0;
-  const Vec2 from(joint_end(corners.front(), first, inward, tolerance), 0.0);
-  const Vec2 to(joint_end(corners.back(), last, -inward, tolerance), 0.0);
+  const Vec2 from(joint_end(corners.front(), first, inward), 0.0);
+  const Vec2 to(joint_end(corners.back(), last, -inward), 0.0);
   Path path{taut(corners, from), 0};
   path.joint = path.points.size() - 1;
   std::reverse(corners.begin(), corners.end());

@@ -129,6 +129,58 @@ TEST(InterruptedBend, HasStretchesWhereCoordinatesAreRounded) {
   EXPECT_NEAR(flat_area(c), kInterruptedArea + 160 * kAllowance, 1e-2);
 }
 
+/// A floor whose front edge has teeth, recesses of `depth` between them, and an unbroken wall that
+/// is drawn up to the bend of inside radius 1.
+PlateStructure toothed(double thickness, double depth, const std::vector<double>& sides) {
+  PlateStructure s;
+  s.thickness = thickness;
+  Plate floor{"floor", {{sides.back(), -100, 0}}, {}};
+  for (std::size_t i = sides.size(); i-- > 0;) {
+    const bool tooth_begins = i % 2 == 1;  // from the right
+    const bool outermost = i + 1 == sides.size() || i == 0;
+    const Vec3 front(sides[i], 0, 0), back(sides[i], -depth, 0);
+    if (outermost)
+      floor.outline.push_back(front);
+    else
+      floor.outline.insert(floor.outline.end(),
+                           {tooth_begins ? back : front, tooth_begins ? front : back});
+  }
+  floor.outline.push_back({sides.front(), -100, 0});
+  const double gap = 1.0 + 0.5 * thickness;
+  s.plates = {floor, rectangle_plate("wall", {sides.front(), gap, gap},
+                                     {sides.back() - sides.front(), 0, 0}, {0, 0, 40})};
+  return s;
+}
+
+TEST(InterruptedBend, JoinsAllTeethOfAnEdge) {
+  // The floor's back edge is wider than each tooth, and so is a deep recess between two teeth.
+  for (const auto& [depth, sides] : {std::pair{3.0, std::vector{0.0, 13.0, 54.0, 144.0, 191.0,
+                                                                282.0, 310.0, 387.0, 405.0, 437.0}},
+                                     std::pair{15.0, std::vector{0.0, 41.0, 93.0, 134.0}}}) {
+    const Connection c = connection_of(toothed(1.5, depth, sides));
+    ASSERT_EQ(c.bends.size(), 1u);
+    EXPECT_EQ(c.bends[0].edge_kind, EdgeKind::facing);
+    EXPECT_NEAR(c.bends[0].inside_radius, 1.0, 1e-9);
+    EXPECT_NEAR(c.bends[0].joined, sides.back(), 1e-9);
+    EXPECT_NEAR(c.bends[0].extension_area, 0.0, 1e-9);
+  }
+}
+
+TEST(InterruptedBend, JoinsAllTeethWhereCoordinatesAreRounded) {
+  const std::vector<double> sides{0.0, 41.38, 93.32, 134.7};
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+  for (const double digit : {1e-6, 1e-5, 1e-4}) {
+    PlateStructure s = toothed(1.5, 15.18, sides);
+    for (Plate& plate : s.plates)
+      for (Vec3& p : plate.outline)
+        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 1u);
+    EXPECT_NEAR(c.bends[0].joined, 134.7, 10 * digit);
+    EXPECT_NEAR(c.bends[0].inside_radius, 1.0, 10 * digit);
+  }
+}
+
 TEST(InterruptedBend, HasOnlyTheStretchWhoseEdgesAreGiven) {
   PlateStructure s = interrupted();
   s.bends = {{.between = {"floor", "wall"}, .edges = {std::vector{2}, std::vector{4}}}};
