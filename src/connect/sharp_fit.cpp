@@ -153,9 +153,9 @@ Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
     report.edges[side] = {common->edges[side]};
     // The rest of the edge can carry other bends.
     const int i = static_cast<int>(side);
-    fit.runs[side] = outline_run(*task.plates[side], report.edges[side],
-                                 {common->frame.point(i, {common->low, 0.0}),
-                                  common->frame.point(i, {common->high, 0.0})});
+    fit.runs[side] = outline_run(
+        *task.plates[side], report.edges[side],
+        {common->frame.point(i, {common->low, 0.0}), common->frame.point(i, {common->high, 0.0})});
   }
   report.kind = BendKind::sharp;
   report.frame = common->frame;
