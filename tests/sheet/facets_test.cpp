@@ -105,6 +105,24 @@ TEST(Facets, CoverThePattern) {
   EXPECT_NEAR(area_of(facets_of(tube, layout)) / pattern.area, 1.0, 1e-9);
 }
 
+/// Of a wall at the right of a floor of 50 × 40.
+Frame wall_frame() {
+  Frame up;
+  up.origin = {50, 40, 0};
+  up.x = -Vec3::UnitY();
+  up.y = Vec3::UnitZ();
+  up.z = -Vec3::UnitX();
+  return up;
+}
+
+Bend sharp_right_angle() {
+  Bend sharp;
+  sharp.kind = BendKind::sharp;
+  sharp.angle = Angle::degrees(90);
+  sharp.reference_inside = true;
+  return sharp;
+}
+
 /// Two flanges, 50 × 40 and 40 × 30, of 2 mm, folded sharply along two lines of 15 mm; a window of
 /// 10 × 20 lies between these.
 Sheet sharp_in_two_lines() {
@@ -112,18 +130,10 @@ Sheet sharp_in_two_lines() {
   const FaceId floor = builder.flange(
       Frame{},
       {polygon({{0, 0}, {50, 0}, {50, 15}, {40, 15}, {40, 25}, {50, 25}, {50, 40}, {0, 40}})});
-  Frame up;
-  up.origin = {50, 40, 0};
-  up.x = -Vec3::UnitY();
-  up.y = Vec3::UnitZ();
-  up.z = -Vec3::UnitX();
   const FaceId wall = builder.flange(
-      up, {polygon({{0, 0}, {15, 0}, {15, 10}, {25, 10}, {25, 0}, {40, 0}, {40, 30}, {0, 30}})});
-  Bend sharp;
-  sharp.kind = BendKind::sharp;
-  sharp.angle = Angle::degrees(90);
-  sharp.reference_inside = true;
-  const BendId bend = builder.new_bend(sharp);
+      wall_frame(),
+      {polygon({{0, 0}, {15, 0}, {15, 10}, {25, 10}, {25, 0}, {40, 0}, {40, 30}, {0, 30}})});
+  const BendId bend = builder.new_bend(sharp_right_angle());
   builder.join({floor, 0, 1}, {wall, 0, 4}, bend);
   builder.join({floor, 0, 5}, {wall, 0, 0}, bend);
   return builder.finish();
@@ -148,6 +158,31 @@ TEST(Facets, OfASharpBendLieAtEachOfItsLines) {
     ASSERT_EQ(normals.size(), 2u);
     EXPECT_LT((normals[0] - normals[1]).norm(), 1e-9) << share;
   }
+}
+
+/// Two flanges of 50 × 40 and 40 × 30, of 2 mm, folded sharply along one line that two joints
+/// share.
+Sheet sharp_in_two_joints() {
+  SheetBuilder builder(2.0);
+  const FaceId floor = builder.flange(Frame{},
+                                      {polygon({{0, 0}, {50, 0}, {50, 25}, {50, 40}, {0, 40}})});
+  const FaceId wall = builder.flange(wall_frame(),
+                                     {polygon({{0, 0}, {15, 0}, {40, 0}, {40, 30}, {0, 30}})});
+  const BendId bend = builder.new_bend(sharp_right_angle());
+  builder.join({floor, 0, 1}, {wall, 0, 1}, bend);
+  builder.join({floor, 0, 2}, {wall, 0, 0}, bend);
+  return builder.finish();
+}
+
+TEST(Facets, OfASharpBendGoOnFromJointToJointWithoutACut) {
+  const Sheet sheet = sharp_in_two_joints();
+  const auto [layout, pattern] = laid(sheet);
+  const double allowance = std::numbers::pi / 2;  // α k t
+  double cut = 0.0;
+  for (const FacetEdge& edge : facets_of(sheet, layout).edges)
+    cut += (edge.line.b - edge.line.a).norm();
+  EXPECT_NEAR(cut, 2 * 50 + 40 + 2 * 30 + 40 + 2 * allowance, 1e-9);
+  EXPECT_NEAR(pattern.perimeter, cut, 1e-9);
 }
 
 /// A plate of 100 × 60 with a collar drawn out of it: Ø 20 at its foot, Ø 12 once it is drawn, and
@@ -182,20 +217,94 @@ TEST(Facets, GoOnWithinFormsAsThePatternDoes) {
   }
 }
 
+/// Whether some border of that length outlines a feature (is drawn), and whether some is cut.
+std::pair<bool, bool> drawn_and_cut(const Facets& facets, double wanted) {
+  std::pair<bool, bool> found{false, false};
+  for (const auto& [curve, feature] : facets.borders)
+    if (std::abs(length(curve) - wanted) < 1e-9) (feature ? found.first : found.second) = true;
+  return found;
+}
+
+constexpr std::pair<bool, bool> kDrawn{true, false}, kCut{false, true}, kNeither{false, false};
+
+Facets facets_with(const Sheet& sheet, ExtrudedHoles extruded) {
+  FlattenOptions options;
+  options.extruded = extruded;
+  const auto flat = flat_sheet(sheet, options);
+  EXPECT_TRUE(flat) << (flat ? "" : flat.error().message);
+  return facets_of(sheet, flat->layout, {.chord = 1e-3, .extruded = extruded});
+}
+
+TEST(Facets, TellWhatIsDrawnFromWhatIsCut) {
+  const double pi = std::numbers::pi;
+  const Sheet sheet = plate_with_collar();
+  const auto pilot = facets_with(sheet, ExtrudedHoles::pilot),
+             through = facets_with(sheet, ExtrudedHoles::through),
+             outline = facets_with(sheet, ExtrudedHoles::outline);
+  for (const Facets* facets : {&pilot, &through, &outline}) {
+    EXPECT_EQ(drawn_and_cut(*facets, 20 * pi), kDrawn);  // the foot
+    EXPECT_EQ(drawn_and_cut(*facets, 100), kCut);
+  }
+  EXPECT_EQ(drawn_and_cut(pilot, 4 * pi), kCut);
+  EXPECT_EQ(drawn_and_cut(pilot, 12 * pi), kNeither);
+  EXPECT_EQ(drawn_and_cut(through, 4 * pi), kNeither);
+  EXPECT_EQ(drawn_and_cut(through, 12 * pi), kCut);
+  EXPECT_EQ(drawn_and_cut(outline, 4 * pi), kNeither);
+  EXPECT_EQ(drawn_and_cut(outline, 12 * pi), kDrawn);
+}
+
+TEST(Facets, DrawTheRimOfACountersinkAboutTheHole) {
+  SheetBuilder builder(2.0);
+  const Vec2 middle(40, 30);
+  const FaceId face = builder.flange(Frame{}, {rectangle(100, 60), circular_opening(middle, 2)});
+  Sheet sheet = builder.finish();
+  FormedFeature countersink;
+  countersink.kind = "countersink";
+  countersink.face = face;
+  countersink.outlines = {{{circular_opening(middle, 4).front()}}};
+  const FeatureId id = sheet.features.push_back(countersink);
+  const Facets facets = facets_with(sheet, ExtrudedHoles::pilot);
+  const double pi = std::numbers::pi;
+  EXPECT_EQ(drawn_and_cut(facets, 4 * pi), kCut);
+  EXPECT_EQ(drawn_and_cut(facets, 8 * pi), kDrawn);
+  EXPECT_NEAR(area_of(facets), 6000 - 4 * pi, 1e-3 * 4 * pi);
+  double drawn = 0.0;
+  for (const FacetEdge& edge : facets.edges)
+    if (facets.borders[edge.border].feature == id) drawn += (edge.line.b - edge.line.a).norm();
+  EXPECT_NEAR(drawn / (8 * pi), 1.0, 1e-3);
+}
+
+TEST(Facets, CutTheFreeEdgeOfALouvre) {
+  SheetBuilder builder(1.0);
+  const FaceId face = builder.flange(
+      Frame{}, {rectangle(100, 60), polygon({{20, 20}, {20, 28}, {57, 28}, {57, 20}})});
+  Sheet sheet = builder.finish();
+  FormedFeature louvre;
+  louvre.kind = "formed";
+  louvre.face = face;
+  louvre.slits = {{{Segment{{20, 28}, {55, 28}}}}};
+  sheet[BorderRef{face, 1, 0}].feature = sheet.features.push_back(louvre);
+  const Facets cut = facets_with(sheet, ExtrudedHoles::pilot);
+  EXPECT_EQ(drawn_and_cut(cut, 37), kDrawn);  // its outline, although one border names it
+  EXPECT_EQ(drawn_and_cut(cut, 35), kCut);
+  EXPECT_EQ(drawn_and_cut(facets_with(sheet, ExtrudedHoles::outline), 35), kNeither);
+  EXPECT_NEAR(area_of(cut), 6000, 1e-9);
+}
+
 TEST(Facets, KeepTheBordersExactly) {
   const Sheet sheet = plate_with_holes();
   const auto [layout, pattern] = laid(sheet);
   const Facets facets = facets_of(sheet, layout, {.chord = 1.0});
   const auto of = [&](double wanted) {
-    return std::count_if(facets.borders.begin(), facets.borders.end(), [&](const Curve2& curve) {
-      return std::abs(length(curve) - wanted) < 1e-9;
-    });
+    return std::count_if(
+        facets.borders.begin(), facets.borders.end(),
+        [&](const FacetBorder& border) { return std::abs(length(border.curve) - wanted) < 1e-9; });
   };
   EXPECT_EQ(of(std::numbers::pi * 6.6), 1);
   EXPECT_EQ(of(std::numbers::pi * 10), 1);
   for (const FacetEdge& edge : facets.edges)
     for (const Vec2& end : {edge.line.a, edge.line.b})
-      EXPECT_LT(nearest(facets.borders[edge.border], end).distance, 1e-9);
+      EXPECT_LT(nearest(facets.borders[edge.border].curve, end).distance, 1e-9);
 }
 
 TEST(Facets, EdgesAreTheContours) {
