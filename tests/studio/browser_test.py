@@ -85,6 +85,18 @@ class Browser(StudioTest):
     def test_strips_of_their_own_widths(self):
         self.flow("strips")
 
+    def test_panels_lean(self):
+        self.flow("leaning")
+
+    def test_leg_curves_are_scaled_to_the_sheet(self):
+        self.flow("fitted")
+
+    def test_a_second_panel_comes_and_goes(self):
+        self.flow("second")
+
+    def test_the_mould_is_made_as_its_fields_say(self):
+        self.flow("mould")
+
     def test_control_points_by_number(self):
         self.flow("points")
 

@@ -424,7 +424,8 @@ export interface SlitWeights {
   spread?: number;
   scan?: number;
 }
-export type CurveName = 'leg' | 'seat';
+export type PanelName = 'leg' | 'second';
+export type CurveName = PanelName | 'seat';
 export interface StripSpec {
   width: number;
   gap?: number;
@@ -442,6 +443,15 @@ export interface LegCurve {
   bezier: Vec2[];
   fit?: boolean;
   lean?: number;
+}
+
+export interface MouldSpec {
+  form?: 'ribs' | 'body';
+  side?: 'ground' | 'back' | 'front';
+  up?: Vec3;
+  base?: number;
+  inset?: number;
+  draft?: number;
 }
 
 export interface SlitSpec {
@@ -469,14 +479,7 @@ export interface SlitSpec {
   min_inside_radius?: number;
   kerf?: number;
   stop_hole?: number;
-  mould?: {
-    form?: 'ribs' | 'body';
-    side?: 'ground' | 'back' | 'front';
-    up?: Vec3;
-    base?: number;
-    inset?: number;
-    draft?: number;
-  };
+  mould?: MouldSpec;
 }
 
 export type Spec = PlatesSpec | TransitionSpec | SlitSpec;

@@ -36,7 +36,7 @@ interface Limits {
 /** Why an entry cannot be a field's value; null if it can. */
 export function whyNot(entered: string, { label, unit, digits = 4, min, max }: Limits): string | null {
   const value = Number(entered),
-    size = (v: number) => `${clean(v, digits)}${unit ? ` ${unit}` : ''}`,
+    size = (v: number) => `${clean(v, digits)}${unit === '°' ? unit : unit ? ` ${unit}` : ''}`,
     nearZero = min !== undefined && min > 0 && Number(clean(min, digits)) === 0;
   if (entered === '') return `${label} needs a number.`;
   if (!Number.isFinite(value)) return `“${entered}” is no number; ${label} needs one.`;
@@ -103,6 +103,7 @@ export interface SliderOptions {
   min: number;
   max: number;
   least?: number; // smallest value that may be entered; otherwise entries may exceed the slider's range
+  most?: number; // largest one
   step: number;
   testid: string;
   unit?: string;
@@ -117,7 +118,7 @@ export function slider(o: SliderOptions): TemplateResult {
   const enter = (e: Event) => {
     const input = e.target as HTMLInputElement,
       entered = input.value.trim().replace(',', '.'),
-      no = whyNot(entered, { label: o.label, unit: o.unit, digits: o.digits, min: o.least });
+      no = whyNot(entered, { label: o.label, unit: o.unit, digits: o.digits, min: o.least, max: o.most });
     if (no !== null) {
       input.value = text;
       refuse(input, no);

@@ -13,8 +13,8 @@ export function flatTitle(ui: Ui) {
   return html`<span>Flat pattern</span>
     <ul class="legend" data-testid="legend">
       ${line('cut', '--outline', '', 'Contours, openings and slits')}
-      ${goes.has('up') ? line('bend up', '--up', '7 4', 'Bend lines of bends towards you') : nothing}
-      ${goes.has('down') ? line('bend down', '--down', '7 3 2 3', 'Bend lines of bends away from you') : nothing}
+      ${goes.has('up') ? line('bend up', '--up', '6 2', 'Bend lines of bends towards you') : nothing}
+      ${goes.has('down') ? line('bend down', '--down', '7 3 2 3 7', 'Bend lines of bends away from you') : nothing}
       ${shape.edge_feature.some((feature) => feature >= 0)
         ? line('formed feature', '--form', '', `Drawn, not cut: ${drawnFeatures(shape, features)}`)
         : nothing}

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { example, folder, open, state } from '../driving.mjs';
 
-/** Of some colours, the one that the flat view has within two pixels of a point of the pattern, or the nearest to it. */
+/** Of some colours, the one that the flat view has within two pixels of a place in the pattern, or nearly has. */
 const colourAt = (page, [x, y], names) =>
   page.evaluate(
     ({ x, y, names }) => {
