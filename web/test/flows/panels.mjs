@@ -4,7 +4,7 @@ import { coarse, download, enter, example, folder, open, rested, slide, state } 
 
 // How the panels of slit sheets stand, and what their mould is.
 
-/** How high the left end of the first ridge of strip 0 is: the panel's corner, which stands over an end of the curve. */
+/** The left end of strip 0's first ridge: a corner of the panel, which stands over an end of the leg curve. */
 const corner = `s.shape.handles.ridges[0][0][0]`;
 const near = (a, b, within, what) => assert.ok(Math.abs(a - b) <= within, `${what}: ${a} instead of ${b}`);
 
@@ -47,7 +47,8 @@ export async function fitted({ page }) {
   // A curve half as long is scaled to the sheet; without it, it is refused.
   await page.evaluate(`(() => { const { store } = window.planish, { input } = store.state;
     const bezier = input.spec.leg_curve.bezier.map(([x, z]) => [700 + (x - 700) / 2, z / 2]);
-    store.dispatch({ type: 'edit', input: { ...input, spec: { ...input.spec, leg_curve: { ...input.spec.leg_curve, bezier } } } }); })()`);
+    const spec = { ...input.spec, leg_curve: { ...input.spec.leg_curve, bezier } };
+    store.dispatch({ type: 'edit', input: { ...input, spec } }); })()`);
   await rested(page);
   assert.equal(await state(page, 's.problem'), null);
   near((await state(page, 's.shape.report.slit.leg_scales'))[0], 2 * first, 1e-3, 'the scale');
