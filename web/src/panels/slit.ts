@@ -26,7 +26,8 @@ export function slitPanel(ui: Ui) {
         value: spec.ridges ?? 10,
         min: 3,
         max: 200,
-        on: (v) => v && set({ ridges: Math.round(v) }),
+        whole: true,
+        on: (v) => v && set({ ridges: v }),
       })}
       <div class="field">
         <span>Halved ${spec.subdivisions ?? 0} ×</span
@@ -203,6 +204,8 @@ function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
       value: spec.weights?.[key] ?? usual,
       min: 0,
       max: 5 * usual,
+      least: 0,
+      most: 1e4,
       step: usual / 20,
       digits: 4,
       on: (v, live) => set({ weights: { ...spec.weights, [key]: v } }, live),
@@ -238,7 +241,7 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
     testid: 'panel-height',
     value: sheet.panel_height,
     from: spec.units,
-    min: 0,
+    min: 1e-6,
     on: (v) => v && change({ panel_height: v }),
   })}
   ${sheet.half_length !== undefined
@@ -247,7 +250,7 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
         testid: 'half-length',
         value: sheet.half_length,
         from: spec.units,
-        min: 0,
+        min: 1e-6,
         on: (v) => v && change({ half_length: v }),
       })
     : nothing}

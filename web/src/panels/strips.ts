@@ -46,7 +46,8 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
         value: strips.length,
         min: 1,
         max: 200,
-        on: (v) => v && edit((s) => setStripCount(s, Math.max(1, Math.round(v)))),
+        whole: true,
+        on: (v) => v && edit((s) => setStripCount(s, v)),
       })}
       ${lengthField(ui, {
         label: 'Strip width',
@@ -99,7 +100,7 @@ function ownFields(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number) {
       testid: `strip-${key}`,
       value: strip[key],
       from: spec.units,
-      min: 0,
+      min: key === 'gap' ? 0 : 1e-6,
       placeholder: otherwise,
       on: (v) => ui.edit<SlitSpec>((s) => setStrip(s, i, { [key]: v ?? undefined })),
     });

@@ -135,6 +135,27 @@ export async function refused({ page }) {
   await enter(page, 'thickness', '2.5');
   await rested(page);
   assert.equal(await state(page, 's.note'), null, 'it goes with the next edit');
+  // Nor is any other value bent into one that can be.
+  const kept = async (field, entered, sentence) => {
+    const was = await page.inputValue(`[data-testid="${field}"]`),
+      input = await state(page, 's.input');
+    await enter(page, field, entered);
+    await said(sentence);
+    assert.equal(await page.inputValue(`[data-testid="${field}"]`), was);
+    assert.deepEqual(await state(page, 's.input'), input);
+  };
+  await example(page, 'transition/a_square_to_round.json');
+  await kept('from-width-number', '-3', 'Width cannot be -3; it is above 0.');
+  await kept('from-width-number', '0', 'Width cannot be 0; it is above 0.');
+  await kept('to-radius-number', 'big', '“big” is no number; Radius needs one.');
+  await page.selectOption('[data-testid=press-lines]', 'count');
+  await rested(page);
+  await kept('press-count-number', '2.5', 'Lines per bend cannot be 2.5; it is a whole number.');
+  await example(page, 'slit/chair.json');
+  await kept('panel-height', '0', 'Panel height cannot be 0; it is above 0.');
+  await kept('ridges', '10.5', 'Ridges at the start cannot be 10.5; it is a whole number.');
+  await kept('strips', '2.4', 'Strips cannot be 2.4; it is a whole number.');
+  await kept('weight-smooth-number', '-1', 'Smooth cannot be -1');
 }
 
 /** The page's unit is that of the DXF, which says so; another can be chosen. */
