@@ -146,6 +146,9 @@ class Browser(StudioTest):
     def test_bends_keep_their_names_and_the_pattern_its_way_while_plates_move(self):
         self.flow("steady")
 
+    def test_the_chosen_bend_stays_chosen_when_bends_are_numbered_anew(self):
+        self.flow("chosen")
+
     def test_a_rule_has_one_mark_until_it_is_chosen(self):
         self.flow("marks")
 

@@ -8,7 +8,7 @@ import type { Ui } from '../ui.ts';
 export function flatTitle(ui: Ui) {
   const { shape } = ui.state,
     features = pieceOf(ui.state)?.flat?.features ?? [];
-  if (!shape?.facet_parent.length) return html`<span>Flat pattern</span>`;
+  if (!shape?.facet_parent.length) return html`<span>${shape ? 'No flat pattern' : 'Flat pattern'}</span>`;
   const goes = directionsIn(shape);
   return html`<span>Flat pattern</span>
     <ul class="legend" data-testid="legend">
@@ -16,7 +16,7 @@ export function flatTitle(ui: Ui) {
       ${goes.has('up') ? line('bend up', '--up', '6 2', 'Bend lines of bends towards you') : nothing}
       ${goes.has('down') ? line('bend down', '--down', '7 3 2 3 7', 'Bend lines of bends away from you') : nothing}
       ${shape.edge_feature.some((feature) => feature >= 0)
-        ? line('formed feature', '--form', '', `Drawn, not cut: ${drawnFeatures(shape, features)}`)
+        ? line('feature', '--form', '', `Drawn, not cut: ${drawnFeatures(shape, features)}`)
         : nothing}
     </ul>`;
 }

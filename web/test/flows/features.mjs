@@ -57,12 +57,12 @@ export async function forms({ page }) {
     await page.click('[data-testid=theme]');
   }
   assert.equal(
-    await page.getAttribute('[data-testid=legend-formed-feature]', 'title'),
+    await page.getAttribute('[data-testid=legend-feature]', 'title'),
     'Drawn, not cut: 1 countersink, 1 formed feature, 1 pocket',
   );
   assert.deepEqual(await page.$$eval('[data-testid=legend] li', (all) => all.map((e) => e.textContent.trim())), [
     'cut',
-    'formed feature',
+    'feature',
   ]);
   // The picked one says so, and so does what lies under the pointer.
   const at = await state(page, `views.flat.project([${sunk.x} + 5 * Math.cos(0.4), ${sunk.y} + 5 * Math.sin(0.4)])`);

@@ -233,6 +233,28 @@ export async function steady({ page }) {
   await page.screenshot({ path: `${folder(page)}/steady.png` });
 }
 
+/** Where a plate that is moved is joined to another one, the bend that was chosen stays chosen, whatever its number. */
+export async function chosen({ page }) {
+  await example(page, 'connect/ten_plates.json');
+  const pair = () =>
+    state(
+      page,
+      `(() => { const b = s.shape.report.flat.bends.find((x) => x.id === s.selection.part);
+        return [b?.id, b?.between.join('–')]; })()`,
+    );
+  await page.click('[data-testid=bend-head-B7]');
+  assert.deepEqual(await pair(), ['B7', 'back–hook']);
+  await page.evaluate(`(() => { const { store } = window.planish, { input } = store.state;
+    const plates = input.spec.plates.map((p) => p.id !== 'spout' ? p :
+      { ...p, outline: p.outline.map(([x, y, z]) => [x - 2.88, y - 4.512, z - 2.905]) });
+    store.dispatch({ type: 'edit', input: { ...input, spec: { ...input.spec, plates } } }); })()`);
+  await rested(page);
+  const [id, between] = await pair();
+  assert.notEqual(id, 'B7', 'another bend comes before it now');
+  assert.equal(between, 'back–hook');
+  await page.waitForSelector(`[data-testid=bend-head-${id}][aria-expanded=true]`);
+}
+
 /** A plate with 200 holes too near to each other: one mark for the rule, and one for each place once it is chosen. */
 export async function marks({ page }) {
   const file = `${folder(page)}/perforated.json`,
