@@ -180,7 +180,11 @@ export function choice<T extends string>(
 ): TemplateResult {
   return html`<label class="field choice"
     ><span>${label}</span>
-    <select data-testid=${testid} @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}>
+    <select
+      data-testid=${testid}
+      aria-label=${label}
+      @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}
+    >
       ${options.map(
         ([v, text]) => html`<option value=${v} ?selected=${v === value} .selected=${v === value}>${text}</option>`,
       )}</select
