@@ -93,6 +93,14 @@ Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
 }  // namespace
 
 Result<void> check_on_plates(const Parts& parts, int bend) {
+  if (!parts.fits[bend].fold) {
+    const JoinedFace face = bend_face(parts, bend, 1);
+    for (const Border& border : face.face.loops.front())
+      if (!is_regular(border.curve))
+        return fail(ErrorCode::no_bend_fits,
+                    "the planes of the plates are so nearly parallel that a bend between them is "
+                    "out of reach: make them parallel, or turn one by more");
+  }
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
     if (!made) return tl::unexpected(made.error());

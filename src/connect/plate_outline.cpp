@@ -35,10 +35,11 @@ std::pair<double, double> boundary_ends(const BendFit& fit, int side,
   return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
 }
 
-// Where the joint begins at the run's corner: at the boundary, but not past a corner on the ruling.
+// Where the joint begins at the run's corner: at the boundary, but at a corner on the ruling if it
+// is there, and not past it.
 double joint_end(const Vec2& corner, double boundary, double inward) {
   const bool on_ruling = corner.y() <= kDrawn;
-  const bool past = (corner.x() - boundary) * inward > 0.0;
+  const bool past = (corner.x() - boundary) * inward > -kDrawn;
   return on_ruling && past ? corner.x() : boundary;
 }
 
@@ -119,15 +120,17 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
            j == 2 ? std::optional(on.bend) : std::nullopt, kSame * plate.extent);
 }
 
-// Two edges of which the second runs on along the first, or back over it, become one.
-void with_runs_joined(ExtendedOutline& outline, double same) {
+// Two edges of which the second runs back over the first become one: an extension fills the corner
+// of an opening, or a fold cuts the edge beside it. With `on_too`, so do two of which the second
+// runs on along the first.
+void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
   std::vector<Edge>& edges = outline.edges;
   for (std::size_t i = 0; i < edges.size() && edges.size() > 3;) {
     Edge& e = edges[i];
     const std::size_t next = (i + 1) % edges.size();
     const Vec2 there = e.b - e.a, on = edges[next].b - edges[next].a;
-    const bool along = !e.bend && !edges[next].bend &&
-                       std::abs(cross2(there, on)) <= same * there.norm();
+    const bool along = !e.bend && !edges[next].bend && (on_too || there.dot(on) < 0.0) &&
+                       std::abs(cross2(there, on)) <= same * std::max(there.norm(), on.norm());
     if (!along) {
       ++i;
       continue;
@@ -242,9 +245,9 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
     append_bend(outline, plate, bends[i]);
     append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
-  if (std::any_of(bends.begin(), bends.end(),
-                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); }))
-    with_runs_joined(outline, kSame * plate.extent);
+  const bool folded = std::any_of(bends.begin(), bends.end(),
+                                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
+  with_runs_joined(outline, folded, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple)
     return tl::unexpected(simple.error());

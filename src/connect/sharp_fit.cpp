@@ -15,9 +15,10 @@
 namespace planish::connect_detail {
 namespace {
 
-// Edges within this share of the plates' extent of the intersection line lie on it, as the
-// coordinates of files go.
-constexpr double kOnFoldLine = tolerance::kFileDigits;
+// Edges this near the line where the planes meet (mm) are drawn on it.
+double near_line(const PlacedPlate& plate) {
+  return std::max(kDrawn, tolerance::kFileDigits * plate.extent);
+}
 
 /// A stretch of the intersection line on which both plates have an edge.
 struct Common {
@@ -32,17 +33,16 @@ struct LineEdge {
   double low = 0.0, high = 0.0;
 };
 
-std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side,
-                                    const FitTask& task) {
-  const double near = kOnFoldLine * std::max(task.plates[0]->extent, task.plates[1]->extent);
+/// Edges of chains at the height `near` of their frame, or as near to that.
+std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side, const FitTask& task,
+                                    double near) {
   const auto& wanted = task.request.edges[side];
   std::vector<LineEdge> edges;
   for (const Chain& chain : frame.chains[side])
     for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j) {
       if (wanted && std::count(wanted->begin(), wanted->end(), chain.edges[j]) == 0) continue;
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
-      if (std::max(std::abs(a.y()), std::abs(b.y())) <= near)
-        edges.push_back({chain.edges[j], a.x(), b.x()});
+      if (std::max(a.y(), b.y()) <= 2.0 * near) edges.push_back({chain.edges[j], a.x(), b.x()});
     }
   return edges;
 }
@@ -51,12 +51,16 @@ std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& 
   const PlanePair planes = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
   if (planes != PlanePair::crossing) return std::nullopt;
   const double least = kNegligible * std::max(task.plates[0]->extent, task.plates[1]->extent);
+  const double near = std::max(near_line(*task.plates[0]), near_line(*task.plates[1]));
   std::optional<Common> best;
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], planes)) {
-    const auto chains = chains_in(task, frame, EdgeKind::facing);
+    // Seen from a little below the line, since edges that cross it carry no bend.
+    BendFrame below = frame;
+    below.origin -= near / (1.0 + frame.e[0].dot(frame.e[1])) * (frame.e[0] + frame.e[1]);
+    const auto chains = chains_in(task, below, EdgeKind::facing);
     if (!chains) continue;
-    for (const LineEdge& a : edges_on_line(*chains, 0, task))
-      for (const LineEdge& b : edges_on_line(*chains, 1, task)) {
+    for (const LineEdge& a : edges_on_line(*chains, 0, task, near))
+      for (const LineEdge& b : edges_on_line(*chains, 1, task, near)) {
         const Common part{
             frame, {a.edge, b.edge}, std::max(a.low, b.low), std::min(a.high, b.high)};
         if (part.length() > std::max(least, best ? best->length() : 0.0)) best = part;
@@ -98,7 +102,7 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
   for (int side = 0; side < 2; ++side) {
     const PlacedPlate& plate = *task.plates[static_cast<std::size_t>(side)];
     const int edge = common.edges[static_cast<std::size_t>(side)];
-    const double near = kOnFoldLine * plate.extent;
+    const double near = near_line(plate);
     const auto x = [&](int i) {
       return common.frame.local(side, plate.corner(i % plate.edge_count())).x();
     };
