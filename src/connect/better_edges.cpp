@@ -70,8 +70,8 @@ double drawn_width(const PairChoice& choice, const TangentLine& line) {
   return width;
 }
 
-// The teeth of an edge that are drawn up to the bend, where the best choice is a wider recess
-// between them: together they are wider.
+// What is drawn up to the bend, where the best choice is a little wider but has to be extended: the
+// teeth of an edge in place of a recess between them, an edge without the chamfers beside it.
 PairChoice as_teeth(PairChoice choice, EdgeSearchOptions wanted) {
   const auto corners = choice.corners(choice.search.best);
   const TangentLine& line = choice.search.best.line;
@@ -81,7 +81,8 @@ PairChoice as_teeth(PairChoice choice, EdgeSearchOptions wanted) {
   wanted.trade_off = 0.0;
   if (!search(shortest, wanted)) return choice;
   const double width = drawn_width(shortest, shortest.search.best.line);
-  return width > common_width(corners[0], corners[1]) ? shortest : choice;
+  constexpr double kLittle = 0.8;  // of the width, which a chamfer or relief adds a little to
+  return width > kLittle * common_width(corners[0], corners[1]) ? shortest : choice;
 }
 
 // Whether the edge of a run of one is parallel to the intersection line.

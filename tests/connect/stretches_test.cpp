@@ -357,6 +357,49 @@ TEST(EdgeOfAnOpening, CarriesABend) {
   }
 }
 
+TEST(EdgeOfAnOpening, CarriesATabAsWideAsItWhereCoordinatesAreRounded) {
+  // The bend then ends at corners of the opening, to within the rounding; a wall is near as well.
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+  for (const double digit : {1e-6, 1e-5, 1e-4}) {
+    PlateStructure s;
+    s.thickness = 2.0;
+    s.plates = {rectangle_plate("floor", {0, 0, 0}, {200, 0, 0}, {0, 120, 0}),
+                rectangle_plate("tab", {60, 44, 4}, {50, 0, 0}, {0, 0, 25}),
+                rectangle_plate("wall", {0, 124, 4}, {200, 0, 0}, {0, 0, 60})};
+    s.plates[0].holes = {{{60, 40, 0}, {60, 80, 0}, {110, 80, 0}, {110, 40, 0}}};
+    for (Plate& plate : s.plates) {
+      const auto place = [&](Vec3& p) {
+        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
+      };
+      std::ranges::for_each(plate.outline, place);
+      for (auto& hole : plate.holes)
+        std::ranges::for_each(hole, place);
+    }
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 2u);
+    for (const FittedBend& bend : c.bends) {
+      EXPECT_EQ(bend.plates[0], 0);
+      EXPECT_NEAR(bend.inside_radius, 3.0, 10 * digit);
+      EXPECT_NEAR(bend.joined, bend.plates[1] == 1 ? 50.0 : 200.0, 10 * digit);
+    }
+  }
+}
+
+TEST(DrawnEdges, LeaveChamfersBesideThemAsTheyAre) {
+  // Both plates have chamfers of 10 × 10 at the ends of the edges that are drawn up to the bend.
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {
+      {"floor",
+       {{0, -100, 0}, {200, -100, 0}, {200, -10, 0}, {190, 0, 0}, {10, 0, 0}, {0, -10, 0}},
+       {}},
+      {"wall", {{0, 3, 63}, {0, 3, 13}, {10, 3, 3}, {190, 3, 3}, {200, 3, 13}, {200, 3, 63}}, {}}};
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].joined, 180.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].extension_area, 0.0, 1e-9);
+}
+
 TEST(EdgeOfAnOpening, CanBeGiven) {
   PlateStructure s = window_tab(false);
   s.bends = {{.between = {"floor", "tab"}, .edges = {std::vector{4}, std::vector{0}}}};
