@@ -3,6 +3,7 @@
 #include "bend_stretches.hpp"
 #include "joined_face.hpp"
 #include "plate_outline.hpp"
+#include "tolerances.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -77,6 +78,17 @@ bool is_wider(const BendFit& fit) {
   return !fit.stretches.empty() || !fit.more[0].empty() || !fit.more[1].empty();
 }
 
+/// How far the joints of a bend lie beside each other, if they have no width in common.
+std::optional<double> apart_along(const BendFit& fit, const std::vector<PlacedPlate>& plates) {
+  const std::vector<int>& rows = fit.report.plates;
+  if (fit.fold || rows.size() != 2 || is_wider(fit)) return std::nullopt;
+  const JointRange a = joint_range(fit, 0, plates[rows[0]]);
+  const JointRange b = joint_range(fit, 1, plates[rows[1]]);
+  const double common = std::min(a.high, b.high) - std::max(a.low, b.low);
+  if (common > kDrawn) return std::nullopt;
+  return std::max(0.0, -common);
+}
+
 void measure(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
              const TakenEdges& taken, BendFit& fit) {
   const auto width = [](const Boundaries& b) {
@@ -85,6 +97,7 @@ void measure(const PlateStructure& structure, const std::vector<PlacedPlate>& pl
   fit.report.joined = fit.fold ? fit.fold->high - fit.fold->low : width(fit.boundaries);
   for (const BendBand& band : fit.stretches)
     fit.report.joined += width(band.boundaries);
+  fit.report.beside = apart_along(fit, plates);
   fit.report.unused = unused_edges(
       fit, task_of(structure, plates, taken, fit.report.plates, fit.report.request));
 }
