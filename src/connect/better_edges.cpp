@@ -22,11 +22,6 @@ PairChoice as_facing(PairChoice choice, const EdgeSearchOptions& wanted) {
   return near.span * back.width < back.span * near.width ? front : choice;
 }
 
-// How much of the line both chains pass; negative if they lie beside each other.
-double common_width(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
-  return std::min(a.back().x(), b.back().x()) - std::max(a.front().x(), b.front().x());
-}
-
 // The chains that pass a part of the line together with one of the other side.
 std::array<std::vector<Chain>, 2> opposite(const std::array<std::vector<Chain>, 2>& chains) {
   std::array<std::vector<Chain>, 2> result;

@@ -86,13 +86,14 @@ class Trial {
     ++tries_;
     if (!fit) return failed(fit.error());
     if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error(), task_));
-    if (!is_drawn_up(*fit, task_.thickness))
+    const bool drawn_up = is_drawn_up(*fit, task_.thickness);
+    if (!drawn_up)
       if (auto flat = checks_.flat(*fit); !flat) {
         if (tries_ == 1) fallback_ = std::move(*fit);
         return failed(placed(flat.error(), task_));
       }
     if (auto room = checks_.room(*fit); !room) {
-      fall_back_to(std::move(*fit));
+      fall_back_to(std::move(*fit), !drawn_up);
       return failed(placed(room.error(), task_));
     }
     found_ = std::move(*fit);
@@ -115,9 +116,9 @@ class Trial {
 
  private:
   // The first choice, or in its place one that lies flat.
-  void fall_back_to(BendFit fit) {
+  void fall_back_to(BendFit fit, bool known_flat) {
     if (tries_ > 1 && (!fallback_ || fallback_is_flat_)) return;
-    const bool flat = checks_.flat(fit).has_value();
+    const bool flat = known_flat || checks_.flat(fit);
     if (tries_ > 1 && !flat) return;
     fallback_ = std::move(fit);
     fallback_is_flat_ = flat;

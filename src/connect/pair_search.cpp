@@ -236,6 +236,10 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
   return std::move(*best);
 }
 
+double common_width(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
+  return std::min(a.back().x(), b.back().x()) - std::max(a.front().x(), b.front().x());
+}
+
 Nearness nearness_of(const PairChoice& choice) {
   const EdgeChoice& best = choice.search.best;
   const double turn = choice.frame.parallel() ? 0.5 * std::numbers::pi * choice.frame.rise.norm()
@@ -243,7 +247,7 @@ Nearness nearness_of(const PairChoice& choice) {
   const auto corners = choice.corners(best);
   const double left_a = corners[0].front().x(), left_b = corners[1].front().x();
   const double right_a = corners[0].back().x(), right_b = corners[1].back().x();
-  const double common = std::min(right_a, right_b) - std::max(left_a, left_b);
+  const double common = common_width(corners[0], corners[1]);
   if (common <= 0.0) return {best.span + turn, best.width};
   const double shift = std::abs(left_a - left_b) + std::abs(right_a - right_b);
   return {best.span - shift + turn, common};

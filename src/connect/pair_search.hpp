@@ -43,6 +43,10 @@ std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int 
 /// ratio of span to width first.
 std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& options);
 
+/// On how much of the line both runs of corners lie, x growing; negative if they lie beside each
+/// other.
+double common_width(const std::vector<Vec2>& a, const std::vector<Vec2>& b);
+
 /// Span and width of a choice, as `nearness` counts them.
 Nearness nearness_of(const PairChoice& choice);
 

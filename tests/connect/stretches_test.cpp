@@ -152,6 +152,20 @@ PlateStructure toothed(double thickness, double depth, const std::vector<double>
   return s;
 }
 
+/// Turned in space, its coordinates rounded to that digit.
+PlateStructure rounded(PlateStructure s, double digit) {
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+  const auto place = [&](Vec3& p) {
+    p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
+  };
+  for (Plate& plate : s.plates) {
+    std::ranges::for_each(plate.outline, place);
+    for (auto& hole : plate.holes)
+      std::ranges::for_each(hole, place);
+  }
+  return s;
+}
+
 TEST(InterruptedBend, JoinsAllTeethOfAnEdge) {
   // The floor's back edge is wider than each tooth, and so is a deep recess between two teeth.
   for (const auto& [depth, sides] : {std::pair{3.0, std::vector{0.0, 13.0, 54.0, 144.0, 191.0,
@@ -168,13 +182,8 @@ TEST(InterruptedBend, JoinsAllTeethOfAnEdge) {
 
 TEST(InterruptedBend, JoinsAllTeethWhereCoordinatesAreRounded) {
   const std::vector<double> sides{0.0, 41.38, 93.32, 134.7};
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
   for (const double digit : {1e-6, 1e-5, 1e-4}) {
-    PlateStructure s = toothed(1.5, 15.18, sides);
-    for (Plate& plate : s.plates)
-      for (Vec3& p : plate.outline)
-        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
-    const Connection c = connection_of(s);
+    const Connection c = connection_of(rounded(toothed(1.5, 15.18, sides), digit));
     ASSERT_EQ(c.bends.size(), 1u);
     EXPECT_NEAR(c.bends[0].joined, 134.7, 10 * digit);
     EXPECT_NEAR(c.bends[0].inside_radius, 1.0, 10 * digit);
@@ -359,7 +368,6 @@ TEST(EdgeOfAnOpening, CarriesABend) {
 
 TEST(EdgeOfAnOpening, CarriesATabAsWideAsItWhereCoordinatesAreRounded) {
   // The bend then ends at corners of the opening, to within the rounding; a wall is near as well.
-  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
   for (const double digit : {1e-6, 1e-5, 1e-4}) {
     PlateStructure s;
     s.thickness = 2.0;
@@ -367,15 +375,7 @@ TEST(EdgeOfAnOpening, CarriesATabAsWideAsItWhereCoordinatesAreRounded) {
                 rectangle_plate("tab", {60, 44, 4}, {50, 0, 0}, {0, 0, 25}),
                 rectangle_plate("wall", {0, 124, 4}, {200, 0, 0}, {0, 0, 60})};
     s.plates[0].holes = {{{60, 40, 0}, {60, 80, 0}, {110, 80, 0}, {110, 40, 0}}};
-    for (Plate& plate : s.plates) {
-      const auto place = [&](Vec3& p) {
-        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
-      };
-      std::ranges::for_each(plate.outline, place);
-      for (auto& hole : plate.holes)
-        std::ranges::for_each(hole, place);
-    }
-    const Connection c = connection_of(s);
+    const Connection c = connection_of(rounded(s, digit));
     ASSERT_EQ(c.bends.size(), 2u);
     for (const FittedBend& bend : c.bends) {
       EXPECT_EQ(bend.plates[0], 0);
