@@ -41,13 +41,13 @@ struct StrokeLimits {
 struct StrokeVerdict {
   bool feasible = true;
   /// Of one that cannot: the lines by which this is so. In every other stage in which these are
-  /// formed or not as in this one, the same choice is infeasible too. No line at all (every bit 0):
-  /// it is infeasible in every stage. Empty: nothing is known of other stages.
+  /// formed or not as in this one, the same choice, gauged or not, is infeasible too. No line at
+  /// all (every bit 0): it is infeasible in every stage. Empty: nothing is known of other stages.
   std::optional<LineSet> because = {};
 };
 
-/// What a search asks. Each stage and each choice in a stage is asked for once at most, stages only
-/// if they can be reached.
+/// What a search asks. Each stage and each choice in a stage is asked for once at most, and only
+/// stages that can be reached.
 struct StrokeProblem {
   int lines = 0;
   /// All strokes that may be made in a stage; quick. Several may press the same lines.
