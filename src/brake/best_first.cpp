@@ -48,7 +48,8 @@ class BestFirst {
       work_.prove(next.estimate);
       if (work_.stopped() != StrokeWork::Stop::none) return End::stopped;
       open_.pop();
-      if (dominated(next.node)) continue;
+      const int stage = nodes_[next.node].stage;
+      if (dominated(next.node) || book_.is_dead(*book_[stage].formed)) continue;
       expand(next);
       if (n % kBetweenDives == 0) improve(next.node);
       if (is_power_of_two(n) && work_.renew_bound()) return End::bound_renewed;

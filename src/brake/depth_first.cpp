@@ -1,13 +1,13 @@
 #include "stroke_work.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace planish::brake_detail {
 namespace {
 
 struct Step {
   double cost = 0.0;  ///< estimated, of the whole plan
-  bool seen = false;  ///< whether a stage that can be reached is known to form these lines
   std::size_t offer = 0;
 };
 
@@ -25,7 +25,7 @@ class Descent {
     const std::int64_t end = book_.asked() + most_stages;
     start_from(strokes);
     while (!levels_.empty()) {
-      if (work_.all_others_seen()) return true;
+      if (!work_.hopeless().empty()) return true;
       if (work_.stopped() != StrokeWork::Stop::none) return false;
       if (book_.is_full(levels_.back().stage)) {
         work_.found(strokes_);
@@ -63,28 +63,21 @@ class Descent {
     std::vector<Step>& steps = levels_.back().steps;
     for (std::size_t i = 0; i < offers.size(); ++i)
       if (offers[i].state != Offer::State::infeasible) steps.push_back(step(stage, set_up, i));
-    // What has never been formed comes first only where no plan can exist: there it is asked
-    // which lines can be formed at all.
-    const bool hopeless = !work_.hopeless().empty();
-    std::ranges::stable_sort(steps, [&](const Step& a, const Step& b) {
-      if (hopeless && a.seen != b.seen) return a.seen;
-      return a.cost > b.cost;
-    });
+    std::ranges::stable_sort(steps, std::greater(), &Step::cost);
   }
 
   Step step(int stage, int set_up, std::size_t offer) {
     const KnownChoice& known = book_.choice(book_.offers(stage)[offer].choice);
     const LineSet after = joined(*book_[stage].formed, known.choice.lines);
-    const std::vector<int> pressed = members(known.choice.lines);
-    const bool seen = std::ranges::all_of(pressed, [&](int line) { return book_.seen(line); });
     return {book_.change(set_up, known.set_up) + known.cost + work_.bound(after, known.set_up),
-            seen, offer};
+            offer};
   }
 
   /// Whether a stroke leads to a stage from which not everything has been tried.
   bool step_down() {
     Level& level = levels_.back();
-    while (!level.steps.empty()) {
+    // What was learned below may show that nothing leads on from here.
+    while (!level.steps.empty() && !book_.is_dead(*book_[level.stage].formed)) {
       const Step next = level.steps.back();
       level.steps.pop_back();
       const int choice = book_.offers(level.stage)[next.offer].choice;

@@ -27,10 +27,27 @@ inline constexpr int kNoSetUp = -1;
 struct KnownChoice {
   StrokeChoice choice;
   int set_up = kNoSetUp;
-  double cost = 0.0;     ///< of the stroke, without what comes before
-  bool refuted = false;  ///< infeasible in every stage
-  /// Lines by which it was infeasible, and which of them were formed.
-  std::vector<std::array<LineSet, 2>> conflicts = {};
+  double cost = 0.0;  ///< of the stroke, without what comes before
+  int family = 0;     ///< of the choices that differ in the gauge alone
+};
+
+/// Lines by which a choice was infeasible, and which of them were formed.
+struct Conflict {
+  LineSet lines, formed;
+  bool holds_in(const LineSet& stage) const;
+};
+
+/// What is known of a choice in all stages together.
+struct Family {
+  std::vector<Conflict> conflicts = {};
+  bool refuted = false;       ///< infeasible in every stage
+  std::size_t looked_at = 0;  ///< conflicts, for `refuted`
+};
+
+/// Where all these lines are formed, that line cannot be any more.
+struct Blocking {
+  int line = 0;
+  LineSet by;
 };
 
 /// A choice that a stage offers.
@@ -57,7 +74,8 @@ class StageBook {
   /// The number of a stage that was met before.
   std::optional<int> find(const LineSet& formed) const;
   bool is_full(int stage) const { return *stages_[stage].formed == full_; }
-  /// From a dead stage no strokes lead to the full one.
+  /// From a dead stage no strokes lead to the full one: all were tried, or a line that is left can
+  /// no longer be formed in any way that is possible.
   void mark_dead(int stage) { stages_[stage].dead = true; }
   bool is_dead(const LineSet& formed) const;
 
@@ -73,9 +91,10 @@ class StageBook {
   double change(int from, int to) const;
 
   std::int64_t asked() const { return asked_; }
-  /// Choices that were shown infeasible in every stage so far.
-  std::int64_t refuted() const { return refuted_; }
-  bool is_refuted(const StrokeChoice& choice) const;
+  /// How often a reason was learned why a choice is infeasible.
+  std::int64_t learned() const { return learned_; }
+  /// Whether reasons show that a choice is infeasible in every stage.
+  bool is_refuted(const StrokeChoice& choice);
   /// Whether a stage that can be reached forms the line, as far as was asked.
   bool seen(int line) const { return holds(seen_, line); }
   const LineSet& furthest() const { return furthest_; }
@@ -87,15 +106,14 @@ class StageBook {
   static SetUp set_up_in(const StrokeChoice& choice);
   int number_of(const StrokeChoice& choice);
   bool fits_beginning(const LineSet& formed, const StrokeChoice& choice) const;
-  bool conflicts(const KnownChoice& known, const LineSet& formed) const;
-  bool ask(KnownChoice& known, const LineSet& formed);
+  int family_of(const LineSet& lines, const SetUp& set_up);
+  void list_families();
+  bool ask(const KnownChoice& known, const LineSet& formed);
+  void learn(const KnownChoice& known, const LineSet& formed, const LineSet& because);
+  std::optional<LineSet> blocked_for_good(int line, const LineSet& formed) const;
 
-  struct ChoiceKey {
-    LineSet lines;
-    SetUp set_up;
-    bool gauged;
-    auto operator<=>(const ChoiceKey&) const = default;
-  };
+  using FamilyKey = std::pair<LineSet, SetUp>;
+  using ChoiceKey = std::pair<FamilyKey, bool>;
 
   const StrokeProblem& problem_;
   StrokeWeights weights_;
@@ -104,9 +122,15 @@ class StageBook {
   std::vector<Stage> stages_;
   std::map<ChoiceKey, int> choice_numbers_;
   std::vector<KnownChoice> choices_;
+  std::map<FamilyKey, int> family_numbers_;
+  std::vector<Family> families_;
+  /// The families in which a line is possible; empty if others may be pressed with it, so that it
+  /// is not known which they are.
+  std::vector<std::vector<int>> families_of_line_;
+  std::vector<Blocking> blockings_;
   std::map<SetUp, int> set_up_numbers_;
   std::vector<SetUp> set_ups_;
-  std::int64_t asked_ = 0, refuted_ = 0, offers_kept_ = 0;
+  std::int64_t asked_ = 0, learned_ = 0, offers_kept_ = 0;
 };
 
 }  // namespace planish::brake_detail

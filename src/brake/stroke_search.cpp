@@ -34,11 +34,10 @@ double StrokeWork::bound(const LineSet& formed, int set_up) {
   return (*bound_)(formed, set_up == kNoSetUp ? nullptr : &book_.set_up(set_up));
 }
 
-/// A possible choice of one line is none if the very choice is infeasible in every stage; one of
-/// several may still be there for fewer of them.
+/// A possible choice of several lines may still be there for fewer of them.
 bool StrokeWork::renew_bound() {
-  if (book_.refuted() == refuted_known_) return false;
-  refuted_known_ = book_.refuted();
+  if (book_.learned() == learned_known_) return false;
+  learned_known_ = book_.learned();
   std::set<std::size_t> rows;
   for (std::size_t i = 0; i < problem_.possible.size(); ++i)
     if (count(problem_.possible[i].lines) == 1 && book_.is_refuted(problem_.possible[i]))
@@ -69,8 +68,7 @@ StrokeWork::Stop StrokeWork::stopped() {
   return over ? Stop::limit : Stop::none;
 }
 
-bool StrokeWork::all_others_seen() const {
-  if (bound_->hopeless().empty()) return false;
+bool StrokeWork::all_seen() const {
   for (int line = 0; line < lines_; ++line)
     if (!book_.seen(line) && !std::ranges::binary_search(bound_->hopeless(), line)) return false;
   return true;
@@ -112,9 +110,7 @@ bool run(StrokeWork& work, const StrokeLimits& limits) {
   const bool exhausted = search_depth_first(work, {}, kQuickStages) && !work.has_plan();
   work.renew_bound();
   work.prove(work.bound(LineSet(work.book().full().size()), kNoSetUp));
-  if (exhausted) return true;
-  if (!work.hopeless().empty())
-    return search_depth_first(work, {}, limits.stages);
+  if (exhausted || !work.hopeless().empty()) return true;
   if (work.has_plan() && (limits.first || !work.cheaper(work.proven(), work.cheapest())))
     return !work.cheaper(work.proven(), work.cheapest());
   return search_best_first(work);
@@ -138,15 +134,12 @@ void tell_plan(StrokeSearch& result, StrokeWork& work) {
   }
 }
 
-void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines, bool ended) {
-  const StageBook& book = work.book();
-  const bool by_bound = !work.hopeless().empty();
-  result.furthest = book.furthest();
-  if (!ended && !by_bound) return;
+void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
+  const bool all = search_reachable(work);
   result.status = PlanStatus::infeasible;
-  result.blocked_all = ended;
+  result.blocked_all = all;
   for (int line = 0; line < lines; ++line)
-    if (ended ? !book.seen(line) : std::ranges::binary_search(work.hopeless(), line))
+    if (all ? !work.book().seen(line) : std::ranges::binary_search(work.hopeless(), line))
       result.blocked.push_back(line);
 }
 
@@ -164,13 +157,14 @@ Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWe
   const bool ended = run(work, limits);
   if (work.stopped() == StrokeWork::Stop::cancelled)
     return fail(ErrorCode::cancelled, "ordering the strokes was stopped");
-  result.stages = work.book().asked();
   if (work.has_plan()) {
     result.status = ended ? PlanStatus::optimal : PlanStatus::feasible;
     tell_plan(result, work);
   } else {
-    tell_blocked(result, work, problem.lines, ended);
+    if (ended) tell_blocked(result, work, problem.lines);
+    result.furthest = work.book().furthest();
   }
+  result.stages = work.book().asked();
   result.bound = work.has_plan() && ended ? result.cost : work.proven();
   return result;
 }

@@ -22,7 +22,8 @@ class StrokeWork {
   StageBook& book() { return book_; }
   /// A bound on the costs that are to come from a stage on.
   double bound(const LineSet& formed, int set_up);
-  /// Makes the bound narrower if choices were refuted since it was made; whether it was.
+  /// Makes the bound narrower if more choices are known to be infeasible everywhere; whether it
+  /// was.
   bool renew_bound();
   /// Lines that no stage can form, whatever is reached.
   const std::vector<int>& hopeless() const { return bound_->hopeless(); }
@@ -38,12 +39,13 @@ class StrokeWork {
   /// No plan costs less than the largest of these.
   void prove(double bound) { proven_ = std::max(proven_, bound); }
   double proven() const { return proven_; }
-  /// Whether every line that is possible at all has been formed in a stage that can be reached.
-  bool all_others_seen() const;
+  /// Whether every line that may be possible at all has been formed in a stage that can be reached.
+  bool all_seen() const;
 
   /// Why the search ends before it is done.
   enum class Stop { none, limit, cancelled };
   Stop stopped();
+  bool is_cancelled() const { return progress_.should_stop(); }
 
  private:
   const StrokeProblem& problem_;
@@ -55,21 +57,25 @@ class StrokeWork {
   StageBook book_;
   std::unique_ptr<StrokeBound> bound_;
   std::set<std::size_t> refuted_rows_;
-  std::int64_t refuted_known_ = 0;
+  std::int64_t learned_known_ = 0;
   double cheapest_;
   double proven_ = 0.0;
   std::vector<int> plan_;
 };
 
 /// Goes down from the stage that strokes lead to, the most promising stroke first, until all lines
-/// are formed. Where no stroke can be made it turns back, but not once it has looked at `most_stages`
-/// new ones. Returns whether it ended by itself: with a plan, with nothing left to try, or because
-/// of `all_others_seen`.
+/// are formed. Where no stroke can be made it turns back, but not once it has looked at
+/// `most_stages` new ones. Returns whether it ended by itself: with a plan, or with nothing left to
+/// try because there is none.
 bool search_depth_first(StrokeWork& work, const std::vector<int>& strokes,
                         std::int64_t most_stages);
 
 /// A*: finds the cheapest plan, or that there is none. Returns whether it was not stopped.
 bool search_best_first(StrokeWork& work);
+
+/// Goes to all stages that can be reached, until every line is formed in one that may be formed in
+/// any. Returns whether there is nothing left to see; it ends early after a while.
+bool search_reachable(StrokeWork& work);
 
 /// Cost of a sequence of choices.
 double cost_of(const StageBook& book, const std::vector<int>& strokes);

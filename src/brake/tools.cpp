@@ -1,11 +1,13 @@
 #include "profile_check.hpp"
 
+#include <planish/base/tolerance.hpp>
 #include <planish/brake/tools.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace planish {
@@ -50,7 +52,7 @@ class ToolCheck {
   }
 
   void angle(Angle value) {
-    if (!(value.degrees() > 0.0 && value.degrees() <= kFlat))
+    if (!(value.degrees() > 0.0 && (value.degrees() <= kFlat || flattens(value))))
       wrong("/angle", "angle",
             fmt::format("is {:g}°; it must be above 0, and at most 180°, which is flat",
                         value.degrees()));
@@ -64,9 +66,6 @@ class ToolCheck {
     if (tool.max_force) above_zero("/max_force", "max_force", *tool.max_force);
     profile("/profile", "profile", tool.profile);
   }
-
-  /// A tool that flattens.
-  static bool is_flat(Angle angle) { return angle.degrees() == kFlat; }
 
  private:
   static constexpr double kFlat = 180.0;
@@ -109,7 +108,7 @@ void check_punch(ToolCheck& to, const Punch& punch) {
   to.at_least_zero("/tip_radius", "tip_radius", punch.tip_radius);
   if (to.error()) return;
   check_side(to, "/profile", "profile", punch.profile, Body::above);
-  if (!ToolCheck::is_flat(punch.angle)) return check_tip(to, punch);
+  if (!flattens(punch.angle)) return check_tip(to, punch);
   if (!on_outline(punch.profile, Vec2::Zero()))
     to.wrong("/profile", "profile", "does not pass through (0, 0), where it touches the sheet");
 }
@@ -140,7 +139,7 @@ void check_opening(ToolCheck& to, const Die& die) {
 void check_die(ToolCheck& to, const Die& die) {
   to.common(die);
   to.at_least_zero("/shoulder_radius", "shoulder_radius", die.shoulder_radius);
-  const bool flat = ToolCheck::is_flat(die.angle);
+  const bool flat = flattens(die.angle);
   if (!flat) to.above_zero("/opening", "opening", die.opening);
   if (to.error()) return;
   check_side(to, "/profile", "profile", die.profile, Body::below);
@@ -201,6 +200,10 @@ std::optional<Error> fault_of_tools(const std::vector<Tool>& tools, const std::s
 }
 
 }  // namespace
+
+bool flattens(Angle angle) {
+  return std::abs(angle.radians() - std::numbers::pi) <= tolerance::kComputed;
+}
 
 Result<void> check(const BrakeTools& tools) {
   if (const auto error = fault_of_machine(tools.machine)) return tl::unexpected(*error);

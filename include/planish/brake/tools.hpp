@@ -56,6 +56,9 @@ struct BrakeTools {
   std::vector<Die> dies;
 };
 
+/// Whether a tool of this angle is flat: it closes hems that were bent before.
+bool flattens(Angle angle);
+
 /// What is wrong with the tools: crossing profiles, a tip away from the origin, segments missing,
 /// an opening that its profile does not have. `where` is the JSON pointer of the value. Errors:
 /// `bad_tools`.
