@@ -101,6 +101,7 @@ TEST(ToolsJson, TakesAnOpeningThatWasRoundedInInches) {
   for (json& corner : inches["dies"][0]["profile"])
     corner = {rounded(corner[0]), rounded(corner[1])};
   inches["dies"][0]["opening"] = rounded(16);
+  inches["dies"][0]["shoulder_radius"] = rounded(2);
   const auto tools = parse_tools(inches.dump(), "t.json");
   EXPECT_TRUE(tools.has_value()) << tools.error().message;
 }
