@@ -180,6 +180,19 @@ Convex clipped(const Convex& polygon, const Vec2& normal, double offset) {
   return result.size() < 3 ? Convex() : result;
 }
 
+bool is_thin(const Convex& polygon, double width) {
+  double least = std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 side = polygon[(i + 1) % polygon.size()] - polygon[i];
+    if (side.norm() <= tolerance::kTiniest) continue;
+    double most = 0.0;
+    for (const Vec2& p : polygon)
+      most = std::max(most, std::abs(cross(side.normalized(), p - polygon[i])));
+    least = std::min(least, most);
+  }
+  return polygon.size() < 3 || least < width;
+}
+
 double separation(const Convex& a, const Convex& b) {
   return std::max(apart_across(a, b), apart_across(b, a));
 }

@@ -18,6 +18,9 @@ Convex hull_of(std::vector<Vec2> points);
 /// The part where normal·p ≤ offset; empty if nothing remains.
 Convex clipped(const Convex& polygon, const Vec2& normal, double offset);
 
+/// Whether the polygon is narrower than that, or nothing.
+bool is_thin(const Convex& polygon, double width);
+
 /// Above 0: the polygons are apart, by at least so much. At most 0: they meet, and moving one by
 /// so much parts them.
 double separation(const Convex& a, const Convex& b);

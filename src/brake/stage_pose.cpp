@@ -8,7 +8,6 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr int kWord = 64;
 constexpr double kArcChord = 0.01;  // mm: a fifth of what may be penetrated
 
 /// The left side of a line that is formed, seen from the right side, which stays.
@@ -61,29 +60,6 @@ void summarise(PlacedPart& part) {
 
 }  // namespace
 
-bool holds(const LineSet& set, int line) {
-  return (set[static_cast<size_t>(line / kWord)] >> (line % kWord)) & 1U;
-}
-void insert(LineSet& set, int line) {
-  set[static_cast<size_t>(line / kWord)] |= std::uint64_t{1} << (line % kWord);
-}
-LineSet empty_set(int lines) { return LineSet(static_cast<size_t>((lines + kWord - 1) / kWord)); }
-LineSet operator&(const LineSet& a, const LineSet& b) {
-  LineSet result(a);
-  for (size_t i = 0; i < result.size(); ++i)
-    result[i] &= b[i];
-  return result;
-}
-LineSet operator|(const LineSet& a, const LineSet& b) {
-  LineSet result(a);
-  for (size_t i = 0; i < result.size(); ++i)
-    result[i] |= b[i];
-  return result;
-}
-bool is_empty(const LineSet& set) {
-  return std::all_of(set.begin(), set.end(), [](std::uint64_t word) { return word == 0; });
-}
-
 Convex section(const Block3& block, double lo, double hi) {
   std::vector<Vec2> points;
   const size_t n = block.lower.size();
@@ -126,10 +102,10 @@ PartTree::PartTree(const Workpiece& work, int line)
   for (const bool left : {false, true}) {
     const int body = work.lines[line].bodies[left ? 1 : 0];
     part_of_body_[body] = static_cast<int>(parts_.size());
-    parts_.push_back({false, body, -1, -1, left, empty_set(lines), {}});
+    parts_.push_back({false, body, -1, -1, left, no_lines(lines), {}});
   }
   grow();
-  parts_.push_back({true, line, -1, line, false, empty_set(lines), {}});
+  parts_.push_back({true, line, -1, line, false, no_lines(lines), {}});
 }
 
 void PartTree::grow() {
@@ -171,7 +147,7 @@ Eigen::Isometry3d PartTree::place(int part, const LineSet& formed) const {
 }
 
 bool PartTree::is_flat(int part, const LineSet& formed) const {
-  return is_empty(parts_[part].path & formed);
+  return disjoint(parts_[part].path, formed);
 }
 
 /// The zone of a line in the frame of the tree's line, cut at `count` equal steps across it.

@@ -1,20 +1,11 @@
 #pragma once
 
+#include "line_set.hpp"
 #include "workpiece.hpp"
-
-#include <planish/brake/stroke_search.hpp>
 
 #include <memory>
 
 namespace planish::brake_detail {
-
-// Sets of lines.
-bool holds(const LineSet& set, int line);
-void insert(LineSet& set, int line);
-LineSet empty_set(int lines);
-LineSet operator&(const LineSet& a, const LineSet& b);
-LineSet operator|(const LineSet& a, const LineSet& b);
-bool is_empty(const LineSet& set);
 
 /// A convex piece of the workpiece at θ = 0, between two rings of corners that belong together:
 /// x along the bend line, y the distance from it on its own side, z above the inside skin.

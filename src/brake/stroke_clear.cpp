@@ -61,8 +61,8 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
   const PartTree& tree = room(stroke.line).tree;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
   std::vector<Interval> walls[2];  // in the way of the punch, of the die
-  LineSet because[2] = {empty_set(static_cast<int>(work_.lines.size())),
-                        empty_set(static_cast<int>(work_.lines.size()))};
+  LineSet because[2] = {no_lines(static_cast<int>(work_.lines.size())),
+                        no_lines(static_cast<int>(work_.lines.size()))};
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     for (const ToolKind kind : kToolKinds) {
       const std::vector<Interval>& blocked = blocked_by(kind, part, stroke);
@@ -72,7 +72,7 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
         return Obstruction{path, kind, part, {}};
       const int row = kind == ToolKind::punch ? 0 : 1;
       walls[row].insert(walls[row].end(), blocked.begin(), blocked.end());
-      because[row] = because[row] | path;
+      because[row] = joined(because[row], path);
     }
   for (const int row : {0, 1}) {
     const auto& segments = row == 0 ? tools_.punches[stroke.punch].segments

@@ -155,7 +155,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
 BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
   const FittingTools& fitting = fitting_[line];
   BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
-  LineSet alone = empty_set(static_cast<int>(work_.lines.size()));
+  LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)

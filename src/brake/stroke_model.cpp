@@ -33,14 +33,6 @@ bool lie_on_one_line(const BrakeLine& a, const BrakeLine& b) {
 
 }  // namespace
 
-size_t StrokeModel::KeyHash::operator()(const LineSet& key) const {
-  constexpr std::uint64_t kPrime = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t hash = 0;
-  for (const std::uint64_t word : key)
-    hash = (hash ^ word ^ (word >> 29)) * kPrime;
-  return hash ^ (hash >> 32);
-}
-
 StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options)
     : work_(std::move(work)),
       tools_(tools),
@@ -75,8 +67,8 @@ StrokeModel::LineRoom& StrokeModel::room(int line) {
 StrokeModel::Known& StrokeModel::known(int part, const Setting& stroke) {
   LineRoom& room = this->room(stroke.line);
   const LineSet& path = room.tree.parts()[part].path;
-  LineSet key = *stroke.formed & path;
-  const LineSet pressed = stroke.pressed & path;
+  LineSet key = common(*stroke.formed, path);
+  const LineSet pressed = common(stroke.pressed, path);
   key.insert(key.end(), pressed.begin(), pressed.end());
   std::unique_ptr<Known>& known = room.known[part][std::move(key)];
   if (!known)
@@ -125,7 +117,7 @@ std::vector<StrokeChoice> StrokeModel::choices(const LineSet& formed) {
   std::vector<StrokeChoice> all;
   const auto add = [&](const std::vector<int>& lines) {
     StrokeChoice choice;
-    choice.lines = empty_set(static_cast<int>(work_.lines.size()));
+    choice.lines = no_lines(static_cast<int>(work_.lines.size()));
     for (const int line : lines)
       insert(choice.lines, line);
     const BrakeLine& first = work_.lines[lines.front()];
@@ -159,7 +151,7 @@ std::vector<StrokeChoice> StrokeModel::possible() const {
   for (int line = 0; line < std::ssize(work_.lines); ++line) {
     if (on_one_line_[line].front() != line) continue;
     StrokeChoice choice;
-    choice.lines = empty_set(static_cast<int>(work_.lines.size()));
+    choice.lines = no_lines(static_cast<int>(work_.lines.size()));
     for (const int other : on_one_line_[line])
       insert(choice.lines, other);
     choice.reference_up = work_.lines[line].reference_up;
@@ -196,7 +188,7 @@ std::vector<Interval> StrokeModel::pressed_pieces(const Setting& stroke) {
 /// Which formed lines end the plane sides on one side of the line.
 LineSet StrokeModel::limits_of(const Setting& stroke, bool left) {
   const PartTree& tree = room(stroke.line).tree;
-  LineSet limits = empty_set(static_cast<int>(work_.lines.size()));
+  LineSet limits = no_lines(static_cast<int>(work_.lines.size()));
   for (const PartTree::Part& part : tree.parts())
     if (part.is_zone && part.before >= 0 && part.left == left &&
         holds(*stroke.formed, part.index) && tree.is_flat(part.before, *stroke.formed))
@@ -265,7 +257,7 @@ std::optional<StrokeModel::Obstruction> StrokeModel::too_short(const Setting& st
   const Die& die = tools_.dies[stroke.die];
   const Interval contact = contact_range(stroke.line, stroke.die);
   if (contact.lo < 0.5 * line.bend.allowance - kLongEnough)
-    return Obstruction{empty_set(static_cast<int>(work_.lines.size())), ToolKind::die, -1,
+    return Obstruction{no_lines(static_cast<int>(work_.lines.size())), ToolKind::die, -1,
                        fmt::format("the shoulders of die {} would touch the bend, {:.4g} mm wide, "
                                    "and not the plane sides",
                                    die.id, line.bend.allowance)};

@@ -39,13 +39,10 @@ class StrokeModel {
     PlacedPart placed;
     std::vector<std::pair<int, std::vector<Interval>>> blocked;  ///< by the key of the obstacle
   };
-  struct KeyHash {
-    size_t operator()(const LineSet& key) const;
-  };
   /// All that is known about strokes on one line.
   struct LineRoom {
     PartTree tree;
-    std::vector<std::unordered_map<LineSet, std::unique_ptr<Known>, KeyHash>> known;  ///< by part
+    std::vector<std::unordered_map<LineSet, std::unique_ptr<Known>, LineSetHash>> known;  ///< by part
   };
   /// A stroke in a stage.
   struct Setting {

@@ -149,30 +149,33 @@ std::optional<double> hit(const PressMotion& motion, const Moving& part, const O
 Closest closest(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
                 double most, double most_asked) {
   Closest best{most_asked, 0.0};
-  const auto gap_at = [&](double turn) {
+  // Exact below `enough`, a lower bound above.
+  const auto gap_at = [&](double turn, double enough) {
     const Convex section = relative(motion, part, obstacle, turn);
+    const Box2 box = box_of(section);
     double least = std::numeric_limits<double>::infinity();
-    for (const Convex& piece : obstacle.pieces)
-      if (apart(box_of(section), box_of(piece)) < best.distance)
-        least = std::min(least, distance(section, piece));
+    for (size_t i = 0; i < obstacle.pieces.size(); ++i) {
+      const double away = apart(box, obstacle.boxes[i]);
+      least = std::min(least, away >= enough ? away : distance(section, obstacle.pieces[i]));
+    }
     return least;
   };
-  const auto look = [&](double turn) {
-    const double gap = gap_at(turn);
+  const auto look = [&](double turn, double moved) {
+    const double gap = gap_at(turn, best.distance + moved);
     if (gap < best.distance) best = {gap, turn};
     return gap;
   };
   const auto search = [&](const auto& self, double from, double to) -> void {
     const double half = 0.5 * (to - from);
     const double moved = half * (part.speed(to) + (obstacle.moves ? motion.die_speed(to) : 0.0));
-    const double gap = look(from + half);
+    const double gap = look(from + half, moved);
     if (gap - moved >= best.distance || moved < kFollowed) return;
     self(self, from + half, to);
     self(self, from, from + half);
   };
   if (obstacle.pieces.empty()) return best;
-  look(most);
-  look(0.0);
+  look(most, 0.0);
+  look(0.0, 0.0);
   search(search, 0.0, most);
   return best;
 }

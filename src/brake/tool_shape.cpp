@@ -10,7 +10,7 @@ namespace planish::brake_detail {
 namespace {
 
 constexpr double kRoundingChord = 0.002;  // mm: far below what may be penetrated
-constexpr double kAtCorner = 1e-6;        // mm: a corner of a profile that is to be rounded
+constexpr double kAtCorner = 1e-6;        // mm: places of a profile that are one
 
 /// A corner of a profile with the circle that rounds it.
 struct Rounded {
@@ -149,7 +149,7 @@ Obstacle obstacle_beside_tip(const Punch& punch, double clearance) {
     Vec2 out = Vec2(flanks[i].y(), -flanks[i].x()).normalized();
     if (out.dot(flanks[1 - i]) > 0.0) out = -out;  // away from the other flank
     for (const Convex& piece : whole.pieces)
-      if (Convex rest = clipped(piece, -out, out.dot(down)); !rest.empty())
+      if (Convex rest = clipped(piece, -out, out.dot(down)); !is_thin(rest, kAtCorner))
         beside.pieces.push_back(std::move(rest));
   }
   keep_away(beside, clearance);

@@ -43,18 +43,6 @@ Convex in_pattern(const BrakeLine& line, Convex piece) {
   return piece;
 }
 
-bool is_thin(const Convex& piece) {
-  double width = std::numeric_limits<double>::infinity();
-  for (size_t i = 0; i < piece.size(); ++i) {
-    const Vec2 side = (piece[(i + 1) % piece.size()] - piece[i]).normalized();
-    double most = 0.0;
-    for (const Vec2& p : piece)
-      most = std::max(most, std::abs(side.x() * (p - piece[i]).y() - side.y() * (p - piece[i]).x()));
-    width = std::min(width, most);
-  }
-  return piece.size() < 3 || width < kTouching;
-}
-
 /// Where a piece in the line's coordinates lies on the line.
 std::optional<Interval> on_line(const Convex& piece) {
   Interval on{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -326,7 +314,7 @@ void Cutting::add_to_zone(const Raw& raw, const Convex& piece) {
   const double half = 0.5 * line.bend.allowance;
   const Convex whole = in_line(line, piece);
   const Convex zone = clipped(clipped(whole, {0, 1}, half), {0, -1}, half);
-  if (!is_thin(zone)) made_.zones[raw.number].pieces.push_back(zone);
+  if (!is_thin(zone, kTouching)) made_.zones[raw.number].pieces.push_back(zone);
   if (const auto on = on_line(whole)) line.pieces.push_back(*on);
 }
 
@@ -342,7 +330,7 @@ void Cutting::add_bend_material(BendId id, const Convex& piece) {
     };
     if (region > 0) cut(raws[region - 1].line, -1.0);
     if (region < count) cut(raws[region].line, 1.0);
-    if (is_thin(rest)) continue;
+    if (is_thin(rest, kTouching)) continue;
     made_.bodies[body_of(first_region_[id] + region)].pieces.push_back(std::move(rest));
   }
   for (int number = 0; number < count; ++number)
@@ -359,7 +347,7 @@ void Cutting::add_material() {
     }
   for (const Raw& raw : raw_)
     for (const Convex& band : raw.bands)
-      if (!is_thin(band)) add_to_zone(raw, band);
+      if (!is_thin(band, kTouching)) add_to_zone(raw, band);
   for (BrakeLine& line : made_.lines)
     line.pieces = joined(std::move(line.pieces), kTouching);
 }
