@@ -33,7 +33,7 @@ struct StrokeWeights {
 /// Where a search ends although more could be found.
 struct StrokeLimits {
   bool first = false;             ///< at the first plan
-  double seconds = 60.0;          ///< after this time
+  double seconds = 10.0;          ///< after this time
   std::int64_t stages = 300'000;  ///< after looking at so many stages
 };
 
@@ -41,13 +41,13 @@ struct StrokeLimits {
 struct StrokeVerdict {
   bool feasible = true;
   /// Of one that cannot: the lines by which this is so. In every other stage in which these are
-  /// formed or not as in this one, the same choice is infeasible too. No line at all (every bit 0):
-  /// it is infeasible in every stage. Empty: nothing is known of other stages.
+  /// formed or not as in this one, the same choice, gauged or not, is infeasible too. No line at
+  /// all (every bit 0): it is infeasible in every stage. Empty: nothing is known of other stages.
   std::optional<LineSet> because = {};
 };
 
-/// What a search asks. Each stage and each choice in a stage is asked for once at most, stages only
-/// if they can be reached.
+/// What a search asks. Each stage and each choice in a stage is asked for once at most, and only
+/// stages that can be reached.
 struct StrokeProblem {
   int lines = 0;
   /// All strokes that may be made in a stage; quick. Several may press the same lines.
@@ -77,8 +77,8 @@ struct StrokeSearch {
   double bound = 0.0;  ///< no plan costs less
   int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
   std::int64_t stages = 0;  ///< looked at
-  /// If infeasible: lines that no reachable stage can form. `blocked_all`: all such lines; else
-  /// the search ended once it was proven infeasible, and there may be more.
+  /// If infeasible: lines that no reachable stage can form. `blocked_all`: these are all such
+  /// lines; else it was not looked at every stage once this was proven, and there may be more.
   std::vector<int> blocked = {};
   bool blocked_all = true;
   LineSet furthest = {};  ///< if there is no plan: the stage with the most lines formed

@@ -18,7 +18,8 @@ struct Punch {
   std::string id;
   ToolProfile profile;                   ///< its tip at the origin, the body above
   double tip_radius = 0.0;               ///< mm, rounds the corner at the origin
-  Angle angle;                           ///< between the flanks of the tip
+  Angle angle;                           ///< between the flanks of the tip; 180°: flat, for
+                                         ///< closing hems, and the origin anywhere on its edge
   std::vector<double> segments;          ///< lengths, mm, one of each
   std::optional<double> max_force = {};  ///< kN per metre; empty: not limited
 };
@@ -26,7 +27,7 @@ struct Punch {
 struct Die {
   std::string id;
   double opening = 0.0;          ///< of the V, mm; its middle at the origin, its top at z = 0
-  Angle angle;                   ///< between the flanks of the V
+  Angle angle;                   ///< between the flanks of the V; 180°: flat, and opening 0
   double shoulder_radius = 0.0;  ///< mm, rounds the corners at (±opening/2, 0)
   ToolProfile profile;
   std::vector<double> segments;
@@ -54,6 +55,9 @@ struct BrakeTools {
   std::vector<Punch> punches;
   std::vector<Die> dies;
 };
+
+/// Whether a tool of this angle is flat: it closes hems that were bent before.
+bool flattens(Angle angle);
 
 /// What is wrong with the tools: crossing profiles, a tip away from the origin, segments missing,
 /// an opening that its profile does not have. `where` is the JSON pointer of the value. Errors:
