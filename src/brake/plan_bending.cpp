@@ -1,0 +1,139 @@
+#include "stroke_model.hpp"
+
+#include <planish/brake/plan.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+using namespace brake_detail;
+
+std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
+/// The first option that is out of its range.
+std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
+  const auto wrong = [](const char* name, const char* range) {
+    return Error{ErrorCode::bad_option, fmt::format("`{}` is to be {}", name, range), name};
+  };
+  const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
+  if (options.shortfall && !is_length(*options.shortfall)) return wrong("shortfall", "0 or more");
+  if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
+    return wrong("springback", "at least 0 and below 45°");
+  if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
+    return wrong("tensile_strength", "above 0");
+  if (!is_length(options.radius_of_opening)) return wrong("radius_of_opening", "0 or more");
+  if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
+    return wrong("opening", "above 0");
+  for (const BendId bend : options.begin_with)
+    if (!sheet.bends.has(bend)) return wrong("begin_with", "bends that the sheet has");
+  return std::nullopt;
+}
+
+std::optional<Error> line_without_tool(const StrokeModel& model) {
+  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
+    const FittingTools& fitting = model.fitting(i);
+    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
+    const BrakeLine& line = model.work().lines[i];
+    const std::string name = name_of(line.bends.front());
+    return Error{ErrorCode::no_tool,
+                 fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
+                             "and there is {}",
+                             name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
+                             fitting.why),
+                 name};
+  }
+  return std::nullopt;
+}
+
+/// Radii that air bending over the chosen V does not give.
+void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOptions& options,
+                Plan& plan) {
+  constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
+  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
+    const BrakeLine& line = model.work().lines[i];
+    const double opening = tools.dies[model.fitting(i).dies.front()].opening;
+    const double given = options.radius_of_opening * opening;
+    if (!line.given_radius || std::abs(line.inside_radius - given) <= kBeyond * given) continue;
+    for (const BendId bend : line.bends)
+      plan.notes.push_back(fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
+                                       "leaves about {:.4g} mm",
+                                       name_of(bend), line.inside_radius, opening, given));
+  }
+  for (const BendId bend : model.work().rolled)
+    plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
+}
+
+StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
+  StrokeProblem problem;
+  problem.lines = static_cast<int>(model.work().lines.size());
+  problem.choices = [&model](const LineSet& formed) { return model.choices(formed); };
+  problem.check = [&model](const LineSet& formed, const StrokeChoice& choice) {
+    return model.check(formed, choice);
+  };
+  problem.possible = model.possible();
+  for (const BendId bend : options.begin_with)
+    for (int i = 0; i < problem.lines; ++i) {
+      const auto& bends = model.work().lines[i].bends;
+      if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
+    }
+  return problem;
+}
+
+void add_strokes(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+  LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
+  for (const StrokeChoice& choice : search.strokes) {
+    plan.strokes.push_back(model.stroke(formed, choice));
+    formed = joined(formed, choice.lines);
+  }
+}
+
+/// What every stage hits, told for the stage that got furthest.
+void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+  for (const int line : search.blocked) {
+    BlockedBend blocked = model.blocked(search.furthest, line);
+    for (const BendId bend : model.work().lines[line].bends) {
+      blocked.bend = bend;
+      plan.blocked.push_back(blocked);
+    }
+  }
+  for (int i = 0; i < std::ssize(model.work().lines); ++i)
+    if (!holds(search.furthest, i)) {
+      const auto& bends = model.work().lines[i].bends;
+      plan.unformed.insert(plan.unformed.end(), bends.begin(), bends.end());
+    }
+}
+
+}  // namespace
+
+Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                          const PlanOptions& options, const Progress& progress) {
+  if (const auto right = check(tools); !right) return tl::unexpected(right.error());
+  if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
+  const double opening = options.opening.value_or(wanted_opening(sheet.thickness));
+  auto work = workpiece_of(sheet, layout, {options.radius_of_opening * opening});
+  if (!work) return tl::unexpected(work.error());
+  StrokeModel model(std::move(*work), tools, options);
+  if (const auto error = line_without_tool(model)) return tl::unexpected(*error);
+  Plan plan;
+  note_radii(model, tools, options, plan);
+  const auto search = search_strokes(problem_of(model, options), options.weights, options.limits,
+                                     progress);
+  if (!search) return tl::unexpected(search.error());
+  plan.status = search->status;
+  plan.cost = search->cost;
+  plan.turn_overs = search->turn_overs;
+  plan.rotations = search->rotations;
+  plan.tool_changes = search->tool_changes;
+  plan.ungauged = search->ungauged;
+  plan.states = search->stages;
+  add_strokes(model, *search, plan);
+  if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, plan);
+  return plan;
+}
+
+}  // namespace planish

@@ -1,0 +1,235 @@
+#include "stage_pose.hpp"
+
+#include <planish/base/assert.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kArcChord = 0.01;  // mm: a fifth of what may be penetrated
+
+/// The left side of a line that is formed, seen from the right side, which stays.
+Eigen::Isometry3d formed_side(const BrakeLine& line) {
+  const double angle = line.angle.radians(), half = 0.5 * line.bend.allowance;
+  const double r = std::max(0.0, line.bend.allowance / angle - line.bend.neutral);
+  return Eigen::Translation3d(0.0, -half + r * std::sin(angle), r * (1.0 - std::cos(angle))) *
+         Eigen::AngleAxisd(angle, Vec3::UnitX()) * Eigen::Translation3d(0.0, -half, 0.0);
+}
+
+/// The point of the formed zone that lies flat at (along, across) and at a depth.
+Vec3 formed_point(const BrakeLine& line, double x, double across, double depth) {
+  const double angle = line.angle.radians(), half = 0.5 * line.bend.allowance;
+  const double r = std::max(0.0, line.bend.allowance / angle - line.bend.neutral);
+  const double turn = half > 0.0 ? (across + half) / (2.0 * half) * angle : 0.0;
+  return {x, -half + (r + depth) * std::sin(turn), r - (r + depth) * std::cos(turn)};
+}
+
+/// Of a bend's arc, so that chords of the outside stay within `kArcChord`.
+int arc_count(const BrakeLine& line) {
+  const double outer = line.bend.allowance / line.angle.radians() + line.bend.thickness;
+  const double step = 2.0 * std::sqrt(2.0 * kArcChord / outer);
+  return std::clamp(static_cast<int>(std::ceil(line.angle.radians() / step)), 1, 60);
+}
+
+/// Along and across a line, in the frame of the line: `up` decides which way x runs.
+Vec3 in_frame(const BrakeLine& line, const Vec2& p, double z) {
+  return {line.up ? p.x() : -p.x(), p.y(), z};
+}
+
+void add_cut(const Vec3& a, const Vec3& b, double x, std::vector<Vec2>& points) {
+  const double da = a.x() - x, db = b.x() - x;
+  if ((da < 0.0 && db > 0.0) || (da > 0.0 && db < 0.0)) {
+    const Vec3 p = a + da / (da - db) * (b - a);
+    points.emplace_back(p.y(), p.z());
+  }
+}
+
+void summarise(PlacedPart& part) {
+  std::vector<Vec2> corners;
+  part.along = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Block3& block : part.blocks) {
+    const Interval range = extent(block);
+    part.along = {std::min(part.along.lo, range.lo), std::max(part.along.hi, range.hi)};
+    part.sections.push_back(section(block, range.lo, range.hi));
+    corners.insert(corners.end(), part.sections.back().begin(), part.sections.back().end());
+  }
+  part.hull = hull_of(std::move(corners));
+}
+
+}  // namespace
+
+Convex section(const Block3& block, double lo, double hi) {
+  std::vector<Vec2> points;
+  const size_t n = block.lower.size();
+  const auto edge = [&](const Vec3& a, const Vec3& b) {
+    add_cut(a, b, lo, points);
+    add_cut(a, b, hi, points);
+  };
+  for (const auto* ring : {&block.lower, &block.upper})
+    for (size_t i = 0; i < n; ++i) {
+      const Vec3& p = (*ring)[i];
+      if (p.x() >= lo && p.x() <= hi) points.emplace_back(p.y(), p.z());
+      edge(p, (*ring)[(i + 1) % n]);
+    }
+  for (size_t i = 0; i < n; ++i)
+    edge(block.lower[i], block.upper[i]);
+  return hull_of(std::move(points));
+}
+
+Interval extent(const Block3& block) {
+  Interval range{block.lower.front().x(), block.lower.front().x()};
+  for (const auto* ring : {&block.lower, &block.upper})
+    for (const Vec3& p : *ring)
+      range = {std::min(range.lo, p.x()), std::max(range.hi, p.x())};
+  return range;
+}
+
+Eigen::Isometry3d line_frame(const BrakeLine& line) {
+  const double s = line.up ? 1.0 : -1.0;
+  const Vec2 n = line.across();
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+  frame.linear() << s * line.along.x(), s * line.along.y(), 0.0, n.x(), n.y(), 0.0, 0.0, 0.0, s;
+  frame.translation() = -(frame.linear() * Vec3(line.origin.x(), line.origin.y(), 0.0));
+  frame.translation().z() = -0.5 * line.bend.thickness;
+  return frame;
+}
+
+PartTree::PartTree(const Workpiece& work, int line)
+    : work_(work), line_(line), part_of_body_(work.bodies.size(), -1) {
+  const int lines = static_cast<int>(work.lines.size());
+  for (const bool left : {false, true}) {
+    const int body = work.lines[line].bodies[left ? 1 : 0];
+    part_of_body_[body] = static_cast<int>(parts_.size());
+    parts_.push_back({false, body, -1, -1, left, no_lines(lines), {}});
+  }
+  grow();
+  parts_.push_back({true, line, -1, line, false, no_lines(lines), {}});
+}
+
+void PartTree::grow() {
+  for (int i = 0; i < std::ssize(parts_); ++i) {
+    if (parts_[i].is_zone) continue;
+    for (int line = 0; line < std::ssize(work_.lines); ++line) {
+      const auto& bodies = work_.lines[line].bodies;
+      const int body = parts_[i].index;
+      if (line == line_ || line == parts_[i].over) continue;
+      if (bodies[0] != body && bodies[1] != body) continue;
+      const int next = bodies[bodies[0] == body ? 1 : 0];
+      LineSet path = parts_[i].path;
+      insert(path, line);
+      std::vector<int> lines = parts_[i].lines;
+      lines.push_back(line);
+      const bool left = parts_[i].left;
+      part_of_body_[next] = static_cast<int>(parts_.size());
+      parts_.push_back({false, next, i, line, left, path, lines});
+      parts_.push_back({true, line, i, line, left, std::move(path), std::move(lines)});
+    }
+  }
+}
+
+Eigen::Isometry3d PartTree::place(int part, const LineSet& formed) const {
+  Eigen::Isometry3d placed = line_frame(work_.lines[line_]);
+  int body = -1;
+  const Part& wanted = parts_[part];
+  for (const int number : wanted.lines) {
+    const BrakeLine& line = work_.lines[number];
+    if (body < 0) body = work_.lines[line_].bodies[wanted.left ? 1 : 0];
+    const bool to_left = line.bodies[0] == body;
+    body = line.bodies[to_left ? 1 : 0];
+    if (wanted.is_zone && number == wanted.index) break;
+    if (!holds(formed, number)) continue;
+    const Eigen::Isometry3d frame = line_frame(line), side = formed_side(line);
+    placed = placed * frame.inverse() * (to_left ? side : side.inverse()) * frame;
+  }
+  return placed;
+}
+
+bool PartTree::is_flat(int part, const LineSet& formed) const {
+  return disjoint(parts_[part].path, formed);
+}
+
+/// The zone of a line in the frame of the tree's line, cut at `count` equal steps across it.
+template <typename Take>
+void PartTree::cut_zone(const Part& part, const LineSet& formed, int count, const Take& take) const {
+  const BrakeLine& line = work_.lines[part.index];
+  const double half = 0.5 * line.bend.allowance;
+  const Eigen::Isometry3d frame = line_frame(line);
+  const bool is_formed = part.before >= 0 && holds(formed, part.index);
+  Eigen::Isometry3d at = part.before < 0 ? line_frame(work_.lines[line_])
+                                         : place(static_cast<int>(&part - parts_.data()), formed);
+  // What hangs on the left of a formed line sees the zone from the side where it ends.
+  if (is_formed && line.bodies[1] == parts_[part.before].index)
+    at = at * frame.inverse() * formed_side(line).inverse() * frame;
+  at = at * frame.inverse();
+  for (const Convex& piece : work_.zones[part.index].pieces)
+    for (int i = 0; i < count; ++i) {
+      const double lo = half * (2.0 * i / count - 1.0), hi = half * (2.0 * (i + 1) / count - 1.0);
+      const Convex strip = clipped(clipped(piece, {0, 1}, hi), {0, -1}, -lo);
+      if (strip.empty()) continue;
+      Block3 block;
+      for (const Vec2& p : strip) {
+        const Vec3 on = in_frame(line, p, 0.0);
+        const auto point = [&](double depth) {
+          return is_formed ? at * formed_point(line, on.x(), on.y(), depth)
+                           : at * Vec3(on.x(), on.y(), -depth);
+        };
+        block.lower.push_back(point(work_.thickness));
+        block.upper.push_back(point(0.0));
+      }
+      take(std::move(block));
+    }
+}
+
+PlacedPart PartTree::pressed_zone(const Part& part, const LineSet& formed) const {
+  PlacedPart result;
+  const double half = 0.5 * work_.lines[part.index].bend.allowance;
+  const int count = 2 * arc_count(work_.lines[part.index]);
+  cut_zone(part, formed, count, [&](const Block3& block) {
+    double middle = 0.0, from = half, to = 0.0;
+    for (const Vec3& p : block.upper) {
+      middle += p.y();
+      from = std::min(from, std::abs(p.y()));
+      to = std::max(to, std::abs(p.y()));
+    }
+    result.strips.push_back({from, std::min(to, half), middle > 0.0, extent(block)});
+  });
+  return result;
+}
+
+PlacedPart PartTree::placed(int number, const LineSet& formed, const LineSet& pressed) const {
+  const Part& part = parts_[number];
+  if (part.is_zone && (part.index == line_ || holds(pressed, part.index)))
+    return pressed_zone(part, formed);
+  PlacedPart result;
+  result.left = part.left;
+  for (const int line : part.lines)
+    if (holds(pressed, line)) result.left = !result.left;
+  result.flat = is_flat(number, formed);
+  const auto add = [&](Block3 block) {
+    for (auto* ring : {&block.lower, &block.upper})
+      for (Vec3& p : *ring)
+        p.y() = result.left ? p.y() : -p.y();
+    result.blocks.push_back(std::move(block));
+  };
+  if (part.is_zone) {
+    const bool is_formed = holds(formed, part.index);
+    cut_zone(part, formed, is_formed ? arc_count(work_.lines[part.index]) : 1, add);
+  } else {
+    const Eigen::Isometry3d at = place(number, formed);
+    const double half = 0.5 * work_.thickness;
+    for (const Convex& piece : work_.bodies[part.index].pieces) {
+      Block3 block;
+      for (const Vec2& p : piece) {
+        block.lower.push_back(at * Vec3(p.x(), p.y(), -half));
+        block.upper.push_back(at * Vec3(p.x(), p.y(), half));
+      }
+      add(std::move(block));
+    }
+  }
+  summarise(result);
+  return result;
+}
+
+}  // namespace planish::brake_detail

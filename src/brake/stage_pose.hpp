@@ -1,0 +1,81 @@
+#pragma once
+
+#include "line_set.hpp"
+#include "workpiece.hpp"
+
+#include <memory>
+
+namespace planish::brake_detail {
+
+/// A convex piece of the workpiece at θ = 0, between two rings of corners that belong together:
+/// x along the bend line, y the distance from it on its own side, z above the inside skin.
+struct Block3 {
+  std::vector<Vec3> lower, upper;
+};
+
+/// Corners (y, z) of the part of a block with lo ≤ x ≤ hi, convex.
+Convex section(const Block3& block, double lo, double hi);
+Interval extent(const Block3& block);
+
+/// A part of a zone that is being pressed, between two distances from the bend line.
+struct ArcStrip {
+  double from = 0.0, to = 0.0;
+  bool left = false;
+  Interval along;  ///< range of x
+};
+
+/// A body of the workpiece, or the zone of a line, where it is in a stage while a line is pressed:
+/// rigid blocks, or the strips of a zone that is being pressed.
+struct PlacedPart {
+  std::vector<ArcStrip> strips;
+  std::vector<Block3> blocks;
+  std::vector<Convex> sections;  ///< of each block, whole
+  Convex hull;                   ///< of all sections
+  Interval along;                ///< range of x
+  bool left = false;             ///< the side it is on
+  bool flat = false;             ///< in the plane of the lying sheet: no formed line on the way
+};
+
+/// The parts of a workpiece as seen from one of its lines, on both sides of it.
+class PartTree {
+ public:
+  /// A part: the zone of a line, or a body.
+  struct Part {
+    bool is_zone = false;
+    int index = 0;    ///< of the line or the body
+    int before = -1;  ///< the body it hangs on, as a part; −1: on the line itself
+    int over = -1;    ///< the line between that and this body
+    bool left = false;
+    LineSet path;     ///< lines on which its place depends
+    std::vector<int> lines;  ///< the same
+  };
+
+  PartTree(const Workpiece& work, int line);
+
+  int line() const { return line_; }
+  const std::vector<Part>& parts() const { return parts_; }
+  int part_of_body(int body) const { return part_of_body_[body]; }
+  /// Where the pattern of a body lies, in the frame of the line: x along it (turned so that z is
+  /// up on the inside skin), y to its left.
+  Eigen::Isometry3d place(int part, const LineSet& formed) const;
+  /// Whether a body lies in the plane of the two bodies at the line.
+  bool is_flat(int part, const LineSet& formed) const;
+  /// The part in a stage in which the lines of `pressed` are being pressed with this one.
+  PlacedPart placed(int part, const LineSet& formed, const LineSet& pressed) const;
+
+ private:
+  void grow();
+  template <typename Take>
+  void cut_zone(const Part& part, const LineSet& formed, int count, const Take& take) const;
+  PlacedPart pressed_zone(const Part& part, const LineSet& formed) const;
+
+  const Workpiece& work_;
+  int line_;
+  std::vector<Part> parts_;
+  std::vector<int> part_of_body_;
+};
+
+/// From the pattern (z = 0 in the middle of the sheet) to the frame of a line.
+Eigen::Isometry3d line_frame(const BrakeLine& line);
+
+}  // namespace planish::brake_detail

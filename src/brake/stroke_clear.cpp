@@ -1,0 +1,95 @@
+#include "stroke_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace planish::brake_detail {
+namespace {
+
+bool is_row(ToolKind kind) { return kind == ToolKind::punch || kind == ToolKind::die; }
+
+/// What a row must cover of a piece of the bend line.
+Interval covered(const Interval& piece, double shortfall) {
+  const double middle = 0.5 * (piece.lo + piece.hi);
+  return {std::min(piece.lo + shortfall, middle), std::max(piece.hi - shortfall, middle)};
+}
+
+bool stands_in(const std::vector<Interval>& blocked, const std::vector<Interval>& pieces,
+               double shortfall) {
+  for (const Interval& piece : pieces) {
+    const Interval row = covered(piece, shortfall);
+    for (const Interval& wall : blocked)
+      if (wall.lo + kPenetration < row.hi && wall.hi - kPenetration > row.lo) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Sides that are bent touch punch and die; what lies on the die may touch it.
+Nearness StrokeModel::nearness(int number, ToolKind kind, const Setting& stroke) {
+  if (!is_row(kind)) return Nearness::clear;
+  const PartTree& tree = room(stroke.line).tree;
+  const PartTree::Part& part = tree.parts()[number];
+  if (tree.is_flat(number, *stroke.formed)) return Nearness::touching;
+  const bool lies_on_die = kind == ToolKind::die && part.is_zone && part.before >= 0 &&
+                           tree.is_flat(part.before, *stroke.formed);
+  return lies_on_die ? Nearness::touching : Nearness::clear;
+}
+
+const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part,
+                                                     const Setting& stroke) {
+  const int tool = kind == ToolKind::punch || kind == ToolKind::upper_beam ? stroke.punch
+                                                                           : stroke.die;
+  const SidedObstacle obstacle = room_of_tools_.obstacle(kind, tool, nearness(part, kind, stroke),
+                                                         stroke.direction);
+  Known& known = this->known(part, stroke);
+  // What hangs below moves with the die.
+  const bool moves = obstacle.left->moves;
+  const int key = moves ? obstacle.key * static_cast<int>(tools_.dies.size() + 1) + stroke.die + 1
+                        : obstacle.key * static_cast<int>(tools_.dies.size() + 1);
+  for (const auto& [known_key, blocked] : known.blocked)
+    if (known_key == key) return blocked;
+  known.blocked.emplace_back(key, blocked_along(motion(stroke), known.placed, *obstacle.left,
+                                                *obstacle.right, most_turn(stroke.line)));
+  return known.blocked.back().second;
+}
+
+/// What is in the way of the tools, or where the rows of tools stand.
+std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& stroke, Rows* rows) {
+  const PartTree& tree = room(stroke.line).tree;
+  const std::vector<Interval> pieces = pressed_pieces(stroke);
+  std::vector<Interval> walls[2];  // in the way of the punch, of the die
+  LineSet because[2] = {no_lines(static_cast<int>(work_.lines.size())),
+                        no_lines(static_cast<int>(work_.lines.size()))};
+  for (int part = 0; part < std::ssize(tree.parts()); ++part)
+    for (const ToolKind kind : kToolKinds) {
+      const std::vector<Interval>& blocked = blocked_by(kind, part, stroke);
+      if (blocked.empty()) continue;
+      const LineSet& path = tree.parts()[part].path;
+      if (!is_row(kind) || stands_in(blocked, pieces, shortfall()))
+        return Obstruction{path, kind, part, {}};
+      const int row = kind == ToolKind::punch ? 0 : 1;
+      walls[row].insert(walls[row].end(), blocked.begin(), blocked.end());
+      because[row] = joined(because[row], path);
+    }
+  for (const int row : {0, 1}) {
+    const auto& segments = row == 0 ? tools_.punches[stroke.punch].segments
+                                    : tools_.dies[stroke.die].segments;
+    const RowRequest request{pieces, shortfall(), joined(walls[row], 0.0), tools_.machine.length};
+    std::vector<ToolRow> standing = tool_rows(segments, request);
+    if (standing.empty())
+      return Obstruction{because[row], row == 0 ? ToolKind::punch : ToolKind::die, -1,
+                         fmt::format("no segments of {} {} press the line, {:.4g} mm long, and stand "
+                                     "between what is beside it",
+                                     row == 0 ? "punch" : "die",
+                                     row == 0 ? tools_.punches[stroke.punch].id
+                                              : tools_.dies[stroke.die].id,
+                                     pieces.back().hi - pieces.front().lo)};
+    if (rows) (row == 0 ? rows->punch : rows->die) = std::move(standing);
+  }
+  return std::nullopt;
+}
+
+}  // namespace planish::brake_detail
