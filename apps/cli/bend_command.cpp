@@ -14,7 +14,7 @@
 namespace planish::cli {
 namespace {
 
-constexpr auto kExamples = R"(Examples:
+constexpr auto kBendExamples = R"(Examples:
   planish bend part.step                          the order of strokes, with common tools
   planish bend part.step --tools shop.json --json plan.json
   planish bend plates.json --material stainless   what makes a sheet can be bent
@@ -178,7 +178,7 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
            "the report as JSON; - writes it to standard output")
       ->group("Output");
   command->add_flag("-q,--quiet", arguments.quiet, "no summary on the terminal")->group("Output");
-  command->footer(kExamples);
+  command->footer(kBendExamples);
   return command;
 }
 

@@ -10,7 +10,7 @@
 namespace planish::job {
 namespace {
 
-constexpr Range kSpringback{"an angle of at least 0 and below 90 degrees", 0.0, 90.0, true, false};
+constexpr Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true, false};
 
 struct Weight {
   std::string_view name;
