@@ -3,17 +3,18 @@
 #include "tool_shape.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numeric>
-#include <optional>
 
 namespace planish::brake_detail {
 namespace {
 
 constexpr double kSameLength = 1e-3;  // mm: sums of segments that are one length
 constexpr std::size_t kMostSums = 200'000;
+constexpr std::size_t kMostSegments = 64;
 
 /// What a row must press, and where it may stand.
 struct Stretch {
@@ -21,30 +22,7 @@ struct Stretch {
   Interval room;
 };
 
-/// For each length that segments add up to, one way to do it: as few segments as possible, by
-/// their positions.
-using Sums = std::map<long long, std::vector<int>>;
-
 long long rounded(double length) { return std::llround(length / kSameLength); }
-
-Sums sums_of(const std::vector<double>& segments, const std::vector<bool>& used) {
-  Sums sums{{0, {}}};
-  for (int i = 0; i < std::ssize(segments); ++i) {
-    if (used[i] || sums.size() > kMostSums) continue;
-    Sums longer;
-    for (const auto& [length, taken] : sums) {
-      std::vector<int> more = taken;
-      more.push_back(i);
-      longer.emplace(length + rounded(segments[i]), std::move(more));
-    }
-    for (auto& [length, taken] : longer) {
-      const auto [at, added] = sums.try_emplace(length, taken);
-      if (!added && taken.size() < at->second.size()) at->second = std::move(taken);
-    }
-  }
-  sums.erase(0);
-  return sums;
-}
 
 /// Stretches between what blocks, each with the pieces that lie there; empty if a piece cannot be
 /// pressed.
@@ -84,25 +62,21 @@ double start_of_row(const Stretch& stretch, double length) {
   return std::clamp(middle, lo, std::max(lo, hi));
 }
 
-bool fill(const std::vector<double>& segments, const std::vector<Stretch>& stretches,
-          std::vector<bool>& used, std::vector<ToolRow>& rows) {
-  if (rows.size() == stretches.size()) return true;
-  const auto& [pressed, room] = stretches[rows.size()];
-  const Sums sums = sums_of(segments, used);
-  const long long least = rounded(pressed.hi - pressed.lo), most = rounded(room.hi - room.lo);
-  for (auto at = sums.lower_bound(std::max(least, 1LL)); at != sums.end(); ++at) {
-    if (at->first > most) return false;
-    ToolRow row;
-    for (const int i : at->second) {
-      used[i] = true;
-      row.segments.push_back(segments[i]);
-    }
-    row.from = start_of_row(stretches[rows.size()], row.length());
-    rows.push_back(std::move(row));
-    if (fill(segments, stretches, used, rows)) return true;
+/// Fills the stretches from `rows.size()` on with what is left of the segments.
+bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches,
+          SegmentSums::Chosen used, std::vector<ToolRow>& rows) {
+  const Stretch& stretch = stretches[rows.size()];
+  const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength,
+               most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength;
+  const auto& sums = left.sums();
+  auto at = std::lower_bound(sums.begin(), sums.end(), least,
+                             [](const auto& sum, double length) { return sum.length < length; });
+  for (; at != sums.end() && at->length <= most; ++at) {
+    rows.push_back({start_of_row(stretch, at->length), left.chosen(at->chosen)});
+    if (rows.size() == stretches.size()) return true;
+    const SegmentSums::Chosen taken = used | at->chosen;
+    if (fill(SegmentSums(left.segments(), taken), stretches, taken, rows)) return true;
     rows.pop_back();
-    for (const int i : at->second)
-      used[i] = false;
   }
   return false;
 }
@@ -113,12 +87,34 @@ double ToolRow::length() const {
   return std::accumulate(segments.begin(), segments.end(), 0.0);
 }
 
-std::vector<ToolRow> tool_rows(const std::vector<double>& segments, const RowRequest& request) {
+SegmentSums::SegmentSums(const std::vector<double>& segments, Chosen used) : segments_(segments) {
+  std::stable_sort(segments_.begin(), segments_.end(), std::greater<>());
+  segments_.resize(std::min(segments_.size(), kMostSegments));
+  std::map<long long, Chosen> ways{{0, 0}};  // by rounded length
+  for (size_t i = 0; i < segments_.size() && ways.size() < kMostSums; ++i) {
+    if (used >> i & 1U) continue;
+    const std::map<long long, Chosen> shorter = ways;
+    for (const auto& [length, chosen] : shorter) {
+      const Chosen more = chosen | Chosen{1} << i;
+      const auto [at, added] = ways.try_emplace(length + rounded(segments_[i]), more);
+      if (!added && std::popcount(more) < std::popcount(at->second)) at->second = more;
+    }
+  }
+  for (const auto& [length, chosen] : ways)
+    if (chosen != 0) sums_.push_back({static_cast<double>(length) * kSameLength, chosen});
+}
+
+std::vector<double> SegmentSums::chosen(Chosen chosen) const {
+  std::vector<double> lengths;
+  for (size_t i = 0; i < segments_.size(); ++i)
+    if (chosen >> i & 1U) lengths.push_back(segments_[i]);
+  return lengths;
+}
+
+std::vector<ToolRow> tool_rows(const SegmentSums& segments, const RowRequest& request) {
   const std::vector<Stretch> stretches = stretches_of(request);
-  if (stretches.empty()) return {};
-  std::vector<bool> used(segments.size());
   std::vector<ToolRow> rows;
-  if (!fill(segments, stretches, used, rows)) return {};
+  if (stretches.empty() || !fill(segments, stretches, 0, rows)) return {};
   const double length = rows.back().from + rows.back().length() - rows.front().from;
   if (length > request.longest + kSameLength) return {};
   return rows;

@@ -75,8 +75,8 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
       because[row] = joined(because[row], path);
     }
   for (const int row : {0, 1}) {
-    const auto& segments = row == 0 ? tools_.punches[stroke.punch].segments
-                                    : tools_.dies[stroke.die].segments;
+    const SegmentSums& segments = row == 0 ? punch_segments_[stroke.punch]
+                                           : die_segments_[stroke.die];
     const RowRequest request{pieces, shortfall(), joined(walls[row], 0.0), tools_.machine.length};
     std::vector<ToolRow> standing = tool_rows(segments, request);
     if (standing.empty())

@@ -40,6 +40,10 @@ StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOpti
       room_of_tools_(tools, options.clearance),
       rooms_(work_.lines.size()),
       on_one_line_(work_.lines.size()) {
+  for (const Punch& punch : tools.punches)
+    punch_segments_.emplace_back(punch.segments);
+  for (const Die& die : tools.dies)
+    die_segments_.emplace_back(die.segments);
   for (int i = 0; i < std::ssize(work_.lines); ++i) {
     const BrakeLine& line = work_.lines[i];
     fitting_.push_back(fitting_tools(line, tools, options));
@@ -58,7 +62,7 @@ int StrokeModel::direction_number(const Vec2& direction) const {
 
 StrokeModel::LineRoom& StrokeModel::room(int line) {
   if (!rooms_[line]) {
-    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line), {}});
+    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line), {}, {}});
     rooms_[line]->known.resize(rooms_[line]->tree.parts().size());
   }
   return *rooms_[line];
@@ -196,8 +200,17 @@ LineSet StrokeModel::limits_of(const Setting& stroke, bool left) {
   return limits;
 }
 
-/// How far the plane side goes from the bend line: as far as it does along half of the line.
 double StrokeModel::reach(const Setting& stroke, bool left) {
+  LineSet key = limits_of(stroke, left);
+  key.insert(key.end(), stroke.pressed.begin(), stroke.pressed.end());
+  auto& reaches = room(stroke.line).reaches[left ? 1 : 0];
+  const auto found = reaches.find(key);
+  if (found != reaches.end()) return found->second;
+  return reaches[std::move(key)] = measured_reach(stroke, left);
+}
+
+/// How far the plane side goes from the bend line: as far as it does along half of the line.
+double StrokeModel::measured_reach(const Setting& stroke, bool left) {
   std::vector<const PlacedPart*> flat;
   const PartTree& tree = room(stroke.line).tree;
   for (int part = 0; part < std::ssize(tree.parts()); ++part)

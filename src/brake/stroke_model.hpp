@@ -43,6 +43,8 @@ class StrokeModel {
   struct LineRoom {
     PartTree tree;
     std::vector<std::unordered_map<LineSet, std::unique_ptr<Known>, LineSetHash>> known;  ///< by part
+    /// By side: how far the plane sides go, by the lines that end them and those pressed.
+    std::array<std::unordered_map<LineSet, double, LineSetHash>, 2> reaches;
   };
   /// A stroke in a stage.
   struct Setting {
@@ -76,6 +78,7 @@ class StrokeModel {
 
   std::optional<Obstruction> too_short(const Setting& stroke);
   double reach(const Setting& stroke, bool left);
+  double measured_reach(const Setting& stroke, bool left);
   LineSet limits_of(const Setting& stroke, bool left);
   std::optional<Obstruction> obstructed(const Setting& stroke, Rows* rows);
   std::optional<GaugeStop> gauge(const Setting& stroke);
@@ -90,6 +93,7 @@ class StrokeModel {
   PlanOptions options_;
   ToolRoom room_of_tools_;
   std::vector<FittingTools> fitting_;
+  std::vector<SegmentSums> punch_segments_, die_segments_;
   std::vector<Vec2> directions_;  ///< of the pattern, by the numbers of `StrokeChoice`
   std::vector<std::unique_ptr<LineRoom>> rooms_;
   std::vector<std::vector<int>> on_one_line_;  ///< by line: those that continue it in the pattern
