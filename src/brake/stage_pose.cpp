@@ -102,10 +102,13 @@ PartTree::PartTree(const Workpiece& work, int line)
   for (const bool left : {false, true}) {
     const int body = work.lines[line].bodies[left ? 1 : 0];
     part_of_body_[body] = static_cast<int>(parts_.size());
-    parts_.push_back({false, body, -1, -1, left, no_lines(lines), {}});
+    parts_.push_back({false, body, -1, -1, 0, left, no_lines(lines), {}});
   }
   grow();
-  parts_.push_back({true, line, -1, line, false, no_lines(lines), {}});
+  parts_.push_back({true, line, -1, line, 0, false, no_lines(lines), {}});
+  hanging_.resize(parts_.size());
+  for (Part& part : parts_)
+    if (part.before >= 0) part.slot = hanging_[part.before]++;
 }
 
 void PartTree::grow() {
@@ -123,8 +126,8 @@ void PartTree::grow() {
       lines.push_back(line);
       const bool left = parts_[i].left;
       part_of_body_[next] = static_cast<int>(parts_.size());
-      parts_.push_back({false, next, i, line, left, path, lines});
-      parts_.push_back({true, line, i, line, left, std::move(path), std::move(lines)});
+      parts_.push_back({false, next, i, line, 0, left, path, lines});
+      parts_.push_back({true, line, i, line, 0, left, std::move(path), std::move(lines)});
     }
   }
 }
@@ -184,6 +187,7 @@ void PartTree::cut_zone(const Part& part, const LineSet& formed, int count, cons
 
 PlacedPart PartTree::pressed_zone(const Part& part, const LineSet& formed) const {
   PlacedPart result;
+  result.flat = disjoint(part.path, formed);
   const double half = 0.5 * work_.lines[part.index].bend.allowance;
   const int count = 2 * arc_count(work_.lines[part.index]);
   cut_zone(part, formed, count, [&](const Block3& block) {

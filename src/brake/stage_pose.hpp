@@ -45,6 +45,7 @@ class PartTree {
     int index = 0;    ///< of the line or the body
     int before = -1;  ///< the body it hangs on, as a part; −1: on the line itself
     int over = -1;    ///< the line between that and this body
+    int slot = 0;     ///< its number among what hangs on the same body
     bool left = false;
     LineSet path;     ///< lines on which its place depends
     std::vector<int> lines;  ///< the same
@@ -60,6 +61,8 @@ class PartTree {
   Eigen::Isometry3d place(int part, const LineSet& formed) const;
   /// Whether a body lies in the plane of the two bodies at the line.
   bool is_flat(int part, const LineSet& formed) const;
+  /// How many parts hang on a body.
+  int hanging(int part) const { return hanging_[part]; }
   /// The part in a stage in which the lines of `pressed` are being pressed with this one.
   PlacedPart placed(int part, const LineSet& formed, const LineSet& pressed) const;
 
@@ -73,6 +76,7 @@ class PartTree {
   int line_;
   std::vector<Part> parts_;
   std::vector<int> part_of_body_;
+  std::vector<int> hanging_;
 };
 
 /// From the pattern (z = 0 in the middle of the sheet) to the frame of a line.

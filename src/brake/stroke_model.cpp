@@ -62,23 +62,38 @@ int StrokeModel::direction_number(const Vec2& direction) const {
 
 StrokeModel::LineRoom& StrokeModel::room(int line) {
   if (!rooms_[line]) {
-    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line), {}, {}});
-    rooms_[line]->known.resize(rooms_[line]->tree.parts().size());
+    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line)});
+    rooms_[line]->at_line.resize(rooms_[line]->tree.parts().size());
   }
   return *rooms_[line];
 }
 
-StrokeModel::Known& StrokeModel::known(int part, const Setting& stroke) {
+/// What is known of each part in a stage. A part's place follows from that of the body it hangs on
+/// and from how the line between them is.
+const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& stroke) {
   LineRoom& room = this->room(stroke.line);
-  const LineSet& path = room.tree.parts()[part].path;
-  LineSet key = common(*stroke.formed, path);
-  const LineSet pressed = common(stroke.pressed, path);
-  key.insert(key.end(), pressed.begin(), pressed.end());
-  std::unique_ptr<Known>& known = room.known[part][std::move(key)];
-  if (!known)
-    known = std::make_unique<Known>(
-        Known{room.tree.placed(part, *stroke.formed, stroke.pressed), {}});
-  return *known;
+  if (!room.parts.empty() && room.formed == *stroke.formed && room.pressed == stroke.pressed)
+    return room.parts;
+  room.formed = *stroke.formed;
+  room.pressed = stroke.pressed;
+  room.parts.clear();
+  for (int i = 0; i < std::ssize(room.tree.parts()); ++i) {
+    const PartTree::Part& part = room.tree.parts()[i];
+    std::unique_ptr<Known>* known = &room.at_line[i];
+    if (part.before >= 0) {
+      const int state = holds(stroke.pressed, part.over)  ? 2
+                        : holds(*stroke.formed, part.over) ? 1
+                                                           : 0;
+      known = &room.parts[part.before]->hanging[part.slot][state];
+    }
+    if (!*known) {
+      *known = std::make_unique<Known>(
+          Known{room.tree.placed(i, *stroke.formed, stroke.pressed)});
+      (*known)->hanging.resize(room.tree.hanging(i));
+    }
+    room.parts.push_back(known->get());
+  }
+  return room.parts;
 }
 
 PressMotion StrokeModel::motion(const Setting& stroke) const {
@@ -212,9 +227,8 @@ double StrokeModel::reach(const Setting& stroke, bool left) {
 /// How far the plane side goes from the bend line: as far as it does along half of the line.
 double StrokeModel::measured_reach(const Setting& stroke, bool left) {
   std::vector<const PlacedPart*> flat;
-  const PartTree& tree = room(stroke.line).tree;
-  for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    if (tree.is_flat(part, *stroke.formed)) flat.push_back(&known(part, stroke).placed);
+  for (const Known* known : parts_in(stroke))
+    if (known->placed.flat) flat.push_back(&known->placed);
   std::vector<double> reaches;
   for (const Interval& piece : pressed_pieces(stroke))
     for (int i = 0; i < kLooksAtFlange; ++i) {
