@@ -80,15 +80,16 @@ const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& str
   for (int i = 0; i < std::ssize(room.tree.parts()); ++i) {
     const PartTree::Part& part = room.tree.parts()[i];
     std::unique_ptr<Known>* known = &room.at_line[i];
-    if (part.before >= 0) {
-      const int state = holds(stroke.pressed, part.over)  ? 2
-                        : holds(*stroke.formed, part.over) ? 1
-                                                           : 0;
-      known = &room.parts[part.before]->hanging[part.slot][state];
+    PartTree::State over = PartTree::State::flat;
+    Known* before = part.before >= 0 ? room.parts[part.before] : nullptr;
+    if (before) {
+      if (holds(stroke.pressed, part.over)) over = PartTree::State::pressed;
+      if (holds(*stroke.formed, part.over)) over = PartTree::State::formed;
+      known = &before->hanging[part.slot][static_cast<size_t>(over)];
     }
     if (!*known) {
       *known = std::make_unique<Known>(
-          Known{room.tree.placed(i, *stroke.formed, stroke.pressed)});
+          Known{room.tree.placed(i, before ? &before->placed : nullptr, over)});
       (*known)->hanging.resize(room.tree.hanging(i));
     }
     room.parts.push_back(known->get());
@@ -207,10 +208,11 @@ std::vector<Interval> StrokeModel::pressed_pieces(const Setting& stroke) {
 /// Which formed lines end the plane sides on one side of the line.
 LineSet StrokeModel::limits_of(const Setting& stroke, bool left) {
   const PartTree& tree = room(stroke.line).tree;
+  const std::vector<Known*>& known = parts_in(stroke);
   LineSet limits = no_lines(static_cast<int>(work_.lines.size()));
   for (const PartTree::Part& part : tree.parts())
-    if (part.is_zone && part.before >= 0 && part.left == left &&
-        holds(*stroke.formed, part.index) && tree.is_flat(part.before, *stroke.formed))
+    if (part.is_zone && part.before >= 0 && known[part.before]->placed.left == left &&
+        holds(*stroke.formed, part.index) && known[part.before]->placed.flat)
       insert(limits, part.index);
   return limits;
 }
