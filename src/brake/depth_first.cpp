@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace planish::brake_detail {
 namespace {
@@ -63,7 +64,9 @@ class Descent {
     std::vector<Step>& steps = levels_.back().steps;
     for (std::size_t i = 0; i < offers.size(); ++i)
       if (offers[i].state != Offer::State::infeasible) steps.push_back(step(stage, set_up, i));
-    std::ranges::stable_sort(steps, std::greater(), &Step::cost);
+    // Of equal ones those are tried first that are offered first.
+    std::ranges::sort(steps, std::greater(),
+                      [](const Step& s) { return std::pair(s.cost, s.offer); });
   }
 
   Step step(int stage, int set_up, std::size_t offer) {
