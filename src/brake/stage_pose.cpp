@@ -46,6 +46,15 @@ void add_cut(const Vec3& a, const Vec3& b, double x, std::vector<Vec2>& points) 
   }
 }
 
+/// In the frame of its own side.
+void add_block(Block3 block, PlacedPart& placed) {
+  if (!placed.left)
+    for (auto* ring : {&block.lower, &block.upper})
+      for (Vec3& p : *ring)
+        p.y() = -p.y();
+  placed.blocks.push_back(std::move(block));
+}
+
 void summarise(PlacedPart& part) {
   std::vector<Vec2> corners;
   part.along = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -102,10 +111,15 @@ PartTree::PartTree(const Workpiece& work, int line)
   for (const bool left : {false, true}) {
     const int body = work.lines[line].bodies[left ? 1 : 0];
     part_of_body_[body] = static_cast<int>(parts_.size());
-    parts_.push_back({false, body, -1, -1, left, no_lines(lines), {}});
+    parts_.push_back({false, body, -1, -1, 0, left, no_lines(lines), {}});
   }
   grow();
-  parts_.push_back({true, line, -1, line, false, no_lines(lines), {}});
+  parts_.push_back({true, line, -1, line, 0, false, no_lines(lines), {}});
+  hanging_.resize(parts_.size());
+  for (Part& part : parts_)
+    if (part.before >= 0) part.slot = hanging_[part.before]++;
+  for (const Part& part : parts_)
+    steps_.push_back(step(part));
 }
 
 void PartTree::grow() {
@@ -123,42 +137,36 @@ void PartTree::grow() {
       lines.push_back(line);
       const bool left = parts_[i].left;
       part_of_body_[next] = static_cast<int>(parts_.size());
-      parts_.push_back({false, next, i, line, left, path, lines});
-      parts_.push_back({true, line, i, line, left, std::move(path), std::move(lines)});
+      parts_.push_back({false, next, i, line, 0, left, path, lines});
+      parts_.push_back({true, line, i, line, 0, left, std::move(path), std::move(lines)});
     }
   }
 }
 
-Eigen::Isometry3d PartTree::place(int part, const LineSet& formed) const {
-  Eigen::Isometry3d placed = line_frame(work_.lines[line_]);
-  int body = -1;
-  const Part& wanted = parts_[part];
-  for (const int number : wanted.lines) {
-    const BrakeLine& line = work_.lines[number];
-    if (body < 0) body = work_.lines[line_].bodies[wanted.left ? 1 : 0];
-    const bool to_left = line.bodies[0] == body;
-    body = line.bodies[to_left ? 1 : 0];
-    if (wanted.is_zone && number == wanted.index) break;
-    if (!holds(formed, number)) continue;
-    const Eigen::Isometry3d frame = line_frame(line), side = formed_side(line);
-    placed = placed * frame.inverse() * (to_left ? side : side.inverse()) * frame;
-  }
-  return placed;
+/// How a body moves when the line that it hangs by is formed: before its place when that is flat.
+Eigen::Isometry3d PartTree::step(const Part& part) const {
+  if (part.is_zone || part.over < 0) return Eigen::Isometry3d::Identity();
+  const BrakeLine& line = work_.lines[part.over];
+  const Eigen::Isometry3d frame = line_frame(line), side = formed_side(line);
+  const bool to_left = line.bodies[1] == part.index;
+  return frame.inverse() * (to_left ? side : side.inverse()) * frame;
 }
 
-bool PartTree::is_flat(int part, const LineSet& formed) const {
-  return disjoint(parts_[part].path, formed);
+Eigen::Isometry3d PartTree::place(int number, const LineSet& formed) const {
+  const Part& part = parts_[number];
+  if (part.before < 0) return line_frame(work_.lines[line_]);
+  const Eigen::Isometry3d before = place(part.before, formed);
+  return holds(formed, part.over) ? before * steps_[number] : before;
 }
 
 /// The zone of a line in the frame of the tree's line, cut at `count` equal steps across it.
 template <typename Take>
-void PartTree::cut_zone(const Part& part, const LineSet& formed, int count, const Take& take) const {
+void PartTree::cut_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed,
+                        int count, const Take& take) const {
   const BrakeLine& line = work_.lines[part.index];
   const double half = 0.5 * line.bend.allowance;
   const Eigen::Isometry3d frame = line_frame(line);
-  const bool is_formed = part.before >= 0 && holds(formed, part.index);
-  Eigen::Isometry3d at = part.before < 0 ? line_frame(work_.lines[line_])
-                                         : place(static_cast<int>(&part - parts_.data()), formed);
+  Eigen::Isometry3d at = before;
   // What hangs on the left of a formed line sees the zone from the side where it ends.
   if (is_formed && line.bodies[1] == parts_[part.before].index)
     at = at * frame.inverse() * formed_side(line).inverse() * frame;
@@ -182,51 +190,58 @@ void PartTree::cut_zone(const Part& part, const LineSet& formed, int count, cons
     }
 }
 
-PlacedPart PartTree::pressed_zone(const Part& part, const LineSet& formed) const {
-  PlacedPart result;
+/// The strips of a zone that is being pressed.
+void PartTree::add_strips(const Part& part, const Eigen::Isometry3d& before,
+                          PlacedPart& placed) const {
   const double half = 0.5 * work_.lines[part.index].bend.allowance;
   const int count = 2 * arc_count(work_.lines[part.index]);
-  cut_zone(part, formed, count, [&](const Block3& block) {
+  cut_zone(part, before, false, count, [&](const Block3& block) {
     double middle = 0.0, from = half, to = 0.0;
     for (const Vec3& p : block.upper) {
       middle += p.y();
       from = std::min(from, std::abs(p.y()));
       to = std::max(to, std::abs(p.y()));
     }
-    result.strips.push_back({from, std::min(to, half), middle > 0.0, extent(block)});
+    placed.strips.push_back({from, std::min(to, half), middle > 0.0, extent(block)});
   });
-  return result;
 }
 
-PlacedPart PartTree::placed(int number, const LineSet& formed, const LineSet& pressed) const {
-  const Part& part = parts_[number];
-  if (part.is_zone && (part.index == line_ || holds(pressed, part.index)))
-    return pressed_zone(part, formed);
-  PlacedPart result;
-  result.left = part.left;
-  for (const int line : part.lines)
-    if (holds(pressed, line)) result.left = !result.left;
-  result.flat = is_flat(number, formed);
-  const auto add = [&](Block3 block) {
-    for (auto* ring : {&block.lower, &block.upper})
-      for (Vec3& p : *ring)
-        p.y() = result.left ? p.y() : -p.y();
-    result.blocks.push_back(std::move(block));
-  };
-  if (part.is_zone) {
-    const bool is_formed = holds(formed, part.index);
-    cut_zone(part, formed, is_formed ? arc_count(work_.lines[part.index]) : 1, add);
-  } else {
-    const Eigen::Isometry3d at = place(number, formed);
-    const double half = 0.5 * work_.thickness;
-    for (const Convex& piece : work_.bodies[part.index].pieces) {
-      Block3 block;
-      for (const Vec2& p : piece) {
-        block.lower.push_back(at * Vec3(p.x(), p.y(), -half));
-        block.upper.push_back(at * Vec3(p.x(), p.y(), half));
-      }
-      add(std::move(block));
+void PartTree::add_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed,
+                        PlacedPart& placed) const {
+  const int count = is_formed ? arc_count(work_.lines[part.index]) : 1;
+  cut_zone(part, before, is_formed, count,
+           [&](Block3 block) { add_block(std::move(block), placed); });
+}
+
+void PartTree::add_body(const Part& part, PlacedPart& placed) const {
+  const double half = 0.5 * work_.thickness;
+  for (const Convex& piece : work_.bodies[part.index].pieces) {
+    Block3 block;
+    for (const Vec2& p : piece) {
+      block.lower.push_back(placed.at * Vec3(p.x(), p.y(), -half));
+      block.upper.push_back(placed.at * Vec3(p.x(), p.y(), half));
     }
+    add_block(std::move(block), placed);
+  }
+}
+
+PlacedPart PartTree::placed(int number, const PlacedPart* before, State over) const {
+  const Part& part = parts_[number];
+  const Eigen::Isometry3d start = before ? before->at : line_frame(work_.lines[line_]);
+  const bool is_formed = over == State::formed;
+  PlacedPart result;
+  result.flat = (!before || before->flat) && !is_formed;
+  result.left = before ? before->left : part.left;
+  if (part.is_zone && (!before || over == State::pressed)) {
+    add_strips(part, start, result);
+    return result;
+  }
+  if (part.is_zone) {
+    add_zone(part, start, is_formed, result);
+  } else {
+    if (over == State::pressed) result.left = !result.left;
+    result.at = is_formed ? start * steps_[number] : start;
+    add_body(part, result);
   }
   summarise(result);
   return result;

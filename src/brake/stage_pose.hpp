@@ -32,6 +32,7 @@ struct PlacedPart {
   std::vector<Convex> sections;  ///< of each block, whole
   Convex hull;                   ///< of all sections
   Interval along;                ///< range of x
+  Eigen::Isometry3d at = Eigen::Isometry3d::Identity();  ///< of a body: from the pattern
   bool left = false;             ///< the side it is on
   bool flat = false;             ///< in the plane of the lying sheet: no formed line on the way
 };
@@ -45,6 +46,7 @@ class PartTree {
     int index = 0;    ///< of the line or the body
     int before = -1;  ///< the body it hangs on, as a part; −1: on the line itself
     int over = -1;    ///< the line between that and this body
+    int slot = 0;     ///< its number among what hangs on the same body
     bool left = false;
     LineSet path;     ///< lines on which its place depends
     std::vector<int> lines;  ///< the same
@@ -58,21 +60,30 @@ class PartTree {
   /// Where the pattern of a body lies, in the frame of the line: x along it (turned so that z is
   /// up on the inside skin), y to its left.
   Eigen::Isometry3d place(int part, const LineSet& formed) const;
-  /// Whether a body lies in the plane of the two bodies at the line.
-  bool is_flat(int part, const LineSet& formed) const;
-  /// The part in a stage in which the lines of `pressed` are being pressed with this one.
-  PlacedPart placed(int part, const LineSet& formed, const LineSet& pressed) const;
+  /// How many parts hang on a body.
+  int hanging(int part) const { return hanging_[part]; }
+  /// How a line is in a stage.
+  enum class State { flat, formed, pressed };
+  /// The part, from the body it hangs on (null: on the line itself) and how the line between is.
+  PlacedPart placed(int part, const PlacedPart* before, State over) const;
 
  private:
   void grow();
+  Eigen::Isometry3d step(const Part& part) const;
+  void add_body(const Part& part, PlacedPart& placed) const;
+  void add_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed,
+                PlacedPart& placed) const;
+  void add_strips(const Part& part, const Eigen::Isometry3d& before, PlacedPart& placed) const;
   template <typename Take>
-  void cut_zone(const Part& part, const LineSet& formed, int count, const Take& take) const;
-  PlacedPart pressed_zone(const Part& part, const LineSet& formed) const;
+  void cut_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed, int count,
+                const Take& take) const;
 
   const Workpiece& work_;
   int line_;
   std::vector<Part> parts_;
   std::vector<int> part_of_body_;
+  std::vector<int> hanging_;
+  std::vector<Eigen::Isometry3d> steps_;  ///< by part: what a formed line does to a body
 };
 
 /// From the pattern (z = 0 in the middle of the sheet) to the frame of a line.

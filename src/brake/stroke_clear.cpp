@@ -30,29 +30,26 @@ bool stands_in(const std::vector<Interval>& blocked, const std::vector<Interval>
 /// Sides that are bent touch punch and die; what lies on the die may touch it.
 Nearness StrokeModel::nearness(int number, ToolKind kind, const Setting& stroke) {
   if (!is_row(kind)) return Nearness::clear;
-  const PartTree& tree = room(stroke.line).tree;
-  const PartTree::Part& part = tree.parts()[number];
-  if (tree.is_flat(number, *stroke.formed)) return Nearness::touching;
+  const std::vector<Known*>& parts = parts_in(stroke);
+  if (parts[number]->placed.flat) return Nearness::touching;
+  const PartTree::Part& part = room(stroke.line).tree.parts()[number];
   const bool lies_on_die = kind == ToolKind::die && part.is_zone && part.before >= 0 &&
-                           tree.is_flat(part.before, *stroke.formed);
+                           parts[part.before]->placed.flat;
   return lies_on_die ? Nearness::touching : Nearness::clear;
 }
 
-const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part,
-                                                     const Setting& stroke) {
+const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part, const Setting& stroke,
+                                                     const PressMotion& motion) {
   const int tool = kind == ToolKind::punch || kind == ToolKind::upper_beam ? stroke.punch
                                                                            : stroke.die;
   const SidedObstacle obstacle = room_of_tools_.obstacle(kind, tool, nearness(part, kind, stroke),
                                                          stroke.direction);
-  Known& known = this->known(part, stroke);
-  // What hangs below moves with the die.
-  const bool moves = obstacle.left->moves;
-  const int key = moves ? obstacle.key * static_cast<int>(tools_.dies.size() + 1) + stroke.die + 1
-                        : obstacle.key * static_cast<int>(tools_.dies.size() + 1);
-  for (const auto& [known_key, blocked] : known.blocked)
-    if (known_key == key) return blocked;
-  known.blocked.emplace_back(key, blocked_along(motion(stroke), known.placed, *obstacle.left,
-                                                *obstacle.right, most_turn(stroke.line)));
+  Known& known = *parts_in(stroke)[part];
+  for (const auto& [key, blocked] : known.blocked)
+    if (key == obstacle.key) return blocked;
+  known.blocked.emplace_back(obstacle.key,
+                             blocked_along(motion, known.placed, *obstacle.left, *obstacle.right,
+                                           most_turn(stroke.line)));
   return known.blocked.back().second;
 }
 
@@ -60,12 +57,13 @@ const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part,
 std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& stroke, Rows* rows) {
   const PartTree& tree = room(stroke.line).tree;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
+  const PressMotion motion = this->motion(stroke);
   std::vector<Interval> walls[2];  // in the way of the punch, of the die
   LineSet because[2] = {no_lines(static_cast<int>(work_.lines.size())),
                         no_lines(static_cast<int>(work_.lines.size()))};
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     for (const ToolKind kind : kToolKinds) {
-      const std::vector<Interval>& blocked = blocked_by(kind, part, stroke);
+      const std::vector<Interval>& blocked = blocked_by(kind, part, stroke, motion);
       if (blocked.empty()) continue;
       const LineSet& path = tree.parts()[part].path;
       if (!is_row(kind) || stands_in(blocked, pieces, shortfall()))

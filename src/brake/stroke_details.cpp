@@ -78,7 +78,7 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
   const PressMotion motion = this->motion(stroke);
   const double most = most_turn(stroke.line);
   for (int part = 0; part < std::ssize(tree.parts()); ++part) {
-    const PlacedPart& placed = known(part, stroke).placed;
+    const PlacedPart& placed = parts_in(stroke)[part]->placed;
     for (const ToolKind kind : kToolKinds) {
       const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
       const SidedObstacle body = room_of_tools_.body(kind, above ? stroke.punch : stroke.die,
@@ -116,7 +116,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   const ToolKind kind = *obstruction.hits;
   const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
   const int tool = above ? stroke.punch : stroke.die;
-  const PlacedPart& placed = known(obstruction.part, stroke).placed;
+  const PlacedPart& placed = parts_in(stroke)[obstruction.part]->placed;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
   Interval along{-1e9, 1e9};
   if (kind == ToolKind::punch || kind == ToolKind::die)

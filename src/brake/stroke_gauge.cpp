@@ -69,11 +69,12 @@ std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
   if (!tools_.machine.gauge) return std::nullopt;
   const BackGauge& gauge = *tools_.machine.gauge;
   const PartTree& tree = room(stroke.line).tree;
+  const std::vector<Known*>& parts = parts_in(stroke);
   const bool left = stroke.direction > 0;
   std::vector<GaugeEdge> edges;
   const Eigen::Isometry3d frame = line_frame(work_.lines[stroke.line]);
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    if (tree.is_flat(part, *stroke.formed)) {
+    if (parts[part]->placed.flat) {
       const PartTree::Part& at = tree.parts()[part];
       add_gauge_edges(at.is_zone ? work_.zones[at.index].edges : work_.bodies[at.index].edges,
                       frame, left, edges);
@@ -88,13 +89,13 @@ std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
   });
   if (edges.empty()) return std::nullopt;
   const PressMotion lying = motion(stroke);
-  const Obstacle finger = obstacle_of(section_of(gauge.finger), kPenetration, 0.0);
+  const Obstacle& finger = room_of_tools_.finger();
   for (const GaugeEdge& edge : edges) {
     const Obstacle here = moved(finger, {edge.away, 0.0}), there = mirrored(here);
     std::vector<Interval> blocked;
-    for (int part = 0; part < std::ssize(tree.parts()); ++part) {
-      const PlacedPart& placed = known(part, stroke).placed;
-      const auto walls = blocked_along(lying, placed, left ? here : there, left ? there : here, 0.0);
+    for (const Known* known : parts) {
+      const auto walls = blocked_along(lying, known->placed, left ? here : there,
+                                       left ? there : here, 0.0);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
     if (has_room(edge.along, std::move(blocked), gauge.finger_width))

@@ -62,23 +62,39 @@ int StrokeModel::direction_number(const Vec2& direction) const {
 
 StrokeModel::LineRoom& StrokeModel::room(int line) {
   if (!rooms_[line]) {
-    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line), {}, {}});
-    rooms_[line]->known.resize(rooms_[line]->tree.parts().size());
+    rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line)});
+    rooms_[line]->at_line.resize(rooms_[line]->tree.parts().size());
   }
   return *rooms_[line];
 }
 
-StrokeModel::Known& StrokeModel::known(int part, const Setting& stroke) {
+/// What is known of each part in a stage. A part's place follows from that of the body it hangs on
+/// and from how the line between them is.
+const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& stroke) {
   LineRoom& room = this->room(stroke.line);
-  const LineSet& path = room.tree.parts()[part].path;
-  LineSet key = common(*stroke.formed, path);
-  const LineSet pressed = common(stroke.pressed, path);
-  key.insert(key.end(), pressed.begin(), pressed.end());
-  std::unique_ptr<Known>& known = room.known[part][std::move(key)];
-  if (!known)
-    known = std::make_unique<Known>(
-        Known{room.tree.placed(part, *stroke.formed, stroke.pressed), {}});
-  return *known;
+  if (!room.parts.empty() && room.formed == *stroke.formed && room.pressed == stroke.pressed)
+    return room.parts;
+  room.formed = *stroke.formed;
+  room.pressed = stroke.pressed;
+  room.parts.clear();
+  for (int i = 0; i < std::ssize(room.tree.parts()); ++i) {
+    const PartTree::Part& part = room.tree.parts()[i];
+    std::unique_ptr<Known>* known = &room.at_line[i];
+    PartTree::State over = PartTree::State::flat;
+    Known* before = part.before >= 0 ? room.parts[part.before] : nullptr;
+    if (before) {
+      if (holds(stroke.pressed, part.over)) over = PartTree::State::pressed;
+      if (holds(*stroke.formed, part.over)) over = PartTree::State::formed;
+      known = &before->hanging[part.slot][static_cast<size_t>(over)];
+    }
+    if (!*known) {
+      *known = std::make_unique<Known>(
+          Known{room.tree.placed(i, before ? &before->placed : nullptr, over)});
+      (*known)->hanging.resize(room.tree.hanging(i));
+    }
+    room.parts.push_back(known->get());
+  }
+  return room.parts;
 }
 
 PressMotion StrokeModel::motion(const Setting& stroke) const {
@@ -192,10 +208,11 @@ std::vector<Interval> StrokeModel::pressed_pieces(const Setting& stroke) {
 /// Which formed lines end the plane sides on one side of the line.
 LineSet StrokeModel::limits_of(const Setting& stroke, bool left) {
   const PartTree& tree = room(stroke.line).tree;
+  const std::vector<Known*>& known = parts_in(stroke);
   LineSet limits = no_lines(static_cast<int>(work_.lines.size()));
   for (const PartTree::Part& part : tree.parts())
-    if (part.is_zone && part.before >= 0 && part.left == left &&
-        holds(*stroke.formed, part.index) && tree.is_flat(part.before, *stroke.formed))
+    if (part.is_zone && part.before >= 0 && known[part.before]->placed.left == left &&
+        holds(*stroke.formed, part.index) && known[part.before]->placed.flat)
       insert(limits, part.index);
   return limits;
 }
@@ -212,9 +229,8 @@ double StrokeModel::reach(const Setting& stroke, bool left) {
 /// How far the plane side goes from the bend line: as far as it does along half of the line.
 double StrokeModel::measured_reach(const Setting& stroke, bool left) {
   std::vector<const PlacedPart*> flat;
-  const PartTree& tree = room(stroke.line).tree;
-  for (int part = 0; part < std::ssize(tree.parts()); ++part)
-    if (tree.is_flat(part, *stroke.formed)) flat.push_back(&known(part, stroke).placed);
+  for (const Known* known : parts_in(stroke))
+    if (known->placed.flat) flat.push_back(&known->placed);
   std::vector<double> reaches;
   for (const Interval& piece : pressed_pieces(stroke))
     for (int i = 0; i < kLooksAtFlange; ++i) {

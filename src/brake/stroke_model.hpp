@@ -34,17 +34,21 @@ class StrokeModel {
   BlockedBend blocked(const LineSet& formed, int line);
 
  private:
-  /// What a part hits.
+  /// What a part hits, and what hangs on it: by slot and by how the line between them is.
   struct Known {
     PlacedPart placed;
-    std::vector<std::pair<int, std::vector<Interval>>> blocked;  ///< by the key of the obstacle
+    std::vector<std::pair<int, std::vector<Interval>>> blocked = {};  ///< by the obstacle's key
+    std::vector<std::array<std::unique_ptr<Known>, 3>> hanging = {};  ///< flat, formed, pressed
   };
   /// All that is known about strokes on one line.
   struct LineRoom {
     PartTree tree;
-    std::vector<std::unordered_map<LineSet, std::unique_ptr<Known>, LineSetHash>> known;  ///< by part
+    std::vector<std::unique_ptr<Known>> at_line = {};  ///< of the parts that hang on no other
     /// By side: how far the plane sides go, by the lines that end them and those pressed.
-    std::array<std::unordered_map<LineSet, double, LineSetHash>, 2> reaches;
+    std::array<std::unordered_map<LineSet, double, LineSetHash>, 2> reaches = {};
+    /// The parts in the stage that was asked for last.
+    LineSet formed = {}, pressed = {};
+    std::vector<Known*> parts = {};
   };
   /// A stroke in a stage.
   struct Setting {
@@ -67,11 +71,12 @@ class StrokeModel {
 
   Setting setting(const LineSet& formed, const StrokeChoice& choice) const;
   LineRoom& room(int line);
-  Known& known(int part, const Setting& stroke);
+  const std::vector<Known*>& parts_in(const Setting& stroke);
   PressMotion motion(const Setting& stroke) const;
   double most_turn(int line) const;
   Nearness nearness(int part, ToolKind kind, const Setting& stroke);
-  const std::vector<Interval>& blocked_by(ToolKind kind, int part, const Setting& stroke);
+  const std::vector<Interval>& blocked_by(ToolKind kind, int part, const Setting& stroke,
+                                          const PressMotion& motion);
   std::vector<int> together(int line, const LineSet& formed);
   std::vector<Interval> pressed_pieces(const Setting& stroke);
   double shortfall() const;

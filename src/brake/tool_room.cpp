@@ -12,6 +12,8 @@ size_t row(Nearness nearness) { return static_cast<size_t>(nearness); }
 }  // namespace
 
 ToolRoom::ToolRoom(const BrakeTools& tools, double clearance) : tools_(tools) {
+  if (tools_.machine.gauge)
+    finger_ = obstacle_of(section_of(tools_.machine.gauge->finger), kPenetration, 0.0);
   constexpr double kBody = 1.0;  // any clearance above 0 keeps the tool whole
   for (const ToolKind kind : kToolKinds)
     for (int i = 0; i < count(kind); ++i) {

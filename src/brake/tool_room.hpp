@@ -35,6 +35,8 @@ class ToolRoom {
   SidedObstacle body(ToolKind kind, int tool, Nearness nearness, int direction) const;
   /// What of a tool is deeper than `depth` below its surface.
   Obstacle deeper(ToolKind kind, int tool, double depth) const;
+  /// Of the back gauge, where it touches at the origin.
+  const Obstacle& finger() const { return finger_; }
   std::string name(ToolKind kind, int tool) const;
 
  private:
@@ -50,6 +52,7 @@ class ToolRoom {
 
   const BrakeTools& tools_;
   int keys_ = 0;
+  Obstacle finger_;
   std::array<std::array<std::vector<Seen>, 2>, 4> obstacles_, bodies_;
 };
 

@@ -9,6 +9,15 @@ namespace {
 
 using namespace brake_detail;
 
+/// A part in a stage.
+PlacedPart placed_in(const PartTree& tree, int number, const LineSet& formed) {
+  const PartTree::Part& part = tree.parts()[number];
+  if (part.before < 0) return tree.placed(number, nullptr, PartTree::State::flat);
+  const PlacedPart before = placed_in(tree, part.before, formed);
+  return tree.placed(number, &before,
+                     holds(formed, part.over) ? PartTree::State::formed : PartTree::State::flat);
+}
+
 /// Points in the middle of the material of a face of a flange: in the pattern and in space.
 struct PlacedPoint {
   int body = 0;
@@ -95,8 +104,8 @@ TEST(StagePose, BendsTowardsTheInside) {
           insert(formed, other);
           const bool same = work.lines[line].up == work.lines[other].up;
           for (int part = 0; part < std::ssize(tree.parts()); ++part) {
-            if (tree.parts()[part].is_zone || tree.is_flat(part, formed)) continue;
-            for (const Block3& block : tree.placed(part, formed, no_lines(2)).blocks)
+            if (tree.parts()[part].is_zone || disjoint(tree.parts()[part].path, formed)) continue;
+            for (const Block3& block : placed_in(tree, part, formed).blocks)
               for (const Vec3& p : block.upper) {
                 if (same) {
                   EXPECT_GT(p.z(), 0.0);
@@ -122,7 +131,7 @@ TEST(StagePose, BendsZonesToTheirRadii) {
     ++zones;
     // From the pressed line: half of BA, the web, then the arc about (…, r).
     const Vec2 axis(0.5 * work.lines[0].bend.allowance + 40.0, 2.0);
-    for (const Block3& block : tree.placed(part, formed, no_lines(2)).blocks) {
+    for (const Block3& block : placed_in(tree, part, formed).blocks) {
       for (const Vec3& p : block.upper)
         EXPECT_NEAR((Vec2(p.y(), p.z()) - axis).norm(), 2.0, 1e-9);
       for (const Vec3& p : block.lower)
