@@ -55,7 +55,8 @@ StageBook::StageBook(const StrokeProblem& problem, const StrokeWeights& weights)
       full_(all_lines(problem.lines)),
       seen_(no_lines(problem.lines)),
       furthest_(seen_),
-      families_of_line_(problem.lines) {
+      families_of_line_(problem.lines),
+      possible_of_line_(problem.lines) {
   list_families();
 }
 
@@ -65,6 +66,7 @@ void StageBook::list_families() {
     const std::vector<int> lines = members(row.lines);
     for (const int line : lines) {
       if (lines.size() > 1) alone[line] = false;
+      possible_of_line_[line].insert(set_up_in(row));
       families_of_line_[line].push_back(family_of(row.lines, set_up_in(row)));
     }
   }
@@ -130,6 +132,14 @@ int StageBook::number_of(const StrokeChoice& choice) {
   return place->second;
 }
 
+/// What `possible` leaves out would be proven infeasible.
+bool StageBook::is_covered(const StrokeChoice& choice) const {
+  if (problem_.possible.empty()) return true;
+  return std::ranges::all_of(members(choice.lines), [&](int line) {
+    return possible_of_line_[line].contains(set_up_in(choice));
+  });
+}
+
 bool StageBook::fits_beginning(const LineSet& formed, const StrokeChoice& choice) const {
   const auto next = std::ranges::find_if(problem_.begin_with,
                                          [&](int line) { return !holds(formed, line); });
@@ -143,6 +153,7 @@ const std::vector<Offer>& StageBook::offers(int stage) {
   for (const StrokeChoice& choice : problem_.choices(formed)) {
     PLANISH_ASSERT(choice.lines.size() == formed.size() && count(choice.lines) > 0);
     PLANISH_ASSERT(disjoint(choice.lines, formed) && within(choice.lines, full_));
+    PLANISH_ASSERT(is_covered(choice));
     if (fits_beginning(formed, choice)) offers.push_back({number_of(choice)});
   }
   ++asked_;

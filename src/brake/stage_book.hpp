@@ -7,6 +7,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <set>
 #include <unordered_map>
 #include <vector>
 
@@ -108,6 +109,7 @@ class StageBook {
   bool fits_beginning(const LineSet& formed, const StrokeChoice& choice) const;
   int family_of(const LineSet& lines, const SetUp& set_up);
   void list_families();
+  bool is_covered(const StrokeChoice& choice) const;
   bool ask(const KnownChoice& known, const LineSet& formed);
   void learn(const KnownChoice& known, const LineSet& formed, const LineSet& because);
   std::optional<LineSet> blocked_for_good(int line, const LineSet& formed) const;
@@ -127,6 +129,7 @@ class StageBook {
   /// The families in which a line is possible; empty if others may be pressed with it, so that it
   /// is not known which they are.
   std::vector<std::vector<int>> families_of_line_;
+  std::vector<std::set<SetUp>> possible_of_line_;
   std::vector<Blocking> blockings_;
   std::map<SetUp, int> set_up_numbers_;
   std::vector<SetUp> set_ups_;

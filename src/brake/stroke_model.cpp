@@ -50,7 +50,7 @@ StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOpti
     for (const Vec2& way : {line.across(), Vec2(-line.across())})
       if (direction_number(way) < 0) directions_.push_back(way);
     for (int j = 0; j < std::ssize(work_.lines); ++j)
-      if (lie_on_one_line(line, work_.lines[j])) on_one_line_[i].push_back(j);
+      if (i == j || lie_on_one_line(line, work_.lines[j])) on_one_line_[i].push_back(j);
   }
 }
 

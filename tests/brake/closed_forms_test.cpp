@@ -254,8 +254,8 @@ TEST(ClosedForms, ShallowestVThatTakesTheBend) {
     const double bottom = depth - kEpsilon + step, in = v - bottom * std::tan(0.5 * angle);
     tools.dies[0].opening = 2.0 * v;
     tools.dies[0].shoulder_radius = q;
-    tools.dies[0].profile = {{-v, 0},  {-30, 0}, {-30, -100}, {30, -100},
-                             {30, 0},  {v, 0},   {in, -bottom}, {-in, -bottom}};
+    tools.dies[0].profile = {{-v, 0}, {-30, 0}, {-30, -100},   {30, -100},
+                             {30, 0}, {v, 0},   {in, -bottom}, {-in, -bottom}};
     Room room(strip({Straight{60}, up(radius), Straight{60}}, 50, t), tools);
     EXPECT_EQ(room.can_press(1, {}), step > 0.0) << step;
   }

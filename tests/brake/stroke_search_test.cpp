@@ -563,6 +563,23 @@ TEST(SearchStrokes, EndsAtTheFirstPlanIfThatIsWanted) {
   EXPECT_GT(cheaper_later, 20);
 }
 
+TEST(SearchStrokesDeathTest, TakesNoChoiceThatItWasToldIsImpossible) {
+  StrokeProblem problem = chain(3);
+  problem.possible.pop_back();
+  EXPECT_DEATH((void)search_strokes(problem), "is_covered");
+}
+
+TEST(SearchStrokes, TriesTheFirstOfEqualStrokesFirst) {
+  const auto found = search_strokes(permissive(3, [](int line) {
+    return std::vector<StrokeChoice>{{one_line(line), 0, 0}, {one_line(line), 1, 0}};
+  }));
+  ASSERT_EQ(found->strokes.size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(found->strokes[i].lines, one_line(i));
+    EXPECT_EQ(found->strokes[i].punch, 0);
+  }
+}
+
 TEST(SearchStrokes, StopsWhenItIsCancelled) {
   int asked = 0;
   const Progress progress{.report = {}, .cancelled = [&] { return ++asked > 10; }};

@@ -109,8 +109,8 @@ TEST(Sweep, FindsWhatADenseLookFinds) {
         p.y() -= obstacle.moves ? motion.die_height(turn) : 0.0;
       double least = 1e9;
       for (const Convex& piece : obstacle.pieces)
-        least = std::min(least, separation(here, piece) > 0.0 ? distance(here, piece)
-                                                              : separation(here, piece));
+        least = std::min(
+            least, separation(here, piece) > 0.0 ? distance(here, piece) : separation(here, piece));
       return least - obstacle.keep;
     };
     const auto found = hit(motion, moving, obstacle, most);

@@ -207,7 +207,7 @@ TEST(DefaultTools, HaveWhatCommonWorkTakes) {
       return std::abs(one.angle.degrees() - angle) < 1e-9 && one.tip_radius == radius;
     });
   };
-  for (const double radius : {0.8, 1.0, 2.0, 3.0})
+  for (const double radius : {0.2, 0.6, 0.8, 1.0, 2.0, 3.0})
     EXPECT_TRUE(punch(88, radius) && punch(85, radius)) << radius;
   EXPECT_TRUE(punch(30, 0.8) && punch(26, 0.8) && punch(180, 0.0));
   const auto die = [&](double angle, double opening) {
