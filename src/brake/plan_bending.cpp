@@ -60,9 +60,10 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     const double given = options.radius_of_opening * opening;
     if (!line.given_radius || std::abs(line.inside_radius - given) <= kBeyond * given) continue;
     for (const BendId bend : line.bends)
-      plan.notes.push_back(fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
-                                       "leaves about {:.4g} mm",
-                                       name_of(bend), line.inside_radius, opening, given));
+      plan.notes.push_back(
+          fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
+                      "leaves about {:.4g} mm",
+                      name_of(bend), line.inside_radius, opening, given));
   }
   for (const BendId bend : model.work().rolled)
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));

@@ -29,12 +29,12 @@ struct ArcStrip {
 struct PlacedPart {
   std::vector<ArcStrip> strips;
   std::vector<Block3> blocks;
-  std::vector<Convex> sections;  ///< of each block, whole
-  Convex hull;                   ///< of all sections
-  Interval along;                ///< range of x
+  std::vector<Convex> sections;                          ///< of each block, whole
+  Convex hull;                                           ///< of all sections
+  Interval along;                                        ///< range of x
   Eigen::Isometry3d at = Eigen::Isometry3d::Identity();  ///< of a body: from the pattern
-  bool left = false;             ///< the side it is on
-  bool flat = false;             ///< in the plane of the lying sheet: no formed line on the way
+  bool left = false;                                     ///< the side it is on
+  bool flat = false;  ///< in the plane of the lying sheet: no formed line on the way
 };
 
 /// The parts of a workpiece as seen from one of its lines, on both sides of it.
@@ -48,7 +48,7 @@ class PartTree {
     int over = -1;    ///< the line between that and this body
     int slot = 0;     ///< its number among what hangs on the same body
     bool left = false;
-    LineSet path;     ///< lines on which its place depends
+    LineSet path;            ///< lines on which its place depends
     std::vector<int> lines;  ///< the same
   };
 

@@ -47,9 +47,8 @@ const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part, co
   Known& known = *parts_in(stroke)[part];
   for (const auto& [key, blocked] : known.blocked)
     if (key == obstacle.key) return blocked;
-  known.blocked.emplace_back(obstacle.key,
-                             blocked_along(motion, known.placed, *obstacle.left, *obstacle.right,
-                                           most_turn(stroke.line)));
+  known.blocked.emplace_back(obstacle.key, blocked_along(motion, known.placed, *obstacle.left,
+                                                         *obstacle.right, most_turn(stroke.line)));
   return known.blocked.back().second;
 }
 
@@ -78,13 +77,13 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
     const RowRequest request{pieces, shortfall(), joined(walls[row], 0.0), tools_.machine.length};
     std::vector<ToolRow> standing = tool_rows(segments, request);
     if (standing.empty())
-      return Obstruction{because[row], row == 0 ? ToolKind::punch : ToolKind::die, -1,
-                         fmt::format("no segments of {} {} press the line, {:.4g} mm long, and stand "
-                                     "between what is beside it",
-                                     row == 0 ? "punch" : "die",
-                                     row == 0 ? tools_.punches[stroke.punch].id
-                                              : tools_.dies[stroke.die].id,
-                                     pieces.back().hi - pieces.front().lo)};
+      return Obstruction{
+          because[row], row == 0 ? ToolKind::punch : ToolKind::die, -1,
+          fmt::format("no segments of {} {} press the line, {:.4g} mm long, and stand "
+                      "between what is beside it",
+                      row == 0 ? "punch" : "die",
+                      row == 0 ? tools_.punches[stroke.punch].id : tools_.dies[stroke.die].id,
+                      pieces.back().hi - pieces.front().lo)};
     if (rows) (row == 0 ? rows->punch : rows->die) = std::move(standing);
   }
   return std::nullopt;

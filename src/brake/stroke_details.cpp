@@ -81,9 +81,8 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
     const PlacedPart& placed = parts_in(stroke)[part]->placed;
     for (const ToolKind kind : kToolKinds) {
       const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
-      const SidedObstacle body = room_of_tools_.body(kind, above ? stroke.punch : stroke.die,
-                                                     nearness(part, kind, stroke),
-                                                     stroke.direction);
+      const SidedObstacle body = room_of_tools_.body(
+          kind, above ? stroke.punch : stroke.die, nearness(part, kind, stroke), stroke.direction);
       const Obstacle& obstacle = placed.left ? *body.left : *body.right;
       const std::vector<ToolRow>* row = kind == ToolKind::punch ? &rows.punch
                                         : kind == ToolKind::die ? &rows.die

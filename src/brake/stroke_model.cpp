@@ -8,11 +8,11 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kSameLine = 1e-3;      // mm, and radians: lines that are pressed together
-constexpr double kSameWay = 1e-3;       // of unit vectors: one direction of the gauge
-constexpr double kLongEnough = 1e-3;    // mm: of a flange, for rounding of what is drawn
-constexpr int kLooksAtFlange = 41;      // along a piece of the bend line
-constexpr double kTouchingParts = 1e-3; // mm: neighbouring faces as they were laid out
+constexpr double kSameLine = 1e-3;       // mm, and radians: lines that are pressed together
+constexpr double kSameWay = 1e-3;        // of unit vectors: one direction of the gauge
+constexpr double kLongEnough = 1e-3;     // mm: of a flange, for rounding of what is drawn
+constexpr int kLooksAtFlange = 41;       // along a piece of the bend line
+constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were laid out
 
 int first_line(const LineSet& set) {
   int line = 0;
@@ -294,11 +294,11 @@ std::optional<StrokeModel::Obstruction> StrokeModel::too_short(const Setting& st
   for (const bool left : {false, true}) {
     const double far = reach(stroke, left);
     if (far >= needed - kLongEnough) continue;
-    return Obstruction{limits_of(stroke, left), std::nullopt, left ? 1 : 0,
-                       fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
-                                   "mm; a V of {:.4g} mm or less would take it",
-                                   far, die.id, needed,
-                                   std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
+    return Obstruction{
+        limits_of(stroke, left), std::nullopt, left ? 1 : 0,
+        fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
+                    "mm; a V of {:.4g} mm or less would take it",
+                    far, die.id, needed, std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
   }
   return std::nullopt;
 }

@@ -53,8 +53,9 @@ std::vector<Vec2> rounded_outline(const ToolProfile& profile,
                                   const std::vector<std::optional<Rounded>>& corners) {
   std::vector<Vec2> outline;
   for (size_t i = 0; i < profile.size(); ++i) {
-    const auto at = std::find_if(corners.begin(), corners.end(),
-                                 [&](const auto& rounded) { return rounded && rounded->corner == i; });
+    const auto at = std::find_if(corners.begin(), corners.end(), [&](const auto& rounded) {
+      return rounded && rounded->corner == i;
+    });
     if (at == corners.end()) {
       outline.push_back(profile[i]);
       continue;

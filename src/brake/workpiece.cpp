@@ -69,8 +69,7 @@ bool continues(const BrakeLine& a, const BrakeLine& b) {
   const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
   const int same = a.along.dot(b.along) > 0.0 ? 0 : 1;
   return a.bodies[0] == b.bodies[same] && a.bodies[1] == b.bodies[1 - same] && a.up == b.up &&
-         std::abs(turned) < kOneLine &&
-         std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&
+         std::abs(turned) < kOneLine && std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&
          std::abs(a.angle.radians() - b.angle.radians()) < kOneLine;
 }
 
@@ -85,10 +84,10 @@ class Cutting {
  private:
   /// A line of one bend: bends between the same bodies become one line afterwards.
   struct Raw {
-    BrakeLine line;                    // u grows to its left
-    std::pair<int, int> nodes;         // on its right and left
-    std::vector<Convex> bands = {};    // of a sharp bend: what lies between its joints
-    int number = -1;                   // of the line that it is part of
+    BrakeLine line;                  // u grows to its left
+    std::pair<int, int> nodes;       // on its right and left
+    std::vector<Convex> bands = {};  // of a sharp bend: what lies between its joints
+    int number = -1;                 // of the line that it is part of
   };
 
   int count_nodes();
@@ -187,11 +186,12 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   if (bend.faces.empty()) return std::nullopt;
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
-    return Error{ErrorCode::no_straight_bend,
-                 fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
-                             "press brake has no line to strike",
-                             name),
-                 name};
+    return Error{
+        ErrorCode::no_straight_bend,
+        fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
+                    "press brake has no line to strike",
+                    name),
+        name};
   if (is_rolled(bend, sheet_.thickness)) made_.rolled.push_back(id);
   for (int i = 0; i < std::ssize(lines_at_[id]); ++i)
     add_press_line(id, i);

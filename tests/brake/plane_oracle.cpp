@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kAllowed = 0.05, kUnsure = 0.03;  // mm
 constexpr int kTurns = 90;
-constexpr double kPointStep = 0.5;                   // mm along borders
+constexpr double kPointStep = 0.5;  // mm along borders
 constexpr double kArcStep = 2.0 * std::numbers::pi / 180.0;
 
 using Ring = std::vector<Vec2>;
@@ -37,7 +37,8 @@ struct Walker {
   void turn(double angle, double radius) {
     const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(angle) / kArcStep)));
     const double sign = angle > 0.0 ? 1.0 : -1.0;
-    const Vec2 center = at.middle + sign * radius * Vec2(-std::sin(at.heading), std::cos(at.heading));
+    const Vec2 center = at.middle +
+                        sign * radius * Vec2(-std::sin(at.heading), std::cos(at.heading));
     for (int i = 0; i < steps; ++i) {
       at.heading += angle / steps;
       at.middle = center - sign * radius * Vec2(-std::sin(at.heading), std::cos(at.heading));
@@ -73,7 +74,8 @@ Side side_of(const Profile& profile, const PlaneStroke& stroke, bool behind, dou
     if (next < 0 || next >= count) break;
     const ProfileBend& bend = profile.bends[next];
     if (stroke.formed[next]) {
-      walker.turn((bend.up == pressed.up ? 1.0 : -1.0) * bend.angle.radians(), bend.radius + 0.5 * t);
+      walker.turn((bend.up == pressed.up ? 1.0 : -1.0) * bend.angle.radians(),
+                  bend.radius + 0.5 * t);
       in_plane = false;
     } else {
       walker.straight(allowance_of(profile, bend));
@@ -109,7 +111,8 @@ Ring rounded(Ring ring, const Vec2& at, double r) {
   const auto found = std::find_if(ring.begin(), ring.end(),
                                   [&](const Vec2& p) { return (p - at).norm() < 1e-9; });
   const size_t n = ring.size(), i = static_cast<size_t>(found - ring.begin());
-  const Vec2 u = (ring[(i + n - 1) % n] - at).normalized(), v = (ring[(i + 1) % n] - at).normalized();
+  const Vec2 u = (ring[(i + n - 1) % n] - at).normalized(),
+             v = (ring[(i + 1) % n] - at).normalized();
   const double half = 0.5 * std::acos(u.dot(v));
   const Vec2 center = at + (u + v).normalized() * (r / std::sin(half));
   Ring arc;
@@ -172,9 +175,9 @@ Lower lower_of(const Die& die) {
 double height_on(const Side& side, double t, const Lower& lower, double turn, double* touched) {
   const double h = 0.5 * turn;
   // The outside line of the plane side, by the first station that has its full slope.
-  const auto plane = std::find_if(side.stations.begin(), side.stations.end(), [&](const Station& at) {
-    return std::abs(at.heading - h) < 1e-12;
-  });
+  const auto plane = std::find_if(
+      side.stations.begin(), side.stations.end(),
+      [&](const Station& at) { return std::abs(at.heading - h) < 1e-12; });
   const Vec2 up(-std::sin(h), std::cos(h)), along(std::cos(h), std::sin(h));
   const Vec2 p = plane->middle - 0.5 * t * up;
   // (across, z) is `radius` below the line: up·((across, z) − p) = −radius.
@@ -188,7 +191,8 @@ double height_on(const Side& side, double t, const Lower& lower, double turn, do
 std::vector<StripPart> Profile::strip() const {
   std::vector<StripPart> parts{Straight{first}};
   for (const ProfileBend& bend : bends) {
-    parts.push_back(Turn{bend.angle, bend.radius, bend.up ? BendDirection::up : BendDirection::down});
+    parts.push_back(
+        Turn{bend.angle, bend.radius, bend.up ? BendDirection::up : BendDirection::down});
     parts.push_back(Straight{bend.after});
   }
   return parts;
@@ -220,7 +224,8 @@ PlaneVerdict plane_verdict(const Profile& profile, const PlaneStroke& stroke, co
       if (behind != stroke.gauge_behind)
         for (Vec2& p : points)
           p.x() = -p.x();
-      deepest = std::max({deepest, depth_in(upper, points), depth_in(moved(lower.ring, {0, z}), points)});
+      deepest = std::max(
+          {deepest, depth_in(upper, points), depth_in(moved(lower.ring, {0, z}), points)});
       if (!beam.empty()) deepest = std::max(deepest, depth_in(beam, points));
     }
   }

@@ -1,4 +1,5 @@
 #include "brake/plane_oracle.hpp"
+
 #include "brake/stroke_room.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,8 @@ using namespace brake_detail;
 Punch goose_neck() {
   Punch neck = punch();
   neck.id = "G";
-  neck.profile = {{0, 0},    {5, 5.96}, {5, 25},    {-12, 45},
-                  {-12, 80}, {14, 100}, {14, 150}, {-26, 150}, {-26, 40}, {-8, 18}, {-8, 9.53}};
+  neck.profile = {{0, 0},    {5, 5.96},  {5, 25},   {-12, 45}, {-12, 80}, {14, 100},
+                  {14, 150}, {-26, 150}, {-26, 40}, {-8, 18},  {-8, 9.53}};
   return neck;
 }
 
@@ -27,9 +28,9 @@ Profile random_profile(std::mt19937& random) {
   profile.first = 12.0 + 50.0 * share(random);
   const int bends = 2 + static_cast<int>(3.0 * share(random));
   for (int i = 0; i < bends; ++i)
-    profile.bends.push_back({Angle::degrees(share(random) < 0.6 ? 90.0 : 30.0 + 60.0 * share(random)),
-                             1.0 + 2.0 * share(random), share(random) < 0.65,
-                             10.0 + 60.0 * share(random)});
+    profile.bends.push_back(
+        {Angle::degrees(share(random) < 0.6 ? 90.0 : 30.0 + 60.0 * share(random)),
+         1.0 + 2.0 * share(random), share(random) < 0.65, 10.0 + 60.0 * share(random)});
   return profile;
 }
 
@@ -69,7 +70,8 @@ TEST(PlaneOracle, AgreesOnEveryStageOfRandomProfiles) {
         const Stroke told = room.model().stroke(set, choice);
         stroke.gauge_behind = told.to_gauge && index_of(*told.to_gauge) == stroke.pressed + 1;
         const PlaneVerdict verdict = plane_verdict(profile, stroke, tools.punches[choice.punch],
-                                                   tools.dies[choice.die], tools.machine.upper_beam);
+                                                   tools.dies[choice.die],
+                                                   tools.machine.upper_beam);
         const bool feasible = room.model().check(set, choice).feasible;
         if (verdict == PlaneVerdict::close) {
           ++close;

@@ -79,7 +79,8 @@ TEST(Segments, OfAPunchGoBetweenTheWallsOfABox) {
   for (const double step : {-0.1, 0.1}) {
     PlainPunch plain;
     plain.segments = {between + 2.0 * 0.05 + step};
-    BrakeTools tools = plain_tools(plain, {12.0, Angle::degrees(80), 1.5, 14.0, 100.0, {120, 90, 80}});
+    BrakeTools tools = plain_tools(plain,
+                                   {12.0, Angle::degrees(80), 1.5, 14.0, 100.0, {120, 90, 80}});
     Room room(box(size), tools);
     // Bends 1 and 3 are the long ones, along x; 2 and 4 stand beside their ends.
     EXPECT_EQ(room.can_press(1, {2, 4}), step < 0.0) << step;
@@ -90,7 +91,8 @@ TEST(Segments, OfAPunchGoBetweenTheWallsOfABox) {
 TEST(StrokeModel, PressesBendsOnOneLineTogether) {
   SheetBuilder builder(1.0);
   const FaceId base = builder.flange(
-      Frame{}, {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
+      Frame{},
+      {polygon({{0, 0}, {40, 0}, {40, 2}, {60, 2}, {60, 0}, {100, 0}, {100, 80}, {0, 80}})});
   for (const int side : {0, 4}) {
     const Rim rim = builder.bend(builder.rim(base, side),
                                  {Angle::degrees(90), 1.0, BendDirection::up});
@@ -126,9 +128,8 @@ BrakeTools gauged_tools() {
 /// The gauge reaches the border of the flange at L + BA/2 from the bend line.
 TEST(Gauge, TouchesTheBorderBehindTheBend) {
   const double half_zone = 0.25 * std::numbers::pi * (2.0 + 0.44 * 1.5);
-  const Sheet sheet = strip({Straight{60}, Turn{Angle::degrees(90), 2, BendDirection::up},
-                             Straight{45}},
-                            80, 1.5);
+  const Sheet sheet = strip(
+      {Straight{60}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{45}}, 80, 1.5);
   Room room(sheet, gauged_tools());
   const LineSet flat = room.lines({});
   std::vector<double> distances;
@@ -151,9 +152,10 @@ TEST(Gauge, TouchesTheBorderBehindTheBend) {
 
 TEST(Gauge, NeedsAnEdgeInRangeAndLongEnough) {
   const auto gauged = [](double width, double flange) {
-    Room room(strip({Straight{50}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{flange}},
-                    width, 1.5),
-              gauged_tools());
+    Room room(
+        strip({Straight{50}, Turn{Angle::degrees(90), 2, BendDirection::up}, Straight{flange}},
+              width, 1.5),
+        gauged_tools());
     int ways = 0;
     for (const StrokeChoice& choice : room.model().choices(room.lines({})))
       ways += choice.gauged;
