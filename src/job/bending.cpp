@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 namespace planish::job {
 namespace {
@@ -38,17 +39,28 @@ Result<std::vector<BendId>> bends_named(const Report& report,
   return bends;
 }
 
-/// "B3: punch P88 hits F4 by 3.1 mm at 72°"
+/// "B3: F4 hits punch P88 by 3.1 mm at 72°"
 std::string reason_of(const Report& report, const BlockedBend& blocked) {
   const Units units(report.units);
   std::string text = bend_id(report, blocked.bend);
   if (!blocked.hits.empty()) {
-    text += ": " + blocked.hits;
-    if (blocked.with) text += fmt::format(" hits F{}", index_of(*blocked.with) + 1);
-    text += fmt::format(" by {} {}", units.short_text(blocked.depth), units.symbol());
+    text += blocked.with ? fmt::format(": F{} hits ", index_of(*blocked.with) + 1)
+                         : std::string(": the part hits ");
+    text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
+                        units.symbol());
     if (blocked.at_turn) text += fmt::format(" at {:.0f}°", blocked.at_turn->degrees());
   }
   if (!blocked.why.empty()) text += (blocked.hits.empty() ? ": " : "; ") + blocked.why;
+  return text;
+}
+
+std::string reasons_of(const Report& report, const Plan& plan) {
+  constexpr std::size_t kTold = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kTold, plan.blocked.size()); ++i)
+    text += "; " + reason_of(report, plan.blocked[i]);
+  if (plan.blocked.size() > kTold)
+    text += fmt::format("; and {} more", plan.blocked.size() - kTold);
   return text;
 }
 
@@ -56,14 +68,17 @@ std::string cannot_sentence(const Report& report, const Plan& plan, const Bendin
   std::string text = "no order of strokes forms all bends with these tools";
   if (!bending.begin_with.empty())
     text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
-  std::vector<std::string> reasons;
-  for (const BlockedBend& blocked : plan.blocked)
-    reasons.push_back(reason_of(report, blocked));
-  if (!reasons.empty()) return text + "; " + fmt::format("{}", fmt::join(reasons, "; "));
+  if (!plan.blocked.empty()) return text + reasons_of(report, plan);
   if (plan.unformed.empty()) return text;
   return text + fmt::format("; each can be formed, but not after the others: {} {} left at best",
                             names_of(report, plan.unformed),
                             plan.unformed.size() == 1 ? "is" : "are");
+}
+
+/// Of a bend with several press lines the first that is blocked says why.
+void name_once(std::vector<BlockedBend>& blocked) {
+  std::set<BendId> named;
+  std::erase_if(blocked, [&](const BlockedBend& one) { return !named.insert(one.bend).second; });
 }
 
 /// Where the bends are that a plan leaves out.
@@ -99,6 +114,7 @@ void find_ungauged(Report& report, const Plan& plan) {
 std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
   const bool only_finding = bending.ask == Bending::Ask::finding;
   std::optional<Error> refusal;
+  name_once(plan.blocked);
   if (plan.status == PlanStatus::infeasible) {
     const std::string sentence = cannot_sentence(report, plan, bending);
     if (only_finding)

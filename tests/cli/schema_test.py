@@ -174,8 +174,8 @@ class Tables(SchemaTest):
             self.assertEqual([f"`{name}`" for name in writes.split()[1:]], row.split("|")[3].split(), head)
 
     def test_the_documentation_has_every_option(self):
-        text = "".join((SOURCE / "docs" / page).read_text() for page in ("cli.md", "connect.md", "transition.md", "slit.md"))
-        for maker in ("unfold", "connect", "transition", "slit"):
+        text = "".join((SOURCE / "docs" / page).read_text() for page in ("cli.md", "connect.md", "transition.md", "slit.md", "bend.md"))
+        for maker in ("unfold", "connect", "transition", "slit", "bend"):
             for option in re.findall(r"^  (?:-\w,)?(--[a-z0-9-]+)", self.run_cli(maker, "--help")[0], re.M):
                 if option != "--help":
                     self.assertIn(f"`{option}", text, maker)
