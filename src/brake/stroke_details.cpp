@@ -11,6 +11,7 @@ namespace {
 constexpr double kDepthFound = 0.005;  // mm
 constexpr double kDeepest = 1000.0;    // mm: beyond any tool
 
+constexpr double kNewtons = 1000.0;  // in a kN
 constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
 
 std::vector<double> all_segments(const std::vector<ToolRow>& rows) {
@@ -64,7 +65,7 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   stroke.gauge_direction = setting.direction * line.across();
   stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;
   if (choice.gauged) stroke.gauge = gauge(setting);
-  stroke.force = 1e-3 * length *
+  stroke.force = length / kNewtons *
                  force_per_length(options_.tensile_strength, work_.thickness, die.opening);
   stroke.clearance = clearance(setting, rows);
   return stroke;
