@@ -38,7 +38,10 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   const Die& die = tools_.dies[setting.die];
   Rows rows;
   Stroke stroke;
-  obstructed(setting, &rows);
+  if (line.closes)
+    cannot_close(setting, &rows);
+  else
+    obstructed(setting, &rows);
   double length = 0.0;
   for (int i = 0; i < std::ssize(work_.lines); ++i) {
     if (!holds(setting.pressed, i)) continue;
@@ -47,7 +50,8 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
     length += work_.lines[i].length();
   }
   stroke.press_line = line.press_line;
-  stroke.angle = line.angle;
+  stroke.flattening = line.closes.has_value();
+  stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = tools_.punches[setting.punch].id;
   stroke.die = die.id;
   stroke.punch_segments = all_segments(rows.punch);
@@ -64,10 +68,12 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   stroke.reference_up = line.reference_up;
   stroke.gauge_direction = setting.direction * line.across();
   stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;
-  if (choice.gauged) stroke.gauge = gauge(setting);
+  if (choice.gauged && !line.closes) stroke.gauge = gauge(setting);
   stroke.force = length / kNewtons *
-                 force_per_length(options_.tensile_strength, work_.thickness, die.opening);
-  stroke.clearance = clearance(setting, rows);
+                 (line.closes
+                      ? closing_force(options_.tensile_strength, work_.thickness)
+                      : force_per_length(options_.tensile_strength, work_.thickness, die.opening));
+  if (!line.closes) stroke.clearance = clearance(setting, rows);
   return stroke;
 }
 
@@ -161,8 +167,9 @@ BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
         const Setting stroke{&formed, alone, line, punch, die, direction};
-        auto obstruction = too_short(stroke);
-        if (!obstruction) obstruction = obstructed(stroke, nullptr);
+        const bool closes = work_.lines[line].closes.has_value();
+        auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
+        if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
         BlockedBend found = deepest(stroke, *obstruction);
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();

@@ -34,6 +34,10 @@ struct BrakeLine {
   bool up = true;              ///< the inside faces the viewer of the pattern
   bool reference_up = true;    ///< the reference skin is the inside
   std::array<int, 2> bodies = {};  ///< on the right of the line and on its left
+  /// A hem is two lines at one place: the first bends it by `angle` as far as tools go, the second
+  /// closes it to `closed`.
+  std::optional<int> closes = {}, closed_by = {};
+  Angle closed;
 
   Vec2 across() const { return {-along.y(), along.x()}; }  ///< to the left
   double from() const { return pieces.front().lo; }
@@ -70,7 +74,12 @@ struct Workpiece {
 struct WorkpieceOptions {
   /// Inside radius of a fold that is drawn without one, and of what is pressed at a press line, mm.
   double air_radius = 1.0;
+  /// How far hems are bent before they are closed; 0: they are lines like others.
+  Angle before_closing = {};
 };
+
+/// Bends from here on are hems.
+inline constexpr double kHemDegrees = 170.0;
 
 /// Errors: `no_straight_bend` (a general bend without press lines), `unsupported_shape` (lines that
 /// close a loop of bodies and are not one line).
