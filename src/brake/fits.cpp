@@ -21,6 +21,7 @@ bool bears(const std::optional<double>& most, double force) { return !most || *m
 
 std::string no_tool_sentence(const BrakeLine& line, const BrakeTools& tools,
                              const PlanOptions& options, bool punches) {
+  if (line.angle.degrees() >= kHemDegrees) return "no flat punch and flat die to close a hem";
   const double most = largest_tool_angle(line, options);
   const auto sharp = [&](const auto& tool) { return tool.angle.radians() <= most; };
   const double degrees = Angle::radians(most).degrees();
@@ -45,8 +46,49 @@ double force_per_length(double tensile_strength, double thickness, double openin
   return 1.42 * tensile_strength * thickness * thickness / opening;
 }
 
+double closing_force(double tensile_strength, double thickness) {
+  constexpr double kClosing = 4.0;
+  return kClosing * force_per_length(tensile_strength, thickness, wanted_opening(thickness));
+}
+
+Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) {
+  const auto sharpest = [](const auto& all) {
+    Angle angle = Angle::radians(std::numbers::pi);
+    for (const auto& tool : all)
+      angle = std::min(angle, tool.angle);
+    return angle;
+  };
+  const auto flat = [](const auto& tool) { return flattens(tool.angle); };
+  if (std::none_of(tools.punches.begin(), tools.punches.end(), flat) ||
+      std::none_of(tools.dies.begin(), tools.dies.end(), flat))
+    return {};
+  return Angle::radians(std::numbers::pi) -
+         std::max(sharpest(tools.punches), sharpest(tools.dies)) - options.springback;
+}
+
+namespace {
+
+/// Flat tools that bear the force of closing a hem.
+FittingTools closing_tools(const BrakeLine& line, const BrakeTools& tools,
+                           const PlanOptions& options) {
+  FittingTools fitting;
+  const double force = closing_force(options.tensile_strength, line.bend.thickness);
+  const auto add = [&](const auto& all, std::vector<int>& fits) {
+    for (int i = 0; i < std::ssize(all); ++i)
+      if (flattens(all[i].angle) && bears(all[i].max_force, force)) fits.push_back(i);
+  };
+  add(tools.punches, fitting.punches);
+  add(tools.dies, fitting.dies);
+  if (fitting.punches.empty() || fitting.dies.empty())
+    fitting.why = "no flat punch and flat die that bear the force of closing a hem";
+  return fitting;
+}
+
+}  // namespace
+
 FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options) {
+  if (line.closes) return closing_tools(line, tools, options);
   FittingTools fitting;
   const double most_angle = largest_tool_angle(line, options), t = line.bend.thickness;
   const double wanted = options.opening.value_or(wanted_opening(t));
@@ -75,9 +117,6 @@ FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
   }
   if (fitting.punches.empty() || fitting.dies.empty()) {
     fitting.why = no_tool_sentence(line, tools, options, fitting.punches.empty());
-    const auto as_sharp = [&](const auto& tool) { return tool.angle.radians() <= most_angle; };
-    fitting.is_hem = std::none_of(tools.punches.begin(), tools.punches.end(), as_sharp) ||
-                     std::none_of(tools.dies.begin(), tools.dies.end(), as_sharp);
   }
   return fitting;
 }

@@ -16,12 +16,18 @@ double wanted_opening(double thickness);
 /// Force of air bending, N per mm of line, which is kN per metre.
 double force_per_length(double tensile_strength, double thickness, double opening);
 
+/// Of closing a hem: four times that of bending over the wanted V, as shops reckon.
+double closing_force(double tensile_strength, double thickness);
+
+/// How far a hem is bent before it is closed: as far as the sharpest punch and die go. 0 without
+/// flat tools to close it.
+Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options);
+
 /// Which tools bear a line, whatever the stage (math.md#tool-fit).
 struct FittingTools {
   std::vector<int> punches;  ///< positions in the list of tools
   std::vector<int> dies;     ///< all of one opening
   std::string why;           ///< if one of them is empty: one sentence
-  bool is_hem = false;       ///< beyond the angle of every punch or die
 };
 FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
                            const PlanOptions& options);

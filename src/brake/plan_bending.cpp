@@ -58,11 +58,14 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     const BrakeLine& line = model.work().lines[i];
     const double opening = tools.dies[model.fitting(i).dies.front()].opening;
     const double given = options.radius_of_opening * opening;
-    if (!line.given_radius || std::abs(line.inside_radius - given) <= kBeyond * given) continue;
+    if (!line.given_radius || line.closes || line.closed_by ||
+        std::abs(line.inside_radius - given) <= kBeyond * given)
+      continue;
     for (const BendId bend : line.bends)
-      plan.notes.push_back(fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
-                                       "leaves about {:.4g} mm",
-                                       name_of(bend), line.inside_radius, opening, given));
+      plan.notes.push_back(
+          fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
+                      "leaves about {:.4g} mm",
+                      name_of(bend), line.inside_radius, opening, given));
   }
   for (const BendId bend : model.work().rolled)
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
@@ -116,6 +119,8 @@ void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
 /// What every stage hits, told for the stage that got furthest.
 void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
   for (const int line : search.blocked) {
+    const auto& closes = model.work().lines[line].closes;
+    if (closes && std::count(search.blocked.begin(), search.blocked.end(), *closes)) continue;
     BlockedBend blocked = model.blocked(search.furthest, line);
     for (const BendId bend : model.work().lines[line].bends) {
       blocked.bend = bend;
@@ -125,7 +130,9 @@ void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
   for (int i = 0; i < std::ssize(model.work().lines); ++i)
     if (!holds(search.furthest, i)) {
       const auto& bends = model.work().lines[i].bends;
-      plan.unformed.insert(plan.unformed.end(), bends.begin(), bends.end());
+      for (const BendId bend : bends)
+        if (!std::count(plan.unformed.begin(), plan.unformed.end(), bend))
+          plan.unformed.push_back(bend);
     }
   if (search.blocked.empty()) note_furthest(model, search.furthest, plan);
 }
@@ -137,7 +144,8 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   if (const auto right = check(tools); !right) return tl::unexpected(right.error());
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
   const double opening = options.opening.value_or(wanted_opening(sheet.thickness));
-  auto work = workpiece_of(sheet, layout, {options.radius_of_opening * opening});
+  auto work = workpiece_of(
+      sheet, layout, {options.radius_of_opening * opening, angle_before_closing(tools, options)});
   if (!work) return tl::unexpected(work.error());
   StrokeModel model(std::move(*work), tools, options);
   if (const auto error = line_without_tool(model)) return tl::unexpected(*error);

@@ -1,10 +1,15 @@
 #include "press_motion.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace planish::brake_detail {
 namespace {
+
+/// radians: an arc so short is straight, and its radius beyond what doubles subtract.
+constexpr double kStraight = tolerance::kComputed;
 
 /// sin(x)/x.
 double sinc(double x) {
@@ -50,7 +55,7 @@ Convex PressMotion::arc(double from, double to, double turn) const {
   for (const double at : {from, to})
     for (const double depth : {0.0, bend_.thickness}) {
       const double angle = at * per_length;
-      const bool flat = angle < 1e-9;  // the first turn: r is beyond what doubles subtract
+      const bool flat = angle < kStraight;
       const double r = turn > 0.0 ? inside_radius(turn) : 0.0;
       const double half = std::sin(0.5 * angle);
       corners.push_back(flat ? Vec2(at, -depth)

@@ -63,8 +63,8 @@ double start_of_row(const Stretch& stretch, double length) {
 }
 
 /// Fills the stretches from `rows.size()` on with what is left of the segments.
-bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches,
-          SegmentSums::Chosen used, std::vector<ToolRow>& rows) {
+bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches, SegmentSums::Chosen used,
+          std::vector<ToolRow>& rows) {
   const Stretch& stretch = stretches[rows.size()];
   const double least = stretch.pressed.hi - stretch.pressed.lo - 0.5 * kSameLength,
                most = stretch.room.hi - stretch.room.lo + 0.5 * kSameLength;
@@ -83,9 +83,7 @@ bool fill(const SegmentSums& left, const std::vector<Stretch>& stretches,
 
 }  // namespace
 
-double ToolRow::length() const {
-  return std::accumulate(segments.begin(), segments.end(), 0.0);
-}
+double ToolRow::length() const { return std::accumulate(segments.begin(), segments.end(), 0.0); }
 
 SegmentSums::SegmentSums(const std::vector<double>& segments, Chosen used) : segments_(segments) {
   std::stable_sort(segments_.begin(), segments_.end(), std::greater<>());

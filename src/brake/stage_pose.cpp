@@ -10,27 +10,19 @@ namespace {
 
 constexpr double kArcChord = 0.01;  // mm: a fifth of what may be penetrated
 
-/// The left side of a line that is formed, seen from the right side, which stays.
-Eigen::Isometry3d formed_side(const BrakeLine& line) {
-  const double angle = line.angle.radians(), half = 0.5 * line.bend.allowance;
+/// The point of a bent zone that lies flat at (along, across) and at a depth.
+Vec3 bent_point(const BrakeLine& line, Angle bent, const Vec3& flat, double depth) {
+  const double angle = bent.radians(), half = 0.5 * line.bend.allowance;
   const double r = std::max(0.0, line.bend.allowance / angle - line.bend.neutral);
-  return Eigen::Translation3d(0.0, -half + r * std::sin(angle), r * (1.0 - std::cos(angle))) *
-         Eigen::AngleAxisd(angle, Vec3::UnitX()) * Eigen::Translation3d(0.0, -half, 0.0);
-}
-
-/// The point of the formed zone that lies flat at (along, across) and at a depth.
-Vec3 formed_point(const BrakeLine& line, double x, double across, double depth) {
-  const double angle = line.angle.radians(), half = 0.5 * line.bend.allowance;
-  const double r = std::max(0.0, line.bend.allowance / angle - line.bend.neutral);
-  const double turn = half > 0.0 ? (across + half) / (2.0 * half) * angle : 0.0;
-  return {x, -half + (r + depth) * std::sin(turn), r - (r + depth) * std::cos(turn)};
+  const double turn = half > 0.0 ? (flat.y() + half) / (2.0 * half) * angle : 0.0;
+  return {flat.x(), -half + (r + depth) * std::sin(turn), r - (r + depth) * std::cos(turn)};
 }
 
 /// Of a bend's arc, so that chords of the outside stay within `kArcChord`.
-int arc_count(const BrakeLine& line) {
-  const double outer = line.bend.allowance / line.angle.radians() + line.bend.thickness;
+int arc_count(const BrakeLine& line, Angle bent) {
+  const double outer = line.bend.allowance / bent.radians() + line.bend.thickness;
   const double step = 2.0 * std::sqrt(2.0 * kArcChord / outer);
-  return std::clamp(static_cast<int>(std::ceil(line.angle.radians() / step)), 1, 60);
+  return std::clamp(static_cast<int>(std::ceil(bent.radians() / step)), 1, 60);
 }
 
 /// Along and across a line, in the frame of the line: `up` decides which way x runs.
@@ -55,18 +47,6 @@ void add_block(Block3 block, PlacedPart& placed) {
   placed.blocks.push_back(std::move(block));
 }
 
-void summarise(PlacedPart& part) {
-  std::vector<Vec2> corners;
-  part.along = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const Block3& block : part.blocks) {
-    const Interval range = extent(block);
-    part.along = {std::min(part.along.lo, range.lo), std::max(part.along.hi, range.hi)};
-    part.sections.push_back(section(block, range.lo, range.hi));
-    corners.insert(corners.end(), part.sections.back().begin(), part.sections.back().end());
-  }
-  part.hull = hull_of(std::move(corners));
-}
-
 }  // namespace
 
 Convex section(const Block3& block, double lo, double hi) {
@@ -87,12 +67,31 @@ Convex section(const Block3& block, double lo, double hi) {
   return hull_of(std::move(points));
 }
 
+void summarise(PlacedPart& part) {
+  std::vector<Vec2> corners;
+  part.along = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Block3& block : part.blocks) {
+    const Interval range = extent(block);
+    part.along = {std::min(part.along.lo, range.lo), std::max(part.along.hi, range.hi)};
+    part.sections.push_back(section(block, range.lo, range.hi));
+    corners.insert(corners.end(), part.sections.back().begin(), part.sections.back().end());
+  }
+  part.hull = hull_of(std::move(corners));
+}
+
 Interval extent(const Block3& block) {
   Interval range{block.lower.front().x(), block.lower.front().x()};
   for (const auto* ring : {&block.lower, &block.upper})
     for (const Vec3& p : *ring)
       range = {std::min(range.lo, p.x()), std::max(range.hi, p.x())};
   return range;
+}
+
+Eigen::Isometry3d bent_side(const BrakeLine& line, Angle bent) {
+  const double angle = bent.radians(), half = 0.5 * line.bend.allowance;
+  const double r = std::max(0.0, line.bend.allowance / angle - line.bend.neutral);
+  return Eigen::Translation3d(0.0, -half + r * std::sin(angle), r * (1.0 - std::cos(angle))) *
+         Eigen::AngleAxisd(angle, Vec3::UnitX()) * Eigen::Translation3d(0.0, -half, 0.0);
 }
 
 Eigen::Isometry3d line_frame(const BrakeLine& line) {
@@ -118,8 +117,11 @@ PartTree::PartTree(const Workpiece& work, int line)
   hanging_.resize(parts_.size());
   for (Part& part : parts_)
     if (part.before >= 0) part.slot = hanging_[part.before]++;
-  for (const Part& part : parts_)
-    steps_.push_back(step(part));
+  for (const Part& part : parts_) {
+    const BrakeLine& over = work_.lines[part.over < 0 ? line_ : part.over];
+    steps_.push_back(step(part, over.angle));
+    closed_steps_.push_back(over.closed_by ? step(part, over.closed) : steps_.back());
+  }
 }
 
 void PartTree::grow() {
@@ -128,11 +130,12 @@ void PartTree::grow() {
     for (int line = 0; line < std::ssize(work_.lines); ++line) {
       const auto& bodies = work_.lines[line].bodies;
       const int body = parts_[i].index;
-      if (line == line_ || line == parts_[i].over) continue;
+      if (line == line_ || line == parts_[i].over || work_.lines[line].closes) continue;
       if (bodies[0] != body && bodies[1] != body) continue;
       const int next = bodies[bodies[0] == body ? 1 : 0];
       LineSet path = parts_[i].path;
       insert(path, line);
+      if (work_.lines[line].closed_by) insert(path, *work_.lines[line].closed_by);
       std::vector<int> lines = parts_[i].lines;
       lines.push_back(line);
       const bool left = parts_[i].left;
@@ -143,33 +146,44 @@ void PartTree::grow() {
   }
 }
 
-/// How a body moves when the line that it hangs by is formed: before its place when that is flat.
-Eigen::Isometry3d PartTree::step(const Part& part) const {
+/// How a body moves when the line that it hangs by is bent: before its place when that is flat.
+Eigen::Isometry3d PartTree::step(const Part& part, Angle angle) const {
   if (part.is_zone || part.over < 0) return Eigen::Isometry3d::Identity();
   const BrakeLine& line = work_.lines[part.over];
-  const Eigen::Isometry3d frame = line_frame(line), side = formed_side(line);
+  const Eigen::Isometry3d frame = line_frame(line), side = bent_side(line, angle);
   const bool to_left = line.bodies[1] == part.index;
   return frame.inverse() * (to_left ? side : side.inverse()) * frame;
+}
+
+PartTree::State PartTree::state(int line, const LineSet& formed, const LineSet& pressed) const {
+  if (holds(pressed, line)) return State::pressed;
+  const auto& closed_by = work_.lines[line].closed_by;
+  if (closed_by && holds(formed, *closed_by)) return State::closed;
+  return holds(formed, line) ? State::formed : State::flat;
 }
 
 Eigen::Isometry3d PartTree::place(int number, const LineSet& formed) const {
   const Part& part = parts_[number];
   if (part.before < 0) return line_frame(work_.lines[line_]);
   const Eigen::Isometry3d before = place(part.before, formed);
-  return holds(formed, part.over) ? before * steps_[number] : before;
+  const State over = state(part.over, formed, no_lines(static_cast<int>(work_.lines.size())));
+  if (over == State::flat) return before;
+  return before * (over == State::closed ? closed_steps_ : steps_)[number];
 }
 
 /// The zone of a line in the frame of the tree's line, cut at `count` equal steps across it.
 template <typename Take>
-void PartTree::cut_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed,
-                        int count, const Take& take) const {
+void PartTree::cut_zone(const Part& part, const Eigen::Isometry3d& before, State state, int count,
+                        const Take& take) const {
   const BrakeLine& line = work_.lines[part.index];
+  const bool is_bent = state == State::formed || state == State::closed;
+  const Angle angle = state == State::closed ? line.closed : line.angle;
   const double half = 0.5 * line.bend.allowance;
   const Eigen::Isometry3d frame = line_frame(line);
   Eigen::Isometry3d at = before;
   // What hangs on the left of a formed line sees the zone from the side where it ends.
-  if (is_formed && line.bodies[1] == parts_[part.before].index)
-    at = at * frame.inverse() * formed_side(line).inverse() * frame;
+  if (is_bent && part.before >= 0 && line.bodies[1] == parts_[part.before].index)
+    at = at * frame.inverse() * bent_side(line, angle).inverse() * frame;
   at = at * frame.inverse();
   for (const Convex& piece : work_.zones[part.index].pieces)
     for (int i = 0; i < count; ++i) {
@@ -180,8 +194,8 @@ void PartTree::cut_zone(const Part& part, const Eigen::Isometry3d& before, bool 
       for (const Vec2& p : strip) {
         const Vec3 on = in_frame(line, p, 0.0);
         const auto point = [&](double depth) {
-          return is_formed ? at * formed_point(line, on.x(), on.y(), depth)
-                           : at * Vec3(on.x(), on.y(), -depth);
+          return is_bent ? at * bent_point(line, angle, on, depth)
+                         : at * Vec3(on.x(), on.y(), -depth);
         };
         block.lower.push_back(point(work_.thickness));
         block.upper.push_back(point(0.0));
@@ -190,12 +204,22 @@ void PartTree::cut_zone(const Part& part, const Eigen::Isometry3d& before, bool 
     }
 }
 
+std::vector<Block3> PartTree::closed_zone() const {
+  std::vector<Block3> blocks;
+  const BrakeLine& line = work_.lines[line_];
+  for (const Part& part : parts_)
+    if (part.is_zone && part.before < 0)
+      cut_zone(part, line_frame(line), State::closed, arc_count(line, line.closed),
+               [&](Block3 block) { blocks.push_back(std::move(block)); });
+  return blocks;
+}
+
 /// The strips of a zone that is being pressed.
 void PartTree::add_strips(const Part& part, const Eigen::Isometry3d& before,
                           PlacedPart& placed) const {
   const double half = 0.5 * work_.lines[part.index].bend.allowance;
-  const int count = 2 * arc_count(work_.lines[part.index]);
-  cut_zone(part, before, false, count, [&](const Block3& block) {
+  const int count = 2 * arc_count(work_.lines[part.index], work_.lines[part.index].angle);
+  cut_zone(part, before, State::flat, count, [&](const Block3& block) {
     double middle = 0.0, from = half, to = 0.0;
     for (const Vec3& p : block.upper) {
       middle += p.y();
@@ -206,11 +230,13 @@ void PartTree::add_strips(const Part& part, const Eigen::Isometry3d& before,
   });
 }
 
-void PartTree::add_zone(const Part& part, const Eigen::Isometry3d& before, bool is_formed,
+void PartTree::add_zone(const Part& part, const Eigen::Isometry3d& before, State state,
                         PlacedPart& placed) const {
-  const int count = is_formed ? arc_count(work_.lines[part.index]) : 1;
-  cut_zone(part, before, is_formed, count,
-           [&](Block3 block) { add_block(std::move(block), placed); });
+  const BrakeLine& line = work_.lines[part.index];
+  const int count = state == State::flat     ? 1
+                    : state == State::closed ? arc_count(line, line.closed)
+                                             : arc_count(line, line.angle);
+  cut_zone(part, before, state, count, [&](Block3 block) { add_block(std::move(block), placed); });
 }
 
 void PartTree::add_body(const Part& part, PlacedPart& placed) const {
@@ -228,19 +254,19 @@ void PartTree::add_body(const Part& part, PlacedPart& placed) const {
 PlacedPart PartTree::placed(int number, const PlacedPart* before, State over) const {
   const Part& part = parts_[number];
   const Eigen::Isometry3d start = before ? before->at : line_frame(work_.lines[line_]);
-  const bool is_formed = over == State::formed;
+  const bool is_bent = over == State::formed || over == State::closed;
   PlacedPart result;
-  result.flat = (!before || before->flat) && !is_formed;
+  result.flat = (!before || before->flat) && !is_bent;
   result.left = before ? before->left : part.left;
   if (part.is_zone && (!before || over == State::pressed)) {
     add_strips(part, start, result);
     return result;
   }
   if (part.is_zone) {
-    add_zone(part, start, is_formed, result);
+    add_zone(part, start, over, result);
   } else {
     if (over == State::pressed) result.left = !result.left;
-    result.at = is_formed ? start * steps_[number] : start;
+    result.at = is_bent ? start * (over == State::closed ? closed_steps_ : steps_)[number] : start;
     add_body(part, result);
   }
   summarise(result);

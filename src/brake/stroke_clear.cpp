@@ -47,9 +47,8 @@ const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part, co
   Known& known = *parts_in(stroke)[part];
   for (const auto& [key, blocked] : known.blocked)
     if (key == obstacle.key) return blocked;
-  known.blocked.emplace_back(obstacle.key,
-                             blocked_along(motion, known.placed, *obstacle.left, *obstacle.right,
-                                           most_turn(stroke.line)));
+  known.blocked.emplace_back(obstacle.key, blocked_along(motion, known.placed, *obstacle.left,
+                                                         *obstacle.right, most_turn(stroke.line)));
   return known.blocked.back().second;
 }
 
@@ -58,9 +57,9 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
   const PartTree& tree = room(stroke.line).tree;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
   const PressMotion motion = this->motion(stroke);
-  std::vector<Interval> walls[2];  // in the way of the punch, of the die
-  LineSet because[2] = {no_lines(static_cast<int>(work_.lines.size())),
-                        no_lines(static_cast<int>(work_.lines.size()))};
+  const LineSet none = no_lines(static_cast<int>(work_.lines.size()));
+  std::array<std::vector<Interval>, 2> walls;  // in the way of the punch, of the die
+  std::array<LineSet, 2> because = {none, none};
   for (int part = 0; part < std::ssize(tree.parts()); ++part)
     for (const ToolKind kind : kToolKinds) {
       const std::vector<Interval>& blocked = blocked_by(kind, part, stroke, motion);
@@ -68,23 +67,30 @@ std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& s
       const LineSet& path = tree.parts()[part].path;
       if (!is_row(kind) || stands_in(blocked, pieces, shortfall()))
         return Obstruction{path, kind, part, {}};
-      const int row = kind == ToolKind::punch ? 0 : 1;
+      const size_t row = kind == ToolKind::punch ? 0 : 1;
       walls[row].insert(walls[row].end(), blocked.begin(), blocked.end());
       because[row] = joined(because[row], path);
     }
-  for (const int row : {0, 1}) {
-    const SegmentSums& segments = row == 0 ? punch_segments_[stroke.punch]
-                                           : die_segments_[stroke.die];
+  return rows_missing(stroke, walls, because, rows);
+}
+
+/// Whether rows of punch and die can be made of their segments.
+std::optional<StrokeModel::Obstruction> StrokeModel::rows_missing(
+    const Setting& stroke, const std::array<std::vector<Interval>, 2>& walls,
+    const std::array<LineSet, 2>& because, Rows* rows) {
+  const std::vector<Interval> pieces = pressed_pieces(stroke);
+  for (const size_t row : {size_t{0}, size_t{1}}) {
+    const ToolKind kind = row == 0 ? ToolKind::punch : ToolKind::die;
+    const int tool = row == 0 ? stroke.punch : stroke.die;
+    const SegmentSums& segments = row == 0 ? punch_segments_[tool] : die_segments_[tool];
     const RowRequest request{pieces, shortfall(), joined(walls[row], 0.0), tools_.machine.length};
     std::vector<ToolRow> standing = tool_rows(segments, request);
     if (standing.empty())
-      return Obstruction{because[row], row == 0 ? ToolKind::punch : ToolKind::die, -1,
-                         fmt::format("no segments of {} {} press the line, {:.4g} mm long, and stand "
-                                     "between what is beside it",
-                                     row == 0 ? "punch" : "die",
-                                     row == 0 ? tools_.punches[stroke.punch].id
-                                              : tools_.dies[stroke.die].id,
-                                     pieces.back().hi - pieces.front().lo)};
+      return Obstruction{
+          because[row], kind, -1,
+          fmt::format("no segments of {} press the line, {:.4g} mm long, and stand "
+                      "between what is beside it",
+                      room_of_tools_.name(kind, tool), pieces.back().hi - pieces.front().lo)};
     if (rows) (row == 0 ? rows->punch : rows->die) = std::move(standing);
   }
   return std::nullopt;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kDepthFound = 0.005;  // mm
 constexpr double kDeepest = 1000.0;    // mm: beyond any tool
 
+constexpr double kNewtons = 1000.0;  // in a kN
 constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
 
 std::vector<double> all_segments(const std::vector<ToolRow>& rows) {
@@ -37,7 +38,10 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   const Die& die = tools_.dies[setting.die];
   Rows rows;
   Stroke stroke;
-  obstructed(setting, &rows);
+  if (line.closes)
+    cannot_close(setting, &rows);
+  else
+    obstructed(setting, &rows);
   double length = 0.0;
   for (int i = 0; i < std::ssize(work_.lines); ++i) {
     if (!holds(setting.pressed, i)) continue;
@@ -46,7 +50,8 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
     length += work_.lines[i].length();
   }
   stroke.press_line = line.press_line;
-  stroke.angle = line.angle;
+  stroke.flattening = line.closes.has_value();
+  stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = tools_.punches[setting.punch].id;
   stroke.die = die.id;
   stroke.punch_segments = all_segments(rows.punch);
@@ -63,10 +68,12 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   stroke.reference_up = line.reference_up;
   stroke.gauge_direction = setting.direction * line.across();
   stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;
-  if (choice.gauged) stroke.gauge = gauge(setting);
-  stroke.force = 1e-3 * length *
-                 force_per_length(options_.tensile_strength, work_.thickness, die.opening);
-  stroke.clearance = clearance(setting, rows);
+  if (choice.gauged && !line.closes) stroke.gauge = gauge(setting);
+  stroke.force = length / kNewtons *
+                 (line.closes
+                      ? closing_force(options_.tensile_strength, work_.thickness)
+                      : force_per_length(options_.tensile_strength, work_.thickness, die.opening));
+  if (!line.closes) stroke.clearance = clearance(setting, rows);
   return stroke;
 }
 
@@ -81,9 +88,8 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
     const PlacedPart& placed = parts_in(stroke)[part]->placed;
     for (const ToolKind kind : kToolKinds) {
       const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
-      const SidedObstacle body = room_of_tools_.body(kind, above ? stroke.punch : stroke.die,
-                                                     nearness(part, kind, stroke),
-                                                     stroke.direction);
+      const SidedObstacle body = room_of_tools_.body(
+          kind, above ? stroke.punch : stroke.die, nearness(part, kind, stroke), stroke.direction);
       const Obstacle& obstacle = placed.left ? *body.left : *body.right;
       const std::vector<ToolRow>* row = kind == ToolKind::punch ? &rows.punch
                                         : kind == ToolKind::die ? &rows.die
@@ -161,8 +167,9 @@ BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
         const Setting stroke{&formed, alone, line, punch, die, direction};
-        auto obstruction = too_short(stroke);
-        if (!obstruction) obstruction = obstructed(stroke, nullptr);
+        const bool closes = work_.lines[line].closes.has_value();
+        auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
+        if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
         BlockedBend found = deepest(stroke, *obstruction);
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();

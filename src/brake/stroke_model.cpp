@@ -8,11 +8,11 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kSameLine = 1e-3;      // mm, and radians: lines that are pressed together
-constexpr double kSameWay = 1e-3;       // of unit vectors: one direction of the gauge
-constexpr double kLongEnough = 1e-3;    // mm: of a flange, for rounding of what is drawn
-constexpr int kLooksAtFlange = 41;      // along a piece of the bend line
-constexpr double kTouchingParts = 1e-3; // mm: neighbouring faces as they were laid out
+constexpr double kSameLine = 1e-3;       // mm, and radians: lines that are pressed together
+constexpr double kSameWay = 1e-3;        // of unit vectors: one direction of the gauge
+constexpr double kLongEnough = 1e-3;     // mm: of a flange, for rounding of what is drawn
+constexpr int kLooksAtFlange = 41;       // along a piece of the bend line
+constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were laid out
 
 int first_line(const LineSet& set) {
   int line = 0;
@@ -24,8 +24,8 @@ int first_line(const LineSet& set) {
 /// Whether two lines are pieces of one line of the pattern, bent alike.
 bool lie_on_one_line(const BrakeLine& a, const BrakeLine& b) {
   const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
-  return a.reference_up == b.reference_up && !a.press_line && !b.press_line &&
-         std::abs(turned) < kSameLine &&
+  return a.reference_up == b.reference_up && !a.press_line && !b.press_line && !a.closes &&
+         !b.closes && std::abs(turned) < kSameLine &&
          std::abs(a.across().dot(b.origin - a.origin)) < kSameLine &&
          std::abs(a.angle.radians() - b.angle.radians()) < kSameLine &&
          std::abs(a.inside_radius - b.inside_radius) < kSameLine;
@@ -60,7 +60,9 @@ int StrokeModel::direction_number(const Vec2& direction) const {
   return -1;
 }
 
+/// A hem is closed where it was bent.
 StrokeModel::LineRoom& StrokeModel::room(int line) {
+  if (work_.lines[line].closes) line = *work_.lines[line].closes;
   if (!rooms_[line]) {
     rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line)});
     rooms_[line]->at_line.resize(rooms_[line]->tree.parts().size());
@@ -83,8 +85,7 @@ const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& str
     PartTree::State over = PartTree::State::flat;
     Known* before = part.before >= 0 ? room.parts[part.before] : nullptr;
     if (before) {
-      if (holds(stroke.pressed, part.over)) over = PartTree::State::pressed;
-      if (holds(*stroke.formed, part.over)) over = PartTree::State::formed;
+      over = room.tree.state(part.over, *stroke.formed, stroke.pressed);
       known = &before->hanging[part.slot][static_cast<size_t>(over)];
     }
     if (!*known) {
@@ -117,6 +118,7 @@ StrokeModel::Setting StrokeModel::setting(const LineSet& formed, const StrokeCho
 /// The lines that continue a line in a stage, itself included.
 std::vector<int> StrokeModel::together(int line, const LineSet& formed) {
   std::vector<int> lines;
+  if (work_.lines[line].closes) return {line};
   const PartTree& tree = room(line).tree;
   for (const int other : on_one_line_[line]) {
     if (holds(formed, other)) continue;
@@ -150,14 +152,15 @@ std::vector<StrokeChoice> StrokeModel::choices(const LineSet& formed) {
         for (const int die : fitting.dies) {
           choice.punch = punch;
           choice.die = die;
-          if (!is_known) choice.gauged = gauge(setting(formed, choice)).has_value();
+          if (!is_known) choice.gauged = first.closes || gauge(setting(formed, choice)).has_value();
           is_known = true;
           all.push_back(choice);
         }
     }
   };
   for (int line = 0; line < std::ssize(work_.lines); ++line) {
-    if (holds(formed, line)) continue;
+    const auto& closes = work_.lines[line].closes;
+    if (holds(formed, line) || (closes && !holds(formed, *closes))) continue;
     const std::vector<int> lines = together(line, formed);
     if (lines.front() == line) add(lines);
     if (lines.size() > 1) add({line});
@@ -294,17 +297,21 @@ std::optional<StrokeModel::Obstruction> StrokeModel::too_short(const Setting& st
   for (const bool left : {false, true}) {
     const double far = reach(stroke, left);
     if (far >= needed - kLongEnough) continue;
-    return Obstruction{limits_of(stroke, left), std::nullopt, left ? 1 : 0,
-                       fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
-                                   "mm; a V of {:.4g} mm or less would take it",
-                                   far, die.id, needed,
-                                   std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
+    return Obstruction{
+        limits_of(stroke, left), std::nullopt, left ? 1 : 0,
+        fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
+                    "mm; a V of {:.4g} mm or less would take it",
+                    far, die.id, needed, std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
   }
   return std::nullopt;
 }
 
 StrokeVerdict StrokeModel::check(const LineSet& formed, const StrokeChoice& choice) {
   const Setting stroke = setting(formed, choice);
+  if (work_.lines[stroke.line].closes) {
+    const auto obstruction = cannot_close(stroke, nullptr);
+    return obstruction ? StrokeVerdict{false, obstruction->because} : StrokeVerdict{};
+  }
   if (const auto obstruction = too_short(stroke)) return {false, obstruction->because};
   if (const auto obstruction = obstructed(stroke, nullptr)) return {false, obstruction->because};
   return {};

@@ -38,7 +38,8 @@ class StrokeModel {
   struct Known {
     PlacedPart placed;
     std::vector<std::pair<int, std::vector<Interval>>> blocked = {};  ///< by the obstacle's key
-    std::vector<std::array<std::unique_ptr<Known>, 3>> hanging = {};  ///< flat, formed, pressed
+    /// By the state of the line between.
+    std::vector<std::array<std::unique_ptr<Known>, PartTree::kStates>> hanging = {};
   };
   /// All that is known about strokes on one line.
   struct LineRoom {
@@ -86,6 +87,11 @@ class StrokeModel {
   double measured_reach(const Setting& stroke, bool left);
   LineSet limits_of(const Setting& stroke, bool left);
   std::optional<Obstruction> obstructed(const Setting& stroke, Rows* rows);
+  std::optional<Obstruction> rows_missing(const Setting& stroke,
+                                          const std::array<std::vector<Interval>, 2>& walls,
+                                          const std::array<LineSet, 2>& because, Rows* rows);
+  std::vector<PlacedPart> closed_parts(const Setting& stroke, bool left_folds);
+  std::optional<Obstruction> cannot_close(const Setting& stroke, Rows* rows);
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);
   Interval contact_range(int line, int die);

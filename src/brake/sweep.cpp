@@ -198,7 +198,8 @@ std::vector<Interval> blocked_along(const PressMotion& motion, const PlacedPart&
       blocked.push_back(whole);
       continue;
     }
-    const auto lo = search.first(whole.lo, whole.hi, true), hi = search.first(whole.lo, whole.hi, false);
+    const auto lo = search.first(whole.lo, whole.hi, true),
+               hi = search.first(whole.lo, whole.hi, false);
     if (lo && hi) blocked.push_back({*lo, *hi});
   }
   return joined(std::move(blocked), kAlong);
@@ -214,7 +215,8 @@ std::optional<double> hit_within(const PressMotion& motion, const PlacedPart& pa
         return turn;
   const Obstacle& obstacle = part.left ? left : right;
   for (const Block3& block : part.blocks)
-    if (const auto turn = BlockSearch(motion, block, obstacle, most).hit_between(along.lo, along.hi))
+    if (const auto turn = BlockSearch(motion, block, obstacle, most)
+                              .hit_between(along.lo, along.hi))
       return turn;
   return std::nullopt;
 }

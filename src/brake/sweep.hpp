@@ -11,8 +11,8 @@ namespace planish::brake_detail {
 
 /// A convex part of the workpiece's section as it moves through a stroke.
 struct Moving {
-  std::function<Convex(double turn)> at;      ///< in the machine frame, its side seen as the left
-  std::function<double(double turn)> speed;   ///< bound of mm per radian up to a turn
+  std::function<Convex(double turn)> at;     ///< in the machine frame, its side seen as the left
+  std::function<double(double turn)> speed;  ///< bound of mm per radian up to a turn
 };
 
 /// A part that is turned with its side.

@@ -1,5 +1,7 @@
 #include "tool_shape.hpp"
 
+#include "profile_check.hpp"
+
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
@@ -20,15 +22,9 @@ struct Rounded {
   Vec2 start, end;  ///< of the arc, along the profile
 };
 
-std::optional<size_t> profile_corner(const ToolProfile& profile, const Vec2& p) {
-  for (size_t i = 0; i < profile.size(); ++i)
-    if ((profile[i] - p).norm() < kAtCorner) return i;
-  return std::nullopt;
-}
-
 /// The circle of the radius in a convex corner; smaller where a side is too short for it.
 std::optional<Rounded> rounding(const ToolProfile& profile, const Vec2& at, double radius) {
-  const auto corner = profile_corner(profile, at);
+  const auto corner = corner_at(profile, at);
   if (!corner || radius <= 0.0) return std::nullopt;
   const size_t n = profile.size();
   const Vec2 back = profile[(*corner + n - 1) % n] - at, ahead = profile[(*corner + 1) % n] - at;
@@ -53,8 +49,9 @@ std::vector<Vec2> rounded_outline(const ToolProfile& profile,
                                   const std::vector<std::optional<Rounded>>& corners) {
   std::vector<Vec2> outline;
   for (size_t i = 0; i < profile.size(); ++i) {
-    const auto at = std::find_if(corners.begin(), corners.end(),
-                                 [&](const auto& rounded) { return rounded && rounded->corner == i; });
+    const auto at = std::find_if(corners.begin(), corners.end(), [&](const auto& rounded) {
+      return rounded && rounded->corner == i;
+    });
     if (at == corners.end()) {
       outline.push_back(profile[i]);
       continue;
@@ -140,7 +137,7 @@ Obstacle obstacle_of(const ToolSection& section, double depth, double clearance)
 Obstacle obstacle_beside_tip(const Punch& punch, double clearance) {
   Obstacle whole = obstacle_of(section_of(punch), 0.0, clearance), beside;
   const ToolProfile profile = oriented(punch.profile);
-  const auto corner = profile_corner(profile, Vec2::Zero());
+  const auto corner = corner_at(profile, Vec2::Zero());
   if (!corner) return whole;
   const size_t n = profile.size();
   const Vec2 down(0.0, lowered(punch));

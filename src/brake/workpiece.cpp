@@ -69,8 +69,7 @@ bool continues(const BrakeLine& a, const BrakeLine& b) {
   const double turned = a.along.x() * b.along.y() - a.along.y() * b.along.x();
   const int same = a.along.dot(b.along) > 0.0 ? 0 : 1;
   return a.bodies[0] == b.bodies[same] && a.bodies[1] == b.bodies[1 - same] && a.up == b.up &&
-         std::abs(turned) < kOneLine &&
-         std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&
+         std::abs(turned) < kOneLine && std::abs(a.across().dot(b.origin - a.origin)) < kOneLine &&
          std::abs(a.angle.radians() - b.angle.radians()) < kOneLine;
 }
 
@@ -85,10 +84,10 @@ class Cutting {
  private:
   /// A line of one bend: bends between the same bodies become one line afterwards.
   struct Raw {
-    BrakeLine line;                    // u grows to its left
-    std::pair<int, int> nodes;         // on its right and left
-    std::vector<Convex> bands = {};    // of a sharp bend: what lies between its joints
-    int number = -1;                   // of the line that it is part of
+    BrakeLine line;                  // u grows to its left
+    std::pair<int, int> nodes;       // on its right and left
+    std::vector<Convex> bands = {};  // of a sharp bend: what lies between its joints
+    int number = -1;                 // of the line that it is part of
   };
 
   int count_nodes();
@@ -105,6 +104,7 @@ class Cutting {
   int body_of(int node);
   void number_bodies();
   void number_lines();
+  void add_closing_lines();
   std::optional<Error> check_tree() const;
   void add_material();
   void add_bend_material(BendId id, const Convex& piece);
@@ -187,11 +187,12 @@ std::optional<Error> Cutting::add_lines(BendId id) {
   if (bend.faces.empty()) return std::nullopt;
   const std::string name = fmt::format("B{}", index_of(id) + 1);
   if (bend.kind == BendKind::general && bend.press_lines.empty())
-    return Error{ErrorCode::no_straight_bend,
-                 fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
-                             "press brake has no line to strike",
-                             name),
-                 name};
+    return Error{
+        ErrorCode::no_straight_bend,
+        fmt::format("bend {} is neither a cylinder nor a cone and has no press lines, so a "
+                    "press brake has no line to strike",
+                    name),
+        name};
   if (is_rolled(bend, sheet_.thickness)) made_.rolled.push_back(id);
   for (int i = 0; i < std::ssize(lines_at_[id]); ++i)
     add_press_line(id, i);
@@ -295,13 +296,30 @@ void Cutting::number_lines() {
     raw.number = static_cast<int>(made_.lines.size());
     made_.lines.push_back(raw.line);
   }
+}
+
+/// Splits hems into bending and closing.
+void Cutting::add_closing_lines() {
+  const int count = static_cast<int>(made_.lines.size());
+  for (int i = 0; i < count && options_.before_closing.radians() > 0.0; ++i) {
+    BrakeLine& line = made_.lines[i];
+    if (line.angle.degrees() < kHemDegrees || line.press_line) continue;
+    line.closed = line.angle;
+    line.angle = options_.before_closing;
+    line.inside_radius = line.bend.allowance / line.angle.radians() - line.bend.neutral;
+    line.closed_by = static_cast<int>(made_.lines.size());
+    BrakeLine closing = line;
+    closing.closes = i;
+    closing.closed_by.reset();
+    made_.lines.push_back(std::move(closing));
+  }
   made_.zones.resize(made_.lines.size());
 }
 
 std::optional<Error> Cutting::check_tree() const {
   UnionFind bodies(static_cast<int>(made_.bodies.size()));
   for (const BrakeLine& line : made_.lines) {
-    if (bodies.unite(line.bodies[0], line.bodies[1])) continue;
+    if (line.closes || bodies.unite(line.bodies[0], line.bodies[1])) continue;
     const std::string name = fmt::format("B{}", index_of(line.bends.front()) + 1);
     return Error{ErrorCode::unsupported_shape,
                  fmt::format("bend {} closes a loop of flanges: it could only be bent at the same "
@@ -353,6 +371,8 @@ void Cutting::add_material() {
       if (!is_thin(band, kTouching)) add_to_zone(raw, band);
   for (BrakeLine& line : made_.lines)
     line.pieces = joined(std::move(line.pieces), kTouching);
+  for (BrakeLine& line : made_.lines)
+    if (line.closes) line.pieces = made_.lines[*line.closes].pieces;
 }
 
 /// Straight borders of bends with several lines lie across them and are of no use to a gauge.
@@ -380,6 +400,7 @@ Result<Workpiece> Cutting::cut() {
   add_sharp_lines();
   number_bodies();
   number_lines();
+  add_closing_lines();
   if (const auto error = check_tree()) return tl::unexpected(*error);
   add_material();
   add_edges();
