@@ -103,6 +103,10 @@ void draw_flat(Page& page, const Report& report, const PageArea& area) {
   dimension(page, {hi.x() + 4.0, lo.y()}, {hi.x() + 4.0, hi.y()}, mm_text(units, size.y()));
 }
 
+bool shows_reference(const Report& report) {
+  return report.layout.placement[report.layout.root].linear().determinant() > 0.0;
+}
+
 constexpr std::array kColumns{12.0, 21.0, 46.0, 60.0, 89.0, 112.0, 131.0, 146.0, 166.0, 184.0};
 constexpr std::array kTitles{"no.", "bends",  "angle", "punch", "die",
                              "up",  "gauge:", "at",    "force", "clear"};
@@ -114,7 +118,7 @@ std::array<std::string, 10> row_of(const Report& report, const Stroke& stroke, i
           fmt::format("{:.1f}°", stroke.angle.degrees()),
           stroke.punch,
           stroke.die,
-          stroke.reference_up ? "reference" : "other",
+          stroke.reference_up == shows_reference(report) ? "as drawn" : "back",
           stroke.to_gauge ? fmt::format("F{}", index_of(*stroke.to_gauge) + 1) : "",
           stroke.gauge ? units.length_text(stroke.gauge->distance) : "none",
           fmt::format("{:.0f} kN", stroke.force),
@@ -141,12 +145,10 @@ std::size_t draw_table(Page& page, const Report& report, std::size_t first, doub
 
 /// Turns the pattern so that the gauge is above, and mirrors it where its other side faces up.
 Isometry2 lying(const Report& report, const Stroke& stroke) {
-  const Isometry2& root = report.layout.placement[report.layout.root];
-  const bool shows_reference = root.linear().determinant() > 0.0;
   const Vec2& up = stroke.gauge_direction;
   Eigen::Matrix2d turn;
   turn << up.y(), -up.x(), up.x(), up.y();
-  if (stroke.reference_up != shows_reference) turn.row(0) *= -1.0;
+  if (stroke.reference_up != shows_reference(report)) turn.row(0) *= -1.0;
   Isometry2 motion = Isometry2::Identity();
   motion.linear() = turn;
   return motion;
