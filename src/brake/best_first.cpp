@@ -152,11 +152,15 @@ class BestFirst {
   }
 
   /// A plan by way of a promising node, so that a search that is stopped has a good one.
-  void improve(int number) { search_depth_first(work_, strokes_to(number), 0); }
+  void improve(int number) {
+    const bool outside = work_.knows_depth() && ++dives_ % 2 == 0;
+    search_depth_first(work_, strokes_to(number), 0, outside ? Guide::outside_in : Guide::cost);
+  }
 
   StrokeWork& work_;
   StageBook& book_;
   std::vector<Node> nodes_;
+  int dives_ = 0;
   std::vector<std::vector<int>> at_stage_;  ///< nodes, by stage
   std::priority_queue<Waiting, std::vector<Waiting>, Dearer> open_;
 };

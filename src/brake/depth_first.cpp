@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <functional>
-#include <utility>
+#include <tuple>
 
 namespace planish::brake_detail {
 namespace {
 
 struct Step {
+  int depth = 0;      ///< the guide's, before the cost
   double cost = 0.0;  ///< estimated, of the whole plan
   std::size_t offer = 0;
 };
@@ -20,7 +21,7 @@ struct Level {
 
 class Descent {
  public:
-  explicit Descent(StrokeWork& work) : work_(work), book_(work.book()) {}
+  Descent(StrokeWork& work, Guide guide) : work_(work), book_(work.book()), guide_(guide) {}
 
   bool run(const std::vector<int>& strokes, std::int64_t most_stages) {
     const std::int64_t end = book_.asked() + most_stages;
@@ -66,13 +67,15 @@ class Descent {
       if (offers[i].state != Offer::State::infeasible) steps.push_back(step(stage, set_up, i));
     // Of equal ones those are tried first that are offered first.
     std::ranges::sort(steps, std::greater(),
-                      [](const Step& s) { return std::pair(s.cost, s.offer); });
+                      [](const Step& s) { return std::tuple(s.depth, s.cost, s.offer); });
   }
 
   Step step(int stage, int set_up, std::size_t offer) {
     const KnownChoice& known = book_.choice(book_.offers(stage)[offer].choice);
     const LineSet after = joined(*book_[stage].formed, known.choice.lines);
-    return {book_.change(set_up, known.set_up) + known.cost + work_.bound(after, known.set_up),
+    const int depth = guide_ == Guide::outside_in ? work_.depth_of(known.choice) : 0;
+    return {depth,
+            book_.change(set_up, known.set_up) + known.cost + work_.bound(after, known.set_up),
             offer};
   }
 
@@ -101,6 +104,7 @@ class Descent {
 
   StrokeWork& work_;
   StageBook& book_;
+  Guide guide_;
   std::vector<Level> levels_;
   std::vector<int> strokes_;
   std::size_t given_ = 0;
@@ -109,9 +113,9 @@ class Descent {
 
 }  // namespace
 
-bool search_depth_first(StrokeWork& work, const std::vector<int>& strokes,
-                        std::int64_t most_stages) {
-  return Descent(work).run(strokes, most_stages);
+bool search_depth_first(StrokeWork& work, const std::vector<int>& strokes, std::int64_t most_stages,
+                        Guide guide) {
+  return Descent(work, guide).run(strokes, most_stages);
 }
 
 }  // namespace planish::brake_detail

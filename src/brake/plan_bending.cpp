@@ -1,3 +1,4 @@
+#include "line_depth.hpp"
 #include "stroke_model.hpp"
 
 #include <planish/brake/plan.hpp>
@@ -79,6 +80,7 @@ StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
     return model.check(formed, choice);
   };
   problem.possible = model.possible();
+  problem.depth = line_depths(model.work());
   for (const BendId bend : options.begin_with)
     for (int i = 0; i < problem.lines; ++i) {
       const auto& bends = model.work().lines[i].bends;

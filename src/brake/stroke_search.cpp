@@ -68,6 +68,14 @@ StrokeWork::Stop StrokeWork::stopped() {
   return over ? Stop::limit : Stop::none;
 }
 
+int StrokeWork::depth_of(const StrokeChoice& choice) const {
+  if (!knows_depth()) return 0;
+  int depth = std::numeric_limits<int>::max();
+  for (const int line : members(choice.lines))
+    depth = std::min(depth, problem_.depth[line]);
+  return depth;
+}
+
 bool StrokeWork::all_seen() const {
   for (int line = 0; line < lines_; ++line)
     if (!book_.seen(line) && !std::ranges::binary_search(bound_->hopeless(), line)) return false;
@@ -95,6 +103,7 @@ bool is_weight(double weight) { return weight >= 0.0 && std::isfinite(weight); }
 
 Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weights) {
   PLANISH_ASSERT(problem.lines >= 0 && problem.choices);
+  PLANISH_ASSERT(problem.depth.empty() || std::ssize(problem.depth) == problem.lines);
   for (const double weight :
        {weights.turn_over, weights.rotate, weights.tool_change, weights.stroke, weights.ungauged})
     if (!is_weight(weight))
@@ -105,9 +114,21 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
   return {};
 }
 
+/// Looks for any plan, with more and more patience. Returns whether it is known that there is none.
+bool look_for_plan(StrokeWork& work) {
+  for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages})
+    for (const Guide guide : {Guide::cost, Guide::outside_in}) {
+      if (guide == Guide::outside_in && !work.knows_depth()) continue;
+      const bool ended = search_depth_first(work, {}, patience, guide);
+      if (work.has_plan()) return false;
+      if (ended) return true;
+    }
+  return false;
+}
+
 /// Whether the search ended by itself: with the cheapest plan, or knowing that there is none.
 bool run(StrokeWork& work, const StrokeLimits& limits) {
-  const bool exhausted = search_depth_first(work, {}, kQuickStages) && !work.has_plan();
+  const bool exhausted = look_for_plan(work);
   work.renew_bound();
   work.prove(work.bound(LineSet(work.book().full().size()), kNoSetUp));
   if (exhausted || !work.hopeless().empty()) return true;

@@ -29,6 +29,9 @@ class StrokeWork {
   const std::vector<int>& hopeless() const { return bound_->hopeless(); }
 
   double cheapest() const { return cheapest_; }
+  /// How far inside the lines of a choice are; 0 if that is not known.
+  int depth_of(const StrokeChoice& choice) const;
+  bool knows_depth() const { return !problem_.depth.empty(); }
   const std::vector<int>& plan() const { return plan_; }  ///< numbers of choices
   bool has_plan() const { return !plan_.empty(); }
   /// Keeps a plan if it is cheaper than the best.
@@ -63,12 +66,16 @@ class StrokeWork {
   std::vector<int> plan_;
 };
 
+/// Which stroke is the most promising: the one by which the plan may become cheapest, or the one
+/// that is farthest outside.
+enum class Guide { cost, outside_in };
+
 /// Goes down from the stage that strokes lead to, the most promising stroke first, until all lines
 /// are formed. Where no stroke can be made it turns back, but not once it has looked at
 /// `most_stages` new ones. Returns whether it ended by itself: with a plan, or with nothing left to
 /// try because there is none.
-bool search_depth_first(StrokeWork& work, const std::vector<int>& strokes,
-                        std::int64_t most_stages);
+bool search_depth_first(StrokeWork& work, const std::vector<int>& strokes, std::int64_t most_stages,
+                        Guide guide);
 
 /// A*: finds the cheapest plan, or that there is none. Returns whether it was not stopped.
 bool search_best_first(StrokeWork& work);

@@ -33,7 +33,7 @@ struct StrokeWeights {
 /// Where a search ends although more could be found.
 struct StrokeLimits {
   bool first = false;             ///< at the first plan
-  double seconds = 10.0;          ///< after this time
+  double seconds = 8.0;           ///< after this time
   std::int64_t stages = 300'000;  ///< after looking at so many stages
 };
 
@@ -58,6 +58,10 @@ struct StrokeProblem {
   /// tools, side and direction, that is gauged if the choice is, and that presses its lines and
   /// perhaps more. The narrower, the sooner a plan is proven cheapest. Empty: nothing is known.
   std::vector<StrokeChoice> possible = {};
+  /// How far inside the part each line is. Parts are mostly bent from the outside in, so this is
+  /// one order in which plans are looked for; it does not change what is found in the end. May be
+  /// empty.
+  std::vector<int> depth = {};
   /// Lines to be pressed before all others, in this order; what is pressed together with one of
   /// them does not matter.
   std::vector<int> begin_with = {};
