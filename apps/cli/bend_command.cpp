@@ -67,7 +67,7 @@ void add_time_limit(CLI::App& app, BendArguments& to) {
   };
   app.add_option_function<double>("--time-limit", set,
                                   "of the search, after which the best plan found is given; "
-                                  "default 10")
+                                  "default 6")
       ->check(CLI::Range(0.001, 86400.0))
       ->type_name("SECONDS")
       ->group("Order");

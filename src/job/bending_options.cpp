@@ -177,7 +177,7 @@ const std::vector<Option>& bending_options() {
        .kind = OptionKind::number,
        .group = "Order",
        .description = "seconds after which the best plan found is given",
-       .otherwise = "10",
+       .otherwise = "6",
        .range = kAboveZero,
        .on_command_line = false,
        .set = [](Request& to, const OptionValue& value) -> Result<void> {

@@ -33,7 +33,7 @@ struct StrokeWeights {
 /// Where a search ends although more could be found.
 struct StrokeLimits {
   bool first = false;             ///< at the first plan
-  double seconds = 8.0;           ///< after this time
+  double seconds = 6.0;           ///< after this time
   std::int64_t stages = 300'000;  ///< after looking at so many stages
 };
 
