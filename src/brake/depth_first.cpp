@@ -73,10 +73,24 @@ class Descent {
   Step step(int stage, int set_up, std::size_t offer) {
     const KnownChoice& known = book_.choice(book_.offers(stage)[offer].choice);
     const LineSet after = joined(*book_[stage].formed, known.choice.lines);
-    const int depth = guide_ == Guide::outside_in ? work_.depth_of(known.choice) : 0;
+    const int depth = guided(known.choice);
     return {depth,
             book_.change(set_up, known.set_up) + known.cost + work_.bound(after, known.set_up),
             offer};
+  }
+
+  int guided(const StrokeChoice& choice) const {
+    switch (guide_) {
+      case Guide::outside_in:
+        return work_.depth_of(choice);
+      case Guide::first_line:
+        return members(choice.lines).front();
+      case Guide::last_line:
+        return -members(choice.lines).back();
+      case Guide::cost:
+        break;
+    }
+    return 0;
   }
 
   /// Whether a stroke leads to a stage from which not everything has been tried.

@@ -117,7 +117,8 @@ Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weig
 /// Looks for any plan, with more and more patience. Returns whether it is known that there is none.
 bool look_for_plan(StrokeWork& work) {
   for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages})
-    for (const Guide guide : {Guide::cost, Guide::outside_in}) {
+    for (const Guide guide :
+         {Guide::cost, Guide::outside_in, Guide::first_line, Guide::last_line}) {
       if (guide == Guide::outside_in && !work.knows_depth()) continue;
       const bool ended = search_depth_first(work, {}, patience, guide);
       if (work.has_plan()) return false;

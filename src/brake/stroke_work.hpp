@@ -66,9 +66,9 @@ class StrokeWork {
   std::vector<int> plan_;
 };
 
-/// Which stroke is the most promising: the one by which the plan may become cheapest, or the one
-/// that is farthest outside.
-enum class Guide { cost, outside_in };
+/// Which stroke is the most promising: the one by which the plan may become cheapest, the one
+/// that is farthest outside, or that of the first or last line: one end of the part to the other.
+enum class Guide { cost, outside_in, first_line, last_line };
 
 /// Goes down from the stage that strokes lead to, the most promising stroke first, until all lines
 /// are formed. Where no stroke can be made it turns back, but not once it has looked at
