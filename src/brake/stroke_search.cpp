@@ -122,7 +122,8 @@ bool look_for_plan(StrokeWork& work) {
       if (guide == Guide::outside_in && !work.knows_depth()) continue;
       const bool ended = search_depth_first(work, {}, patience, guide);
       if (work.has_plan()) return false;
-      if (ended) return true;
+      work.renew_bound();
+      if (ended || !work.hopeless().empty()) return true;
     }
   return false;
 }
