@@ -4,6 +4,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/job/plan_pages.hpp>
 #include <planish/job/tools_json.hpp>
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ namespace {
 
 constexpr auto kBendExamples = R"(Examples:
   planish bend part.step                          the order of strokes, with common tools
-  planish bend part.step --tools shop.json --json plan.json
+  planish bend part.step --tools shop.json -o plan.pdf --json plan.json
   planish bend plates.json --material stainless   what makes a sheet can be bent
   planish bend part.step --fix B3,B1              an order that begins so
   planish bend part.step --weights turn_over=10   a heavy part is turned over seldom
@@ -87,11 +88,21 @@ void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values
 
 /// Errors of the command line, before any work.
 std::optional<Error> unwritable(const BendArguments& arguments) {
-  for (const auto& file : files_named({arguments.json})) {
+  for (const std::string& name : arguments.outputs)
+    if (suffix_of(name) != ".pdf" && suffix_of(name) != ".svg")
+      return bad_option(
+          fmt::format("-o {} does not say what to write: end it in .pdf or .svg", name));
+  std::vector<std::string> names = arguments.outputs;
+  names.push_back(arguments.json);
+  const auto files = files_named(names);
+  const auto tools = files_named({arguments.options.text("tools"),
+                                  arguments.options.text("k_table"),
+                                  arguments.options.text("material")});
+  for (const auto& file : files) {
     if (const auto fine = check_output(file, arguments.input); !fine) return fine.error();
-    const auto spared = spare_inputs(file, files_named({arguments.options.text("tools")}));
-    if (!spared) return spared.error();
+    if (const auto spared = spare_inputs(file, tools); !spared) return spared.error();
   }
+  if (const auto different = all_different(files); !different) return different.error();
   return std::nullopt;
 }
 
@@ -116,7 +127,7 @@ class Bend : public Command {
     if (!work) return failed(work.error());
     auto made = (*work)->make(request, parent.progress);
     if (!made) return failed(made.error());
-    return outcome_of(**made);
+    return outcome_of(**made, request);
   }
 
   Outcome failed(const Error& error) const override {
@@ -139,10 +150,33 @@ class Bend : public Command {
     return std::nullopt;
   }
 
-  Outcome outcome_of(job::Made& made) const {
+  /// The plan of all pieces on pages, in each format that was asked for.
+  std::vector<OutputFile> files_of(const job::Made& made, const job::Request& request) const {
+    const BrakeTools& tools = request.bending.tools ? *request.bending.tools : job::default_tools();
+    std::vector<Page> pages;
+    for (int piece = 0; piece < made.pieces(); ++piece)
+      for (Page& page : job::plan_pages(made.piece(piece), tools))
+        pages.push_back(std::move(page));
+    std::vector<OutputFile> files;
+    for (const std::string& name : arguments_.outputs)
+      files.push_back({name, suffix_of(name) == ".pdf" ? pdf_text(pages) : svg_text(pages)});
+    return files;
+  }
+
+  Outcome outcome_of(job::Made& made, const job::Request& request) const {
     made.report().of_bending = true;
-    Outcome outcome{.json = made.json(), .error = made.report().refusal};
-    if (arguments_.quiet || outcome.error) return outcome;
+    if (made.report().refusal) return {.json = made.json(), .error = made.report().refusal};
+    Outcome outcome;
+    if (!arguments_.outputs.empty()) outcome.files = files_of(made, request);
+    append_names(made.report().files, outcome.files);
+    // All files are written or none, the report too.
+    if (outcome.files.empty() || arguments_.json == "-")
+      outcome.json = made.json();
+    else
+      for (std::filesystem::path& file : files_named({arguments_.json}))
+        outcome.files.push_back({std::move(file), made.json()});
+    outcome.inputs = files_named({arguments_.input});
+    if (arguments_.quiet) return outcome;
     (arguments_.json == "-" ? outcome.aside : outcome.output) = made.text();
     return outcome;
   }
@@ -174,6 +208,11 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
           },
           "print the tools file that is used without --tools, and exit")
       ->group("Press brake");
+  add_repeatable(*command, "-o,--output", arguments.outputs,
+                 "the plan on pages to hang at the machine: .pdf or .svg; may be given several "
+                 "times")
+      ->type_name("PATH")
+      ->group("Output");
   add_text(*command, "--json", arguments.json, "FILE",
            "the report as JSON; - writes it to standard output")
       ->group("Output");

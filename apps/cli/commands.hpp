@@ -38,6 +38,7 @@ int run_plates(const PlatesArguments& arguments);
 
 struct BendArguments {
   std::string input;
+  std::vector<std::string> outputs;  ///< the plan on pages: .pdf, .svg
   std::string json;  ///< file, or "-"; empty: none
   bool quiet = false;
   job::OptionValues options;

@@ -8,7 +8,7 @@
 namespace planish {
 namespace {
 
-constexpr double kPageGap = 5.0;  // mm between pages
+constexpr double kBetweenPages = 5.0;  // mm between pages
 
 std::string hex(const Colour& colour) {
   const auto part = [&](int i) { return static_cast<int>(std::lround(255.0 * colour[i])); };
@@ -66,9 +66,9 @@ std::string svg_text(const std::vector<Page>& pages) {
       content += std::visit([&](const auto& one) { return element(one, page.height); }, item);
     content += "</g>\n";
     width = std::max(width, page.width);
-    height += page.height + kPageGap;
+    height += page.height + kBetweenPages;
   }
-  height = std::max(0.0, height - kPageGap);
+  height = std::max(0.0, height - kBetweenPages);
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.3f}mm\" height=\"{1:.3f}mm\" "
       "viewBox=\"0 0 {0:.3f} {1:.3f}\" font-family=\"Helvetica, Arial, sans-serif\">\n{2}</svg>\n",

@@ -70,9 +70,10 @@ std::string cannot_sentence(const Report& report, const Plan& plan, const Bendin
     text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
   if (!plan.blocked.empty()) return text + reasons_of(report, plan);
   if (plan.unformed.empty()) return text;
-  return text + fmt::format("; each can be formed, but not after the others: {} {} left at best",
-                            names_of(report, plan.unformed),
-                            plan.unformed.size() == 1 ? "is" : "are");
+  text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
+                      names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
+  // The plan's last note is about the stage that got furthest.
+  return plan.notes.empty() ? text : text + "; " + plan.notes.back();
 }
 
 /// Of a bend with several press lines the first that is blocked says why.

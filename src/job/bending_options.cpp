@@ -72,7 +72,7 @@ Result<void> set_weights(Request& to, const OptionValue& value) {
                                                     : parse_number(word.substr(equals + 1));
     if (weight == kStrokeWeights.end() || !number || *number < 0.0)
       return fail(ErrorCode::bad_option,
-                  fmt::format("must be weights like turn_over=3,rotate=2, each a number of at "
+                  fmt::format("`weights` must be like turn_over=3,rotate=2, each a number of at "
                               "least 0 for one of turn_over, rotate, tool_change, stroke, "
                               "ungauged, not \"{}\"",
                               word),
