@@ -65,7 +65,11 @@ StrokeModel::LineRoom& StrokeModel::room(int line) {
   if (work_.lines[line].closes) line = *work_.lines[line].closes;
   if (!rooms_[line]) {
     rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line)});
-    rooms_[line]->at_line.resize(rooms_[line]->tree.parts().size());
+    LineRoom& made = *rooms_[line];
+    made.at_line.resize(made.tree.parts().size());
+    made.beyond.fill(no_lines(static_cast<int>(work_.lines.size())));
+    for (const PartTree::Part& part : made.tree.parts())
+      if (part.before >= 0) insert(made.beyond[part.left ? 1 : 0], part.over);
   }
   return *rooms_[line];
 }
@@ -189,6 +193,14 @@ std::vector<StrokeChoice> StrokeModel::possible() const {
           }
   }
   return all;
+}
+
+bool StrokeModel::is_outermost(const LineSet& formed, const StrokeChoice& choice) {
+  const LineSet done = joined(formed, choice.lines);
+  return std::ranges::all_of(members(choice.lines), [&](int line) {
+    const auto& beyond = room(line).beyond;
+    return within(beyond[0], done) || within(beyond[1], done);
+  });
 }
 
 /// Pieces of the bend line along x, from the lowest on.
