@@ -171,7 +171,7 @@ class WrongRequests(BendTest):
                 (["--clearance", "-1"], "--clearance"),
                 (["-o", "plan.dxf"], "end it in .pdf or .svg"),
                 (["-o", "a.pdf", "-o", "a.pdf"], "a.pdf"),
-                (["--k-table", "t.csv"], "--k-table does not go with a plates file")):
+                (["--body", "1"], "--body does not go with a plates file")):
             self.assertIn(words, self.refused("bend", "part.json", *arguments, status=2), arguments)
 
     def test_tools_that_cannot_be(self):
