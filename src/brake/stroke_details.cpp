@@ -118,6 +118,7 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
 /// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
 BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction) {
   BlockedBend blocked{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
+  if (obstruction.part >= 0) blocked.with = flange_of(stroke.line, obstruction.part);
   if (!obstruction.hits || obstruction.part < 0) return blocked;
   const ToolKind kind = *obstruction.hits;
   const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
@@ -152,7 +153,6 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
     }
   }
   blocked.hits = room_of_tools_.name(kind, tool);
-  blocked.with = flange_of(stroke.line, obstruction.part);
   blocked.depth = lo;
   if (turn) blocked.at_turn = Angle::radians(*turn);
   return blocked;

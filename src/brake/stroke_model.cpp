@@ -309,11 +309,15 @@ std::optional<StrokeModel::Obstruction> StrokeModel::too_short(const Setting& st
   for (const bool left : {false, true}) {
     const double far = reach(stroke, left);
     if (far >= needed - kLongEnough) continue;
+    const double opening = 2.0 * (far - die.shoulder_radius);
+    const std::string help = opening > 0.0
+                                 ? fmt::format("a V of {:.4g} mm or less would take it", opening)
+                                 : std::string("no V would take it");
     return Obstruction{
         limits_of(stroke, left), std::nullopt, left ? 1 : 0,
         fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
-                    "mm; a V of {:.4g} mm or less would take it",
-                    far, die.id, needed, std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
+                    "mm; {}",
+                    far, die.id, needed, help)};
   }
   return std::nullopt;
 }
