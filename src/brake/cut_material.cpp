@@ -76,6 +76,10 @@ void Cutting::add_material() {
   for (const Raw& raw : raw_)
     for (const Convex& band : raw.bands)
       if (!is_thin(band, kTouching)) add_to_zone(raw, band);
+  // A ruling at the very border of a face crosses none of its pieces.
+  for (const Raw& raw : raw_)
+    if (made_.lines[raw.number].pieces.empty())
+      made_.lines[raw.number].pieces.push_back({0.0, raw.ruling});
   for (BrakeLine& line : made_.lines)
     line.pieces = joined(std::move(line.pieces), kTouching);
   for (BrakeLine& line : made_.lines)

@@ -144,7 +144,7 @@ void Cutting::add_press_line(BendId id, int number) {
     give_radius(line, options_.air_radius);
   }
   const int region = first_region_[id] + number;
-  raw_.push_back({std::move(line), {region, region + 1}});
+  raw_.push_back({std::move(line), {region, region + 1}, {}, (b - a).norm()});
 }
 
 void Cutting::add_sharp_lines() {

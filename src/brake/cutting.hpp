@@ -24,6 +24,7 @@ class Cutting {
     BrakeLine line;                  // u grows to its left
     std::pair<int, int> nodes;       // on its right and left
     std::vector<Convex> bands = {};  // of a sharp bend: what lies between its joints
+    double ruling = 0.0;             // its length, mm
     int number = -1;                 // of the line that it is part of
   };
 

@@ -146,8 +146,10 @@ std::string why_not(const BlockedBend& blocked) {
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
 /// rest in the stage that got furthest.
 void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
+  constexpr int kTold = 4;  // lines: more say the same again
+  int told = 0;
   for (int line = 0; line < std::ssize(model.work().lines); ++line) {
-    if (holds(furthest, line)) continue;
+    if (holds(furthest, line) || ++told > kTold) continue;
     const BlockedBend blocked = model.blocked(furthest, line);
     plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
                                      name_of(blocked.bend), why_not(blocked)));
