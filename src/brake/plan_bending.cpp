@@ -191,8 +191,10 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   if (const auto error = line_without_tool(model)) return tl::unexpected(*error);
   Plan plan;
   note_radii(model, tools, options, plan);
-  const auto search = search_plan(model, options, progress);
+  auto search = search_plan(model, options, progress);
   if (!search) return tl::unexpected(search.error());
+  if (search->furthest.empty())
+    search->furthest = no_lines(static_cast<int>(model.work().lines.size()));
   plan.status = search->status;
   plan.cost = search->cost;
   plan.turn_overs = search->turn_overs;
