@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 namespace planish {
@@ -89,6 +90,43 @@ StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
   return problem;
 }
 
+/// The search, and where it gives up the cheapest order from the outside in. That is looked for
+/// first: those orders are few, and most parts with many bends have one.
+Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
+                                 const Progress& progress) {
+  constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
+  constexpr double kOutsideIn = 0.4;  // share of the time
+  const StrokeProblem whole = problem_of(model, options);
+  StrokeLimits limits = options.limits;
+  std::optional<StrokeSearch> outside_in;
+  const auto start = std::chrono::steady_clock::now();
+  if (whole.lines > kMany) {
+    StrokeProblem narrow = whole;
+    narrow.choices = [&model](const LineSet& formed) {
+      std::vector<StrokeChoice> choices = model.choices(formed);
+      std::erase_if(choices,
+                    [&](const auto& choice) { return !model.is_outermost(formed, choice); });
+      return choices;
+    };
+    limits.seconds *= kOutsideIn;
+    auto found = search_strokes(narrow, options.weights, limits, progress);
+    if (!found) return found;
+    if (!found->strokes.empty()) outside_in = std::move(*found);
+    if (outside_in && options.limits.first) return *outside_in;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  limits.seconds = std::max(0.0, options.limits.seconds - taken.count());
+  auto found = search_strokes(whole, options.weights, limits, progress);
+  const bool better = found && outside_in &&
+                      (found->strokes.empty() || outside_in->cost < found->cost) &&
+                      found->status != PlanStatus::optimal;
+  if (!better) return found;
+  outside_in->status = PlanStatus::feasible;
+  outside_in->bound = found->bound;
+  outside_in->stages += found->stages;
+  return *outside_in;
+}
+
 void add_strokes(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
   LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
   for (const StrokeChoice& choice : search.strokes) {
@@ -110,8 +148,10 @@ std::string why_not(const BlockedBend& blocked) {
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
 /// rest in the stage that got furthest.
 void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
+  constexpr int kTold = 4;  // lines: more say the same again
+  int told = 0;
   for (int line = 0; line < std::ssize(model.work().lines); ++line) {
-    if (holds(furthest, line)) continue;
+    if (holds(furthest, line) || ++told > kTold) continue;
     const BlockedBend blocked = model.blocked(furthest, line);
     plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
                                      name_of(blocked.bend), why_not(blocked)));
@@ -153,9 +193,10 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   if (const auto error = line_without_tool(model)) return tl::unexpected(*error);
   Plan plan;
   note_radii(model, tools, options, plan);
-  const auto search = search_strokes(problem_of(model, options), options.weights, options.limits,
-                                     progress);
+  auto search = search_plan(model, options, progress);
   if (!search) return tl::unexpected(search.error());
+  if (search->furthest.empty())
+    search->furthest = no_lines(static_cast<int>(model.work().lines.size()));
   plan.status = search->status;
   plan.cost = search->cost;
   plan.turn_overs = search->turn_overs;

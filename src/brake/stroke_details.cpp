@@ -115,9 +115,12 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
   return least;
 }
 
-/// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
-BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction) {
+/// How deep the part that hits is in the tool at the worst turn, where the row has to stand; at
+/// least `most` if it is that deep.
+BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction,
+                                 double most) {
   BlockedBend blocked{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
+  if (obstruction.part >= 0) blocked.with = flange_of(stroke.line, obstruction.part);
   if (!obstruction.hits || obstruction.part < 0) return blocked;
   const ToolKind kind = *obstruction.hits;
   const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
@@ -128,21 +131,22 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   if (kind == ToolKind::punch || kind == ToolKind::die)
     along = {pieces.front().lo + shortfall(), pieces.back().hi - shortfall()};
   const auto turn_deeper = [&](double depth) {
-    const Obstacle plain = room_of_tools_.deeper(kind, tool, depth), other = mirrored(plain);
+    const Obstacle& plain = room_of_tools_.deeper(kind, tool, depth);
+    const Obstacle other = mirrored(plain);
     const bool same = stroke.direction > 0;
     return hit_within(motion(stroke), placed, same ? plain : other, same ? other : plain, along,
                       most_turn(stroke.line));
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
-  while (hi < kDeepest) {
+  while (hi < kDeepest && lo < most) {
     const auto deeper = turn_deeper(hi);
     if (!deeper) break;
     turn = deeper;
     lo = hi;
     hi *= 2.0;
   }
-  while (hi - lo > kDepthFound) {
+  while (hi - lo > kDepthFound && lo < most) {
     const double middle = 0.5 * (lo + hi);
     if (const auto deeper = turn_deeper(middle)) {
       turn = deeper;
@@ -152,7 +156,6 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
     }
   }
   blocked.hits = room_of_tools_.name(kind, tool);
-  blocked.with = flange_of(stroke.line, obstruction.part);
   blocked.depth = lo;
   if (turn) blocked.at_turn = Angle::radians(*turn);
   return blocked;
@@ -171,7 +174,8 @@ BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
-        BlockedBend found = deepest(stroke, *obstruction);
+        BlockedBend found = deepest(stroke, *obstruction,
+                                    best.hits.empty() ? kDeepest : best.depth);
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
         if (!collides && (best_collides || !best.why.empty())) continue;
         if (collides && best_collides && found.depth >= best.depth) continue;

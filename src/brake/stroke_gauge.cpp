@@ -95,7 +95,7 @@ std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
     std::vector<Interval> blocked;
     for (const Known* known : parts) {
       const auto walls = blocked_along(lying, known->placed, left ? here : there,
-                                       left ? there : here, 0.0);
+                                       left ? there : here, 0.0, edge.along);
       blocked.insert(blocked.end(), walls.begin(), walls.end());
     }
     if (has_room(edge.along, std::move(blocked), gauge.finger_width))

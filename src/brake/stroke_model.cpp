@@ -65,7 +65,11 @@ StrokeModel::LineRoom& StrokeModel::room(int line) {
   if (work_.lines[line].closes) line = *work_.lines[line].closes;
   if (!rooms_[line]) {
     rooms_[line] = std::make_unique<LineRoom>(LineRoom{PartTree(work_, line)});
-    rooms_[line]->at_line.resize(rooms_[line]->tree.parts().size());
+    LineRoom& made = *rooms_[line];
+    made.at_line.resize(made.tree.parts().size());
+    made.beyond.fill(no_lines(static_cast<int>(work_.lines.size())));
+    for (const PartTree::Part& part : made.tree.parts())
+      if (part.before >= 0) insert(made.beyond[part.left ? 1 : 0], part.over);
   }
   return *rooms_[line];
 }
@@ -191,6 +195,14 @@ std::vector<StrokeChoice> StrokeModel::possible() const {
   return all;
 }
 
+bool StrokeModel::is_outermost(const LineSet& formed, const StrokeChoice& choice) {
+  const LineSet done = joined(formed, choice.lines);
+  return std::ranges::all_of(members(choice.lines), [&](int line) {
+    const auto& beyond = room(line).beyond;
+    return within(beyond[0], done) || within(beyond[1], done);
+  });
+}
+
 /// Pieces of the bend line along x, from the lowest on.
 std::vector<Interval> StrokeModel::pressed_pieces(const Setting& stroke) {
   const PartTree& tree = room(stroke.line).tree;
@@ -297,11 +309,15 @@ std::optional<StrokeModel::Obstruction> StrokeModel::too_short(const Setting& st
   for (const bool left : {false, true}) {
     const double far = reach(stroke, left);
     if (far >= needed - kLongEnough) continue;
+    const double opening = 2.0 * (far - die.shoulder_radius);
+    const std::string help = opening > 0.0
+                                 ? fmt::format("a V of {:.4g} mm or less would take it", opening)
+                                 : std::string("no V would take it");
     return Obstruction{
         limits_of(stroke, left), std::nullopt, left ? 1 : 0,
         fmt::format("a side is {:.4g} mm from the bend line, and die {} needs {:.4g} "
-                    "mm; a V of {:.4g} mm or less would take it",
-                    far, die.id, needed, std::max(0.0, 2.0 * (far - die.shoulder_radius)))};
+                    "mm; {}",
+                    far, die.id, needed, help)};
   }
   return std::nullopt;
 }

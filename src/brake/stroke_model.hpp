@@ -28,6 +28,8 @@ class StrokeModel {
   std::vector<StrokeChoice> choices(const LineSet& formed);
   StrokeVerdict check(const LineSet& formed, const StrokeChoice& choice);
   std::vector<StrokeChoice> possible() const;
+  /// Whether everything on one side of what is pressed is formed: bending from the outside in.
+  bool is_outermost(const LineSet& formed, const StrokeChoice& choice);
   /// What is to be done in a stroke that can be made.
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
   /// Why a line cannot be pressed in a stage, by the tools that come nearest to it.
@@ -44,6 +46,7 @@ class StrokeModel {
   /// All that is known about strokes on one line.
   struct LineRoom {
     PartTree tree;
+    std::array<LineSet, 2> beyond = {};                ///< the lines on its right and on its left
     std::vector<std::unique_ptr<Known>> at_line = {};  ///< of the parts that hang on no other
     /// By side: how far the plane sides go, by the lines that end them and those pressed.
     std::array<std::unordered_map<LineSet, double, LineSetHash>, 2> reaches = {};
@@ -95,7 +98,7 @@ class StrokeModel {
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);
   Interval contact_range(int line, int die);
-  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction);
+  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, double most);
   std::optional<FlangeId> flange_of(int line, int part);
   int direction_number(const Vec2& direction) const;
 

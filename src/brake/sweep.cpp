@@ -104,17 +104,23 @@ class BlockSearch {
       if (meets(at_lo, i) && meets(at_hi, i)) return true;
     return false;
   }
-  /// The first blocked place from the low end, or from the high end.
-  std::optional<double> first(double lo, double hi, bool from_low) const {
-    if (!hit_between(lo, hi)) return std::nullopt;
+  /// The first blocked place from the low end, or from the high end; `turn`: where some place is.
+  std::optional<double> first(double lo, double hi, bool from_low, double turn) const {
+    if (blocked_at(from_low ? lo : hi, turn)) return from_low ? lo : hi;
+    const auto found = hit_between(lo, hi);
+    if (!found) return std::nullopt;
     if (hi - lo < kAlong) return from_low ? lo : hi;
     const double middle = 0.5 * (lo + hi);
-    const auto near = from_low ? first(lo, middle, true) : first(middle, hi, false);
+    const auto near = from_low ? first(lo, middle, true, *found) : first(middle, hi, false, *found);
     if (near) return near;
-    return from_low ? first(middle, hi, true) : first(lo, middle, false);
+    return from_low ? first(middle, hi, true, *found) : first(lo, middle, false, *found);
   }
 
  private:
+  bool blocked_at(double x, double turn) const {
+    const Convex part = section(block_, x, x);
+    return !part.empty() && too_near(motion_, turned_with_side(motion_, part), obstacle_, turn);
+  }
   bool meets(const Convex& part, size_t i) const {
     const Convex& piece = obstacle_.pieces[i];
     const double keep = obstacle_.keeps[i];
@@ -141,8 +147,9 @@ Moving bent(const PressMotion& motion, double from, double to) {
 std::optional<double> hit(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
                           double most) {
   if (obstacle.pieces.empty()) return std::nullopt;
-  for (const double turn : {most, 0.0})
-    if (too_near(motion, part, obstacle, turn)) return turn;
+  if (too_near(motion, part, obstacle, most)) return most;
+  if (most == 0.0) return std::nullopt;
+  if (too_near(motion, part, obstacle, 0.0)) return 0.0;
   return Proof(motion, part, obstacle).hit(0.0, most);
 }
 
@@ -181,25 +188,32 @@ Closest closest(const PressMotion& motion, const Moving& part, const Obstacle& o
 }
 
 std::vector<Interval> blocked_along(const PressMotion& motion, const PlacedPart& part,
-                                    const Obstacle& left, const Obstacle& right, double most) {
+                                    const Obstacle& left, const Obstacle& right, double most,
+                                    const Interval& within) {
+  const auto outside = [&](const Interval& range) {
+    return range.hi < within.lo || range.lo > within.hi;
+  };
   std::vector<Interval> blocked;
   for (const ArcStrip& strip : part.strips)
-    if (hit(motion, bent(motion, strip.from, strip.to), strip.left ? left : right, most))
+    if (!outside(strip.along) &&
+        hit(motion, bent(motion, strip.from, strip.to), strip.left ? left : right, most))
       blocked.push_back(strip.along);
-  if (part.blocks.empty()) return joined(std::move(blocked), kAlong);
+  if (part.blocks.empty() || outside(part.along)) return joined(std::move(blocked), kAlong);
   const Obstacle& obstacle = part.left ? left : right;
   if (!hit(motion, turned_with_side(motion, part.hull), obstacle, most)) return blocked;
   for (size_t i = 0; i < part.blocks.size(); ++i) {
+    const Interval whole = extent(part.blocks[i]);
+    if (outside(whole)) continue;
     const auto turn = hit(motion, turned_with_side(motion, part.sections[i]), obstacle, most);
     if (!turn) continue;
     const BlockSearch search(motion, part.blocks[i], obstacle, most);
-    const Interval whole = extent(part.blocks[i]);
     if (search.blocked_throughout(whole, *turn)) {
       blocked.push_back(whole);
       continue;
     }
-    const auto lo = search.first(whole.lo, whole.hi, true),
-               hi = search.first(whole.lo, whole.hi, false);
+    const Interval range{std::max(whole.lo, within.lo), std::min(whole.hi, within.hi)};
+    const auto lo = search.first(range.lo, range.hi, true, *turn);
+    const auto hi = lo ? search.first(*lo, range.hi, false, *turn) : std::nullopt;
     if (lo && hi) blocked.push_back({*lo, *hi});
   }
   return joined(std::move(blocked), kAlong);

@@ -38,10 +38,13 @@ struct Closest {
 Closest closest(const PressMotion& motion, const Moving& part, const Obstacle& obstacle,
                 double most, double most_asked);
 
+inline constexpr Interval kEverywhere{-1e9, 1e9};  // mm
+
 /// Where along the bend line a part comes nearer to the obstacle than allowed: intervals of x, a
-/// hundredth of a millimetre too wide at most.
+/// hundredth of a millimetre too wide at most. What lies outside `within` may be missing.
 std::vector<Interval> blocked_along(const PressMotion& motion, const PlacedPart& part,
-                                    const Obstacle& left, const Obstacle& right, double most);
+                                    const Obstacle& left, const Obstacle& right, double most,
+                                    const Interval& within = kEverywhere);
 
 /// Whether parts of a stage that lie within a range of x come nearer than allowed: the turn.
 std::optional<double> hit_within(const PressMotion& motion, const PlacedPart& part,

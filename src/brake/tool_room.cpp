@@ -76,10 +76,13 @@ SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int dir
   return sided(bodies_[row(kind)][row(nearness)][tool], direction);
 }
 
-Obstacle ToolRoom::deeper(ToolKind kind, int tool, double depth) const {
-  Obstacle obstacle = obstacle_of(section(kind, tool), depth, 0.0);
-  obstacle.moves = hangs_below(kind);
-  return obstacle;
+const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth) {
+  const auto [at, added] = deeper_.try_emplace({kind, tool, depth});
+  if (added) {
+    at->second = obstacle_of(section(kind, tool), depth, 0.0);
+    at->second.moves = hangs_below(kind);
+  }
+  return at->second;
 }
 
 std::string ToolRoom::name(ToolKind kind, int tool) const {

@@ -3,7 +3,9 @@
 #include "tool_shape.hpp"
 
 #include <array>
+#include <map>
 #include <string>
+#include <tuple>
 
 namespace planish::brake_detail {
 
@@ -33,8 +35,8 @@ class ToolRoom {
   /// The tool itself, whatever is kept away from it; for sides being bent without the wedge of the
   /// punch's tip, and without the die.
   SidedObstacle body(ToolKind kind, int tool, Nearness nearness, int direction) const;
-  /// What of a tool is deeper than `depth` below its surface.
-  Obstacle deeper(ToolKind kind, int tool, double depth) const;
+  /// What of a tool is deeper than `depth` below its surface. Kept: each is made once.
+  const Obstacle& deeper(ToolKind kind, int tool, double depth);
   /// Of the back gauge, where it touches at the origin.
   const Obstacle& finger() const { return finger_; }
   std::string name(ToolKind kind, int tool) const;
@@ -53,6 +55,7 @@ class ToolRoom {
   const BrakeTools& tools_;
   int keys_ = 0;
   Obstacle finger_;
+  std::map<std::tuple<ToolKind, int, double>, Obstacle> deeper_;
   std::array<std::array<std::vector<Seen>, 2>, 4> obstacles_, bodies_;
 };
 
