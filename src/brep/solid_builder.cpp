@@ -3,6 +3,7 @@
 #include "kernel_points.hpp"
 
 #include <BRep_Tool.hxx>
+#include <Geom2d_BSplineCurve.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
@@ -16,14 +17,21 @@
 namespace planish::brep {
 namespace {
 
-/// Parameters at which to compare curves: between the knots, where fits are not exact.
-std::vector<double> sample_parameters(const BuiltEdge& edge) {
-  std::vector<double> knots{0.0, edge.length};
-  if (const auto spline = Handle(Geom_BSplineCurve)::DownCast(edge.curve); !spline.IsNull()) {
-    knots.clear();
-    for (int i = 1; i <= spline->NbKnots(); ++i)
-      knots.push_back(spline->Knot(i));
-  }
+template <typename Spline, typename Curve>
+void add_knots(const opencascade::handle<Curve>& curve, double length, std::vector<double>& knots) {
+  const auto spline = opencascade::handle<Spline>::DownCast(curve);
+  for (int i = 1; !spline.IsNull() && i <= spline->NbKnots(); ++i)
+    if (spline->Knot(i) > 0.0 && spline->Knot(i) < length) knots.push_back(spline->Knot(i));
+}
+
+/// Parameters at which to compare an edge's curve with that in the surface: between the knots of
+/// both, where fits are not exact.
+std::vector<double> sample_parameters(const EdgeUse& use) {
+  const double length = use.edge->length;
+  std::vector<double> knots{0.0, length};
+  add_knots<Geom_BSplineCurve>(use.edge->curve, length, knots);
+  add_knots<Geom2d_BSplineCurve>(use.curve, length, knots);
+  std::ranges::sort(knots);
   std::vector<double> parameters;
   const int per_span = knots.size() > 8 ? 4 : 32;
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
@@ -36,7 +44,7 @@ std::vector<double> sample_parameters(const BuiltEdge& edge) {
 double deviation(const EdgeUse& use, const Handle(Geom_Surface) & surface) {
   const Handle(Geom_Plane) plane = Handle(Geom_Plane)::DownCast(surface);
   double largest = 0.0;
-  for (double s : sample_parameters(*use.edge)) {
+  for (double s : sample_parameters(use)) {
     const gp_Pnt on_edge = use.edge->curve->Value(s);
     if (!plane.IsNull()) {
       largest = std::max(largest, plane->Pln().Distance(on_edge));

@@ -7,14 +7,20 @@
 #include "side_wall.hpp"
 #include "solid_builder.hpp"
 
+#include <planish/base/tolerance.hpp>
+
 #include <BRepGProp.hxx>
 #include <BRep_Builder.hxx>
 #include <GProp_GProps.hxx>
+#include <Geom_Plane.hxx>
 #include <Precision.hxx>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace planish::brep {
 namespace {
@@ -47,6 +53,20 @@ struct BorderEdges {
   BuiltEdge reference, other;
 };
 
+/// Where the edges across the thickness at two corners cross, well inside both.
+std::optional<Vec3> crossing_of(const CornerPoints& a, const CornerPoints& b) {
+  const Vec3 u = a.other - a.reference, v = b.other - b.reference, w = b.reference - a.reference;
+  const Vec3 n = u.cross(v);
+  if (n.norm() <= tolerance::kFileDigits * u.norm() * v.norm()) return std::nullopt;
+  const double s = w.cross(v).dot(n) / n.squaredNorm(), t = w.cross(u).dot(n) / n.squaredNorm();
+  const Vec3 at = a.reference + s * u;
+  const double apart = (at - (b.reference + t * v)).norm();
+  constexpr double kEnd = 1e-3;  // a share of the edge: its halves are edges as well
+  if (apart > Precision::Confusion() || std::min(s, t) < kEnd || std::max(s, t) > 1.0 - kEnd)
+    return std::nullopt;
+  return at;
+}
+
 class Thickener {
  public:
   Thickener(const Sheet& sheet, const ThickenOptions& options, SheetCorners corners,
@@ -67,7 +87,10 @@ class Thickener {
       for (double depth : {depths_.first, depths_.second})
         make_skin(face, depth);
     for (const BorderId border : topology().borders())
-      if (topology().is_free(border)) make_wall(border);
+      if (crossed_.contains(border))
+        make_crossed_wall(border);
+      else if (topology().is_free(border))
+        make_wall(border);
     return builder_.shell();
   }
 
@@ -110,7 +133,7 @@ class Thickener {
 
   Result<void> make_straight(BorderId border, int start, int end) {
     const Vec3 along = points_[end].reference - points_[start].reference;
-    if (along.dot(points_[end].other - points_[start].other) <= 0.0)
+    if (along.dot(points_[end].other - points_[start].other) <= 0.0 && !cross_wall(border))
       return fail(ErrorCode::unsupported_shape,
                   fmt::format("A border of {:.3g} mm is shorter than the mitres of the sharp bends "
                               "at its ends.",
@@ -119,6 +142,22 @@ class Thickener {
     edges_[border].reference = builder_.straight_edge(reference_[start], reference_[end]);
     edges_[border].other = builder_.straight_edge(other_[start], other_[end]);
     return {};
+  }
+
+  /// The wall at the end of a fold that ends inside an edge turns over: its edges across the
+  /// thickness, one of them the mitre's, cross. Both are divided there. False if they do not cross,
+  /// or if one of them is divided already.
+  bool cross_wall(BorderId border) {
+    const int start = corners_.at_start(border), end = corners_.at_end(border);
+    if (!topology().is_free(border) || crossing_.count(start) + crossing_.count(end) > 0)
+      return false;
+    const auto at = crossing_of(points_[start], points_[end]);
+    if (!at) return false;
+    const TopoDS_Vertex vertex = builder_.vertex(*at);
+    crossing_.emplace(start, vertex);
+    crossing_.emplace(end, vertex);
+    crossed_.insert(border);
+    return true;
   }
 
   /// The edge of a border as used by its own face; its curve is still in the face's (u, v).
@@ -157,10 +196,37 @@ class Thickener {
     builder_.face(skin.surface, outer_skin ? face.sense : -face.sense, loops);
   }
 
-  const BuiltEdge* edge_across(int corner) {
+  /// Across the thickness, from the reference skin: one edge, or two where a wall turns over.
+  const std::vector<BuiltEdge>& edges_across(int corner) {
     const auto [at, added] = across_.try_emplace(corner);
-    if (added) at->second = builder_.straight_edge(reference_[corner], other_[corner]);
-    return &at->second;
+    if (!added) return at->second;
+    const TopoDS_Vertex &from = reference_[corner], &to = other_[corner];
+    if (const auto crossing = crossing_.find(corner); crossing != crossing_.end())
+      at->second = {builder_.straight_edge(from, crossing->second),
+                    builder_.straight_edge(crossing->second, to)};
+    else
+      at->second = {builder_.straight_edge(from, to)};
+    return at->second;
+  }
+
+  /// Both halves of a wall that turns over look opposite ways.
+  void make_crossed_wall(BorderId border) {
+    const int start = corners_.at_start(border), end = corners_.at_end(border);
+    const BorderEdges& edges = edges_[border];
+    const Vec3& corner = points_[start].reference;
+    const Vec3 normal = (points_[end].reference - corner)
+                            .cross(points_[start].other - corner)
+                            .normalized();
+    const Vec3 outward = outward_across(face_at(border), edges.border, 0.5 * edges.border.length);
+    const int outside = normal.dot(outward) > 0.0 ? 1 : -1;
+    const Handle(Geom_Surface) plane = new Geom_Plane(gp_Pnt(corner.x(), corner.y(), corner.z()),
+                                                      gp_Dir(normal.x(), normal.y(), normal.z()));
+    const auto &at_start = edges_across(start), &at_end = edges_across(end);
+    builder_.face(
+        plane, outside,
+        {{{&edges.reference, {}, false}, {&at_start[0], {}, true}, {&at_end[0], {}, false}}});
+    builder_.face(plane, -outside,
+                  {{{&at_start[1], {}, true}, {&edges.other, {}, true}, {&at_end[1], {}, false}}});
   }
 
   void make_wall(BorderId border) {
@@ -177,11 +243,14 @@ class Thickener {
     gp_Vec du, dv;
     wall.surface->D1(wall.middle.x(), wall.middle.y(), p, du, dv);
     const int outside = vector_of(du.Crossed(dv)).dot(wall.outward) > 0 ? 1 : -1;
-    builder_.face(wall.surface, outside,
-                  {{{&edges.reference, wall.on_reference, false},
-                    {edge_across(start), wall.at_start, true},
-                    {&edges.other, wall.on_other, true},
-                    {edge_across(end), wall.at_end, false}}});
+    std::vector<EdgeUse> loop{{&edges.reference, wall.on_reference, false}};
+    for (const BuiltEdge& edge : edges_across(start))
+      loop.push_back({&edge, wall.at_start, true});
+    loop.push_back({&edges.other, wall.on_other, true});
+    const auto& at_end = edges_across(end);
+    for (auto edge = at_end.rbegin(); edge != at_end.rend(); ++edge)
+      loop.push_back({&*edge, wall.at_end, false});
+    builder_.face(wall.surface, outside, {loop});
   }
 
   const Sheet& sheet_;
@@ -192,7 +261,9 @@ class Thickener {
   SolidBuilder builder_;
   std::vector<TopoDS_Vertex> reference_, other_;
   IdVector<BorderId, BorderEdges> edges_;
-  std::map<int, BuiltEdge> across_;
+  std::map<int, std::vector<BuiltEdge>> across_;  // by corner
+  std::set<BorderId> crossed_;                    // whose walls turn over
+  std::map<int, TopoDS_Vertex> crossing_;         // where an edge across is divided
 };
 
 Result<TopoDS_Solid> checked_solid(const TopoDS_Shell& shell) {

@@ -83,19 +83,6 @@ BendAlternative alternative(const PairChoice& choice, const EdgeChoice& other, c
   return result;
 }
 
-Nearness nearness_of(const PairChoice& choice) {
-  const EdgeChoice& best = choice.search.best;
-  const double turn = choice.frame.parallel() ? 0.5 * std::numbers::pi * choice.frame.rise.norm()
-                                              : 0.0;
-  const Corners corners = choice.corners(best);
-  const double left_a = corners[0].front().x(), left_b = corners[1].front().x();
-  const double right_a = corners[0].back().x(), right_b = corners[1].back().x();
-  const double common = std::min(right_a, right_b) - std::max(left_a, left_b);
-  if (common <= 0.0) return {best.span + turn, best.width};
-  const double shift = std::abs(left_a - left_b) + std::abs(right_a - right_b);
-  return {best.span - shift + turn, common};
-}
-
 // Lowest and highest level of the bend, whose middle is the recogniser's mid-length of a cone.
 std::pair<double, double> levels(const BendFit& fit) {
   const Boundary& low = fit.boundaries.low;

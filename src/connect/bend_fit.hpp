@@ -68,6 +68,7 @@ struct FitTask {
   std::string pointer;  ///< of the request in the file, "/bends/1"; empty if not requested
   std::array<std::set<int>, 2> taken;                   ///< edges that other bends use already
   std::array<std::map<int, EdgeParts>, 2> taken_parts;  ///< of further edges, by number
+  bool shares_edges = false;  ///< uses no more of an edge than lies opposite the other plate
 };
 
 /// Fits a bend between two plates (math.md#bend-fitting). Errors: those of `connect` for one bend.

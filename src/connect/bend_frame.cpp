@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace planish::connect_detail {
 namespace {
@@ -89,9 +90,14 @@ std::vector<BendFrame> parallel_frames(const PlacedPlate& a, const PlacedPlate& 
 }  // namespace
 
 PlanePair plane_pair(const PlacedPlate& a, const PlacedPlate& b, double planarity) {
-  if (a.frame.z.cross(b.frame.z).norm() > kParallel) return PlanePair::crossing;
-  const double rise = std::abs((b.frame.origin - a.frame.origin).dot(a.frame.z));
-  return rise <= planarity ? PlanePair::coplanar : PlanePair::parallel;
+  // Corners of both plates may lie off their planes, which lean the more the narrower they are.
+  const double off = 2.0 * planarity, lean = a.frame.z.cross(b.frame.z).norm();
+  const double narrower = std::min(a.area / a.extent, b.area / b.extent);
+  if (lean > kParallel && lean * narrower > off) return PlanePair::crossing;
+  double rise = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < b.edge_count(); ++i)
+    rise = std::min(rise, std::abs((b.corner(i) - a.frame.origin).dot(a.frame.z)));
+  return rise <= off ? PlanePair::coplanar : PlanePair::parallel;
 }
 
 std::vector<BendFrame> bend_frames(const PlacedPlate& a, const PlacedPlate& b, PlanePair kind) {

@@ -1,5 +1,6 @@
 #include "choices.hpp"
 
+#include "general_fit.hpp"
 #include "sharp_fit.hpp"
 #include "tolerances.hpp"
 
@@ -64,6 +65,11 @@ std::vector<BendRequest> with_laterals(const std::vector<BendRequest>& requests)
   return all;
 }
 
+// Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
+bool is_drawn_up(const BendFit& fit, double thickness) {
+  return fit.report.extension_area <= kContact * thickness * fit.report.width;
+}
+
 Error placed(Error error, const FitTask& task) {
   if (error.where.empty()) error.where = task.pointer;
   return error;
@@ -80,13 +86,14 @@ class Trial {
     ++tries_;
     if (!fit) return failed(fit.error());
     if (auto sound = checks_.must(*fit); !sound) return failed(placed(sound.error(), task_));
-    // What overlaps when flat can be shortened; round the back it would be another part.
-    if (fallback_ && fallback_->report.edge_kind == EdgeKind::facing &&
-        fit->report.edge_kind == EdgeKind::averted)
-      return false;
-    if (auto good = checks_.should(*fit); !good) {
-      if (tries_ == 1) fallback_ = std::move(*fit);
-      return failed(placed(good.error(), task_));
+    if (!is_drawn_up(*fit, task_.thickness))
+      if (auto flat = checks_.flat(*fit); !flat) {
+        if (tries_ == 1) fallback_ = std::move(*fit);
+        return failed(placed(flat.error(), task_));
+      }
+    if (auto room = checks_.room(*fit); !room) {
+      fall_back_to(std::move(*fit));
+      return failed(placed(room.error(), task_));
     }
     found_ = std::move(*fit);
     return true;
@@ -107,6 +114,15 @@ class Trial {
   }
 
  private:
+  // The first choice, or in its place one that lies flat.
+  void fall_back_to(BendFit fit) {
+    if (tries_ > 1 && (!fallback_ || fallback_is_flat_)) return;
+    const bool flat = checks_.flat(fit).has_value();
+    if (tries_ > 1 && !flat) return;
+    fallback_ = std::move(fit);
+    fallback_is_flat_ = flat;
+  }
+
   bool failed(const Error& error) {
     auto& [count, first] = failures_[rank(error.code)];
     if (count++ == 0) first = error;
@@ -125,6 +141,8 @@ class Trial {
         return 2;
       case ErrorCode::overlap:
         return 3;
+      case ErrorCode::too_far_apart:
+        return 4;
       default:
         return 0;
     }
@@ -138,7 +156,7 @@ class Trial {
     if (tries_ == 1) return error;
     constexpr std::array kWhat{"fit no tangent line", "are too near for the thickness",
                                "have no width on which the bend runs over neither plate",
-                               "would cut or cover a plate"};
+                               "would cut or cover a plate", "are too long"};
     std::string counts;
     for (const auto& [rank, failure] : failures_)
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", failure.first, kWhat[rank]);
@@ -156,6 +174,7 @@ class Trial {
   std::optional<Error> touch_;
   std::map<int, std::pair<int, Error>> failures_;  // by rank: how many, and the first
   std::optional<BendFit> found_, fallback_;
+  bool fallback_is_flat_ = false;
 };
 
 bool any_as_asked(Trial& trial, const std::vector<PairChoice>& choices, const FitTask& task) {
@@ -181,7 +200,9 @@ bool any_other_surface(Trial& trial, const std::vector<PairChoice>& choices, con
 bool any_general(Trial& trial, const std::vector<PairChoice>& choices, const FitTask& task) {
   int tries = 0;
   for (const PairChoice& choice : choices) {
-    if (choice.frame.parallel() || choice.search.best.kind == EdgeKind::averted) continue;
+    if (choice.frame.parallel()) continue;
+    const EdgeChoice& best = choice.search.best;
+    if (!general_lines(choice.corners(best), best.kind, std::nullopt)) continue;  // no apex
     for (const BendRequest& request :
          with_laterals({with_surface(task.request, SurfaceChoice::general)}))
       if (++tries > kMostGeneral || trial.take(choice, request)) return true;
@@ -195,8 +216,10 @@ Result<BendFit> fit_first_choice(const FitTask& task, const ConnectOptions& opti
                                  const FitChecks& checks) {
   auto fit = fit_between(task, options);
   if (!fit) return fit;
-  for (const auto& check : {checks.must, checks.should})
+  for (const auto& check : {checks.must, checks.room})
     if (auto sound = check(*fit); !sound) return tl::unexpected(placed(sound.error(), task));
+  if (!is_drawn_up(*fit, task.thickness))
+    if (auto flat = checks.flat(*fit); !flat) return tl::unexpected(placed(flat.error(), task));
   return fit;
 }
 
@@ -214,6 +237,16 @@ Result<BendFit> fit_any_choice(const FitTask& asked, const ConnectOptions& optio
   auto fit = trial.result();
   if (fit) fit->report.request = asked.request;
   return fit;
+}
+
+std::optional<Nearness> nearest_choice(const FitTask& asked, const ConnectOptions& options) {
+  if (asks_for_fold(asked.request)) return nearness(asked, options);
+  std::optional<Nearness> nearest;
+  for (const PairChoice& choice : edge_choices(at_limit_of_edges(asked, options), options)) {
+    const Nearness near = nearness_of(choice);
+    if (near.width > 0.0 && (!nearest || near.span < nearest->span)) nearest = near;
+  }
+  return nearest;
 }
 
 }  // namespace planish::connect_detail

@@ -1,7 +1,7 @@
 #include "assemble.hpp"
+#include "interrupted_bends.hpp"
 #include "join_tree.hpp"
 #include "loops.hpp"
-#include "plate_outline.hpp"
 #include "plate_pairs.hpp"
 
 #include <planish/connect/connect.hpp>
@@ -98,62 +98,6 @@ Result<void> check_whole(const PlateStructure& structure) {
     return fail(ErrorCode::invalid_input,
                 "without plates there must be exactly one bend, a section by itself", "/plates");
   return {};
-}
-
-std::vector<int> edges_of(const PlacedPlate& plate, const OutlineRun& run) {
-  std::vector<int> edges;
-  const int n = static_cast<int>(plate.ring(run.ring).size());
-  for (int j = 0; j < run.count; ++j)
-    edges.push_back(plate.edge_number({run.ring, (run.first + j) % n}));
-  std::sort(edges.begin(), edges.end());
-  return edges;
-}
-
-/// Makes the further joints of a fit's band fits of their own; `bend` is the row of the bend.
-void append_joints(Parts& parts, int row, int bend) {
-  const auto more = std::exchange(parts.fits[row].more, {});
-  for (int side = 0; side < 2; ++side)
-    for (const OutlineRun& run : more[side]) {
-      BendFit fit = parts.fits[row];
-      fit.stretches.clear();
-      fit.stretch_of.reset();
-      fit.joint_of = {row, side};
-      fit.runs[side] = run;
-      const PlacedPlate& plate = parts.plates[fit.report.plates[side]];
-      const JointRange joint = joint_range(fit, side, plate);
-      BendStretch& report = parts.fits[bend].report.stretches.emplace_back();
-      report.edges[side] = edges_of(plate, run);
-      const int other = 1 - side;
-      report.edges[other] = edges_of(parts.plates[fit.report.plates[other]], fit.runs[other]);
-      report.width = joint.high - joint.low;
-      parts.fits.push_back(std::move(fit));
-    }
-}
-
-/// Makes the stretches of interrupted bends fits of their own, after all others.
-void append_stretches(Parts& parts) {
-  const int bends = static_cast<int>(parts.fits.size());
-  for (int b = 0; b < bends; ++b) {
-    const BendFit& fit = parts.fits[b];
-    for (std::size_t side = 0; side < 2 && fit.report.plates.size() == 2; ++side)
-      parts.fits[b].report.edges[side] = edges_of(parts.plates[fit.report.plates[side]],
-                                                  fit.runs[side]);
-    append_joints(parts, b, b);
-  }
-  for (int b = 0; b < bends; ++b)
-    for (const BendBand& band : std::exchange(parts.fits[b].stretches, {})) {
-      BendFit fit = parts.fits[b];
-      fit.boundaries = band.boundaries;
-      fit.runs = band.runs;
-      fit.stretch_of = b;
-      BendStretch& report = parts.fits[b].report.stretches.emplace_back();
-      for (std::size_t side = 0; side < 2; ++side)
-        report.edges[side] = edges_of(parts.plates[fit.report.plates[side]], band.runs[side]);
-      report.width = band.boundaries.high.v[0] - band.boundaries.low.v[0];
-      fit.more = band.more;
-      parts.fits.push_back(std::move(fit));
-      append_joints(parts, static_cast<int>(parts.fits.size()) - 1, b);
-    }
 }
 
 }  // namespace

@@ -20,8 +20,6 @@ namespace {
 
 // Within this share of the plate's extent of its outline a place is on it.
 constexpr double kOnOutline = 1e-7;
-// Parts of a pattern that share less than this share of the thickness in width only touch.
-constexpr double kContact = 1e-3;
 
 std::vector<Vec2> corners_of(const BorderLoop& loop) {
   std::vector<Vec2> corners;
@@ -95,6 +93,14 @@ Error run_into(const SheetsMeet& meet, const Parts& parts, int bend) {
 }  // namespace
 
 Result<void> check_on_plates(const Parts& parts, int bend) {
+  if (!parts.fits[bend].fold) {
+    const JoinedFace face = bend_face(parts, bend, 1);
+    for (const Border& border : face.face.loops.front())
+      if (!is_regular(border.curve))
+        return fail(ErrorCode::no_bend_fits,
+                    "the planes of the plates are so nearly parallel that a bend between them is "
+                    "out of reach: make them parallel, or turn one by more");
+  }
   for (const int plate : parts.fits[bend].report.plates) {
     const auto made = plate_face(parts, plate, 1);
     if (!made) return tl::unexpected(made.error());
@@ -130,9 +136,6 @@ Result<void> check_room(const Parts& parts, int bend) {
 }
 
 Result<void> check_flat(const Parts& parts, int bend, double k_factor) {
-  // Plates drawn up to their bend leave no choice, and what overlaps may yet be mended by a relief.
-  const FittedBend& fitted = parts.fits[bend].report;
-  if (fitted.extension_area <= kContact * parts.thickness * fitted.width) return {};
   const std::vector<int>& rows = parts.fits[bend].report.plates;
   Parts alone{parts.thickness, {}, {}, {parts.fits[bend]}, 0};
   for (const int plate : rows) {

@@ -1,10 +1,9 @@
 #include "join_tree.hpp"
 
 #include "bend_frame.hpp"
-#include "bend_stretches.hpp"
 #include "choices.hpp"
 #include "fit_check.hpp"
-#include "outline_run.hpp"
+#include "interrupted_bends.hpp"
 #include "request_check.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -13,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <queue>
 
@@ -27,75 +27,6 @@ constexpr const char* kCancelled = "cancelled";
 
 // A bend longer than this many diagonals of its plates joins what a shop would call two parts.
 constexpr double kFarApart = 2.0;
-
-/// What bends use of a plate's edges already.
-struct UsedEdges {
-  std::set<int> whole;
-  std::map<int, EdgeParts> parts;
-};
-using TakenEdges = std::vector<UsedEdges>;  // by plate
-
-/// Marks the edges of a bend as used.
-void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges& taken) {
-  for (std::size_t side = 0; side < fit.report.plates.size(); ++side) {
-    const int p = fit.report.plates[side];
-    take(plates[p], fit.runs[side], taken[p].whole, taken[p].parts);
-  }
-}
-
-FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
-                const TakenEdges& taken, const std::vector<int>& rows, const BendRequest& request) {
-  FitTask task;
-  task.request = request;
-  task.thickness = structure.thickness;
-  for (std::size_t side = 0; side < rows.size(); ++side) {
-    task.plates[side] = &plates[rows[side]];
-    task.taken[side] = taken[rows[side]].whole;
-    task.taken_parts[side] = taken[rows[side]].parts;
-  }
-  return task;
-}
-
-/// Adds the further stretches of interrupted bends, once every bend has its edges, and what is left
-/// of these.
-void add_stretches(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
-                   TakenEdges& taken, std::vector<BendFit>& fits) {
-  for (BendFit& fit : fits) {
-    const std::vector<int>& rows = fit.report.plates;
-    fit.stretches = further_stretches(fit,
-                                      task_of(structure, plates, taken, rows, fit.report.request));
-    if (fit.stretches.empty()) continue;
-    fit.stretches.insert(fit.stretches.begin(), {fit.boundaries, fit.runs, {}});
-    fit.stretches = merged_stretches(std::move(fit.stretches), fit,
-                                     task_of(structure, plates, taken, rows, fit.report.request));
-    for (const BendBand& band : fit.stretches)
-      for (std::size_t side = 0; side < rows.size(); ++side) {
-        UsedEdges& used = taken[rows[side]];
-        take(plates[rows[side]], band.runs[side], used.whole, used.parts);
-        for (const OutlineRun& run : band.more[side])
-          take(plates[rows[side]], run, used.whole, used.parts);
-      }
-    // The band that was fitted stays the bend's own, with what it was merged with.
-    const double at = fit.boundaries.low.v[0];
-    const auto own = std::ranges::find_if(fit.stretches, [&](const BendBand& band) {
-      return band.boundaries.low.v[0] <= at && at < band.boundaries.high.v[0];
-    });
-    fit.boundaries = std::move(own->boundaries);
-    fit.runs = own->runs;
-    fit.more = std::move(own->more);
-    fit.stretches.erase(own);
-  }
-  for (BendFit& fit : fits) {
-    const auto width = [](const Boundaries& b) {
-      return 0.5 * (b.high.v[0] + b.high.v[1] - b.low.v[0] - b.low.v[1]);
-    };
-    fit.report.joined = fit.fold ? fit.fold->high - fit.fold->low : width(fit.boundaries);
-    for (const BendBand& band : fit.stretches)
-      fit.report.joined += width(band.boundaries);
-    fit.report.unused = unused_edges(
-        fit, task_of(structure, plates, taken, fit.report.plates, fit.report.request));
-  }
-}
 
 std::vector<std::size_t> with_edges_first(const std::vector<BendRequest>& bends) {
   std::vector<std::size_t> order(bends.size());
@@ -136,18 +67,25 @@ Result<std::vector<std::vector<int>>> joined_rows(const PlateStructure& structur
   return rows;
 }
 
-/// The plates, with the bends that they have so far.
-Parts parts_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
-               std::size_t bends) {
-  Parts parts{structure.thickness, plates, {}, std::vector<BendFit>(bends), 0};
-  for (const Plate& plate : structure.plates)
-    parts.ids.push_back(plate.id);
-  return parts;
+/// The longest way from plate to plate that a bend bridges.
+struct SpanLimit {
+  double most = std::numeric_limits<double>::infinity();
+  bool given = false;
+};
+
+Result<void> check_span(double reach, const SpanLimit& limit) {
+  if (reach <= limit.most) return {};
+  return fail(ErrorCode::too_far_apart,
+              fmt::format("the bend would be {:.4g} mm long from plate to plate, and {}", reach,
+                          limit.given ? fmt::format("largest_span is {:.4g} mm", limit.most)
+                                      : fmt::format("up to {:.4g} mm are joined: give a larger "
+                                                    "largest_span, or the bend itself",
+                                                    limit.most)));
 }
 
 /// A fit of bend number `bend`, between the plates in `rows`, is held against the others.
 FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows,
-                    const ConnectOptions& options) {
+                    const SpanLimit& limit, const ConnectOptions& options) {
   const auto held = [&parts, bend, rows](const auto& check) {
     return [&parts, bend, rows, check](const BendFit& fit) {
       parts.fits[bend] = fit;
@@ -157,10 +95,14 @@ FitChecks checks_at(Parts& parts, std::size_t bend, const std::vector<int>& rows
       return sound;
     };
   };
-  return {held(check_on_plates), held([&options](const Parts& all, int number) -> Result<void> {
-            if (auto room = check_room(all, number); !room) return room;
+  return {held([limit](const Parts& all, int number) -> Result<void> {
+            if (auto on_plates = check_on_plates(all, number); !on_plates) return on_plates;
+            return check_span(all.fits[number].report.reach, limit);
+          }),
+          held([&options](const Parts& all, int number) {
             return check_flat(all, number, options.k_factor);
-          })};
+          }),
+          held(check_room)};
 }
 
 /// Fits a request after checking it.
@@ -171,17 +113,6 @@ Result<BendFit> fit_checked(const FitTask& task, const ConnectOptions& options,
   if (auto edges = check_edges(task); !edges) return tl::unexpected(edges.error());
   return task.request.between.size() == 2 ? fit_any_choice(task, options, checks)
                                           : fit_section(task, options);
-}
-
-/// A bend that is given is held only to a largest span that is given too.
-Result<void> check_span(const PlateStructure& structure, const BendFit& fit,
-                        const std::string& pointer) {
-  if (!structure.largest_span || fit.report.reach <= *structure.largest_span) return {};
-  return fail(ErrorCode::too_far_apart,
-              fmt::format("the bend would be {:.4g} mm long from plate to plate, and largest_span "
-                          "is {:.4g} mm",
-                          fit.report.reach, *structure.largest_span),
-              pointer);
 }
 
 /// A pair of plates that may be joined.
@@ -206,37 +137,50 @@ struct Problem {
   const PlateStructure& structure;
   const std::vector<PlacedPlate>& plates;
   const ConnectOptions& options;
+  bool share_edges = false;
 
   int count() const { return static_cast<int>(plates.size()); }
-  double largest_span(int a, int b) const {
-    return structure.largest_span.value_or(kFarApart * (plates[a].extent + plates[b].extent));
+  SpanLimit span_limit(int a, int b) const {
+    if (structure.largest_span) return {*structure.largest_span, true};
+    return {kFarApart * (plates[a].extent + plates[b].extent), false};
   }
+  double largest_span(int a, int b) const { return span_limit(a, b).most; }
   FitTask task(int a, int b, const TakenEdges& taken) const {
     const BendRequest request{.between = {structure.plates[a].id, structure.plates[b].id},
                               .inside_radius = structure.defaults.inside_radius,
                               .lateral = structure.defaults.lateral,
                               .trade_off = structure.defaults.trade_off};
-    return task_of(structure, plates, taken, {a, b}, request);
+    FitTask task = task_of(structure, plates, taken, {a, b}, request);
+    task.shares_edges = share_edges;
+    return task;
   }
 };
 
-/// How near two plates are by their free edges; empty if no bend fits.
-std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEdges& taken) {
-  const auto near = nearness(problem.task(a, b, taken), problem.options);
+/// How near two plates are by their free edges; of a pair that is too far apart by its best edges,
+/// with `any` by the shortest choice. Empty if no bend fits.
+std::optional<Pair> measured(const Problem& problem, int a, int b, const TakenEdges& taken,
+                             bool any) {
+  const FitTask task = problem.task(a, b, taken);
+  auto near = nearness(task, problem.options);
+  if (any && (!near || near->span > problem.largest_span(a, b)))
+    near = nearest_choice(task, problem.options);
   if (!near) return std::nullopt;
   return Pair{near->span / near->width, near->width, a, b, near->span};
 }
 
-Result<PairQueue> all_pairs(const Problem& problem, const TakenEdges& taken,
-                            const Progress& progress) {
+/// The pairs of plates that are not joined yet, within reach of each other.
+Result<PairQueue> open_pairs(const Problem& problem, UnionFind& groups, const TakenEdges& taken,
+                             bool any, const Progress& progress) {
   PairQueue pairs;
   for (int a = 0; a < problem.count(); ++a) {
     if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
     progress.at("finding which plates to join", static_cast<double>(a) / problem.count());
-    for (int b = a + 1; b < problem.count(); ++b)
-      if (const auto pair = measured(problem, a, b, taken);
+    for (int b = a + 1; b < problem.count(); ++b) {
+      if (groups.same(a, b)) continue;
+      if (const auto pair = measured(problem, a, b, taken, any);
           pair && pair->span <= problem.largest_span(a, b))
         pairs.push(*pair);
+    }
   }
   return pairs;
 }
@@ -249,7 +193,7 @@ std::optional<Error> too_far(const Problem& problem, UnionFind& groups, int p,
   for (int a = 0; a < problem.count(); ++a)
     for (int b = 0; b < problem.count(); ++b) {
       if (!groups.same(a, p) || groups.same(b, p)) continue;
-      const auto pair = measured(problem, a, b, taken);
+      const auto pair = measured(problem, a, b, taken, true);
       if (pair && (!nearest || pair->span < nearest->span)) nearest = pair;
     }
   if (!nearest || nearest->span <= problem.largest_span(nearest->a, nearest->b))
@@ -310,7 +254,8 @@ class Tree {
 
   Result<void> grow(Fit* fit, const Progress& progress) {
     if (parts_.fits.size() + 1 >= problem_.plates.size()) return {};
-    auto open = all_pairs(problem_, taken_, progress);
+    const bool any = fit == fit_any_choice;
+    auto open = open_pairs(problem_, groups_, taken_, any, progress);
     if (!open) return tl::unexpected(open.error());
     while (!open->empty() && parts_.fits.size() + 1 < problem_.plates.size()) {
       if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
@@ -318,7 +263,7 @@ class Tree {
       open->pop();
       if (groups_.same(pair.a, pair.b)) continue;
       // Its edges may have been taken since.
-      const auto now = measured(problem_, pair.a, pair.b, taken_);
+      const auto now = measured(problem_, pair.a, pair.b, taken_, any);
       if (!now || now->span > problem_.largest_span(pair.a, pair.b)) continue;
       if (now->cost > pair.cost * (1.0 + kEquallyNear)) {
         open->push(*now);
@@ -344,8 +289,9 @@ class Tree {
     const std::vector<int> rows{pair.a, pair.b};
     parts_.fits.emplace_back();
     const std::size_t bend = parts_.fits.size() - 1;
-    auto fit = how(problem_.task(pair.a, pair.b, taken_), problem_.options,
-                   checks_at(parts_, bend, rows, problem_.options));
+    auto fit = how(
+        problem_.task(pair.a, pair.b, taken_), problem_.options,
+        checks_at(parts_, bend, rows, problem_.span_limit(pair.a, pair.b), problem_.options));
     if (!fit) {
       parts_.fits.pop_back();
       for (const int p : rows)
@@ -365,16 +311,34 @@ class Tree {
   Parts parts_;
 };
 
-}  // namespace
+std::ptrdiff_t round_the_back(const std::vector<BendFit>& fits) {
+  return std::ranges::count(fits, EdgeKind::averted,
+                            [](const BendFit& fit) { return fit.report.edge_kind; });
+}
 
-Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
-                                           const std::vector<PlacedPlate>& plates,
-                                           const ConnectOptions& options,
-                                           const Progress& progress) {
+/// The fits of bends that use edges as wholes, or, where that leaves others without an edge in
+/// front, no more of them than they need.
+template <typename Make>
+Result<std::vector<BendFit>> sharing_where_needed(const Make& make) {
+  auto whole = make(false);
+  if (whole ? round_the_back(*whole) == 0 : whole.error().code == ErrorCode::cancelled)
+    return whole;
+  auto shared = make(true);
+  if (!shared || (whole && round_the_back(*whole) <= round_the_back(*shared))) return whole;
+  return shared;
+}
+
+Result<std::vector<BendFit>> fit_all_requested(const PlateStructure& structure,
+                                               const std::vector<PlacedPlate>& plates,
+                                               const ConnectOptions& options, bool share_edges,
+                                               const Progress& progress) {
   const auto rows = joined_rows(structure);
   if (!rows) return tl::unexpected(rows.error());
   TakenEdges taken(plates.size());
   Parts parts = parts_of(structure, plates, structure.bends.size());
+  // A bend that is given is held only to a largest span that is given too.
+  SpanLimit limit;
+  if (structure.largest_span) limit = {*structure.largest_span, true};
   std::size_t done = 0;
   for (const std::size_t b : with_edges_first(structure.bends)) {
     if (progress.should_stop()) return fail(ErrorCode::cancelled, kCancelled);
@@ -382,10 +346,9 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
                 static_cast<double>(done++) / static_cast<double>(structure.bends.size()));
     FitTask task = task_of(structure, plates, taken, (*rows)[b], structure.bends[b]);
     task.pointer = fmt::format("/bends/{}", b);
-    auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], options));
+    task.shares_edges = share_edges;
+    auto fit = fit_checked(task, options, checks_at(parts, b, (*rows)[b], limit, options));
     if (!fit) return tl::unexpected(fit.error());
-    if (auto near = check_span(structure, *fit, task.pointer); !near)
-      return tl::unexpected(near.error());
     fit->report.plates = (*rows)[b];
     take(*fit, plates, taken);
     parts.fits[b] = std::move(*fit);
@@ -394,15 +357,28 @@ Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
   return std::move(parts.fits);
 }
 
+}  // namespace
+
+Result<std::vector<BendFit>> fit_requested(const PlateStructure& structure,
+                                           const std::vector<PlacedPlate>& plates,
+                                           const ConnectOptions& options,
+                                           const Progress& progress) {
+  return sharing_where_needed([&](bool share_edges) {
+    return fit_all_requested(structure, plates, options, share_edges, progress);
+  });
+}
+
 Result<std::vector<BendFit>> fit_tree(const PlateStructure& structure,
                                       const std::vector<PlacedPlate>& plates,
                                       const ConnectOptions& options, const Progress& progress) {
-  const Problem problem{structure, plates, options};
-  Tree tree(problem);
-  // Other choices than the first only where plates would be left alone.
-  for (const auto fit : {fit_first_choice, fit_any_choice})
-    if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
-  return std::move(tree).fits();
+  return sharing_where_needed([&](bool share_edges) -> Result<std::vector<BendFit>> {
+    const Problem problem{structure, plates, options, share_edges};
+    Tree tree(problem);
+    // Other choices than the first only where plates would be left alone.
+    for (const auto fit : {fit_first_choice, fit_any_choice})
+      if (auto grown = tree.grow(fit, progress); !grown) return tl::unexpected(grown.error());
+    return std::move(tree).fits();
+  });
 }
 
 }  // namespace planish::connect_detail

@@ -1,6 +1,6 @@
 #include "pair_search.hpp"
 
-#include "drawn_edges.hpp"
+#include "better_edges.hpp"
 #include "outline_run.hpp"
 #include "tolerances.hpp"
 
@@ -42,11 +42,6 @@ std::set<int> too_near(const std::vector<Chain>& chains, double height) {
   return edges;
 }
 
-std::vector<Chain> of_kind(std::vector<Chain> chains, EdgeKind kind) {
-  std::erase_if(chains, [&](const Chain& chain) { return chain.kind != kind; });
-  return chains;
-}
-
 // Whether plates lie beside each other in projection, so that a half-turn would have to pass under
 // one.
 bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
@@ -60,13 +55,6 @@ bool beside(const std::array<std::vector<Vec2>, 2>& outlines) {
   return range[0].second <= range[1].first || range[1].second <= range[0].first;
 }
 
-Result<void> search(PairChoice& choice, const EdgeSearchOptions& wanted) {
-  auto found = search_edges(choice.chains, choice.frame.beta, wanted);
-  if (!found) return tl::unexpected(found.error());
-  choice.search = std::move(*found);
-  return {};
-}
-
 // Whether the best edges reach so near the intersection line that the bend there would be too
 // sharp.
 bool is_too_near(const FitTask& task, const PairChoice& choice) {
@@ -78,18 +66,6 @@ bool is_too_near(const FitTask& task, const PairChoice& choice) {
   return false;
 }
 
-// The choice with the edges that are drawn up to the bend, if it has such.
-PairChoice as_drawn(PairChoice choice, const FitTask& task, EdgeSearchOptions wanted) {
-  if (task.request.edges[0] || task.request.edges[1]) return choice;
-  const auto edges = drawn_edges(choice);
-  if (!edges) return choice;
-  wanted.edges = {(*edges)[0], (*edges)[1]};
-  wanted.alternatives = 0;
-  const auto found = search_edges(choice.chains, choice.frame.beta, wanted);
-  if (found) choice.search.best = found->best;
-  return choice;
-}
-
 Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
                                 const ConnectOptions& options, std::optional<EdgeKind> kind) {
   auto chains = chains_in(task, frame, kind);
@@ -97,6 +73,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
   PairChoice choice = std::move(*chains);
   const EdgeSearchOptions wanted = search_options(task, frame, options.alternatives);
   if (auto searched = search(choice, wanted); !searched) return tl::unexpected(searched.error());
+  choice = with_better_edges(std::move(choice), wanted);
   if (is_too_near(task, choice)) {
     PairChoice farther = choice;
     for (std::size_t i = 0; i < 2; ++i) {
@@ -107,7 +84,7 @@ Result<PairChoice> search_frame(const FitTask& task, const BendFrame& frame,
     }
     if (search(farther, wanted)) choice = std::move(farther);
   }
-  return as_drawn(std::move(choice), task, wanted);
+  return with_used_parts(std::move(choice), task, wanted);
 }
 
 bool better(const PairChoice& a, const PairChoice& b) {
@@ -257,6 +234,19 @@ Result<PairChoice> search_pair(const FitTask& task, const ConnectOptions& option
   }
   if (!best) return tl::unexpected(why);
   return std::move(*best);
+}
+
+Nearness nearness_of(const PairChoice& choice) {
+  const EdgeChoice& best = choice.search.best;
+  const double turn = choice.frame.parallel() ? 0.5 * std::numbers::pi * choice.frame.rise.norm()
+                                              : 0.0;
+  const auto corners = choice.corners(best);
+  const double left_a = corners[0].front().x(), left_b = corners[1].front().x();
+  const double right_a = corners[0].back().x(), right_b = corners[1].back().x();
+  const double common = std::min(right_a, right_b) - std::max(left_a, left_b);
+  if (common <= 0.0) return {best.span + turn, best.width};
+  const double shift = std::abs(left_a - left_b) + std::abs(right_a - right_b);
+  return {best.span - shift + turn, common};
 }
 
 }  // namespace planish::connect_detail

@@ -43,6 +43,9 @@ std::vector<Chain> open_chains(const FitTask& task, const BendFrame& frame, int 
 /// ratio of span to width first.
 std::vector<PairChoice> edge_choices(const FitTask& task, const ConnectOptions& options);
 
+/// Span and width of a choice, as `nearness` counts them.
+Nearness nearness_of(const PairChoice& choice);
+
 /// The bend on the edges of a choice. Errors: those of `connect` for one bend.
 Result<BendFit> fit_choice(const FitTask& task, const PairChoice& choice,
                            const ConnectOptions& options);

@@ -1,5 +1,7 @@
 #include "plate_outline.hpp"
 
+#include "tolerances.hpp"
+
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/region.hpp>
 
@@ -33,10 +35,11 @@ std::pair<double, double> boundary_ends(const BendFit& fit, int side,
   return corners.front().x() < corners.back().x() ? std::pair{low, high} : std::pair{high, low};
 }
 
-// Where the joint begins at the run's corner: at the boundary, but not past a corner on the ruling.
-double joint_end(const Vec2& corner, double boundary, double inward, double tolerance) {
-  const bool on_ruling = corner.y() <= tolerance;
-  const bool past = (corner.x() - boundary) * inward > 0.0;
+// Where the joint begins at the run's corner: at the boundary, but at a corner on the ruling if it
+// is there, and not past it.
+double joint_end(const Vec2& corner, double boundary, double inward) {
+  const bool on_ruling = corner.y() <= kDrawn;
+  const bool past = (corner.x() - boundary) * inward > -kDrawn;
   return on_ruling && past ? corner.x() : boundary;
 }
 
@@ -70,11 +73,10 @@ struct Path {
 
 Path path_of(const BendFit& fit, int side, const PlacedPlate& plate) {
   std::vector<Vec2> corners = run_corners(fit, side, plate);
-  const double tolerance = kSame * plate.extent;
   const auto [first, last] = boundary_ends(fit, side, corners);
   const double inward = last > first ? 1.0 : -1.0;
-  const Vec2 from(joint_end(corners.front(), first, inward, tolerance), 0.0);
-  const Vec2 to(joint_end(corners.back(), last, -inward, tolerance), 0.0);
+  const Vec2 from(joint_end(corners.front(), first, inward), 0.0);
+  const Vec2 to(joint_end(corners.back(), last, -inward), 0.0);
   Path path{taut(corners, from), 0};
   path.joint = path.points.size() - 1;
   std::reverse(corners.begin(), corners.end());
@@ -90,7 +92,7 @@ void append(ExtendedOutline& outline, const Vec2& a, const Vec2& b, std::optiona
 
 // The run, an edge on the intersection line, with the fold's line in place of its part: at `reach`
 // inside the plate, or beyond it if the reference skin is the outer one. Where it ends at a corner
-// of the plate, the edge beside it is run back over; `without_spikes` removes that.
+// of the plate, the edge beside it is run back over; `with_runs_joined` removes that.
 void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendOnPlate& on) {
   const Fold& fold = *on.fit->fold;
   const std::vector<Vec2> corners = run_corners(*on.fit, on.side, plate);  // h = −reach
@@ -118,16 +120,18 @@ void append_fold(ExtendedOutline& outline, const PlacedPlate& plate, const BendO
            j == 2 ? std::optional(on.bend) : std::nullopt, kSame * plate.extent);
 }
 
-// Two edges of which the second runs back over the first become one.
-void without_spikes(ExtendedOutline& outline, double same) {
+// Two edges of which the second runs back over the first become one: an extension fills the corner
+// of an opening, or a fold cuts the edge beside it. With `on_too`, so do two of which the second
+// runs on along the first.
+void with_runs_joined(ExtendedOutline& outline, bool on_too, double same) {
   std::vector<Edge>& edges = outline.edges;
   for (std::size_t i = 0; i < edges.size() && edges.size() > 3;) {
     Edge& e = edges[i];
     const std::size_t next = (i + 1) % edges.size();
-    const Vec2 there = e.b - e.a, back = edges[next].b - edges[next].a;
-    const bool runs_back = !e.bend && !edges[next].bend && there.dot(back) < 0.0 &&
-                           std::abs(cross2(there, back)) <= same * there.norm();
-    if (!runs_back) {
+    const Vec2 there = e.b - e.a, on = edges[next].b - edges[next].a;
+    const bool along = !e.bend && !edges[next].bend && (on_too || there.dot(on) < 0.0) &&
+                       std::abs(cross2(there, on)) <= same * std::max(there.norm(), on.norm());
+    if (!along) {
       ++i;
       continue;
     }
@@ -241,9 +245,9 @@ Result<ExtendedOutline> extended_outline(const PlacedPlate& plate, std::vector<B
     append_bend(outline, plate, bends[i]);
     append_free(outline, plate, run_of(bends[i]), run_of(bends[last ? 0 : i + 1]), last);
   }
-  if (std::any_of(bends.begin(), bends.end(),
-                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); }))
-    without_spikes(outline, kSame * plate.extent);
+  const bool folded = std::any_of(bends.begin(), bends.end(),
+                                  [](const BendOnPlate& on) { return on.fit->fold.has_value(); });
+  with_runs_joined(outline, folded, kSame * plate.extent);
   if (ring > 0 && bends.empty()) return outline;  // as it was given
   if (auto simple = check_simple(outline, plate, id, ring); !simple)
     return tl::unexpected(simple.error());

@@ -1,5 +1,6 @@
 #include "sharp_fit.hpp"
 
+#include "outline_run.hpp"
 #include "pair_search.hpp"
 #include "tolerances.hpp"
 
@@ -14,9 +15,10 @@
 namespace planish::connect_detail {
 namespace {
 
-// Edges within this share of the plates' extent of the intersection line lie on it, as the
-// coordinates of files go.
-constexpr double kOnFoldLine = tolerance::kFileDigits;
+// Edges this near the line where the planes meet (mm) are drawn on it.
+double near_line(const PlacedPlate& plate) {
+  return std::max(kDrawn, tolerance::kFileDigits * plate.extent);
+}
 
 /// A stretch of the intersection line on which both plates have an edge.
 struct Common {
@@ -31,17 +33,16 @@ struct LineEdge {
   double low = 0.0, high = 0.0;
 };
 
-std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side,
-                                    const FitTask& task) {
-  const double near = kOnFoldLine * std::max(task.plates[0]->extent, task.plates[1]->extent);
+/// Edges of chains at the height `near` of their frame, or as near to that.
+std::vector<LineEdge> edges_on_line(const PairChoice& frame, std::size_t side, const FitTask& task,
+                                    double near) {
   const auto& wanted = task.request.edges[side];
   std::vector<LineEdge> edges;
   for (const Chain& chain : frame.chains[side])
     for (std::size_t j = 0; j < chain.edges.size() && chain.kind == EdgeKind::facing; ++j) {
       if (wanted && std::count(wanted->begin(), wanted->end(), chain.edges[j]) == 0) continue;
       const Vec2 &a = chain.corners[j], &b = chain.corners[j + 1];
-      if (std::max(std::abs(a.y()), std::abs(b.y())) <= near)
-        edges.push_back({chain.edges[j], a.x(), b.x()});
+      if (std::max(a.y(), b.y()) <= 2.0 * near) edges.push_back({chain.edges[j], a.x(), b.x()});
     }
   return edges;
 }
@@ -50,12 +51,16 @@ std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& 
   const PlanePair planes = plane_pair(*task.plates[0], *task.plates[1], options.planarity);
   if (planes != PlanePair::crossing) return std::nullopt;
   const double least = kNegligible * std::max(task.plates[0]->extent, task.plates[1]->extent);
+  const double near = std::max(near_line(*task.plates[0]), near_line(*task.plates[1]));
   std::optional<Common> best;
   for (const BendFrame& frame : bend_frames(*task.plates[0], *task.plates[1], planes)) {
-    const auto chains = chains_in(task, frame, EdgeKind::facing);
+    // Seen from a little below the line, since edges that cross it carry no bend.
+    BendFrame below = frame;
+    below.origin -= near / (1.0 + frame.e[0].dot(frame.e[1])) * (frame.e[0] + frame.e[1]);
+    const auto chains = chains_in(task, below, EdgeKind::facing);
     if (!chains) continue;
-    for (const LineEdge& a : edges_on_line(*chains, 0, task))
-      for (const LineEdge& b : edges_on_line(*chains, 1, task)) {
+    for (const LineEdge& a : edges_on_line(*chains, 0, task, near))
+      for (const LineEdge& b : edges_on_line(*chains, 1, task, near)) {
         const Common part{
             frame, {a.edge, b.edge}, std::max(a.low, b.low), std::min(a.high, b.high)};
         if (part.length() > std::max(least, best ? best->length() : 0.0)) best = part;
@@ -64,17 +69,20 @@ std::optional<Common> longest_common(const FitTask& task, const ConnectOptions& 
   return best;
 }
 
-/// Where the edge beside a corner of the fold crosses the line at the height `reach`; empty if the
-/// plate ends below it.
-std::optional<double> beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
-                             bool at_low, double reach) {
+/// The edge beside a corner of the fold, from there.
+Segment edge_beside(const PlacedPlate& plate, const BendFrame& frame, int side, int edge,
+                    bool at_low) {
   const int n = plate.edge_count();
   const auto at = [&](int i) { return frame.local(side, plate.corner((i % n + n) % n)); };
   const bool ascending = at(edge).x() < at(edge + 1).x();
   const bool first = ascending == at_low;
-  const Vec2 corner = first ? at(edge) : at(edge + 1);
-  const Vec2 far = first ? at(edge - 1) : at(edge + 2);
-  if (far.y() <= reach) return std::nullopt;
+  return {first ? at(edge) : at(edge + 1), first ? at(edge - 1) : at(edge + 2)};
+}
+
+/// Where it crosses the line at the height `reach`; empty if the plate ends below that.
+std::optional<double> crossing_at(const Segment& beside, double reach, double near) {
+  const auto& [corner, far] = beside;
+  if (far.y() <= reach - near) return std::nullopt;
   return corner.x() + (reach - corner.y()) / (far.y() - corner.y()) * (far.x() - corner.x());
 }
 
@@ -94,16 +102,19 @@ Result<Fold> fold_along(const FitTask& task, const Common& common) {
   for (int side = 0; side < 2; ++side) {
     const PlacedPlate& plate = *task.plates[static_cast<std::size_t>(side)];
     const int edge = common.edges[static_cast<std::size_t>(side)];
-    const double near = kOnFoldLine * plate.extent;
+    const double near = near_line(plate);
     const auto x = [&](int i) {
       return common.frame.local(side, plate.corner(i % plate.edge_count())).x();
     };
     const double from = std::min(x(edge), x(edge + 1)), to = std::max(x(edge), x(edge + 1));
     for (const bool low : {true, false}) {
-      const bool corner = std::abs(low ? from - common.low : to - common.high) <= near;
+      const Segment beside = edge_beside(plate, common.frame, side, edge, low);
+      // A plate that goes on past the line beside the fold is cut as if inside an edge.
+      const bool corner = std::abs(low ? from - common.low : to - common.high) <= near &&
+                          beside.b.y() > near;
       fold.at_corner[static_cast<std::size_t>(side)][low ? 0 : 1] = corner;
       if (!corner) continue;
-      const auto cut = beside(plate, common.frame, side, edge, low, fold.reach);
+      const auto cut = crossing_at(beside, fold.reach, near);
       if (!cut) return tl::unexpected(no_room(fold.reach));
       if (low)
         fold.low = std::max(fold.low, *cut);
@@ -144,7 +155,11 @@ Result<BendFit> fit_fold(const FitTask& task, const ConnectOptions& options) {
   report.request = task.request;
   for (std::size_t side = 0; side < 2; ++side) {
     report.edges[side] = {common->edges[side]};
-    fit.runs[side] = {common->edges[side], 1};
+    // The rest of the edge can carry other bends.
+    const int i = static_cast<int>(side);
+    fit.runs[side] = outline_run(
+        *task.plates[side], report.edges[side],
+        {common->frame.point(i, {common->low, 0.0}), common->frame.point(i, {common->high, 0.0})});
   }
   report.kind = BendKind::sharp;
   report.frame = common->frame;

@@ -15,4 +15,7 @@ inline constexpr double kDrawn = 1e-3;
 /// Inside radii below this (mm) are too small for a solid, which needs a cylinder there.
 inline constexpr double kSmallestInsideRadius = 1e-3;
 
+/// Parts of a pattern that share less than this share of the thickness in width only touch.
+inline constexpr double kContact = 1e-3;
+
 }  // namespace planish::connect_detail

@@ -45,6 +45,14 @@ Said unused_edge(const FittedBend& bend) {
       bend.joined, bend.unused[0], bend.unused[1]);
 }
 
+Said edges_beside(const FittedBend& bend) {
+  if (!bend.beside) return std::nullopt;
+  return fmt::format(
+      "joins edges that lie beside each other, {:.4g} mm apart along the bend: nowhere does it run "
+      "from one plate straight to the other",
+      *bend.beside);
+}
+
 Vec2 middle_of(const FlatBend& bend) {
   const Segment& line = bend.lines[bend.lines.size() / 2];
   return 0.5 * (line.a + line.b);
@@ -59,7 +67,7 @@ std::vector<Finding> span_findings(const ConnectReport& report) {
   };
   std::vector<Finding> findings;
   for (const Look& look : {Look{"round_the_back", round_the_back}, Look{"long_span", long_span},
-                           Look{"unused_edge", unused_edge}})
+                           Look{"unused_edge", unused_edge}, Look{"edges_beside", edges_beside}})
     for (const FlatBend& flat : report.flat.bends) {
       const auto& bends = report.connection.bends;
       const auto bend = std::ranges::find(bends, flat.bend, &FittedBend::bend);

@@ -75,23 +75,24 @@ bool settle_in(long parent, std::uint64_t memory) {
   return true;
 }
 
-int answer_questions(int socket, const Answering& answering) {
+int answer_questions(int socket, const Answering& answering, const std::function<void()>& after) {
   while (const auto question = receive_message(socket)) {
     if (question->kind != MessageKind::question) return 1;
     const Message answer = answered(socket, answering, question->texts);
     const auto sent = send_message(socket, answer);
-    if (sent) continue;
     // Longer than a message may be.
-    if (sent.error() != MessageFailure::garbled) return 1;
-    if (!send_message(socket, {MessageKind::failed, {}})) return 1;
+    if (!sent && sent.error() != MessageFailure::garbled) return 1;
+    if (!sent && !send_message(socket, {MessageKind::failed, {}})) return 1;
+    if (after) after();
   }
   return 0;
 }
 
-int answer_parent(const std::string& parent, const Answering& answering, std::uint64_t memory) {
+int answer_parent(const std::string& parent, const Answering& answering,
+                  const std::function<void()>& after, std::uint64_t memory) {
   constexpr int kDecimal = 10;
   if (!settle_in(std::strtol(parent.c_str(), nullptr, kDecimal), memory)) return 1;
-  return answer_questions(kChildSocket, answering);
+  return answer_questions(kChildSocket, answering, after);
 }
 
 }  // namespace planish::job

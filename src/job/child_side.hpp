@@ -12,6 +12,7 @@ constexpr int kChildSocket = 3;
 bool settle_in(long parent, std::uint64_t memory);
 
 /// Answers what comes at the socket until nobody asks any more; returns the exit status.
-int answer_questions(int socket, const Answering& answering);
+int answer_questions(int socket, const Answering& answering,
+                     const std::function<void()>& after = {});
 
 }  // namespace planish::job

@@ -1,3 +1,4 @@
+#include "drawn_folds.hpp"
 #include "json_parts.hpp"
 
 #include <planish/geometry/curve.hpp>
@@ -12,13 +13,13 @@ namespace {
 
 /// Corners of a loop, none of them nearer to the next than the chord: real parts have borders, and
 /// curves have samples, that lie closer than anyone cuts.
-std::vector<Vec2> corners_of(const BorderLoop& loop, double chord) {
+std::vector<Vec2> corners_of(const std::vector<Curve2>& loop, double chord) {
   std::vector<Vec2> corners;
   const auto add = [&](const Vec2& p) {
     if (corners.empty() || (p - corners.back()).norm() > chord) corners.push_back(p);
   };
-  for (const Border& border : loop) {
-    const std::vector<Vec2> points = sampled(border.curve, chord);
+  for (const Curve2& border : loop) {
+    const std::vector<Vec2> points = sampled(border, chord);
     add(points.front());
     for (std::size_t i = 1; i + 1 < points.size(); ++i)
       if ((points[i] - points.back()).norm() > chord) add(points[i]);
@@ -28,13 +29,30 @@ std::vector<Vec2> corners_of(const BorderLoop& loop, double chord) {
   return corners;
 }
 
-std::vector<Vec3> polygon_of(const Sheet& sheet, const Face& face, const BorderLoop& loop,
-                             double chord) {
+std::vector<Vec3> in_the_middle(const Sheet& sheet, const Face& face,
+                                const std::vector<Vec2>& polygon) {
   const double middle = sheet.reference_depth - 0.5 * sheet.thickness;
   std::vector<Vec3> corners;
-  for (const Vec2& uv : corners_of(loop, chord))
+  for (const Vec2& uv : polygon)
     corners.push_back(skin_point(face, uv) + middle * outward_normal(face, uv));
   return corners;
+}
+
+std::vector<Vec3> polygon_of(const Sheet& sheet, FaceId face, int loop, const ToFoldLines& folds,
+                             double chord) {
+  const std::vector<Curve2> curves = drawn_to_fold_lines(sheet, face, loop, folds);
+  std::vector<Vec2> corners = corners_of(curves, chord);
+  if (curves.size() > sheet[face].loops[loop].size())
+    corners = without_runs(std::move(corners), chord);
+  return in_the_middle(sheet, sheet[face], corners);
+}
+
+std::vector<Vec3> pilot_of(const Sheet& sheet, FaceId face, const FormedOpening& opening,
+                           double chord) {
+  std::vector<Curve2> curves;
+  for (const Border& border : opening.pilot)
+    curves.push_back(border.curve);
+  return in_the_middle(sheet, sheet[face], corners_of(curves, chord));
 }
 
 /// Whether nothing is cut along a loop: the material goes on into a formed feature, as a flat
@@ -44,17 +62,15 @@ bool goes_on(const BorderLoop& loop) {
 }
 
 /// Openings as they are cut before anything is formed: what a flat pattern cuts.
-Plate plate_of(const Sheet& sheet, FaceId id, std::string name, double chord) {
-  const Face& face = sheet[id];
-  Plate plate{std::move(name), polygon_of(sheet, face, face.loops.front(), chord), {}};
-  const auto add_hole = [&](const BorderLoop& loop) {
-    plate.holes.push_back(polygon_of(sheet, face, loop, chord));
-  };
-  for (std::size_t i = 1; i < face.loops.size(); ++i)
-    if (!goes_on(face.loops[i])) add_hole(face.loops[i]);
+Plate plate_of(const Sheet& sheet, FaceId id, std::string name, const ToFoldLines& folds,
+               double chord) {
+  const std::vector<BorderLoop>& loops = sheet[id].loops;
+  Plate plate{std::move(name), polygon_of(sheet, id, 0, folds, chord), {}};
+  for (int i = 1; i < std::ssize(loops); ++i)
+    if (!goes_on(loops[i])) plate.holes.push_back(polygon_of(sheet, id, i, folds, chord));
   for (const FormedFeature& feature : sheet.features)
     for (const FormedOpening& opening : feature.openings)
-      if (feature.face == id) add_hole(opening.pilot);
+      if (feature.face == id) plate.holes.push_back(pilot_of(sheet, id, opening, chord));
   std::erase_if(plate.holes, [](const auto& hole) { return hole.size() < 3; });
   return plate;
 }
@@ -79,7 +95,10 @@ std::vector<BendRequest> requests_of(const Sheet& sheet,
   for (const BendId id : sheet.bends.ids())
     if (between[id].size() == 2) {
       BendRequest& request = requests.emplace_back(BendRequest{.between = between[id]});
-      if (sheet[id].kind == BendKind::cylinder) request.inside_radius = sheet[id].inside_radius;
+      if (is_fold(sheet[id]))
+        request.inside_radius = 0.0;
+      else if (sheet[id].kind == BendKind::cylinder)
+        request.inside_radius = sheet[id].inside_radius;
     }
   return requests;
 }
@@ -102,13 +121,14 @@ PlateStructure plates_of(const Sheet& sheet, const PlatesOfOptions& options) {
   require_valid(sheet);
   PlateStructure structure;
   structure.thickness = sheet.thickness;
+  const ToFoldLines folds = distances_to_fold_lines(sheet);
   IdVector<FaceId, std::string> names(sheet.faces.size());
   for (const FlangeId flange : sheet.flanges.ids()) {
     const std::string number = std::to_string(index_of(flange) + 1);
     char letter = 'a';
     for (const FaceId face : sheet[flange].faces) {
       names[face] = sheet[flange].faces.size() > 1 ? number + letter++ : number;
-      structure.plates.push_back(plate_of(sheet, face, names[face], options.chord));
+      structure.plates.push_back(plate_of(sheet, face, names[face], folds, options.chord));
     }
   }
   if (options.with_bends) structure.bends = requests_of(sheet, names);

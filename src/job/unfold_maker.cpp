@@ -9,6 +9,7 @@
 #include <planish/job/unfold.hpp>
 
 #include <map>
+#include <utility>
 
 namespace planish::job {
 namespace {
@@ -75,6 +76,8 @@ class UnfoldWork : public Work {
     report->bodies_in_file = static_cast<int>(file_.bodies.size());
     return std::make_unique<MadeUnfolded>(std::move(*report), body);
   }
+
+  bool free_spare() override { return std::exchange(file_.content, nullptr) != nullptr; }
 
  private:
   /// Recognised once per body.

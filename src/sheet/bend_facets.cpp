@@ -1,5 +1,7 @@
 #include "bend_facets.hpp"
 
+#include "feature_borders.hpp"
+
 #include <planish/base/tolerance.hpp>
 
 #include <algorithm>
@@ -22,13 +24,6 @@ double angle_between(const Vec3& a, const Vec3& b) {
 }
 
 }  // namespace
-
-bool outlines_form(const Face& face, int loop, const std::vector<bool>& joined) {
-  const BorderLoop& borders = face.loops[loop];
-  return loop > 0 && std::none_of(joined.begin(), joined.end(), [](bool yes) { return yes; }) &&
-         std::any_of(borders.begin(), borders.end(),
-                     [](const Border& border) { return border.feature.has_value(); });
-}
 
 BendFacets::BendFacets(const Sheet& sheet, const Layout& layout, BendId bend,
                        const FacetOptions& options)
@@ -175,7 +170,7 @@ std::vector<Vec2> BendFacets::sampled_in_strips(const Curve2& curve) const {
 void BendFacets::add_loop(FaceId id, int loop, const std::vector<bool>& joined) {
   const Face& face = sheet_[id];
   const BorderLoop& borders = face.loops[loop];
-  const bool filled = outlines_form(face, loop, joined);
+  const auto form = outlined_form(face, loop, joined);
   for (size_t i = 0; i < borders.size(); ++i) {
     const int number = static_cast<int>(borders_.size());
     const std::vector<Vec2> points = sampled_in_strips(borders[i].curve);
@@ -183,10 +178,11 @@ void BendFacets::add_loop(FaceId id, int loop, const std::vector<bool>& joined) 
       const Vec2 &a = points[k - 1], &b = points[k];
       const int strip = strip_at(0.5 * (a.x() + b.x()));
       if (!joined[i]) edges_[strip].push_back({{image(a), image(b)}, number});
-      if (a.x() != b.x() && !filled)
+      if (a.x() != b.x() && !form)
         sides_[strip].push_back(a.x() < b.x() ? UvSegment{a, b} : UvSegment{b, a});
     }
-    if (!joined[i]) borders_.push_back({id, loop, static_cast<int>(i)});
+    if (!joined[i])
+      borders_.push_back({{id, loop, static_cast<int>(i)}, feature_at(borders[i], form)});
   }
 }
 

@@ -7,10 +7,6 @@
 
 namespace planish::sheet_detail {
 
-/// Whether a loop outlines a form, within which the material goes on; `joined` marks its borders
-/// that are not edges of the sheet.
-bool outlines_form(const Face& face, int loop, const std::vector<bool>& joined);
-
 /// A bend cut along rulings into facets that are nearly flat.
 class BendFacets {
  public:
@@ -42,7 +38,12 @@ class BendFacets {
     int border;
   };
   const std::vector<Edge>& edges(int strip) const { return edges_[strip]; }
-  const std::vector<BorderRef>& borders() const { return borders_; }
+  /// An edge of the sheet, and the feature that it outlines, if any.
+  struct Outline {
+    BorderRef border;
+    std::optional<FeatureId> feature;
+  };
+  const std::vector<Outline>& borders() const { return borders_; }
 
  private:
   struct UvSegment {
@@ -69,7 +70,7 @@ class BendFacets {
   std::vector<std::vector<UvSegment>> sides_;
   std::vector<std::vector<Polygon>> polygons_;
   std::vector<std::vector<Edge>> edges_;
-  std::vector<BorderRef> borders_;
+  std::vector<Outline> borders_;
 };
 
 }  // namespace planish::sheet_detail

@@ -1,4 +1,5 @@
 #include "bend_facets.hpp"
+#include "feature_borders.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/base/tolerance.hpp>
@@ -54,6 +55,13 @@ std::vector<bool> joined_borders(const Sheet& sheet, const Topology& topology, F
   return joined;
 }
 
+/// Whether the sheet goes on at the end of a border and the beginning of its twin: another joint
+/// follows there.
+bool goes_on(const Topology& topology, BorderId border, BorderId twin) {
+  const auto across = topology.twin(topology.next(border));
+  return across && topology.next(*across) == twin;
+}
+
 /// Facets that grow from a root: flanges and bends are hinged to existing facets.
 class FacetTree {
  public:
@@ -88,12 +96,12 @@ class FacetTree {
 
  private:
   /// Numbers a border of the sheet's outline.
-  int add_border(Curve2 image) {
-    made_.borders.push_back(std::move(image));
+  int add_border(FacetBorder border) {
+    made_.borders.push_back(std::move(border));
     return static_cast<int>(made_.borders.size()) - 1;
   }
-  void add_outline(int facet, const Curve2& image);
-  void add_formed_openings(FaceId face, int facet);
+  void add_outline(int facet, const FacetBorder& border);
+  void add_features(FaceId face, int facet);
   int add(const PartId& part, const Hinge& hinge, std::vector<Polygon> polygons) {
     made_.facets.push_back(
         {part, hinge.parent, hinge.line, Angle::radians(hinge.turn), std::move(polygons)});
@@ -125,43 +133,40 @@ void FacetTree::hang_flange(FaceId first, const Hinge& hinge) {
       hang_flange_face(face, {facet_of_face_[first], longest_border(layout_.outline(face)), 0.0});
 }
 
-void FacetTree::add_outline(int facet, const Curve2& image) {
-  const int border = add_border(image);
-  const std::vector<Vec2> points = sampled(image, options_.chord);
+void FacetTree::add_outline(int facet, const FacetBorder& border) {
+  const std::vector<Vec2> points = sampled(border.curve, options_.chord);
+  const int number = add_border(border);
   for (size_t k = 1; k < points.size(); ++k)
-    made_.edges.push_back({facet, {points[k - 1], points[k]}, border});
+    made_.edges.push_back({facet, {points[k - 1], points[k]}, number});
 }
 
-/// The holes through forms of a face, where it goes on within the outlines of the forms.
-void FacetTree::add_formed_openings(FaceId face, int facet) {
-  if (options_.extruded == ExtrudedHoles::outline) return;
-  for (const FormedFeature& feature : sheet_.features) {
-    if (feature.face != face) continue;
-    for (const FormedOpening& opening : feature.openings) {
-      Loop image;
-      const bool pilot = options_.extruded == ExtrudedHoles::pilot;
-      for (const Border& border : pilot ? opening.pilot : opening.through)
-        image.push_back(transformed(border.curve, layout_.placement[face]));
-      made_.facets[facet].polygons.front().holes.push_back(
-          oriented(sampled(image, options_.chord), false));
-      for (const Curve2& curve : image)
-        add_outline(facet, curve);
-    }
-  }
+void FacetTree::add_features(FaceId face, int facet) {
+  const FeatureBorders features = feature_borders(sheet_, layout_, face, options_.extruded);
+  for (const Loop& hole : features.holes)
+    made_.facets[facet].polygons.front().holes.push_back(
+        oriented(sampled(hole, options_.chord), false));
+  for (const FacetBorder& border : features.borders)
+    add_outline(facet, border);
 }
 
 void FacetTree::hang_flange_face(FaceId face, const Hinge& hinge) {
   const std::vector<Loop>& loops = layout_.images[face];
   Polygon polygon{oriented(sampled(loops.front(), options_.chord), true), {}};
-  for (int loop = 1; loop < std::ssize(loops); ++loop)
-    if (!outlines_form(sheet_[face], loop, joined_borders(sheet_, topology_, face, loop)))
+  std::vector<FacetBorder> outlines;
+  for (int loop = 0; loop < std::ssize(loops); ++loop) {
+    const auto joined = joined_borders(sheet_, topology_, face, loop);
+    const auto form = outlined_form(sheet_[face], loop, joined);
+    if (loop > 0 && !form)
       polygon.holes.push_back(oriented(sampled(loops[loop], options_.chord), false));
+    for (int i = 0; i < std::ssize(loops[loop]); ++i)
+      if (!joined[i])
+        outlines.push_back({loops[loop][i], feature_at(sheet_[BorderRef{face, loop, i}], form)});
+  }
   const int facet = add(sheet_[face].part_of, hinge, {std::move(polygon)});
   facet_of_face_[face] = facet;
-  for (int loop = 0; loop < std::ssize(loops); ++loop)
-    for (int i = 0; i < std::ssize(loops[loop]); ++i)
-      if (topology_.is_free(BorderRef{face, loop, i})) add_outline(facet, loops[loop][i]);
-  add_formed_openings(face, facet);
+  for (const FacetBorder& outline : outlines)
+    add_outline(facet, outline);
+  add_features(face, facet);
 }
 
 const BendFacets& FacetTree::strips_of(BendId bend) {
@@ -180,8 +185,8 @@ void FacetTree::hang_bend(BendId bend, int entry, const Hinge& hinge) {
   const BendFacets& strips = strips_of(bend);
   std::vector<int> facets(strips.count());
   const int first = static_cast<int>(made_.borders.size());
-  for (const BorderRef& ref : strips.borders())
-    add_border(layout_.image(ref));
+  for (const auto& [ref, feature] : strips.borders())
+    add_border({layout_.image(ref), feature});
   const auto add_strip = [&](int strip, const Hinge& on) {
     facets[strip] = add(bend, on, strips.polygons(strip));
     for (const BendFacets::Edge& edge : strips.edges(strip))
@@ -247,8 +252,9 @@ int FacetTree::hang_band(const Joint& joint, const Band& band) {
   const auto& [line, across] = band;
   const int strip = add(*joint.sharp, {facet_beside(joint.a), line, 0.5 * turn_at(joint)},
                         {Polygon{oriented({line.a, line.b, across.b, across.a}, true), {}}});
-  add_outline(strip, Segment{line.a, across.a});
-  add_outline(strip, Segment{line.b, across.b});
+  const BorderId a = topology_.id_of(joint.a), b = topology_.id_of(joint.b);
+  if (!goes_on(topology_, b, a)) add_outline(strip, {Segment{line.a, across.a}});
+  if (!goes_on(topology_, a, b)) add_outline(strip, {Segment{line.b, across.b}});
   return strip;
 }
 

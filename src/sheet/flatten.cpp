@@ -1,5 +1,6 @@
 #include "bend_lines.hpp"
 #include "contour.hpp"
+#include "feature_borders.hpp"
 #include "measure.hpp"
 #include "set_back.hpp"
 
@@ -15,13 +16,6 @@ namespace planish {
 namespace {
 
 using namespace sheet_detail;
-
-Loop placed(const BorderLoop& borders, const Isometry2& placement) {
-  Loop loop;
-  for (const Border& border : borders)
-    loop.push_back(transformed(border.curve, placement));
-  return loop;
-}
 
 Contour as_opening(Loop loop) {
   const size_t count = loop.size();

@@ -38,8 +38,16 @@ Result<void> check_apart(const std::vector<MouldRib>& ribs, const std::vector<Mo
   for (const MouldWall& wall : walls)
     footprints.push_back({wall.footprint, {}});
   const auto name_of = [&](int footprint) {
-    return footprint < std::ssize(ribs) ? fmt::format("rib under strip {}", ribs[footprint].strip)
-                                        : std::string("wall behind a panel");
+    if (footprint >= std::ssize(ribs)) return std::string("wall behind a panel");
+    const int strip = ribs[footprint].strip;
+    const bool has_image = std::ranges::count(ribs, strip, &MouldRib::strip) > 1;
+    const bool is_image = std::ranges::any_of(
+        ribs.begin(), ribs.begin() + footprint,
+        [&](const MouldRib& rib) { return rib.strip == strip; });
+    return fmt::format("rib under strip {}{}", strip,
+                       !has_image ? ""
+                       : is_image ? " on the other side of the symmetry plane"
+                                  : " on this side of the symmetry plane");
   };
   for (const Overlap& overlap : overlaps(footprints, 0.0, kTouching * smallest))
     return fail(

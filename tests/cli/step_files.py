@@ -73,10 +73,7 @@ class StepFile:
 
     def face(self, surface, edges, same_sense=True):
         """edges: (edge, forward) in order, the face on their left seen from outside."""
-        oriented = [self.add(f"ORIENTED_EDGE('',*,*,{edge},.{'T' if forward else 'F'}.)")
-                    for edge, forward in edges]
-        loop = self.add(f"EDGE_LOOP('',({','.join(oriented)}))")
-        bound = self.add(f"FACE_OUTER_BOUND('',{loop},.T.)")
+        bound = self._bound("FACE_OUTER_BOUND", edges)
         return self.add(f"ADVANCED_FACE('',({bound}),{surface},.{'T' if same_sense else 'F'}.)")
 
     # --- solids
@@ -123,6 +120,37 @@ class StepFile:
         cylinder = self.add(f"CYLINDRICAL_SURFACE('',{place},{math.dist(a, center):.12f})")
         return self.face(cylinder, edges, same_sense=curve.ccw)
 
+    # --- plates with round forms
+
+    def ring(self, center, z, radius):
+        """A circle about a vertical axis, as one edge: (edge, its vertex, where that lies)."""
+        at = (center[0] + radius, center[1], z)
+        vertex = self.add(f"VERTEX_POINT('',{self.point(at)})")
+        return self.arc_edge(at, vertex, vertex, center, True, z), vertex, at
+
+    def round_wall(self, surface, low, high, outwards):
+        """A cylinder or cone between two rings; `outwards`: the material is within it."""
+        seam = self.line_edge(low[2], high[2], low[1], high[1])
+        edges = [(low[0], True), (seam, True), (high[0], False), (seam, False)]
+        if not outwards:
+            edges = [(edge, not forward) for edge, forward in reversed(edges)]
+        return self.face(surface, edges, same_sense=outwards)
+
+    def level(self, z, up, outer, holes=()):
+        """A horizontal face: `outer` its loop as for a face that looks up, `holes` rings."""
+        normal = (0, 0, 1 if up else -1)
+        turned = outer if up else [(edge, not forward) for edge, forward in reversed(outer)]
+        bounds = [self._bound("FACE_OUTER_BOUND", turned)]
+        bounds += [self._bound("FACE_BOUND", [(ring[0], not up)]) for ring in holes]
+        plane = self.add(f"PLANE('',{self.placement((0, 0, z), normal, (1, 0, 0))})")
+        return self.add(f"ADVANCED_FACE('',({','.join(bounds)}),{plane},.T.)")
+
+    def _bound(self, kind, edges):
+        oriented = [self.add(f"ORIENTED_EDGE('',*,*,{edge},.{'T' if forward else 'F'}.)")
+                    for edge, forward in edges]
+        loop = self.add(f"EDGE_LOOP('',({','.join(oriented)}))")
+        return self.add(f"{kind}('',{loop},.T.)")
+
     # --- products
 
     def product(self, name, shell, entity="MANIFOLD_SOLID_BREP"):
@@ -165,6 +193,39 @@ def angle(name="angle", leg=50.0, thickness=2.0, radius=2.0, depth=60.0):
 def block(side=30.0):
     file = StepFile()
     file.product("block", file.prism(*rectangle_profile(side, side), side))
+    return file.text()
+
+
+def pressed_plate():
+    """100 × 60 × 3 mm with a hole of Ø 5, countersunk to Ø 10, and a knob of Ø 20 pushed up 1 mm."""
+    file = StepFile()
+    corners = [(0, 0), (100, 0), (100, 60), (0, 60)]
+    vertices = [[file.add(f"VERTEX_POINT('',{file.point((*p, z))})") for p in corners] for z in (0, 3)]
+
+    def edge(i, j, low, high):
+        return file.line_edge((*corners[i], 3 * low), (*corners[j], 3 * high), vertices[low][i], vertices[high][j])
+
+    rims = [[edge(i, (i + 1) % 4, level, level) for i in range(4)] for level in (0, 1)]
+    posts = [edge(i, i, 0, 1) for i in range(4)]
+    faces = [file._side(corners, Line(None), i, 0, (0, 0), [(rims[0][i], True), (posts[(i + 1) % 4], True),
+                                                          (rims[1][i], False), (posts[i], False)]) for i in range(4)]
+    hole, knob = (25, 30), (70, 30)
+    drilled, neck, sunk = file.ring(hole, 0, 2.5), file.ring(hole, 0.5, 2.5), file.ring(hole, 3, 5)
+    foot, cap, brim, floor = (file.ring(knob, z, 10) for z in (3, 4, 0, 1))
+
+    def axis(center, z):
+        return file.placement((*center, z), (0, 0, 1), (1, 0, 0))
+
+    faces += [
+        file.round_wall(file.add(f"CYLINDRICAL_SURFACE('',{axis(hole, 0)},2.5)"), drilled, neck, False),
+        file.round_wall(file.add(f"CONICAL_SURFACE('',{axis(hole, 0.5)},2.5,{math.pi / 4:.15f})"), neck, sunk, False),
+        file.round_wall(file.add(f"CYLINDRICAL_SURFACE('',{axis(knob, 3)},10.)"), foot, cap, True),
+        file.round_wall(file.add(f"CYLINDRICAL_SURFACE('',{axis(knob, 0)},10.)"), brim, floor, False),
+        file.level(4, True, [(cap[0], True)]),
+        file.level(1, False, [(floor[0], True)]),
+        file.level(3, True, [(e, True) for e in rims[1]], [sunk, foot]),
+        file.level(0, False, [(e, True) for e in rims[0]], [drilled, brim])]
+    file.product("pressed plate", file.add(f"CLOSED_SHELL('',({','.join(faces)}))"))
     return file.text()
 
 

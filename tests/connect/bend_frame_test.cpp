@@ -23,8 +23,8 @@ TEST(PlanePair, IsCrossingParallelOrCoplanar) {
   };
   EXPECT_EQ(kind({0, 150, 0}, {0, 100, 0}), PlanePair::coplanar);
   EXPECT_EQ(kind({0, 150, 0.5e-3}, {0, 100, 0}), PlanePair::coplanar);
-  EXPECT_EQ(kind({0, 150, 2e-3}, {0, 100, 0}), PlanePair::parallel);
-  EXPECT_EQ(kind({0, 150, 0}, {0, 100, 1e-3}), PlanePair::crossing);
+  EXPECT_EQ(kind({0, 150, 3e-3}, {0, 100, 0}), PlanePair::parallel);
+  EXPECT_EQ(kind({0, 150, 0}, {0, 100, 4e-3}), PlanePair::crossing);
   EXPECT_EQ(kind({0, 150, 30}, {0, 100, 1e-5}), PlanePair::parallel) << "turned by 1e-7";
 }
 

@@ -129,6 +129,58 @@ TEST(InterruptedBend, HasStretchesWhereCoordinatesAreRounded) {
   EXPECT_NEAR(flat_area(c), kInterruptedArea + 160 * kAllowance, 1e-2);
 }
 
+/// A floor whose front edge has teeth, recesses of `depth` between them, and an unbroken wall that
+/// is drawn up to the bend of inside radius 1.
+PlateStructure toothed(double thickness, double depth, const std::vector<double>& sides) {
+  PlateStructure s;
+  s.thickness = thickness;
+  Plate floor{"floor", {{sides.back(), -100, 0}}, {}};
+  for (std::size_t i = sides.size(); i-- > 0;) {
+    const bool tooth_begins = i % 2 == 1;  // from the right
+    const bool outermost = i + 1 == sides.size() || i == 0;
+    const Vec3 front(sides[i], 0, 0), back(sides[i], -depth, 0);
+    if (outermost)
+      floor.outline.push_back(front);
+    else
+      floor.outline.insert(floor.outline.end(),
+                           {tooth_begins ? back : front, tooth_begins ? front : back});
+  }
+  floor.outline.push_back({sides.front(), -100, 0});
+  const double gap = 1.0 + 0.5 * thickness;
+  s.plates = {floor, rectangle_plate("wall", {sides.front(), gap, gap},
+                                     {sides.back() - sides.front(), 0, 0}, {0, 0, 40})};
+  return s;
+}
+
+TEST(InterruptedBend, JoinsAllTeethOfAnEdge) {
+  // The floor's back edge is wider than each tooth, and so is a deep recess between two teeth.
+  for (const auto& [depth, sides] : {std::pair{3.0, std::vector{0.0, 13.0, 54.0, 144.0, 191.0,
+                                                                282.0, 310.0, 387.0, 405.0, 437.0}},
+                                     std::pair{15.0, std::vector{0.0, 41.0, 93.0, 134.0}}}) {
+    const Connection c = connection_of(toothed(1.5, depth, sides));
+    ASSERT_EQ(c.bends.size(), 1u);
+    EXPECT_EQ(c.bends[0].edge_kind, EdgeKind::facing);
+    EXPECT_NEAR(c.bends[0].inside_radius, 1.0, 1e-9);
+    EXPECT_NEAR(c.bends[0].joined, sides.back(), 1e-9);
+    EXPECT_NEAR(c.bends[0].extension_area, 0.0, 1e-9);
+  }
+}
+
+TEST(InterruptedBend, JoinsAllTeethWhereCoordinatesAreRounded) {
+  const std::vector<double> sides{0.0, 41.38, 93.32, 134.7};
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+  for (const double digit : {1e-6, 1e-5, 1e-4}) {
+    PlateStructure s = toothed(1.5, 15.18, sides);
+    for (Plate& plate : s.plates)
+      for (Vec3& p : plate.outline)
+        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 1u);
+    EXPECT_NEAR(c.bends[0].joined, 134.7, 10 * digit);
+    EXPECT_NEAR(c.bends[0].inside_radius, 1.0, 10 * digit);
+  }
+}
+
 TEST(InterruptedBend, HasOnlyTheStretchWhoseEdgesAreGiven) {
   PlateStructure s = interrupted();
   s.bends = {{.between = {"floor", "wall"}, .edges = {std::vector{2}, std::vector{4}}}};
@@ -240,6 +292,58 @@ PlateStructure window_tab(bool turned) {
   return s;
 }
 
+// A floor of 100 and walls `gap` behind its front edge, one radius of 10 above it: the floor has to
+// be extended by gap − 10 as far as a wall goes.
+PlateStructure walls_behind(double gap, std::vector<std::pair<double, double>> walls) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("floor", {0, -50, 0}, {100, 0, 0}, {0, 50, 0})};
+  for (const auto& [from, width] : walls)
+    s.plates.push_back(rectangle_plate("wall" + std::to_string(s.plates.size()), {from, gap, 10},
+                                       {width, 0, 0}, {0, 0, 30}));
+  return s;
+}
+
+TEST(OneEdge, ExtendsALongEdgeOnlyWhereAWallIs) {
+  const auto c = connect(walls_behind(12.0, {{30, 30}}));
+  ASSERT_TRUE(c) << c.error().message;
+  EXPECT_EQ(c->bends[0].kind, BendKind::cylinder);
+  EXPECT_NEAR(c->bends[0].inside_radius, 9.0, 1e-9);
+  EXPECT_NEAR(c->bends[0].extension_area, 2.0 * 30.0, 1e-6);
+}
+
+TEST(OneEdge, SharesAnEdgeBetweenWallsThatItHasToBeExtendedTo) {
+  // The first wall alone would take all of the edge, by an extension that runs slanted to its ends.
+  PlateStructure s = walls_behind(20.0, {{0, 60}, {65, 30}});
+  for (const bool given : {false, true}) {
+    if (given) s.bends = {{.between = {"floor", "wall1"}}, {.between = {"floor", "wall2"}}};
+    const auto c = connect(s);
+    ASSERT_TRUE(c) << c.error().message;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const double width = b == 0 ? 60.0 : 30.0;
+      EXPECT_EQ(c->bends[b].edge_kind, EdgeKind::facing);
+      EXPECT_NEAR(c->bends[b].inside_radius, 9.0, 1e-9);
+      EXPECT_NEAR(c->bends[b].joined, width, 1e-6);
+      EXPECT_NEAR(c->bends[b].extension_area, 10.0 * width, 1e-6);
+    }
+  }
+}
+
+TEST(OneEdge, PrefersTheEdgeOppositeAWallToAStubBesideIt) {
+  // Wall 1 has taken the edge up to a stub of 5 mm, whose ends are nearer to those of wall 2 than
+  // the ends of the 700 mm that lie opposite; the side wall is not nearer.
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {rectangle_plate("floor", {0, 0, 0}, {750, 0, 0}, {0, 200, 0}),
+              rectangle_plate("wall1", {5, -10, 10}, {40, 0, 0}, {0, 0, 30}),
+              rectangle_plate("wall2", {55, -10, 10}, {40, 0, 0}, {0, 0, 30}),
+              rectangle_plate("side", {-10, 0, 10}, {0, 200, 0}, {0, 0, 30})};
+  const auto c = connect(s);
+  ASSERT_TRUE(c) << c.error().message;
+  for (const FittedBend& bend : c->bends)
+    EXPECT_EQ(bend.plates[0], 0);
+}
+
 TEST(EdgeOfAnOpening, CarriesABend) {
   for (const bool turned : {false, true}) {
     const Connection c = connection_of(window_tab(turned));
@@ -251,6 +355,49 @@ TEST(EdgeOfAnOpening, CarriesABend) {
     EXPECT_NEAR(bend.angle.degrees(), 90.0, 1e-9);
     EXPECT_NEAR(flat_area(c), 200 * 200 - 60 * 40 + 60 * 20 + 60 * kAllowance, 1e-6);
   }
+}
+
+TEST(EdgeOfAnOpening, CarriesATabAsWideAsItWhereCoordinatesAreRounded) {
+  // The bend then ends at corners of the opening, to within the rounding; a wall is near as well.
+  const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.2).normalized();
+  for (const double digit : {1e-6, 1e-5, 1e-4}) {
+    PlateStructure s;
+    s.thickness = 2.0;
+    s.plates = {rectangle_plate("floor", {0, 0, 0}, {200, 0, 0}, {0, 120, 0}),
+                rectangle_plate("tab", {60, 44, 4}, {50, 0, 0}, {0, 0, 25}),
+                rectangle_plate("wall", {0, 124, 4}, {200, 0, 0}, {0, 0, 60})};
+    s.plates[0].holes = {{{60, 40, 0}, {60, 80, 0}, {110, 80, 0}, {110, 40, 0}}};
+    for (Plate& plate : s.plates) {
+      const auto place = [&](Vec3& p) {
+        p = digit * ((turn * p + Vec3(123.4, -56.7, 211.9)) / digit).array().round().matrix();
+      };
+      std::ranges::for_each(plate.outline, place);
+      for (auto& hole : plate.holes)
+        std::ranges::for_each(hole, place);
+    }
+    const Connection c = connection_of(s);
+    ASSERT_EQ(c.bends.size(), 2u);
+    for (const FittedBend& bend : c.bends) {
+      EXPECT_EQ(bend.plates[0], 0);
+      EXPECT_NEAR(bend.inside_radius, 3.0, 10 * digit);
+      EXPECT_NEAR(bend.joined, bend.plates[1] == 1 ? 50.0 : 200.0, 10 * digit);
+    }
+  }
+}
+
+TEST(DrawnEdges, LeaveChamfersBesideThemAsTheyAre) {
+  // Both plates have chamfers of 10 × 10 at the ends of the edges that are drawn up to the bend.
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {
+      {"floor",
+       {{0, -100, 0}, {200, -100, 0}, {200, -10, 0}, {190, 0, 0}, {10, 0, 0}, {0, -10, 0}},
+       {}},
+      {"wall", {{0, 3, 63}, {0, 3, 13}, {10, 3, 3}, {190, 3, 3}, {200, 3, 13}, {200, 3, 63}}, {}}};
+  const Connection c = connection_of(s);
+  ASSERT_EQ(c.bends.size(), 1u);
+  EXPECT_NEAR(c.bends[0].joined, 180.0, 1e-9);
+  EXPECT_NEAR(c.bends[0].extension_area, 0.0, 1e-9);
 }
 
 TEST(EdgeOfAnOpening, CanBeGiven) {

@@ -130,12 +130,25 @@ bool folds(PlateStructure pair) {
   return !joined(pair).refusal;
 }
 
+// The longest bend that joins what a shop would call one part: twice the plates' diagonals.
+double largest_span(const PlateStructure& pair) {
+  double sum = 0.0;
+  for (const Plate& plate : pair.plates) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : plate.outline)
+      box.extend(p);
+    sum += box.diagonal().norm();
+  }
+  return 2.0 * sum;
+}
+
 // A choice that joins a refused pair; empty: there is none.
 std::optional<std::string> missed_choice(const PlateStructure& pair, bool touching) {
   std::optional<std::string> missed;
   any_choice(pair, [&](const BendRequest& request) {
     PlateStructure asked = pair;
     asked.bends = {request};
+    asked.largest_span = largest_span(pair);
     if (!connect(asked)) return false;
     const job::ConnectReport report = joined(asked);
     if (report.refusal || !wrong_with(report, touching).empty()) return false;

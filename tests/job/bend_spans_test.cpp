@@ -41,7 +41,7 @@ const Plate kFloor = rectangle("A", {0, 0, 0}, {200, 0, 0}, {0, 100, 0});
 
 TEST(SpanFindings, AreNoneForAnOrdinaryBend) {
   const auto report = connected({kFloor, rectangle("B", {0, 110, 10}, {200, 0, 0}, {0, 0, 60})});
-  for (const char* code : {"round_the_back", "long_span", "unused_edge"})
+  for (const char* code : {"round_the_back", "long_span", "unused_edge", "edges_beside"})
     EXPECT_EQ(said(report, code), "") << code;
 }
 
@@ -60,6 +60,14 @@ TEST(SpanFindings, NameABendManyTimesLongerThanWide) {
   const auto report = connected({rectangle("A", {0, 0, 0}, {10, 0, 0}, {0, 100, 0}),
                                  rectangle("B", {0, 160, 60}, {10, 0, 0}, {0, 0, 60})});
   EXPECT_THAT(said(report, "long_span"), HasSubstr("10 mm wide: 9."));
+}
+
+TEST(SpanFindings, NameEdgesThatLieBesideEachOther) {
+  const auto report = connected({kFloor, rectangle("B", {205, 110, 10}, {150, 0, 0}, {0, 0, 60})});
+  EXPECT_THAT(said(report, "edges_beside"), HasSubstr("beside each other, 5 mm apart"));
+  const auto touching = connected(
+      {kFloor, rectangle("B", {200, 110, 10}, {150, 0, 0}, {0, 0, 60})});
+  EXPECT_THAT(said(touching, "edges_beside"), HasSubstr("beside each other, 0 mm apart"));
 }
 
 TEST(SpanFindings, NameEdgesThatAreHardlyUsed) {

@@ -1,3 +1,4 @@
+#include "connect/sample_plates.hpp"
 #include "connected.hpp"
 #include "folded.hpp"
 #include "made_report.hpp"
@@ -176,6 +177,23 @@ TEST(ConnectReport, VerifiesTheVolumeOnTheFoldedSolid) {
   EXPECT_THAT(*step, HasSubstr("ISO-10303-21"));
   EXPECT_THAT(*step, HasSubstr("'plates'"));
   EXPECT_TRUE(dxf_text(report.flat).has_value());
+}
+
+TEST(ConnectReport, MeasuresFoldsThatEndInsideAnEdge) {
+  // The mitre adds outside the middle surfaces what it takes inside: both plates as they are drawn.
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = {test::rectangle_plate("A", {0, 0, 0}, {100, 0, 0}, {0, 50, 0}),
+              test::rectangle_plate("B", {20, 0, 0}, {50, 0, 0}, {0, 0, 40})};
+  s.bends = {{.between = {"A", "B"}, .inside_radius = 0.0}};
+  auto connection = connect(s);
+  ASSERT_TRUE(connection) << connection.error().message;
+  const ConnectReport report = report_of(std::move(*connection));
+  ASSERT_TRUE(report.solid.has_value());
+  EXPECT_NEAR(report.summary.volume, 2.0 * (100.0 * 50.0 + 50.0 * 40.0), 1e-6);
+  EXPECT_NEAR(*report.certificate.explained_ratio, 1.0, 1e-9);
+  for (const Finding& finding : report.findings)
+    EXPECT_NE(finding.severity, Severity::error) << finding.message;
 }
 
 TEST(ConnectReport, LaysFlatByTheRuleAsked) {

@@ -3,9 +3,13 @@
 #include "support/round_trip.hpp"
 
 #include <planish/connect/connect.hpp>
+#include <planish/job/plates_of.hpp>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 
 // Plates → connect → solid → STEP → recognise → flatten gives the flat pattern that connect gave.
 
@@ -21,6 +25,52 @@ void expect_connect_round_trip(const PlateStructure& structure, double tolerance
 TEST(ConnectRoundTrip, GivesBackWhatWasJoined) {
   for (const PlateStructure& s : {angle_pair(14.0), tray(), u_pair()})
     expect_connect_round_trip(s);
+}
+
+PlateStructure folded(std::vector<Plate> plates) {
+  PlateStructure s;
+  s.thickness = 2.0;
+  s.plates = std::move(plates);
+  for (std::size_t p = 1; p < s.plates.size(); ++p)
+    s.bends.push_back({.between = {"A", s.plates[p].id}, .inside_radius = 0.0});
+  return s;
+}
+
+const Plate kFloor = rectangle_plate("A", {0, 0, 0}, {100, 0, 0}, {0, 50, 0});
+
+TEST(ConnectRoundTrip, GivesBackFolds) {
+  // Up and down; inside an edge at both ends, at one, from a wall that turns to either side.
+  for (const Plate& wall : {rectangle_plate("B", {0, 0, 0}, {100, 0, 0}, {0, 0, 40}),
+                            rectangle_plate("B", {20, 0, 0}, {50, 0, 0}, {0, 0, 40}),
+                            rectangle_plate("B", {0, 0, 0}, {50, 0, 0}, {0, -20, 40}),
+                            rectangle_plate("B", {20, 0, 0}, {80, 0, 0}, {0, 20, -40})})
+    expect_connect_round_trip(folded({kFloor, wall}));
+  expect_connect_round_trip(
+      folded({kFloor, rectangle_plate("B", {0, 0, 0}, {100, 0, 0}, {0, 0, 40}),
+              rectangle_plate("C", {0, 50, 0}, {100, 0, 0}, {0, 0, -40})}));
+}
+
+TEST(ConnectRoundTrip, PlatesOfFoldsAreThosePutIn) {
+  // Of a sheet whose faces end where the inner skins meet, and where one fold is seen from outside.
+  const PlateStructure put_in = folded({kFloor,
+                                        rectangle_plate("B", {20, 0, 0}, {50, 0, 0}, {0, -20, 40}),
+                                        rectangle_plate("C", {0, 50, 0}, {100, 0, 0}, {0, 0, 40})});
+  const auto joined = connect(put_in);
+  ASSERT_TRUE(joined) << joined.error().message;
+  const PlateStructure taken_out = job::plates_of(joined->sheet, {.with_bends = true});
+  ASSERT_EQ(taken_out.plates.size(), put_in.plates.size());
+  for (std::size_t p = 0; p < put_in.plates.size(); ++p) {
+    EXPECT_EQ(taken_out.plates[p].outline.size(), 4u);
+    for (const Vec3& corner : put_in.plates[p].outline) {
+      double nearest = HUGE_VAL;
+      for (const Vec3& other : taken_out.plates[p].outline)
+        nearest = std::min(nearest, (other - corner).norm());
+      EXPECT_LT(nearest, 1e-9) << "plate " << p;
+    }
+  }
+  for (const BendRequest& bend : taken_out.bends)
+    EXPECT_EQ(bend.inside_radius, 0.0);
+  EXPECT_TRUE(connect(taken_out));
 }
 
 TEST(ConnectRoundTrip, GivesBackCones) { expect_connect_round_trip(cone_pair(), 1e-5); }

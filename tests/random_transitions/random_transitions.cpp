@@ -66,12 +66,12 @@ int run(const Options& options) {
         if (severity == "error" || options.list)
           fmt::print("{}: {}\n", i, finding["message"].get<std::string>());
       }
+    if (!options.keep.empty() && (!wrong.empty() || options.list))
+      std::ofstream(fmt::format("{}/transition_{}_{}.json", options.keep, options.seed, i))
+          << file.dump(1);
     if (wrong.empty()) continue;
     ++defects;
     fmt::print("{}: {}\n", i, wrong);
-    if (!options.keep.empty())
-      std::ofstream(fmt::format("{}/transition_{}_{}.json", options.keep, options.seed, i))
-          << file.dump(1);
   }
   fmt::print("{} transitions, {} defects\n", options.count, defects);
   for (const auto& [finding, count] : findings)

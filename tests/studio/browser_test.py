@@ -12,6 +12,8 @@ import tempfile
 import ezdxf
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
+import step_files  # noqa: E402
 from planish_studio import CLI, SOURCE, StudioTest, main  # noqa: E402
 
 
@@ -21,6 +23,7 @@ class Browser(StudioTest):
         """All flows run one after the other in one browser."""
         super().setUpClass()
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        (cls.folder / "pressed.step").write_text(step_files.pressed_plate())
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
                               env=dict(os.environ, STUDIO_FILES=str(cls.folder), STUDIO_PROCESS=str(cls.studio.process.pid)))
@@ -82,6 +85,18 @@ class Browser(StudioTest):
     def test_strips_of_their_own_widths(self):
         self.flow("strips")
 
+    def test_panels_lean(self):
+        self.flow("leaning")
+
+    def test_leg_curves_are_scaled_to_the_sheet(self):
+        self.flow("fitted")
+
+    def test_a_second_panel_comes_and_goes(self):
+        self.flow("second")
+
+    def test_the_mould_is_made_as_its_fields_say(self):
+        self.flow("mould")
+
     def test_control_points_by_number(self):
         self.flow("points")
 
@@ -113,6 +128,9 @@ class Browser(StudioTest):
     def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
         self.flow("circle")
 
+    def test_what_is_drawn_is_told_from_what_is_cut(self):
+        self.flow("forms")
+
     def test_an_assembly_opens_on_its_first_sheet_and_the_list_says_what_became_of_each_body(self):
         self.flow("assembly")
 
@@ -127,6 +145,9 @@ class Browser(StudioTest):
 
     def test_bends_keep_their_names_and_the_pattern_its_way_while_plates_move(self):
         self.flow("steady")
+
+    def test_the_chosen_bend_stays_chosen_when_bends_are_numbered_anew(self):
+        self.flow("chosen")
 
     def test_a_rule_has_one_mark_until_it_is_chosen(self):
         self.flow("marks")

@@ -73,7 +73,8 @@ class Shapes(StudioTest):
             self.assertEqual(a[starts][-1], count, starts)
             self.assertTrue(all(x <= y for x, y in itertools.pairwise(a[starts])), starts)
         for name, count in (("facet_starts", facets + 1), ("facet_hinge", 4 * facets), ("facet_angle", facets), ("facet_part", facets),
-                            ("edge_facet", len(a["edges"]) // 4), ("edge_number", len(a["edges"]) // 4), ("bend_line_part", len(a["bend_lines"]) // 4)):
+                            ("edge_facet", len(a["edges"]) // 4), ("edge_circle", 4 * len(a["edge_length"])), ("edge_feature", len(a["edge_length"])),
+                            ("edge_number", len(a["edges"]) // 4), ("bend_line_part", len(a["bend_lines"]) // 4)):
             self.assertEqual(len(a[name]), count, name)
         self.assertEqual(a["facet_parent"][0], -1)
         for i, parent in enumerate(a["facet_parent"]):
@@ -210,6 +211,20 @@ class Shapes(StudioTest):
         points = rows(shape.arrays["space_points"], 3)
         self.assertGreaterEqual(len(triangles), 12)
         self.assertLess(max(itertools.chain(*triangles)), len(points))
+
+    def test_what_is_drawn_is_told_from_what_is_cut(self):
+        sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
+        import step_files
+        opened = self.studio.open("pressed.step", step_files.pressed_plate()).json()
+        for verb in ("draft", "result"):
+            shape = self.studio.shape(opened["id"], verb)
+            kinds = [feature["kind"] for feature in shape.report["flat"]["features"]]
+            found = {}  # radius of a circle: the features whose outline it is
+            for feature, radius in zip(shape.arrays["edge_feature"], shape.arrays["edge_circle"][2::4]):
+                found.setdefault(round(radius, 4), set()).add(kinds[feature] if feature >= 0 else "cut")
+            self.assertEqual(found, {0.0: {"cut"}, 2.5: {"cut"}, 5.0: {"countersink"}, 10.0: {"formed", "pocket"}})
+            cut = sum(length for length, feature in zip(shape.arrays["edge_length"], shape.arrays["edge_feature"]) if feature < 0)
+            self.assertAlmostEqual(cut, 320 + 5 * math.pi, delta=1e-3)
 
     def test_overlaps_are_triangles_of_their_area(self):
         """The front wall and a flap of the left wall stand side by side, and lie on each other when flat."""

@@ -51,6 +51,25 @@ TEST(Workbench, DoesNothingBeforeItIsOpen) {
   EXPECT_EQ(bench.perform({"draft", "", "{}"}).status, 500);
 }
 
+TEST(Workbench, FreesWhatWasReadOnceAResultIsThere) {
+  Workbench bench("/nowhere");
+  EXPECT_FALSE(bench.rest());
+  bench.perform({"open", "a.step", example("bracket.step")});
+  bench.perform({"draft", "", "{}"});
+  EXPECT_FALSE(bench.rest());  // the page asks for the result next
+  const Answer before = bench.perform({"result", "", "{}"});
+  EXPECT_TRUE(bench.rest());
+  EXPECT_FALSE(bench.rest());
+  const Answer after = bench.perform({"result", "", R"({"options": {"k": 0.3}})"});
+  EXPECT_EQ(after.status, 200);
+  EXPECT_NE(after.body, before.body);
+  Workbench plates("/nowhere");
+  const std::string spec = example("connect/a_folded.json");
+  plates.perform({"open", "a.json", spec});
+  plates.perform({"result", "", request(spec)});
+  EXPECT_FALSE(plates.rest());
+}
+
 TEST(Workbench, TellsHowFarItIs) {
   Workbench bench("/nowhere");
   const std::string spec = example("slit/chair.json");

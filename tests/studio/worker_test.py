@@ -62,6 +62,25 @@ class Workers(StudioTest):
     def progress(self, document):
         return self.studio.get(f"/api/documents/{document}/progress").json()
 
+    @staticmethod
+    def memory_of(process):
+        """What it has written to and shares with nobody, in kB."""
+        text = pathlib.Path(f"/proc/{process}/smaps_rollup").read_text()
+        return int(next(line for line in text.splitlines() if line.startswith("Private_Dirty")).split()[1])
+
+    def test_what_was_read_of_a_large_file_is_freed_at_rest(self):
+        opened = self.studio.open("large.step", large_part()).json()
+        (worker,) = self.studio.workers()
+        if "unlimited" in next(line for line in pathlib.Path(f"/proc/{worker}/limits").read_text().splitlines() if "address space" in line):
+            self.skipTest("under sanitizers nothing is given back")
+        before = self.memory_of(worker)
+        shape = self.studio.shape(opened["id"], "result")
+        self.assertTrue(until(lambda: self.memory_of(worker) < before / 2), (before, self.memory_of(worker)))
+        for body in (1, 2, 200):
+            self.assertTrue(self.studio.post(opened["id"], "result", body=body).is_good)
+        self.assertEqual(self.studio.shape(opened["id"], "result", body=1).report["flat"], shape.report["flat"])
+        self.assertEqual(self.studio.workers(), [worker])
+
     def test_a_worker_killed_in_the_middle_is_replaced(self):
         document, spec, long = self.begin_long()
         (worker,) = self.studio.workers()

@@ -74,7 +74,7 @@ inline void expect_round_trip(const Sheet& sheet, double tolerance = 1e-6) {
       EXPECT_NEAR(b.bends[i][k], a.bends[i][k], 1e-3 + tolerance * a.bends[i][k]);
   const auto certificate = certify(again.sheet, *after, again.distance);
   ASSERT_TRUE(certificate);
-  EXPECT_NEAR(*certificate->volume_ratio, 1.0, 1e-5);
+  EXPECT_NEAR(*certificate->explained_ratio, 1.0, 1e-5);
   EXPECT_LT(*certificate->refold_deviation, 1e-3);
   EXPECT_LT(certificate->length_error, 1e-3);
 }

@@ -4,7 +4,7 @@ import { dimensionReach, drawDimensions } from './flat-dimensions.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { LabelWriter } from './flat-labels.ts';
 import { labelPlaces, type Place } from './label-places.ts';
-import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
+import { distanceToSegment, featureOfEdge, markedWith, type PickedLine } from './lines.ts';
 import { turnedPlace } from './orientation.ts';
 import { sidesAsReported, smallestRectangle, type Rectangle } from './rectangle.ts';
 import type { Palette } from './theme.ts';
@@ -28,6 +28,13 @@ export type PickedInFlat = PickedLine | { finding: number };
 /** `facet`: the facet below all marks and lines. */
 export type PickInFlat = (picked: PickedInFlat | null, facet: number | null) => void;
 
+export interface FlatEvents {
+  pick: PickInFlat;
+  /** The sentence that is shown beside the pointer. */
+  describe: (picked: PickedInFlat) => string;
+  zoomed: () => void;
+}
+
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
 export class FlatView {
   private readonly canvas = document.createElement('canvas');
@@ -44,13 +51,13 @@ export class FlatView {
   private frame = 0;
   private press: { x: number; y: number; moved: boolean } | null = null;
 
+  private hover: PointerEvent | null = null; // that is still to be looked at
+
   private readonly box: HTMLElement;
-  private readonly pick: PickInFlat;
-  private readonly zoomed: () => void;
-  constructor(box: HTMLElement, palette: Palette, pick: PickInFlat, zoomed: () => void) {
+  private readonly on: FlatEvents;
+  constructor(box: HTMLElement, palette: Palette, on: FlatEvents) {
     this.box = box;
-    this.pick = pick;
-    this.zoomed = zoomed;
+    this.on = on;
     this.scene = {
       shape: null,
       report: null,
@@ -141,7 +148,7 @@ export class FlatView {
       canvas.setPointerCapture(e.pointerId);
     });
     canvas.addEventListener('pointermove', (e) => {
-      if (!this.press) return;
+      if (!this.press) return this.hovered(e);
       const dx = e.clientX - this.press.x,
         dy = e.clientY - this.press.y;
       if (!this.press.moved && Math.hypot(dx, dy) < 4) return;
@@ -168,7 +175,7 @@ export class FlatView {
         this.offset = [x + (this.offset[0] - x) * factor, y + (this.offset[1] - y) * factor];
         this.fitted = false;
         this.draw();
-        this.zoomed();
+        this.on.zoomed();
       },
       { passive: false },
     );
@@ -177,7 +184,7 @@ export class FlatView {
 
   private clicked(e: PointerEvent) {
     const { shape } = this.scene;
-    if (!shape) return this.pick(null, null);
+    if (!shape) return this.on.pick(null, null);
     const r = this.canvas.getBoundingClientRect(),
       sx = e.clientX - r.left,
       sy = e.clientY - r.top;
@@ -185,7 +192,23 @@ export class FlatView {
       y = (this.offset[1] - sy) / this.scale,
       found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
     const facet = found < 0 ? null : found;
-    this.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
+    this.on.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
+  }
+
+  /** Says what lies under the pointer, once a frame. */
+  private hovered(e: PointerEvent) {
+    const waiting = this.hover !== null;
+    this.hover = e;
+    if (waiting) return;
+    requestAnimationFrame(() => {
+      const { clientX, clientY } = this.hover!,
+        r = this.canvas.getBoundingClientRect(),
+        { shape } = this.scene;
+      this.hover = null;
+      const under = shape && this.lineUnder(shape, clientX - r.left, clientY - r.top),
+        text = under ? this.on.describe(under) : '';
+      if (this.canvas.title !== text) this.canvas.title = text;
+    });
   }
 
   /**
@@ -312,9 +335,12 @@ export class FlatView {
   }
 
   private strokeOutline(shape: Shape) {
-    this.strokeEdges(shape, () => true, this.scene.palette.outline, 1.3);
+    const { palette } = this.scene,
+      isCut = (i: number) => featureOfEdge(shape, shape.edge_number[i]!) === null;
+    this.strokeEdges(shape, (i) => !isCut(i), palette.form, 1);
+    this.strokeEdges(shape, isCut, palette.outline, 1.3);
     const marked = markedWith(shape, this.scene.edge);
-    if (marked.size) this.strokeEdges(shape, (i) => marked.has(shape.edge_number[i]!), this.scene.palette.selected, 4);
+    if (marked.size) this.strokeEdges(shape, (i) => marked.has(shape.edge_number[i]!), palette.selected, 4);
   }
 
   private strokeEdges(shape: Shape, whose: (edge: number) => boolean, color: string, width: number) {

@@ -11,6 +11,12 @@ export function partOfEdge(shape: Shape, number: number): number | null {
   return at < 0 ? null : shape.facet_part[shape.edge_facet[at]!]!;
 }
 
+/** The formed feature that an edge outlines, as the report numbers them; null where it is cut. */
+export function featureOfEdge({ edge_feature }: Shape, number: number): number | null {
+  const feature = edge_feature[number] ?? -1;
+  return feature < 0 ? null : feature;
+}
+
 /** The circle that an edge lies on, in the flat pattern, mm; null if it is no arc. */
 export interface EdgeCircle {
   radius: number;
@@ -21,7 +27,9 @@ export interface EdgeCircle {
 
 const alike = 1e-5; // of the radius: arrays hold seven digits
 
-export function circleOfEdge({ edge_circle: c, edge_length }: Shape, number: number): EdgeCircle | null {
+export function circleOfEdge(shape: Shape, number: number): EdgeCircle | null {
+  const { edge_circle: c, edge_length } = shape,
+    feature = featureOfEdge(shape, number);
   const [x, y, radius, sweep] = c.subarray(4 * number, 4 * number + 4) as unknown as [number, number, number, number];
   if (!(radius > 0)) return null;
   const near = alike * (radius + Math.abs(x) + Math.abs(y));
@@ -30,7 +38,8 @@ export function circleOfEdge({ edge_circle: c, edge_length }: Shape, number: num
     if (
       Math.abs(c[4 * n + 2]! - radius) <= near &&
       Math.hypot(c[4 * n]! - x, c[4 * n + 1]! - y) <= near &&
-      c[4 * n + 3]! > 0 === sweep > 0
+      c[4 * n + 3]! > 0 === sweep > 0 &&
+      featureOfEdge(shape, n) === feature
     )
       all.push(n);
   const turned = Math.abs(all.reduce((sum, n) => sum + c[4 * n + 3]!, 0)),

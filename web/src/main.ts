@@ -5,6 +5,7 @@ import { Documents } from './documents.ts';
 import { keepInput } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
+import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
 import { sidePanel } from './panels/side-panel.ts';
@@ -23,7 +24,7 @@ document.documentElement.dataset.theme = store.state.theme;
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><div class="messages"></div><main>
   <div class="view folded"><div class="canvas"></div><div class="buttons"></div><div class="fold"></div></div>
-  <div class="view flat"><div class="canvas"></div><div class="title">Flat pattern</div></div>
+  <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
@@ -102,6 +103,7 @@ function draw() {
   pickedBefore = store.state.selection;
   render(foldBar(ui), part('.fold'));
   render(viewButtons(ui), part('.buttons'));
+  render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
   render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
 }

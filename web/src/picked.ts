@@ -1,6 +1,8 @@
-import { circleOfEdge, partOfEdge, partsBeside } from './lines.ts';
+import { featureName } from './features.ts';
+import { circleOfEdge, featureOfEdge, partOfEdge, partsBeside } from './lines.ts';
+import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
-import { lengthText, unitName } from './units.ts';
+import { clean, lengthText, unitName } from './units.ts';
 
 /** Row of `parts` that is picked: a bend, a flange, or a plate's flange. */
 export function pickedRow({ selection: { part, plate }, shape, shapeIsDraft, document }: State): number | null {
@@ -24,14 +26,39 @@ export function bendsToMark(state: State): { picked: string | null; beside: Set<
   return own ? { picked: own, beside: new Set() } : { picked: null, beside: new Set(bends(partsBeside(shape, row))) };
 }
 
-/** "Edge of F2, R 3 mm, 31.42 mm long", "Circle of F2, Ø 6.6 mm"; null where none is picked. */
-export function pickedEdgeText({ shape, selection: { edge }, units }: State): string | null {
-  const row = shape && edge !== null ? partOfEdge(shape, edge) : null;
-  if (!shape || edge === null || row === null) return null;
-  const { name, plate } = shape.parts[row]!;
+/** The sentence of the edge that is picked; null where none is. */
+export const pickedEdgeText = (state: State): string | null =>
+  state.selection.edge === null ? null : edgeText(state, state.selection.edge);
+
+/**
+ * "Edge of F2, R 3 mm, 31.42 mm long …", "Circle of F2, Ø 6.6 mm, …", "Circle of a countersink in F2, Ø 9 mm, … Drawn,
+ * not cut."; null where there is no such edge.
+ */
+export function edgeText(state: State, edge: number): string | null {
+  const { shape, units } = state,
+    row = shape ? partOfEdge(shape, edge) : null;
+  if (!shape || row === null) return null;
+  const part = shape.parts[row]!.plate ?? shape.parts[row]!.name,
+    feature = featureOfEdge(shape, edge),
+    kind = feature === null ? null : featureName(pieceOf(state)?.flat?.features?.[feature]?.kind);
   const text = (length: number) => `${lengthText(length, 'mm', units)} ${unitName(units)}`,
     circle = circleOfEdge(shape, edge),
+    whose = kind === null ? part : `a ${kind} in ${part}`,
+    size = circle ? (circle.whole ? `Ø ${text(2 * circle.radius)}, ` : `R ${text(circle.radius)}, `) : '',
     long = `${text(circle?.length ?? shape.edge_length[edge]!)} long in the flat pattern.`;
-  if (circle?.whole) return `Circle of ${plate ?? name}, Ø ${text(2 * circle.radius)}, ${long}`;
-  return `Edge of ${plate ?? name}, ${circle ? `R ${text(circle.radius)}, ` : ''}${long}`;
+  const what = circle?.whole ? 'Circle' : kind === null ? 'Edge' : 'Outline';
+  return `${what} of ${whose}, ${size}${long}${kind === null ? '' : ' Drawn, not cut.'}`;
+}
+
+/** "B1 up 90°, R 3 mm, 50 mm long": of a bend, by its row of `parts`. */
+export function bendText(state: State, row: number): string | null {
+  const { shape, units } = state,
+    report = pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
+    part = shape?.parts[row],
+    bend = report?.flat?.bends.find((b) => b.id === part?.name);
+  if (part?.kind !== 'bend') return null;
+  if (!bend) return part.name;
+  const text = (length: number) => `${lengthText(length, report?.units, units)} ${unitName(units)}`,
+    radius = bend.inside_radius > 0 ? `, R ${text(bend.inside_radius)}` : '';
+  return `${bend.id} ${bend.direction} ${clean(bend.angle, 1)}°${radius}, ${text(bend.length)} long`;
 }

@@ -14,6 +14,7 @@ const empty: Facets = {
   edge_number: new Uint32Array(),
   edge_length: new Float32Array(),
   edge_circle: new Float32Array(),
+  edge_feature: new Int32Array(),
   contour_points: new Float32Array(),
   contour_starts: new Uint32Array([0]),
   contour_part: new Int32Array(),

@@ -1,6 +1,7 @@
 import { ShapeUtils, Vector2 } from 'three';
 import { transformsHolding, unit } from './folding.ts';
 import { insideFacet } from './facet.ts';
+import { featureOfEdge } from './lines.ts';
 import type { Shape } from './types.ts';
 
 /**
@@ -16,7 +17,9 @@ export interface SheetMesh {
   mitreSign: Int8Array; // −1: towards the parent, 1: towards the child
   triangles: Uint32Array; // of the upper skin
   triangleFacet: Uint32Array;
-  rim: Uint32Array; // pairs of corners, in the direction of the cut
+  rim: Uint32Array; // pairs of corners by edge, in the direction of the cut
+  cuts: Uint32Array; // of these, what is cut
+  forms: Uint32Array; // of these, outlines of formed features
   hinges: Uint32Array; // pairs of corners: all hinges but those within a curved bend
   creases: Uint32Array; // of these, where bends begin and end and what is folded sharply, and bend lines
 }
@@ -45,6 +48,8 @@ class Builder {
   private readonly triangles: number[] = [];
   private readonly triangleFacet: number[] = [];
   private readonly rim: number[] = [];
+  private readonly cuts: number[] = [];
+  private readonly forms: number[] = [];
   private readonly hinges: number[] = [];
   private readonly creases: number[] = [];
 
@@ -76,12 +81,14 @@ class Builder {
   }
 
   addEdge(e: number) {
-    const { edges, edge_facet } = this.shape;
+    const { edges, edge_facet, edge_number } = this.shape;
     const f = edge_facet[e]!;
-    this.rim.push(
+    const pair = [
       this.corner(f, edges[4 * e]!, edges[4 * e + 1]!),
       this.corner(f, edges[4 * e + 2]!, edges[4 * e + 3]!),
-    );
+    ];
+    this.rim.push(...pair);
+    (featureOfEdge(this.shape, edge_number[e]!) === null ? this.cuts : this.forms).push(...pair);
   }
 
   addHinge(f: number) {
@@ -140,6 +147,8 @@ class Builder {
       triangles: Uint32Array.from(this.triangles),
       triangleFacet: Uint32Array.from(this.triangleFacet),
       rim: Uint32Array.from(this.rim),
+      cuts: Uint32Array.from(this.cuts),
+      forms: Uint32Array.from(this.forms),
       hinges: Uint32Array.from(this.hinges),
       creases: Uint32Array.from(this.creases),
     };

@@ -21,13 +21,14 @@ interface CornerLine {
   b: number;
 }
 
-/** The sheet as three.js draws it: both skins, the cut rim, outline and tangent lines. */
+/** The sheet as three.js draws it: both skins, the cut rim, outline, tangent lines and outlines of formed features. */
 export class SheetObject {
   readonly group = new Group();
   readonly skin: Mesh;
   private readonly rim: Mesh;
   private readonly outline: LineSegments;
   private readonly creases: LineSegments;
+  private readonly forms: LineSegments; // outlines of formed features
   private readonly solid: Mesh;
   private readonly marked = new LineSegments2(
     new LineSegmentsGeometry(),
@@ -46,8 +47,9 @@ export class SheetObject {
     this.solid = new Mesh(new BufferGeometry(), sheetMaterial(true));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
+    this.forms = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.marked.renderOrder = 1;
-    this.group.add(this.skin, this.rim, this.outline, this.creases, this.solid, this.marked);
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
@@ -56,11 +58,12 @@ export class SheetObject {
     this.held = held;
     this.mesh = makeSheetMesh(shape);
     this.known = null;
-    const { triangles, rim, creases, cornerFacet } = this.mesh;
+    const { triangles, cuts, forms, creases, cornerFacet } = this.mesh;
     const n = cornerFacet.length;
     replaceGeometry(this.skin, bothSkins(triangles, n));
     this.skin.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(6 * n), 3));
-    replaceGeometry(this.outline, doubled(rim, n));
+    replaceGeometry(this.outline, doubled(cuts, n));
+    replaceGeometry(this.forms, doubled(forms, n));
     replaceGeometry(this.creases, doubled(creases, n));
     replaceGeometry(this.rim, new BufferGeometry());
     replaceGeometry(this.solid, spaceGeometry(shape));
@@ -76,7 +79,8 @@ export class SheetObject {
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
-    setRim(this.rim.geometry, this.mesh.rim, positions);
+    this.forms.geometry.setAttribute('position', position);
+    setRim(this.rim.geometry, this.mesh.cuts, positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
       setTint(this.rim.geometry, this.rimTint);
     this.skin.geometry.boundingSphere = null;
@@ -90,6 +94,7 @@ export class SheetObject {
     setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
+    (this.forms.material as LineBasicMaterial).color.set(palette.form);
     this.marked.material.color.set(palette.selected);
     this.picked = { part: selected, edge };
     this.mark();

@@ -297,12 +297,16 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   const shown =
     hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are renumbered if their number changes.
-  const edge = shown.edge_length.length === state.shape?.edge_length.length ? state.selection.edge : null;
+  const edge = shown.edge_length.length === state.shape?.edge_length.length ? state.selection.edge : null,
+    part = pickedBend(state, shape.report);
   return {
     ...state,
     shape: shown,
     shapeOf,
-    selection: edge === state.selection.edge ? state.selection : { ...state.selection, edge },
+    selection:
+      edge === state.selection.edge && part === state.selection.part
+        ? state.selection
+        : { ...state.selection, edge, part },
     known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
     shapeIsDraft: draft,
     bodies: draft ? state.bodies : withStatus(state, shape.report),
@@ -311,6 +315,15 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
     note: shape.report.status === 'refused' ? null : state.note,
     stale: !hasGeometry && state.shape !== null,
   };
+}
+
+/** The bend that is picked, by its new number: the one between the same plates. */
+function pickedBend({ selection: { part }, known, document }: State, report: Report): string | null {
+  const before = known?.flat?.bends.find((b) => b.id === part)?.between;
+  if (document?.kind !== 'connect' || !before || !report.flat) return part;
+  const plates = (between: string[] | undefined) => JSON.stringify([...(between ?? [])].sort()),
+    same = report.flat.bends.filter((b) => plates(b.between) === plates(before));
+  return same.some((b) => b.id === part) ? part : (same[0]?.id ?? null);
 }
 
 /**

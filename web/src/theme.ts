@@ -12,6 +12,7 @@ export interface Palette {
   up: string;
   down: string;
   outline: string;
+  form: string;
   fill: string;
   label: string;
   halo: string;
@@ -38,6 +39,7 @@ const names: Record<keyof Palette, string> = {
   up: '--up',
   down: '--down',
   outline: '--outline',
+  form: '--form',
   fill: '--fill',
   label: '--label',
   halo: '--halo',

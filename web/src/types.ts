@@ -177,6 +177,7 @@ export interface Facets {
   edge_number: Uint32Array;
   edge_length: Float32Array; // by border
   edge_circle: Float32Array; // 4 a border: middle, radius (0: no arc), sweep
+  edge_feature: Int32Array; // by border: the formed feature that it outlines, a row of the report's; −1: it is cut
   contour_points: Float32Array;
   contour_starts: Uint32Array;
   contour_part: Int32Array;
@@ -276,6 +277,13 @@ export interface SheetRow {
   mass?: number | null;
 }
 
+export interface FeatureRow {
+  kind: string;
+  at: Vec2 | null;
+  size: Vec2 | null;
+  openings?: number;
+}
+
 export interface FlatRow {
   area: number;
   perimeter: number;
@@ -284,7 +292,7 @@ export interface FlatRow {
   cutting?: { outer: number; inner: number };
   bends: BendRow[];
   labels?: { text: string; at: Vec2 }[];
-  features?: { kind: string; at: Vec2 | null; size: Vec2 | null; openings?: number }[];
+  features?: FeatureRow[];
 }
 
 export interface StripRow {
@@ -416,7 +424,8 @@ export interface SlitWeights {
   spread?: number;
   scan?: number;
 }
-export type CurveName = 'leg' | 'seat';
+export type PanelName = 'leg' | 'second';
+export type CurveName = PanelName | 'seat';
 export interface StripSpec {
   width: number;
   gap?: number;
@@ -434,6 +443,15 @@ export interface LegCurve {
   bezier: Vec2[];
   fit?: boolean;
   lean?: number;
+}
+
+export interface MouldSpec {
+  form?: 'ribs' | 'body';
+  side?: 'ground' | 'back' | 'front';
+  up?: Vec3;
+  base?: number;
+  inset?: number;
+  draft?: number;
 }
 
 export interface SlitSpec {
@@ -461,14 +479,7 @@ export interface SlitSpec {
   min_inside_radius?: number;
   kerf?: number;
   stop_hole?: number;
-  mould?: {
-    form?: 'ribs' | 'body';
-    side?: 'ground' | 'back' | 'front';
-    up?: Vec3;
-    base?: number;
-    inset?: number;
-    draft?: number;
-  };
+  mould?: MouldSpec;
 }
 
 export type Spec = PlatesSpec | TransitionSpec | SlitSpec;

@@ -2,11 +2,11 @@ import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
 import { addAnchor, moveAnchor } from './edits/slit.ts';
-import { FlatView, type PickInFlat } from './flat-view.ts';
+import { FlatView, type PickedInFlat, type PickInFlat } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
-import { pickedRow } from './picked.ts';
+import { bendText, edgeText, pickedRow } from './picked.ts';
 import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import type { State } from './state.ts';
@@ -43,7 +43,11 @@ export class Views {
       },
       zoomed,
     });
-    this.flat = new FlatView(flat, this.palette, (picked, facet) => this.pickInFlat(picked, facet), zoomed);
+    this.flat = new FlatView(flat, this.palette, {
+      pick: (picked, facet) => this.pickInFlat(picked, facet),
+      describe: (picked) => this.describe(picked),
+      zoomed,
+    });
   }
 
   /** How far polygons may lie from curves, so that a quarter of a pixel is not exceeded in either view, mm. */
@@ -192,6 +196,13 @@ export class Views {
     }
     if (picked && 'edge' in picked) this.pickLine(picked);
     else this.pickPart(picked?.part ?? null);
+  }
+
+  /** What a mark or a line of the flat pattern is. */
+  private describe(picked: PickedInFlat): string {
+    const { state } = this.ui;
+    if ('finding' in picked) return findingsOf(this.ui)[picked.finding]?.message ?? '';
+    return ('edge' in picked ? edgeText(state, picked.edge) : bendText(state, picked.part)) ?? '';
   }
 
   private pickPart(row: number | null) {

@@ -3,7 +3,9 @@
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as connect from './flows/connect.mjs';
+import * as features from './flows/features.mjs';
 import * as page from './flows/page.mjs';
+import * as panels from './flows/panels.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
@@ -12,7 +14,7 @@ import * as unfold from './flows/unfold.mjs';
 
 const address = process.argv[2],
   wanted = process.argv.slice(3);
-const flows = { ...unfold, ...connect, ...transition, ...slit, ...page, ...right, ...server };
+const flows = { ...unfold, ...connect, ...transition, ...slit, ...panels, ...page, ...features, ...right, ...server };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
 async function letGo(open) {

@@ -12,5 +12,11 @@ test('what cannot be a value is refused with a sentence that says what can be', 
   assert.equal(whyNot('-3', thickness), 'Thickness cannot be -3; it is above 0.');
   assert.equal(whyNot('0.5', thickness), null);
   assert.equal(whyNot('2', { label: 'Strips', min: 3 }), 'Strips cannot be 2; it is at least 3.');
+  assert.equal(whyNot('3.5', { label: 'Strips', whole: true }), 'Strips cannot be 3.5; it is a whole number.');
+  assert.equal(whyNot('x', { label: '0 x', name: 'x of corner 0' }), '“x” is no number; x of corner 0 needs one.');
+  assert.equal(
+    whyNot('91', { label: 'Leans', unit: '°', min: -90, max: 90 }),
+    'Leans cannot be 91; it is from -90° to 90°.',
+  );
   assert.match(whyNot('1e12', thickness)!, /larger than anything/);
 });

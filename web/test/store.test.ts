@@ -1,6 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { initialState, Store } from '../src/state.ts';
+import { twoFlanges } from './two-flanges.ts';
+import { decodeShape, encodeShape } from '../src/shape.ts';
 import type { OpenDocument, Spec } from '../src/types.ts';
 
 const make = () => {
@@ -76,4 +78,33 @@ test('what could not be opened is said until something is picked; what is the ma
   store.dispatch({ type: 'problem', problem, ofInput: true });
   store.dispatch({ type: 'select', selection: {} });
   assert.equal(store.state.problem, problem);
+});
+
+test('a bend that is picked stays picked when bends are numbered anew', () => {
+  const store = make(),
+    { header, arrays } = twoFlanges(),
+    [bend] = header.report.flat!.bends;
+  store.dispatch({
+    type: 'opened',
+    document: { id: 'd3', kind: 'connect', name: 'c' } as OpenDocument,
+    spec: { thickness: 2, plates: [] } as Spec,
+  });
+  const show = (pairs: [string, string][]) => {
+    const flat = { ...header.report.flat!, bends: pairs.map((between, i) => ({ ...bend!, id: `B${i + 1}`, between })) };
+    const shape = decodeShape(encodeShape({ ...header, report: { ...header.report, flat } }, arrays));
+    store.dispatch({ type: 'shape', shape, draft: false });
+  };
+  show([
+    ['floor', 'left'],
+    ['floor', 'right'],
+  ]);
+  store.dispatch({ type: 'select', selection: { part: 'B2' } });
+  show([
+    ['floor', 'left'],
+    ['left', 'flap'],
+    ['right', 'floor'],
+  ]);
+  assert.equal(store.state.selection.part, 'B3');
+  show([['floor', 'left']]);
+  assert.equal(store.state.selection.part, null);
 });

@@ -27,6 +27,9 @@ class Document {
   /// The output of `planish info`, as JSON text; "null" if there is none.
   std::string info(const Progress& progress) const { return work_->info(progress); }
 
+  /// Frees what later requests do not need. Returns whether there was anything.
+  bool free_spare() { return work_->free_spare(); }
+
   /// Errors of both: those of the maker; `bad_option` for a request without spec where the maker
   /// reads one, and for artifacts that the maker does not write.
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress);

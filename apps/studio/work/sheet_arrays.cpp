@@ -80,10 +80,13 @@ struct PolygonArrays {
   }
 };
 
-/// What the borders are, exactly: their lengths, and the circles on which arcs lie.
-void add_borders(Shape& shape, const std::vector<Curve2>& borders) {
+/// What the borders are, exactly: their lengths, the circles on which arcs lie, and the features
+/// that they outline, which are numbered as in the pattern.
+void add_borders(Shape& shape, const std::vector<FacetBorder>& borders) {
   std::vector<float> lengths, circles;
-  for (const Curve2& curve : borders) {
+  std::vector<std::int32_t> features;
+  for (const auto& [curve, feature] : borders) {
+    features.push_back(feature ? static_cast<std::int32_t>(index_of(*feature)) : -1);
     lengths.push_back(static_cast<float>(length(curve)));
     const auto* arc = std::get_if<Arc>(&curve);
     append(circles, arc ? arc->center : Vec2::Zero().eval());
@@ -92,6 +95,7 @@ void add_borders(Shape& shape, const std::vector<Curve2>& borders) {
   }
   shape.add("edge_length", lengths);
   shape.add("edge_circle", circles);
+  shape.add("edge_feature", features);
 }
 
 void add_facets(Shape& shape, const Sheet& sheet, const Facets& facets) {

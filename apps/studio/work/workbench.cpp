@@ -21,6 +21,7 @@ Answer Workbench::open(const Task& task, const Progress& progress) {
   auto document = Document::open(catalogue_, task.argument, task.body, attachments_, progress);
   if (!document) return failure(document.error());
   document_ = std::move(*document);
+  made_result_ = false;
   const job::Maker& maker = document_->maker();
   Json json{{"kind", maker.name},
             {"name", task.argument},
@@ -35,6 +36,7 @@ Answer Workbench::shape(const Task& task, job::Effort effort, const Progress& pr
   if (!asked) return bad_request(asked.error());
   const auto shape = document_->shape(*asked, effort, progress);
   if (!shape) return failure(shape.error());
+  if (effort == job::Effort::full) made_result_ = true;
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   return {200, "application/octet-stream", encoded(*shape, taken.count())};
 }
@@ -70,5 +72,7 @@ Answer Workbench::perform(const Task& task, const Progress& progress) {
     return failure(500, "internal", "an exception of unknown type");
   }
 }
+
+bool Workbench::rest() { return made_result_ && document_ && document_->free_spare(); }
 
 }  // namespace planish::studio

@@ -23,6 +23,10 @@ class Workbench {
   /// exception becomes an answer: 409 `out_of_memory`, else 500 `internal`.
   Answer perform(const Task& task, const Progress& progress = {});
 
+  /// Once a result has been made, frees what later requests do not need: until then the next
+  /// request comes at once. Returns whether there was anything.
+  bool rest();
+
  private:
   Answer dispatch(const Task& task, const Progress& progress);
   Answer open(const Task& task, const Progress& progress);
@@ -32,6 +36,7 @@ class Workbench {
   const job::Catalogue& catalogue_;
   std::filesystem::path attachments_;
   std::optional<Document> document_;
+  bool made_result_ = false;
 };
 
 }  // namespace planish::studio

@@ -10,7 +10,7 @@ namespace planish::studio {
 namespace {
 
 /// Memory that one draft frees the next one needs again. If it went back to the system in between,
-/// each page would fault.
+/// each page would fault. What was read of a large file goes back once, at rest.
 void keep_memory() {
   constexpr int kMost = 256 << 20;
   mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that is allowed
@@ -27,7 +27,10 @@ int run_worker(const std::string& server) {
     if (!task) throw std::invalid_argument("a question that is no task");
     return texts_of(bench.perform(*task, parent.progress));
   };
-  return job::answer_parent(server, answering);
+  const auto rest = [&] {
+    if (bench.rest()) malloc_trim(0);
+  };
+  return job::answer_parent(server, answering, rest);
 }
 
 }  // namespace planish::studio

@@ -67,7 +67,10 @@ struct FittedBend {
   double reach = 0.0;              ///< the span without the shift of its ends
   double joined = 0.0;             ///< of all stretches together, along the tangent line
   std::array<double, 2> unused{};  ///< by plate, what its edges on the tangent line leave free
-  double extension_area = 0.0;     ///< math.md#least-extension, at `line`
+  /// How far both plates' joints lie beside each other along the tangent line; empty if they have
+  /// some width in common.
+  std::optional<double> beside = {};
+  double extension_area = 0.0;  ///< math.md#least-extension, at `line`
   std::vector<BendAlternative> alternatives;
   BendId bend{};  ///< index into the sheet's bends
 };

@@ -98,8 +98,10 @@ class ChildProcess {
 };
 
 /// What a program does that `ChildProcess::program` started for the process `parent`: it answers
-/// until nobody asks any more, and returns its exit status.
+/// until nobody asks any more, and returns its exit status. `after` is called each time that an
+/// answer has been sent, when nobody waits for it; an exception of it ends the program.
 int answer_parent(const std::string& parent, const Answering& answering,
+                  const std::function<void()>& after = {},
                   std::uint64_t memory = default_memory_limit());
 
 }  // namespace planish::job

@@ -92,6 +92,9 @@ class Work {
   /// with `refusal`. `where` of both is the input's name, followed by the JSON pointer of the
   /// cause, or the name of an option, followed by the pointer within its value.
   virtual Result<std::unique_ptr<Made>> make(const Request& request, const Progress& progress) = 0;
+  /// Frees what is kept only because freeing it takes a while; requests are answered as before.
+  /// Returns whether there was anything.
+  virtual bool free_spare() { return false; }
   /// What the input holds, as JSON text; "null" if there is nothing to add to the input itself.
   virtual std::string info(const Progress&) const { return "null"; }
 };

@@ -20,13 +20,19 @@ struct Facet {
   std::vector<Polygon> polygons;  ///< outer rings counter-clockwise, holes clockwise
 };
 
-/// A segment of the sheet's outline (cut edges, including those of openings, and outlines of
-/// forms), in the flat pattern.
+/// A line, an arc or a spline of the sheet's outline, in the flat pattern, exactly.
+struct FacetBorder {
+  Curve2 curve;
+  std::optional<FeatureId> feature = {};  ///< the feature that it outlines, where nothing is cut;
+                                          ///< empty: an edge that is cut
+};
+
+/// A segment of what is cut (the sheet's contours, slits) or drawn (outlines of features), in the
+/// flat pattern.
 struct FacetEdge {
   int facet = 0;
   Segment line;
-  int border = 0;  ///< the border that it is part of, a row of `Facets::borders`: a line, an arc
-                   ///< or a spline, on bends across all facets
+  int border = 0;  ///< that it is part of, a row of `Facets::borders`, on bends across all facets
 };
 
 /// A sheet as flat facets hinged to each other, to be shown between flat and folded: every stage,
@@ -36,8 +42,7 @@ struct Facets {
   std::vector<Facet> facets;  ///< parents before children; the root is a face of the largest flange
                               ///< or, in a sheet without flanges, a facet of a bend
   std::vector<FacetEdge> edges;
-  std::vector<Curve2> borders;  ///< of the outline, in the flat pattern, exact: `edges` are chords
-                                ///< of these, numbered as here
+  std::vector<FacetBorder> borders;                        ///< `edges` are chords of these
   Eigen::Isometry3d root = Eigen::Isometry3d::Identity();  ///< from the flat pattern (z = 0) to the
                                                            ///< root facet in space, in the middle
                                                            ///< of the material
@@ -47,7 +52,7 @@ struct FacetOptions {
   double chord = 0.05;               ///< largest distance of facets and polygons from curved
                                      ///< borders and bends, mm
   Angle most = Angle::degrees(6.0);  ///< largest angle between two facets of a bend
-  /// What is cut within forms, as in the pattern.
+  /// What is cut and what is drawn within forms, as in the pattern.
   ExtrudedHoles extruded = ExtrudedHoles::pilot;
 };
 

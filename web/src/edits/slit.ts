@@ -1,5 +1,6 @@
 import type { AnchorSpec, CurveName, SlitSpec, Vec2, Vec3 } from '../types.ts';
 import { fileDigits, round } from '../units.ts';
+import { legOf, setLeg } from './panels.ts';
 
 export function bezierPoints(control: Vec2[], count = 64): Vec2[] {
   return Array.from({ length: count + 1 }, (_, i) => bezierAt(control, i / count));
@@ -51,17 +52,12 @@ export function fitted(control: Vec2[], length: number): Vec2[] {
 export const lowered = (control: Vec2[], index: number): Vec2[] =>
   index > 0 && index < control.length - 1 ? control.filter((_, i) => i !== index) : control;
 
-/** The leg curve keeps its length, since the sheet keeps its width. */
+/** A leg curve keeps its length, since the sheet keeps its width. */
 export function removePoint(spec: SlitSpec, curve: CurveName, index: number): SlitSpec {
-  if (curve === 'leg')
-    return {
-      ...spec,
-      leg_curve: {
-        ...spec.leg_curve,
-        bezier: fitted(lowered(spec.leg_curve.bezier, index), lengthOf(spec.leg_curve.bezier)),
-      },
-    };
-  return spec.seat_curve ? { ...spec, seat_curve: { bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
+  if (curve === 'seat')
+    return spec.seat_curve ? { ...spec, seat_curve: { bezier: lowered(spec.seat_curve.bezier, index) } } : spec;
+  const bezier = legOf(spec, curve)?.bezier;
+  return bezier ? setLeg(spec, curve, { bezier: fitted(lowered(bezier, index), lengthOf(bezier)) }) : spec;
 }
 
 const placed = (spec: SlitSpec, at: Vec3) => at.map((v) => round(v, fileDigits(spec.units))) as Vec3;

@@ -1,7 +1,7 @@
 import type { SlitSpec, StripEnd, StripSpec, Vec3 } from '../types.ts';
 import { fileDigits, round } from '../units.ts';
 import { minus, normalised, plus, scaled } from '../vectors.ts';
-import { fitted, lengthOf } from './slit.ts';
+import { scaledLegs } from './panels.ts';
 
 type Sheet = SlitSpec['sheet'];
 
@@ -12,17 +12,11 @@ export const stripsOf = ({ strips, strip_width }: Sheet): StripSpec[] =>
 const widthOf = (sheet: Sheet) => stripsOf(sheet).reduce((sum, s) => sum + s.width + (s.gap ?? 0), sheet.margin ?? 0);
 export const sheetWidth = (spec: SlitSpec): number => widthOf(spec.sheet);
 
-/** Another sheet. The leg curve grows and shrinks with the sheet's width. */
+/** Another sheet. Leg curves grow and shrink with the sheet's width. */
 function withSheet(spec: SlitSpec, sheet: Sheet): SlitSpec {
   const before = widthOf(spec.sheet),
-    after = widthOf(sheet),
-    { bezier } = spec.leg_curve;
-  if (before === after || before <= 0) return { ...spec, sheet };
-  return {
-    ...spec,
-    sheet,
-    leg_curve: { ...spec.leg_curve, bezier: fitted(bezier, (lengthOf(bezier) * after) / before) },
-  };
+    after = widthOf(sheet);
+  return before === after || before <= 0 ? { ...spec, sheet } : scaledLegs({ ...spec, sheet }, after / before);
 }
 
 export const setStripWidth = (spec: SlitSpec, strip_width: number): SlitSpec =>

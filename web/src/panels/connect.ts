@@ -137,7 +137,8 @@ function bendFields(
         min: 0,
         max: ui.state.pending ? mostOf(ui, row, most) : most,
         step: most / 500,
-        on: (v, live) => set(radiusPatch(Math.max(v, spec.thickness / 1000)), live),
+        // Only plates that share an edge are folded sharply: the slider ends a little above.
+        on: (v, live) => set(radiusPatch(live ? Math.max(v, spec.thickness / 1000) : v), live),
         commit: ui.commit,
       })}
   ${own?.inside_radius !== undefined

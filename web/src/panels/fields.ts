@@ -5,6 +5,8 @@ import type { Ui } from '../ui.ts';
 
 export interface NumberOptions {
   label: string;
+  name?: string; // in sentences, if not the label
+  whole?: boolean;
   value: number | null | undefined;
   testid: string;
   on: (value: number | null) => void;
@@ -27,6 +29,8 @@ export const refuse = (input: HTMLElement, sentence: string) =>
 
 interface Limits {
   label: string;
+  name?: string;
+  whole?: boolean;
   unit?: string;
   digits?: number;
   min?: number;
@@ -34,13 +38,15 @@ interface Limits {
 }
 
 /** Why an entry cannot be a field's value; null if it can. */
-export function whyNot(entered: string, { label, unit, digits = 4, min, max }: Limits): string | null {
-  const value = Number(entered),
-    size = (v: number) => `${clean(v, digits)}${unit ? ` ${unit}` : ''}`,
+export function whyNot(entered: string, limits: Limits): string | null {
+  const { name: label = limits.label, whole, unit, digits = 4, min, max } = limits,
+    value = Number(entered),
+    size = (v: number) => `${clean(v, digits)}${unit === '°' ? unit : unit ? ` ${unit}` : ''}`,
     nearZero = min !== undefined && min > 0 && Number(clean(min, digits)) === 0;
   if (entered === '') return `${label} needs a number.`;
   if (!Number.isFinite(value)) return `“${entered}” is no number; ${label} needs one.`;
   if (!isSound(value)) return `${label} cannot be ${entered}: that is larger than anything in a workshop.`;
+  if (whole && !Number.isInteger(value)) return `${label} cannot be ${entered}; it is a whole number.`;
   if (nearZero && value < min) return `${label} cannot be ${entered}; it is above 0.`;
   if (min !== undefined && max !== undefined && (value < min || value > max))
     return `${label} cannot be ${entered}; it is from ${size(min)} to ${size(max)}.`;
@@ -99,10 +105,12 @@ export function lengthField(ui: Ui, o: LengthOptions): TemplateResult {
 
 export interface SliderOptions {
   label: string;
+  whole?: boolean;
   value: number;
   min: number;
   max: number;
   least?: number; // smallest value that may be entered; otherwise entries may exceed the slider's range
+  most?: number; // largest one
   step: number;
   testid: string;
   unit?: string;
@@ -117,7 +125,7 @@ export function slider(o: SliderOptions): TemplateResult {
   const enter = (e: Event) => {
     const input = e.target as HTMLInputElement,
       entered = input.value.trim().replace(',', '.'),
-      no = whyNot(entered, { label: o.label, unit: o.unit, digits: o.digits, min: o.least });
+      no = whyNot(entered, { ...o, min: o.least, max: o.most });
     if (no !== null) {
       input.value = text;
       refuse(input, no);
@@ -151,6 +159,8 @@ export function lengthSlider(
     there = (v: number) => convert(v, own, to);
   return slider({
     ...o,
+    least: o.least === undefined ? undefined : there(o.least),
+    most: o.most === undefined ? undefined : there(o.most),
     value: there(o.value),
     min: there(o.min),
     max: there(o.max),
@@ -170,7 +180,11 @@ export function choice<T extends string>(
 ): TemplateResult {
   return html`<label class="field choice"
     ><span>${label}</span>
-    <select data-testid=${testid} @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}>
+    <select
+      data-testid=${testid}
+      aria-label=${label}
+      @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}
+    >
       ${options.map(
         ([v, text]) => html`<option value=${v} ?selected=${v === value} .selected=${v === value}>${text}</option>`,
       )}</select

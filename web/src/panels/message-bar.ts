@@ -9,11 +9,15 @@ export function messageBar(ui: Ui) {
   const { problem, note, opening, busy, progress } = ui.state,
     shown = opening?.name || note !== null ? null : problem; // a note is newer than the problem
   return html`<span class="pill ${tone(ui.state)}" data-testid="status">${statusOf(ui.state)}</span>
-    <span class="message ${shown ? 'error' : ''}" role="status" data-testid="message" title=${shown?.message ?? ''}
+    <span
+      class="message ${shown ? 'error' : ''}"
+      role="status"
+      data-testid="message"
+      title=${sentence(shown?.message ?? '')}
       >${shown
-        ? html`${shown.message}${wantsScans(shown) ? '; drop its files of points on the page too' : nothing}<small
-              >[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small
-            >`
+        ? html`${sentence(shown.message)}${wantsScans(shown)
+              ? '; drop its files of points on the page too'
+              : nothing}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>`
         : opening?.name
           ? `Opening ${opening.name} …`
           : (note ?? hint(ui.state))}</span
@@ -23,17 +27,33 @@ export function messageBar(ui: Ui) {
         ? bar(ui, opening.progress, 'reading')
         : busy
           ? bar(ui, progress, 'computing')
-          : unfinished(ui.state)
+          : mayOverlap(ui, shown)
             ? html`<button
-                data-testid="finish"
-                title="Verify it, look for findings, subdivide strips as the file says"
-                @click=${ui.finish}
+                data-testid="write-overlapping"
+                title="Files are written although the pattern covers itself; undo takes it back"
+                @click=${() => ui.editOptions((o) => ({ ...o, write_overlapping: true }))}
               >
-                Finish
+                Write it anyway
               </button>`
-            : nothing}</span
+            : unfinished(ui.state)
+              ? html`<button
+                  data-testid="finish"
+                  title="Verify it, look for findings, subdivide strips as the file says"
+                  @click=${ui.finish}
+                >
+                  Finish
+                </button>`
+              : nothing}</span
     >`;
 }
+
+/** A message of the program: options, which it names as requests spell them, are said in words. */
+export const sentence = (message: string): string =>
+  message.replace(/`([a-z_]+)`/g, (_, name: string) => `“${name.replaceAll('_', ' ')}”`);
+
+/** The pattern covers itself, which is all that is the matter with it. */
+const mayOverlap = (ui: Ui, shown: ApiProblem | null) =>
+  shown?.code === 'overlap' && !ui.state.stale && !ui.state.input.options.write_overlapping;
 
 /** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;

@@ -217,6 +217,7 @@ function newPlate(ui: Ui, spec: PlatesSpec, beside: string | null) {
   const size = (k: 0 | 1) =>
     lengthField(ui, {
       label: k ? '×' : '',
+      name: `The new plate’s ${k ? 'height' : 'width'}`,
       testid: `plate-size-${k}`,
       value: plateSize[k],
       from: 'mm',

@@ -1,11 +1,13 @@
 import { html, nothing } from 'lit-html';
-import { fitted, lengthOf, removeAnchor, moveAnchor } from '../edits/slit.ts';
+import { removeAnchor, moveAnchor } from '../edits/slit.ts';
 import { sheetWidth } from '../edits/strips.ts';
 import type { AnchorSpec, SlitSpec, SlitWeights, StripRow, Vec3 } from '../types.ts';
 import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
 import { choice, lengthField, numberField, section, slider, toggle } from './fields.ts';
+import { legFields, secondPanel } from './legs.ts';
+import { mouldFields } from './mould.ts';
 import { stripFields } from './strips.ts';
 
 type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
@@ -13,9 +15,9 @@ type Set = (patch: Partial<SlitSpec>, live?: boolean) => void;
 export function slitPanel(ui: Ui) {
   const spec = slitOf(ui),
     set: Set = (patch, live = false) => ui.edit<SlitSpec>((s) => clear({ ...s, ...patch }), live);
-  return html` ${section('Leg curve, on the ground', legEditor(ui, spec, set))}
-  ${section('Seat curve, in the middle', seatEditor(ui, spec, set))} ${section('Anchors', anchorFields(ui, spec))}
-  ${section('Strips', stripTable(ui, spec))}
+  return html` ${section('Leg curve, on the ground', legFields(ui, spec, 'leg'))}
+  ${section('Second panel', secondPanel(ui, spec))} ${section('Seat curve, in the middle', seatEditor(ui, spec, set))}
+  ${section('Anchors', anchorFields(ui, spec))} ${section('Strips', stripTable(ui, spec))}
   ${section(
     'Fineness',
     html` ${numberField({
@@ -24,7 +26,8 @@ export function slitPanel(ui: Ui) {
         value: spec.ridges ?? 10,
         min: 3,
         max: 200,
-        on: (v) => v && set({ ridges: Math.round(v) }),
+        whole: true,
+        on: (v) => v && set({ ridges: v }),
       })}
       <div class="field">
         <span>Halved ${spec.subdivisions ?? 0} ×</span
@@ -47,35 +50,11 @@ export function slitPanel(ui: Ui) {
   )}
   ${section('Weights', weightSliders(ui, spec, set))}
   ${spec.scan?.length ? section('Scan', scanFields(ui, spec, set)) : nothing}
-  ${section('Sheet', sheetFields(ui, spec, set))}`;
+  ${section('Sheet', sheetFields(ui, spec, set))} ${section('Mould', mouldFields(ui, spec))}`;
 }
 
 const clear = (s: SlitSpec) =>
   Object.fromEntries(Object.entries(s).filter(([, v]) => v !== undefined)) as unknown as SlitSpec;
-
-function legEditor(ui: Ui, spec: SlitSpec, set: Set) {
-  const resting = restingSpec<SlitSpec>(ui).leg_curve.bezier,
-    width = sheetWidth(spec);
-  return curveEditor(ui, {
-    name: 'leg',
-    axes: ['x', 'z'],
-    control: spec.leg_curve.bezier,
-    resting,
-    units: spec.units,
-    note: html`, the sheet ${lengthText(width, spec.units, ui.state.units)} wide
-      <button
-        class="link"
-        data-testid="curve-leg-fit"
-        title="Make it as long as the sheet is wide"
-        @click=${() => set({ leg_curve: { ...spec.leg_curve, bezier: fitted(spec.leg_curve.bezier, width) } })}
-      >
-        Fit
-      </button>`,
-    // the sheet does not grow
-    on: (bezier, live) => set({ leg_curve: { ...spec.leg_curve, bezier: fitted(bezier, lengthOf(resting)) } }, live),
-    enter: (bezier) => set({ leg_curve: { ...spec.leg_curve, bezier } }),
-  });
-}
 
 function seatEditor(ui: Ui, spec: SlitSpec, set: Set) {
   const resting = restingSpec<SlitSpec>(ui).seat_curve?.bezier;
@@ -225,6 +204,8 @@ function weightSliders(ui: Ui, spec: SlitSpec, set: Set) {
       value: spec.weights?.[key] ?? usual,
       min: 0,
       max: 5 * usual,
+      least: 0,
+      most: 1e4,
       step: usual / 20,
       digits: 4,
       on: (v, live) => set({ weights: { ...spec.weights, [key]: v } }, live),
@@ -260,7 +241,7 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
     testid: 'panel-height',
     value: sheet.panel_height,
     from: spec.units,
-    min: 0,
+    min: 1e-6,
     on: (v) => v && change({ panel_height: v }),
   })}
   ${sheet.half_length !== undefined
@@ -269,7 +250,7 @@ function sheetFields(ui: Ui, spec: SlitSpec, set: Set) {
         testid: 'half-length',
         value: sheet.half_length,
         from: spec.units,
-        min: 0,
+        min: 1e-6,
         on: (v) => v && change({ half_length: v }),
       })
     : nothing}

@@ -46,7 +46,8 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
         value: strips.length,
         min: 1,
         max: 200,
-        on: (v) => v && edit((s) => setStripCount(s, Math.max(1, Math.round(v)))),
+        whole: true,
+        on: (v) => v && edit((s) => setStripCount(s, v)),
       })}
       ${lengthField(ui, {
         label: 'Strip width',
@@ -56,7 +57,7 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
         min: 1e-6,
         on: (v) => v && edit((s) => setStripWidth(s, v)),
       })}`}
-  ${own || spec.symmetric === false ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
+  ${own || endsFreely(spec) ? strips.map((strip, i) => stripBlock(ui, spec, strip, i, own)) : nothing}
   ${lengthField(ui, {
     label: 'Margin after the last',
     testid: 'margin',
@@ -67,6 +68,9 @@ export function stripFields(ui: Ui, spec: SlitSpec) {
     on: (v) => edit((s) => setMargin(s, v ?? 0)),
   })}`;
 }
+
+/** Whether the ends of strips can be placed. */
+const endsFreely = (spec: SlitSpec) => spec.symmetric === false && !spec.second_panel;
 
 function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: boolean) {
   const open = ui.state.selection.strip === i,
@@ -82,9 +86,7 @@ function stripBlock(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number, own: bo
       ><em>${endOf(spec, i)?.position ? 'end is placed' : ''}</em>
     </button>
     ${open
-      ? html`${own ? ownFields(ui, spec, strip, i) : nothing}${spec.symmetric === false
-          ? endFields(ui, spec, i)
-          : nothing}`
+      ? html`${own ? ownFields(ui, spec, strip, i) : nothing}${endsFreely(spec) ? endFields(ui, spec, i) : nothing}`
       : nothing}
   </div>`;
 }
@@ -98,7 +100,7 @@ function ownFields(ui: Ui, spec: SlitSpec, strip: StripSpec, i: number) {
       testid: `strip-${key}`,
       value: strip[key],
       from: spec.units,
-      min: 0,
+      min: key === 'gap' ? 0 : 1e-6,
       placeholder: otherwise,
       on: (v) => ui.edit<SlitSpec>((s) => setStrip(s, i, { [key]: v ?? undefined })),
     });

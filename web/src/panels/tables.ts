@@ -4,6 +4,7 @@ import { knownPiece, pieceOf } from '../report.ts';
 import { clean, lengthText, millimetres, residualText, sizeText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { refuse, whyNot } from './fields.ts';
+import { sentence } from './message-bar.ts';
 import type { BendRow, Finding } from '../types.ts';
 
 const most = 120;
@@ -102,7 +103,7 @@ export function findingsList(ui: Ui): TemplateResult {
           @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
         >
           <b>${i + 1}</b
-          ><span>${f.message}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
+          ><span>${sentence(f.message)}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
         </li>`,
     )}
   </ol>`;
@@ -112,7 +113,7 @@ export function findingsList(ui: Ui): TemplateResult {
 const placesOf = (finding: Finding, chosen: boolean) =>
   chosen && (finding.places?.length ?? 0) > 1
     ? html`<ul class="places" data-testid="places">
-        ${finding.places!.map((place) => html`<li class="${place.severity}">${place.message}</li>`)}
+        ${finding.places!.map((place) => html`<li class="${place.severity}">${sentence(place.message)}</li>`)}
       </ul>`
     : nothing;
 

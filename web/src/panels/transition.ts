@@ -96,6 +96,7 @@ function sizeFields(ui: Ui, spec: TransitionSpec, end: End, on: (p: Profile, liv
       value,
       min: max / 200,
       max,
+      least: 1e-6,
       step: max / 400,
       on: (v, live) => on(to(v), live),
       commit: ui.commit,
@@ -143,6 +144,7 @@ function sizeFields(ui: Ui, spec: TransitionSpec, end: End, on: (p: Profile, liv
             ${(['x', 'y'] as const).map((axis, k) =>
               lengthField(ui, {
                 label: `${i} ${axis}`,
+                name: `${axis} of ${polygon ? 'corner' : 'point'} ${i}`,
                 testid: `${end}-corner-${i}-${axis}`,
                 value: q[k]!,
                 from: spec.units,
@@ -260,6 +262,8 @@ function seamFields(ui: Ui, spec: TransitionSpec, set: Set) {
         value: (seam as { parameter: number }).parameter,
         min: 0,
         max: 1,
+        least: 0,
+        most: 1,
         step: 0.005,
         on: (v, live) => set({ seam: { parameter: v } }, live),
         commit: ui.commit,
@@ -326,8 +330,10 @@ function pressFields(ui: Ui, spec: TransitionSpec, set: Set) {
         value: lines.count,
         min: 1,
         max: 60,
+        least: 1,
+        whole: true,
         step: 1,
-        on: (v, live) => set({ press_lines: { count: Math.max(1, Math.round(v)) } }, live),
+        on: (v, live) => set({ press_lines: { count: v } }, live),
         commit: ui.commit,
       })
     : nothing}
@@ -338,6 +344,7 @@ function pressFields(ui: Ui, spec: TransitionSpec, set: Set) {
         value: lines.max_angle,
         min: 1,
         max: 45,
+        least: 1e-3,
         step: 0.5,
         unit: '°',
         on: (v, live) => set({ press_lines: { max_angle: v } }, live),
@@ -351,6 +358,7 @@ function pressFields(ui: Ui, spec: TransitionSpec, set: Set) {
         value: lines.chord,
         min: chord / 50,
         max: chord,
+        least: 1e-6,
         step: chord / 200,
         on: (v, live) => set({ press_lines: { chord: v } }, live),
         commit: ui.commit,

@@ -11,13 +11,15 @@ export function unfoldPanel(ui: Ui) {
   return html` ${bodies.length > 1
     ? section(
         'Body',
-        choice(
-          'Unfold',
-          'body',
-          String(options.body ?? bodies[0]!.number),
-          bodies.map((b) => [String(b.number), bodyText(b, ui.state.bodies[b.number])] as const),
-          (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
-        ),
+        html`<div class="bodies">
+          ${choice(
+            'Body',
+            'body',
+            String(options.body ?? bodies[0]!.number),
+            bodies.map((b) => [String(b.number), bodyText(b, ui.state.bodies[b.number])] as const),
+            (v) => set({ body: Number(v), root: undefined, up: undefined, bend_k: undefined }),
+          )}
+        </div>`,
       )
     : nothing}
   ${section(

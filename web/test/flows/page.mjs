@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { coarse, drag, enter, example, folder, fresh, open, opened, rested, state } from '../driving.mjs';
+import { coarse, download, drag, enter, example, folder, fresh, open, opened, rested, state } from '../driving.mjs';
 
 /** Evaluated in the page: what is cut off, or covers its neighbour, outside of the views. */
 function untidy() {
@@ -154,6 +154,18 @@ export async function drop({ page }) {
     );
     await page.click('[data-testid=theme]');
   }
+  // What the sentence offers is there: the files are written all the same, until it is taken back.
+  assert.match(
+    await page.textContent('[data-testid=message]'),
+    /with “write overlapping” the pattern is written anyway/,
+  );
+  await page.click('[data-testid=write-overlapping]');
+  await rested(page);
+  assert.deepEqual(await state(page, '[s.problem, s.shape.report.status]'), [null, 'warning']);
+  await download(page, 'dxf');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.equal(await state(page, 's.problem.code'), 'overlap');
 }
 
 // By a drag and by a number: the sentence is shown, the last shape stays, greyed, and so does the handle.

@@ -135,6 +135,27 @@ export async function refused({ page }) {
   await enter(page, 'thickness', '2.5');
   await rested(page);
   assert.equal(await state(page, 's.note'), null, 'it goes with the next edit');
+  // Nor is any other value bent into one that can be.
+  const kept = async (field, entered, sentence) => {
+    const was = await page.inputValue(`[data-testid="${field}"]`),
+      input = await state(page, 's.input');
+    await enter(page, field, entered);
+    await said(sentence);
+    assert.equal(await page.inputValue(`[data-testid="${field}"]`), was);
+    assert.deepEqual(await state(page, 's.input'), input);
+  };
+  await example(page, 'transition/a_square_to_round.json');
+  await kept('from-width-number', '-3', 'Width cannot be -3; it is above 0.');
+  await kept('from-width-number', '0', 'Width cannot be 0; it is above 0.');
+  await kept('to-radius-number', 'big', '“big” is no number; Radius needs one.');
+  await page.selectOption('[data-testid=press-lines]', 'count');
+  await rested(page);
+  await kept('press-count-number', '2.5', 'Lines per bend cannot be 2.5; it is a whole number.');
+  await example(page, 'slit/chair.json');
+  await kept('panel-height', '0', 'Panel height cannot be 0; it is above 0.');
+  await kept('ridges', '10.5', 'Ridges at the start cannot be 10.5; it is a whole number.');
+  await kept('strips', '2.4', 'Strips cannot be 2.4; it is a whole number.');
+  await kept('weight-smooth-number', '-1', 'Smooth cannot be -1');
 }
 
 /** The page's unit is that of the DXF, which says so; another can be chosen. */
@@ -210,6 +231,28 @@ export async function steady({ page }) {
   // It is as high as it was wide now: in the files it is laid the other way.
   assert.notEqual(await state(page, 's.shape.turn'), 0);
   await page.screenshot({ path: `${folder(page)}/steady.png` });
+}
+
+/** Where a plate that is moved is joined to another one, the bend that was chosen stays chosen, whatever its number. */
+export async function chosen({ page }) {
+  await example(page, 'connect/ten_plates.json');
+  const pair = () =>
+    state(
+      page,
+      `(() => { const b = s.shape.report.flat.bends.find((x) => x.id === s.selection.part);
+        return [b?.id, b?.between.join('–')]; })()`,
+    );
+  await page.click('[data-testid=bend-head-B7]');
+  assert.deepEqual(await pair(), ['B7', 'back–hook']);
+  await page.evaluate(`(() => { const { store } = window.planish, { input } = store.state;
+    const plates = input.spec.plates.map((p) => p.id !== 'spout' ? p :
+      { ...p, outline: p.outline.map(([x, y, z]) => [x - 2.88, y - 4.512, z - 2.905]) });
+    store.dispatch({ type: 'edit', input: { ...input, spec: { ...input.spec, plates } } }); })()`);
+  await rested(page);
+  const [id, between] = await pair();
+  assert.notEqual(id, 'B7', 'another bend comes before it now');
+  assert.equal(between, 'back–hook');
+  await page.waitForSelector(`[data-testid=bend-head-${id}][aria-expanded=true]`);
 }
 
 /** A plate with 200 holes too near to each other: one mark for the rule, and one for each place once it is chosen. */

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "parts.hpp"
+
+#include <planish/connect/plates.hpp>
+
+namespace planish::connect_detail {
+
+/// What bends use of a plate's edges already.
+struct UsedEdges {
+  std::set<int> whole;
+  std::map<int, EdgeParts> parts;
+};
+using TakenEdges = std::vector<UsedEdges>;  // by plate
+
+/// Marks the edges of a bend, or of a further stretch of it, as used.
+void take(const BendFit& fit, const std::vector<PlacedPlate>& plates, TakenEdges& taken);
+void take(const BendBand& band, const std::vector<int>& rows,
+          const std::vector<PlacedPlate>& plates, TakenEdges& taken);
+
+/// The task of a bend between the plates in `rows`.
+FitTask task_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+                const TakenEdges& taken, const std::vector<int>& rows, const BendRequest& request);
+
+/// The plates, with room for so many bends.
+Parts parts_of(const PlateStructure& structure, const std::vector<PlacedPlate>& plates,
+               std::size_t bends);
+
+}  // namespace planish::connect_detail
