@@ -36,6 +36,21 @@ CLI::App* add_plates(CLI::App& app, PlatesArguments& arguments);
 /// `planish plates`; returns the exit status.
 int run_plates(const PlatesArguments& arguments);
 
+struct BendArguments {
+  std::string input;
+  std::vector<std::string> outputs;  ///< the plan on pages: .pdf, .svg
+  std::string json;                  ///< file, or "-"; empty: none
+  bool quiet = false;
+  job::OptionValues options;
+  job::Limits limits;
+};
+
+/// Defines the subcommand `bend`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_bend(CLI::App& app, BendArguments& arguments);
+/// `planish bend`, of whatever a maker of the catalogue makes of the input; returns the exit
+/// status.
+int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments);
+
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);
 /// `planish schema`; returns the exit status.

@@ -24,6 +24,7 @@ constexpr auto kExamples = R"(Examples:
   planish connect plates.json                joins plates by bends, and lays them flat
   planish transition spec.json               joins two profiles, and lays the net
   planish slit chair.json                    bends the strips of a slit sheet
+  planish bend part.step                     finds the order of bends on a press brake
   planish info part.step                     what is in the file
   planish plates part.step -o plates.json    its flanges as plates, for connect
   planish studio part.step                   all of it in a browser, to see and to change
@@ -45,6 +46,7 @@ int flushed(int status) {
 /// Arguments of the commands that are not makers.
 struct OtherArguments {
   InfoArguments info;
+  BendArguments bend;
   PlatesArguments plates;
   std::string schema;
   StudioArguments studio;
@@ -73,6 +75,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
     commands.emplace_back(add_maker(app, catalogue, maker, arguments), &arguments);
   }
   OtherArguments others;
+  const CLI::App* bend = add_bend(app, others.bend);
   const CLI::App* info = add_info(app, others.info);
   const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
@@ -86,6 +89,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   }
   for (const auto& [command, arguments] : commands)
     if (command->parsed()) return run_maker(catalogue, *arguments);
+  if (bend->parsed()) return run_bend(catalogue, others.bend);
   if (info->parsed()) return run_info(others.info);
   if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);

@@ -10,5 +10,6 @@ const Schema& transition_schema();
 const Schema& slits_schema();
 const Schema& rules_schema();
 const Schema& material_schema();
+const Schema& tools_schema();
 
 }  // namespace planish::job

@@ -1,5 +1,6 @@
 #include "lay_flat.hpp"
 
+#include "bending.hpp"
 #include "reliefs.hpp"
 #include "self_intersections.hpp"
 #include "verdict.hpp"
@@ -165,7 +166,8 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   if (auto error = lay_and_certify(report, given, options, progress)) return error;
   if (progress.should_stop()) return stopped();
   progress.at("checking", 0.9);
-  return inspect_pattern(report, given);
+  if (auto refusal = inspect_pattern(report, given)) return refusal;
+  return plan_strokes(report, given.checks.bending, progress);
 }
 
 std::optional<Error> run_reporting(Report& report,

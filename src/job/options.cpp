@@ -1,3 +1,5 @@
+#include "bending_options.hpp"
+
 #include <planish/base/assert.hpp>
 #include <planish/job/material_json.hpp>
 #include <planish/job/options.hpp>
@@ -383,8 +385,9 @@ const std::vector<Option>& general_options() {
 std::span<const Option> options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> joined;
-    for (const auto* group : {&general_options(), &bend_options(), &join_options(), &form_options(),
-                              &relief_options(), &dxf_options(), &check_options()})
+    for (const auto* group :
+         {&general_options(), &bend_options(), &join_options(), &form_options(), &relief_options(),
+          &dxf_options(), &check_options(), &bending_options()})
       joined.insert(joined.end(), group->begin(), group->end());
     return joined;
   }();

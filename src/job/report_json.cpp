@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "json_parts.hpp"
+#include "plan_report.hpp"
 #include "report_schema.hpp"
 #include "units.hpp"
 
@@ -27,7 +28,7 @@ Json sheet_json(const Report& report, const Units& units) {
   return json;
 }
 
-Json bend_json(const FlatBend& bend, int order, const Units& units) {
+Json bend_json(const FlatBend& bend, const Json& order, const Units& units) {
   Json json;
   json["id"] = bend.id;
   json["order"] = order;
@@ -60,11 +61,16 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   return json;
 }
 
-void add_bends(Json& rows, const FlatPattern& flat, const Units& units,
-               const BendDetails& details) {
-  int order = 0;
-  for (const FlatBend& bend : flat.bends) {
-    rows.push_back(bend_json(bend, ++order, units));
+/// Without a plan bends are counted as they come; with one, by the strokes that press them.
+void add_bends(Json& rows, const Report& report, const Units& units, const BendDetails& details) {
+  const bool planned = report.plan && !report.plan->strokes.empty();
+  const auto numbers = planned ? stroke_numbers(*report.plan) : std::map<BendId, int>();
+  int count = 0;
+  for (const FlatBend& bend : report.flat.bends) {
+    const auto number = numbers.find(bend.bend);
+    Json order = ++count;
+    if (planned) order = number == numbers.end() ? Json(nullptr) : Json(number->second);
+    rows.push_back(bend_json(bend, order, units));
     if (details) details(rows.back(), bend);
   }
 }
@@ -81,7 +87,7 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
-  if (bends == BendList::shown) add_bends(json["bends"], flat, units, details);
+  if (bends == BendList::shown) add_bends(json["bends"], report, units, details);
   if (!flat.labels.empty()) json["labels"] = Json::array();
   for (const FlatLabel& label : flat.labels)
     json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});
@@ -145,7 +151,7 @@ Json begun_report(const Report& report, std::string_view command) {
   Json json;
   json["format"] = "planish/report";
   json["version"] = 1;
-  json["command"] = command;
+  json["command"] = report.of_bending ? "bend" : command;
   json["input"] = report.input;
   return json;
 }
@@ -161,6 +167,7 @@ void finish_report(Json& json, const Report& report, BendList bends, const BendD
   json["checks"] = Json::array();
   for (const Finding& finding : report.findings)
     json["checks"].push_back(check_json(finding, units));
+  if (report.plan) json["plan"] = plan_json(*report.plan, report);
   json["notes"] = report.notes;
   json["files"] = report.files;
 }

@@ -1,5 +1,7 @@
 #include "report_schema.hpp"
 
+#include "plan_report.hpp"
+
 #include <algorithm>
 
 namespace planish::job {
@@ -17,19 +19,20 @@ Schema sheet_schema() {
 }
 
 Schema bend_schema(const std::vector<Field>& details) {
-  std::vector<Field> fields{required("id", text()),
-                            required("order", whole(1)),
-                            required("kind", words({"cylinder", "cone", "general", "sharp"})),
-                            required("angle", angle(kAnyNumber).or_null()),
-                            required("inside_radius", measured_length()),
-                            required("k_factor", measured_number()),
-                            required("k_source", any_text()),
-                            required("allowance", measured_length()),
-                            required("deduction", measured_length()),
-                            required("direction", words({"up", "down"})),
-                            required("length", measured_length()),
-                            required("line", list(report_point())),
-                            required("lines", list(report_line()))};
+  std::vector<Field> fields{
+      required("id", text()),
+      required("order", whole(1).or_null().said("of the stroke, if there is a plan")),
+      required("kind", words({"cylinder", "cone", "general", "sharp"})),
+      required("angle", angle(kAnyNumber).or_null()),
+      required("inside_radius", measured_length()),
+      required("k_factor", measured_number()),
+      required("k_source", any_text()),
+      required("allowance", measured_length()),
+      required("deduction", measured_length()),
+      required("direction", words({"up", "down"})),
+      required("length", measured_length()),
+      required("line", list(report_point())),
+      required("lines", list(report_line()))};
   fields.insert(fields.end(), details.begin(), details.end());
   return object(std::move(fields));
 }
@@ -75,6 +78,7 @@ std::vector<Field> common_fields(const std::vector<Field>& bend_details) {
           required("flat", flat_schema(bend_details).or_null()),
           required("verification", verification_schema().or_null()),
           required("checks", list(check_schema())),
+          optional("plan", plan_schema()),
           required("notes", list(any_text())),
           required("files", list(text()))};
 }
@@ -122,8 +126,9 @@ Schema report_schema(const Catalogue& catalogue) {
     append(report_details, std::move(details.report));
     append(bend_details, std::move(details.bend));
   }
+  names.push_back("bend");
   std::vector<Field> fields = written_header("planish/report");
-  fields.push_back(required("command", words(names).said("the maker")));
+  fields.push_back(required("command", words(names).said("the maker, or bend")));
   fields.push_back(required("input", any_text()));
   append(fields, common_fields(bend_details));
   append(fields, std::move(report_details));

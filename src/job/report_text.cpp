@@ -1,6 +1,7 @@
 #include "report_text.hpp"
 
 #include "facts.hpp"
+#include "plan_report.hpp"
 #include "table.hpp"
 #include "units.hpp"
 
@@ -151,6 +152,7 @@ std::string text_of(const Report& report, const std::string& title, const std::s
     if (bends == BendList::shown) text += bend_table(report.flat, units);
     text += tables;
   }
+  if (report.plan) text += plan_text(*report.plan, report);
   text += certificate_line(report, units);
   text += findings_text(report, units);
   text += lines_of(report.notes, "note: ");

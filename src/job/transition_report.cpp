@@ -68,6 +68,7 @@ Json transition_json(const TransitionReport& report, const Units& units) {
     row["from"] = length.from;
     row["to"] = length.to;
     row["length"] = number_json(units.length(length.length));
+    if (static_cast<std::size_t>(length.piece) >= report.pieces.size()) continue;  // not reported
     row["piece"] = report.pieces[length.piece].body;
     row["press_line"] = length.press.empty() ? Json(nullptr) : Json(length.press);
     row["points"] = {space_point_json(length.points[0], units),

@@ -44,7 +44,7 @@ class Printed(SchemaTest):
             jsonschema.Draft202012Validator.check_schema(self.schema(name))
 
     def test_a_name_that_there_is_not_names_those_that_there_are(self):
-        self.assertIn("plates, transition, slits, rules, material, request, report", self.refused("schema", "plate", status=2))
+        self.assertIn("plates, transition, slits, rules, material, tools, request, report", self.refused("schema", "plate", status=2))
 
 
 class Inputs(SchemaTest):
@@ -55,6 +55,8 @@ class Inputs(SchemaTest):
                 self.assert_keeps(validator, json.loads(path.read_text()), path.name)
         rules = json.loads(self.run_cli("unfold", "--print-rules")[0])
         self.assert_keeps(self.validator("rules"), rules, "rules")
+        tools = json.loads((SOURCE / "src" / "job" / "european_tools.json").read_text())
+        self.assert_keeps(self.validator("tools"), tools, "tools")
 
     def places(self, value, at=()):
         """The paths of all values in a document."""
@@ -172,8 +174,8 @@ class Tables(SchemaTest):
             self.assertEqual([f"`{name}`" for name in writes.split()[1:]], row.split("|")[3].split(), head)
 
     def test_the_documentation_has_every_option(self):
-        text = "".join((SOURCE / "docs" / page).read_text() for page in ("cli.md", "connect.md", "transition.md", "slit.md"))
-        for maker in ("unfold", "connect", "transition", "slit"):
+        text = "".join((SOURCE / "docs" / page).read_text() for page in ("cli.md", "connect.md", "transition.md", "slit.md", "bend.md"))
+        for maker in ("unfold", "connect", "transition", "slit", "bend"):
             for option in re.findall(r"^  (?:-\w,)?(--[a-z0-9-]+)", self.run_cli(maker, "--help")[0], re.M):
                 if option != "--help":
                     self.assertIn(f"`{option}", text, maker)

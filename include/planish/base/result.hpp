@@ -34,6 +34,7 @@ enum class ErrorCode {
   unknown_ridge,    ///< a ridge that a strip does not have
   empty_scan,       ///< a scan without points
   scan_too_large,   ///< a scan of more points than are searched
+  bad_tools,        ///< tools of a press brake that cannot be as they are given
   no_solid,         ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
   too_far_away,     ///< coordinates beyond what can be computed with
@@ -62,6 +63,9 @@ enum class ErrorCode {
   curve_too_long,     ///< a curve longer than the slit sheet along it
   out_of_reach,       ///< a place that a strip is too short to reach
   pattern_wrong,      ///< the certificate's residuals exceed what can be trusted
+  no_straight_bend,   ///< nothing that a press brake could press: no bend has a straight bend line
+  no_tool,            ///< a thickness, radius or hem that no tool bears
+  cannot_bend,        ///< no order of strokes forms all bends with these tools
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   out_of_time,        ///< the time allowed has passed
   out_of_memory,      ///< the memory allowed does not suffice

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/brake/plan.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/request.hpp>
 #include <planish/sheet/certificate.hpp>
@@ -38,6 +39,8 @@ struct Report {
   std::vector<Finding> findings;
   std::vector<std::string> notes;
   std::optional<double> mass;      ///< kg, when the density is known
+  std::optional<Plan> plan;        ///< of the strokes that bend it, if that was asked for
+  bool of_bending = false;         ///< reported by `planish bend`, whatever made the sheet
   std::vector<std::string> files;  ///< written, named as the writer names them
   LengthUnit units = LengthUnit::mm;
   double read_seconds = 0.0, unfold_seconds = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <planish/brake/plan.hpp>
 #include <planish/connect/plates.hpp>
 #include <planish/inspect/findings.hpp>
 #include <planish/io/flat_writers.hpp>
@@ -29,6 +30,16 @@ struct CertificateBounds {
 /// during a drag: no folded solid (so no volume), no certificate, no findings, curves to 1e-3 mm.
 enum class Effort { draft, full };
 
+/// Whether and how a plan is made for bending the part on a press brake.
+struct Bending {
+  /// A plan, or only a finding if there is none.
+  enum class Ask { nothing, finding, plan };
+  Ask ask = Ask::nothing;
+  std::optional<BrakeTools> tools;      ///< empty: `default_tools`
+  std::vector<std::string> begin_with;  ///< ids of bends that come first, in this order
+  PlanOptions plan;                     ///< its `begin_with` is not used
+};
+
 /// How a flat pattern is checked, whatever sheet it comes from.
 struct PatternChecks {
   Effort effort = Effort::full;
@@ -36,6 +47,7 @@ struct PatternChecks {
   bool write_overlapping = false;  ///< write the pattern although it covers itself
   CertificateBounds bounds;
   std::optional<double> density;  ///< kg/dm³; gives the mass
+  Bending bending;
 };
 
 /// How corners whose patterns overlap are mended, and slits are cut.

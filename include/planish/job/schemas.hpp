@@ -7,8 +7,8 @@
 
 namespace planish::job {
 
-/// Names of all schemas: those of the makers' inputs, "rules", "material", "request", and the
-/// outputs "report", "summary", "info".
+/// Names of all schemas: those of the makers' inputs, "rules", "material", "tools", "request", and
+/// the outputs "report", "summary", "info".
 std::vector<std::string> schema_names(const Catalogue& catalogue = built_in());
 
 /// JSON Schema (2020-12) as text; empty for an unknown name.

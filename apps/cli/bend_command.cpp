@@ -1,0 +1,230 @@
+#include "apart.hpp"
+#include "commands.hpp"
+#include "option_parts.hpp"
+#include "output_files.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/plan_pages.hpp>
+#include <planish/job/tools_json.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace planish::cli {
+namespace {
+
+constexpr auto kBendExamples = R"(Examples:
+  planish bend part.step                          the order of strokes, with common tools
+  planish bend part.step --tools shop.json -o plan.pdf --json plan.json
+  planish bend plates.json --material stainless   what makes a sheet can be bent
+  planish bend part.step --fix B3,B1              an order that begins so
+  planish bend part.step --weights turn_over=10   a heavy part is turned over seldom
+  planish bend --print-tools > shop.json          tools to edit, for --tools
+
+Exit status:
+  0 done: there is a plan             3 a file cannot be read, is invalid or cannot be written
+  1 internal error, or cancelled      4 refused: no order of strokes forms all bends, or there
+  2 wrong usage                         is no flat pattern
+
+More in docs/bend.md.)";
+
+constexpr auto kOwnOptions = {"tools",   "springback", "clearance", "shortfall",
+                              "opening", "weights",    "fix",       "first"};
+constexpr auto kGraceForOthers = std::chrono::minutes(2);  // reading, unfolding, certifying
+
+/// Options of making the sheet: those of the makers that say how it is bent and laid flat.
+bool is_of_sheet(const job::Option& option) {
+  return option.on_command_line && option.name != "material" &&
+         (option.group == "Input" || option.group == "Bends" || option.group == "Joining" ||
+          option.name == "units");
+}
+
+/// A word for a metal, or a file that K comes from.
+void add_material(CLI::App& app, job::OptionValues& values) {
+  const job::Option& metal = job::option("metal");
+  const job::Option& material = job::option("material");
+  const auto set = [&](const std::string& text) {
+    const bool word = std::ranges::find(metal.words, text) != metal.words.end();
+    (void)values.set_text(word ? metal : material, text);  // any text is a path
+  };
+  app.add_option_function<std::string>(
+         "--material", set,
+         fmt::format("steel, stainless or aluminium: {}; or a material file for K",
+                     metal.description))
+      ->check(not_empty)
+      ->type_name("METAL|FILE.json")
+      ->group("Press brake");
+}
+
+void add_time_limit(CLI::App& app, BendArguments& to) {
+  const job::Option& time = job::option("search_time");
+  const auto set = [&to, &time](double seconds) {
+    to.options.set(time, seconds);
+    to.limits.time = kGraceForOthers +
+                     std::chrono::milliseconds(static_cast<std::int64_t>(1000.0 * seconds));
+  };
+  app.add_option_function<double>("--time-limit", set,
+                                  "of the search, after which the best plan found is given; "
+                                  "default 6")
+      ->check(CLI::Range(0.001, 86400.0))
+      ->type_name("SECONDS")
+      ->group("Order");
+}
+
+void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values) {
+  const std::string said = option.otherwise.empty()
+                               ? std::string(option.description)
+                               : fmt::format("{}; default {}", option.description,
+                                             option.otherwise);
+  if (option.kind == job::OptionKind::flag)
+    app.add_flag_callback(
+           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
+        ->group(std::string(option.group));
+  else
+    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+}
+
+/// Errors of the command line, before any work.
+std::optional<Error> unwritable(const BendArguments& arguments) {
+  for (const std::string& name : arguments.outputs)
+    if (suffix_of(name) != ".pdf" && suffix_of(name) != ".svg")
+      return bad_option(
+          fmt::format("-o {} does not say what to write: end it in .pdf or .svg", name));
+  std::vector<std::string> names = arguments.outputs;
+  names.push_back(arguments.json);
+  const auto files = files_named(names);
+  const auto tools = files_named({arguments.options.text("tools"),
+                                  arguments.options.text("k_table"),
+                                  arguments.options.text("material")});
+  for (const auto& file : files) {
+    if (const auto fine = check_output(file, arguments.input); !fine) return fine.error();
+    if (const auto spared = spare_inputs(file, tools); !spared) return spared.error();
+  }
+  if (const auto different = all_different(files); !different) return different.error();
+  return std::nullopt;
+}
+
+class Bend : public Command {
+ public:
+  Bend(const job::Catalogue& catalogue, const BendArguments& arguments)
+      : catalogue_(catalogue), arguments_(arguments), maker_(catalogue.makers.data()) {}
+
+  Outcome make(const job::Parent& parent) override {
+    job::Request request;
+    request.input = arguments_.input;
+    const auto input = job::read_input_file(arguments_.input, "input file");
+    if (!input) return failed(input.error());
+    const auto maker = catalogue_.maker_for(input->name, input->content);
+    if (!maker) return failed(maker.error());
+    maker_ = *maker;
+    if (const auto wrong = not_taken()) return {.error = wrong};
+    if (const auto entered = arguments_.options.enter(request); !entered)
+      return failed(entered.error());
+    request.bending.ask = job::Bending::Ask::plan;
+    auto work = maker_->open(*input, parent.progress);
+    if (!work) return failed(work.error());
+    auto made = (*work)->make(request, parent.progress);
+    if (!made) return failed(made.error());
+    return outcome_of(**made, request);
+  }
+
+  Outcome failed(const Error& error) const override {
+    job::Request request;
+    request.input = arguments_.input;
+    request.body = arguments_.options.text("body");
+    const auto made = maker_->failed(request, error);
+    made->report().of_bending = true;
+    return {.json = made->json(), .error = error};
+  }
+
+ private:
+  /// An option that the maker of this input does not have.
+  std::optional<Error> not_taken() const {
+    for (const job::Option& option : job::options())
+      if ((is_of_sheet(option) || option.name == "material") &&
+          arguments_.options.given(option.name) && !maker_->takes(option.name))
+        return bad_option(
+            fmt::format("{} does not go with a {}", flag_of(option.name), maker_->input_kind()));
+    return std::nullopt;
+  }
+
+  /// The plan of all pieces on pages, in each format that was asked for.
+  std::vector<OutputFile> files_of(const job::Made& made, const job::Request& request) const {
+    const BrakeTools& tools = request.bending.tools ? *request.bending.tools : job::default_tools();
+    std::vector<Page> pages;
+    for (int piece = 0; piece < made.pieces(); ++piece)
+      for (Page& page : job::plan_pages(made.piece(piece), tools))
+        pages.push_back(std::move(page));
+    std::vector<OutputFile> files;
+    for (const std::string& name : arguments_.outputs)
+      files.push_back({name, suffix_of(name) == ".pdf" ? pdf_text(pages) : svg_text(pages)});
+    return files;
+  }
+
+  Outcome outcome_of(job::Made& made, const job::Request& request) const {
+    made.report().of_bending = true;
+    if (made.report().refusal) return {.json = made.json(), .error = made.report().refusal};
+    Outcome outcome;
+    if (!arguments_.outputs.empty()) outcome.files = files_of(made, request);
+    append_names(made.report().files, outcome.files);
+    // All files are written or none, the report too.
+    if (outcome.files.empty() || arguments_.json == "-")
+      outcome.json = made.json();
+    else
+      for (std::filesystem::path& file : files_named({arguments_.json}))
+        outcome.files.push_back({std::move(file), made.json()});
+    outcome.inputs = files_named({arguments_.input});
+    if (arguments_.quiet) return outcome;
+    (arguments_.json == "-" ? outcome.aside : outcome.output) = made.text();
+    return outcome;
+  }
+
+  const job::Catalogue& catalogue_;
+  const BendArguments& arguments_;
+  const job::Maker* maker_;
+};
+
+}  // namespace
+
+CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
+  CLI::App* command = app.add_subcommand("bend", "find the order in which a press brake bends it");
+  add_text(*command, "input", arguments.input, "FILE",
+           "STEP file, or any other that a sheet is made of, or - for standard input")
+      ->required();
+  for (const job::Option& option : job::options())
+    if (is_of_sheet(option)) add_one(*command, option, arguments.options);
+  add_material(*command, arguments.options);
+  for (const char* name : kOwnOptions)
+    add_one(*command, job::option(name), arguments.options);
+  add_time_limit(*command, arguments);
+  command
+      ->add_flag_callback(
+          "--print-tools",
+          [] {
+            fmt::print("{}", job::default_tools_json());
+            throw CLI::Success();
+          },
+          "print the tools file that is used without --tools, and exit")
+      ->group("Press brake");
+  add_repeatable(*command, "-o,--output", arguments.outputs,
+                 "the plan on pages to hang at the machine: .pdf or .svg; may be given several "
+                 "times")
+      ->type_name("PATH")
+      ->group("Output");
+  add_text(*command, "--json", arguments.json, "FILE",
+           "the report as JSON; - writes it to standard output")
+      ->group("Output");
+  command->add_flag("-q,--quiet", arguments.quiet, "no summary on the terminal")->group("Output");
+  command->footer(kBendExamples);
+  return command;
+}
+
+int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments) {
+  if (const auto error = unwritable(arguments)) return complain(*error);
+  Bend bend(catalogue, arguments);
+  return run_apart(bend, {arguments.input, arguments.json, arguments.quiet, arguments.limits});
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <planish/base/angle.hpp>
+#include <planish/base/progress.hpp>
+#include <planish/base/result.hpp>
+#include <planish/brake/stroke_search.hpp>
+#include <planish/brake/tools.hpp>
+#include <planish/sheet/layout.hpp>
+#include <planish/sheet/sheet.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// How a sheet is to be bent. Lengths in mm.
+struct PlanOptions {
+  double clearance = 0.0;                ///< kept between the workpiece and the tools
+  std::optional<double> shortfall = {};  ///< of the punch at each end of a bend line; empty:
+                                         ///< one thickness
+  Angle springback;                      ///< bent beyond the angle
+  double tensile_strength = 450.0;       ///< R_m, N/mm²
+  double radius_of_opening = 0.16;       ///< inside radius that air bending leaves, per opening
+  std::optional<double> opening = {};    ///< wanted of the V; empty: by thickness
+  std::vector<BendId> begin_with = {};   ///< bends that come first, in this order
+  StrokeWeights weights;
+  StrokeLimits limits;
+};
+
+/// Where the sheet touches the back gauge.
+struct GaugeStop {
+  double distance = 0.0;  ///< from the bend line, mm
+  Segment edge;           ///< the border piece that touches, in the flat pattern
+};
+
+/// Something done at the press brake at once.
+struct Stroke {
+  std::vector<BendId> bends;                         ///< pressed together
+  std::optional<int> press_line = {};                ///< of a bend with several: which, from 0
+  bool flattening = false;                           ///< closes a hem that was bent before
+  Angle angle;                                       ///< turned by it, without springback
+  std::string punch, die;                            ///< ids
+  std::vector<double> punch_segments, die_segments;  ///< in the order in which they stand, mm
+  /// Where the rows of segments begin along the bend line, mm, from the end of its first line.
+  double punch_from = 0.0, die_from = 0.0;
+  bool reference_up = true;               ///< the side of the lying sheet that faces up
+  std::optional<FlangeId> to_gauge = {};  ///< the flange on the gauge's side of the bend
+  Vec2 gauge_direction = Vec2::UnitX();   ///< towards the gauge, in the flat pattern; unit
+  std::optional<GaugeStop> gauge = {};    ///< empty: ungauged
+  double force = 0.0;                     ///< kN
+  double clearance = 0.0;                 ///< least left over all turns, mm
+};
+
+/// Why no reachable stage can form a bend: what the workpiece hits at best.
+struct BlockedBend {
+  BendId bend;
+  std::string hits;                   ///< "punch P88", "die V16", "upper beam", "itself"; empty:
+                                      ///< `why` says it
+  std::optional<FlangeId> with = {};  ///< the flange that hits
+  double depth = 0.0;                 ///< mm
+  std::optional<Angle> at_turn = {};
+  std::string why = {};  ///< one sentence, with what would help if that is known
+};
+
+/// The order in which a sheet is bent, or why there is none.
+struct Plan {
+  PlanStatus status = PlanStatus::gave_up;
+  double cost = 0.0;
+  int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
+  long long states = 0;              ///< stages that were looked at
+  std::vector<Stroke> strokes;       ///< empty unless optimal or feasible
+  std::vector<BlockedBend> blocked;  ///< if infeasible
+  std::vector<BendId> unformed;      ///< if infeasible: what is left in the stage that got furthest
+  std::vector<std::string> notes;    ///< bends that take no stroke, radii beyond what the V gives
+};
+
+/// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose
+/// pattern `Stroke` refers to. Errors: `bad_tools`, `no_straight_bend` (nothing that a brake could
+/// press), `no_tool` (thickness, radius or hem that no tool bears), `bad_option`, `cancelled`.
+Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                          const PlanOptions& options = {}, const Progress& progress = {});
+
+}  // namespace planish

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <planish/base/progress.hpp>
+#include <planish/base/result.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace planish {
+
+/// The lines that are formed in a stage, or pressed in a stroke: bit i is line i. As many words as
+/// the lines need.
+using LineSet = std::vector<std::uint64_t>;
+
+/// A way in which a stroke can be made in a stage. Numbers are the caller's: equal means the same.
+struct StrokeChoice {
+  LineSet lines;  ///< pressed together, none formed before
+  int punch = 0;
+  int die = 0;
+  bool reference_up = true;  ///< the side of the lying sheet that faces up
+  int direction = 0;         ///< of the pattern, towards the gauge
+  bool gauged = true;
+};
+
+/// Costs, at least 0 each: of a stroke; of a stroke without gauge, besides; of turning the sheet
+/// over, of rotating it and of changing a tool or both between two strokes.
+struct StrokeWeights {
+  double turn_over = 3.0, rotate = 2.0, tool_change = 5.0, stroke = 1.0, ungauged = 4.0;
+};
+
+/// Where a search ends although more could be found.
+struct StrokeLimits {
+  bool first = false;             ///< at the first plan
+  double seconds = 6.0;           ///< after this time
+  std::int64_t stages = 300'000;  ///< after looking at so many stages
+};
+
+/// Whether a stroke can be made.
+struct StrokeVerdict {
+  bool feasible = true;
+  /// Of one that cannot: the lines by which this is so. In every other stage in which these are
+  /// formed or not as in this one, the same choice, gauged or not, is infeasible too. No line at
+  /// all (every bit 0): it is infeasible in every stage. Empty: nothing is known of other stages.
+  std::optional<LineSet> because = {};
+};
+
+/// What a search asks. Each stage and each choice in a stage is asked for once at most, and only
+/// stages that can be reached.
+struct StrokeProblem {
+  int lines = 0;
+  /// All strokes that may be made in a stage; quick. Several may press the same lines.
+  std::function<std::vector<StrokeChoice>(const LineSet& formed)> choices;
+  /// Whether one of them can be made; slow. Empty: each can.
+  std::function<StrokeVerdict(const LineSet& formed, const StrokeChoice& choice)> check = {};
+  /// Covers what `choices` gives in any stage: for each choice there is one here with the same
+  /// tools, side and direction, that is gauged if the choice is, and that presses its lines and
+  /// perhaps more. The narrower, the sooner a plan is proven cheapest. Empty: nothing is known.
+  std::vector<StrokeChoice> possible = {};
+  /// How far inside the part each line is. Parts are mostly bent from the outside in, so this is
+  /// one order in which plans are looked for; it does not change what is found in the end. May be
+  /// empty.
+  std::vector<int> depth = {};
+  /// Lines to be pressed before all others, in this order; what is pressed together with one of
+  /// them does not matter.
+  std::vector<int> begin_with = {};
+};
+
+enum class PlanStatus {
+  optimal,     ///< there is no cheaper plan
+  feasible,    ///< a limit ended the search: there may be a cheaper plan
+  infeasible,  ///< no order of strokes forms all lines
+  gave_up,     ///< a limit ended the search before a plan was found or shown not to exist
+};
+
+struct StrokeSearch {
+  PlanStatus status = PlanStatus::gave_up;
+  std::vector<StrokeChoice> strokes;  ///< the cheapest found; empty if none was
+  double cost = 0.0;
+  double bound = 0.0;  ///< no plan costs less
+  int turn_overs = 0, rotations = 0, tool_changes = 0, ungauged = 0;
+  std::int64_t stages = 0;  ///< looked at
+  /// If infeasible: lines that no reachable stage can form. `blocked_all`: these are all such
+  /// lines; else it was not looked at every stage once this was proven, and there may be more.
+  std::vector<int> blocked = {};
+  bool blocked_all = true;
+  LineSet furthest = {};  ///< if there is no plan: the stage with the most lines formed
+};
+
+/// Finds the cheapest sequence of strokes that forms every line: A* over stages, each with the last
+/// tools, side and direction, after a depth-first search for any plan. The bound is exact where
+/// strokes never exclude each other, so such problems of any size end at once; at worst all 2^lines
+/// stages are looked at. The first stroke costs no change. Errors: `cancelled`.
+Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWeights& weights = {},
+                                    const StrokeLimits& limits = {}, const Progress& progress = {});
+
+}  // namespace planish

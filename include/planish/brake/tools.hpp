@@ -1,0 +1,67 @@
+#pragma once
+
+#include <planish/base/angle.hpp>
+#include <planish/base/result.hpp>
+#include <planish/geometry/region.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish {
+
+/// A tool's section across the bend line, counter-clockwise, mm: x is y of the machine frame
+/// (towards the back gauge), y is z (up); math.md#press-brake.
+using ToolProfile = std::vector<Vec2>;
+
+struct Punch {
+  std::string id;
+  ToolProfile profile;                   ///< its tip at the origin, the body above
+  double tip_radius = 0.0;               ///< mm, rounds the corner at the origin
+  Angle angle;                           ///< between the flanks of the tip; 180°: flat, for
+                                         ///< closing hems, and the origin anywhere on its edge
+  std::vector<double> segments;          ///< lengths, mm, one of each
+  std::optional<double> max_force = {};  ///< kN per metre; empty: not limited
+};
+
+struct Die {
+  std::string id;
+  double opening = 0.0;          ///< of the V, mm; its middle at the origin, its top at z = 0
+  Angle angle;                   ///< between the flanks of the V; 180°: flat, and opening 0
+  double shoulder_radius = 0.0;  ///< mm, rounds the corners at (±opening/2, 0)
+  ToolProfile profile;
+  std::vector<double> segments;
+  std::optional<double> max_force = {};
+};
+
+struct BackGauge {
+  double from = 0.0, to = 0.0;  ///< distances from the bend line that fingers reach, mm
+  double finger_width = 0.0;    ///< along the bend line, mm
+  ToolProfile finger;           ///< the point that touches the sheet is the origin
+};
+
+struct PressBrake {
+  std::string name;
+  double force = 0.0;      ///< kN
+  double length = 0.0;     ///< longest row of tools, mm
+  ToolProfile upper_beam;  ///< in the punch's frame; empty: none
+  ToolProfile lower_beam;  ///< in the die's frame; empty: none
+  std::optional<BackGauge> gauge = {};
+};
+
+/// A press brake and the tools that a shop has for it.
+struct BrakeTools {
+  PressBrake machine;
+  std::vector<Punch> punches;
+  std::vector<Die> dies;
+};
+
+/// Whether a tool of this angle is flat: it closes hems that were bent before.
+bool flattens(Angle angle);
+
+/// What is wrong with the tools: crossing profiles, a tip away from the origin, segments missing,
+/// an opening that its profile does not have. `where` is the JSON pointer of the value. Errors:
+/// `bad_tools`.
+Result<void> check(const BrakeTools& tools);
+
+}  // namespace planish

@@ -1,0 +1,177 @@
+#include "stroke_work.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <queue>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr int kBetweenDives = 200;  // expansions
+
+/// A stage with the set-up of the stroke that led to it.
+struct Node {
+  int stage = 0, set_up = kNoSetUp;
+  double cost = 0.0;  ///< so far
+  int before = -1;    ///< the node that it came from
+  int stroke = -1;    ///< the choice that led here
+};
+
+/// A node whose strokes of one estimate are to be tried: most strokes are dearer and wait.
+struct Waiting {
+  double estimate = 0.0;  ///< of the cheapest plan through those strokes
+  double tried = 0.0;     ///< up to this estimate all are
+  int formed = 0;         ///< lines
+  int node = 0;
+};
+
+/// The cheapest first; of equal ones that with the most lines formed, then the latest.
+struct Dearer {
+  bool operator()(const Waiting& a, const Waiting& b) const {
+    if (a.estimate != b.estimate) return a.estimate > b.estimate;
+    if (a.formed != b.formed) return a.formed < b.formed;
+    return a.node < b.node;
+  }
+};
+
+class BestFirst {
+ public:
+  explicit BestFirst(StrokeWork& work) : work_(work), book_(work.book()) {}
+
+  enum class End { done, stopped, bound_renewed };
+
+  End run() {
+    begin();
+    for (std::int64_t n = 1; !open_.empty(); ++n) {
+      const Waiting next = open_.top();
+      if (!work_.cheaper(next.estimate, work_.cheapest())) break;
+      work_.prove(next.estimate);
+      if (work_.stopped() != StrokeWork::Stop::none) return End::stopped;
+      open_.pop();
+      const int stage = nodes_[next.node].stage;
+      if (dominated(next.node) || book_.is_dead(*book_[stage].formed)) continue;
+      expand(next);
+      if (n % kBetweenDives == 0) improve(next.node);
+      if (is_power_of_two(n) && work_.renew_bound()) return End::bound_renewed;
+    }
+    return End::done;
+  }
+
+ private:
+  static constexpr double kNothing = -std::numeric_limits<double>::infinity();
+  static bool is_power_of_two(std::int64_t n) { return (n & (n - 1)) == 0; }
+
+  void begin() {
+    const int stage = book_.stage_of(LineSet(book_.full().size()));
+    add({stage});
+  }
+
+  double estimate(const Node& node) {
+    return node.cost + work_.bound(*book_[node.stage].formed, node.set_up);
+  }
+
+  void add(const Node& node) {
+    const int number = static_cast<int>(nodes_.size());
+    nodes_.push_back(node);
+    if (static_cast<int>(at_stage_.size()) <= node.stage) at_stage_.resize(node.stage + 1);
+    at_stage_[node.stage].push_back(number);
+    open_.push({estimate(node), kNothing, count(*book_[node.stage].formed), number});
+  }
+
+  /// Whether another way to the stage costs no more, even with the change to this one's set-up.
+  bool worse_than_known(const Node& node) const {
+    if (static_cast<int>(at_stage_.size()) <= node.stage) return false;
+    return std::ranges::any_of(at_stage_[node.stage], [&](int other) {
+      const Node& known = nodes_[other];
+      return known.cost + book_.change(known.set_up, node.set_up) <= node.cost;
+    });
+  }
+
+  /// The same for a node that is known: by one that came later, and is strictly cheaper.
+  bool dominated(int number) const {
+    const Node& node = nodes_[number];
+    return std::ranges::any_of(at_stage_[node.stage], [&](int other) {
+      const Node& known = nodes_[other];
+      return known.cost + book_.change(known.set_up, node.set_up) < node.cost;
+    });
+  }
+
+  void expand(const Waiting& waiting) {
+    const Node from = nodes_[waiting.node];
+    double later = std::numeric_limits<double>::infinity();
+    const std::size_t offers = book_.offers(from.stage).size();
+    for (std::size_t i = 0; i < offers; ++i) {
+      const Offer& offer = book_[from.stage].offers[i];
+      if (offer.state == Offer::State::infeasible) continue;
+      const double estimate = through(from, offer.choice);
+      if (estimate <= waiting.tried) continue;
+      if (work_.cheaper(waiting.estimate, estimate)) {
+        later = std::min(later, estimate);
+      } else {
+        try_stroke(waiting.node, i);
+      }
+    }
+    if (work_.cheaper(later, work_.cheapest()))
+      open_.push({later, tried_below(waiting.estimate, later), waiting.formed, waiting.node});
+  }
+
+  /// Estimates that differ by rounding alone have been tried together.
+  double tried_below(double estimate, double later) const { return 0.5 * (estimate + later); }
+
+  double through(const Node& from, int choice) {
+    const KnownChoice& known = book_.choice(choice);
+    const double cost = from.cost + book_.change(from.set_up, known.set_up) + known.cost;
+    return cost + work_.bound(joined(*book_[from.stage].formed, known.choice.lines), known.set_up);
+  }
+
+  void try_stroke(int number, std::size_t offer) {
+    const Node from = nodes_[number];
+    const int choice = book_[from.stage].offers[offer].choice;
+    const LineSet after = joined(*book_[from.stage].formed, book_.choice(choice).choice.lines);
+    if (book_.is_dead(after)) return;
+    Node next{0, book_.choice(choice).set_up, 0.0, number, choice};
+    next.cost = from.cost + book_.change(from.set_up, next.set_up) + book_.choice(choice).cost;
+    if (const auto known = book_.find(after)) {
+      next.stage = *known;
+      if (worse_than_known(next)) return;
+    }
+    if (!book_.feasible(from.stage, offer)) return;
+    next.stage = book_.stage_of(after);
+    if (!book_.is_full(next.stage)) return add(next);
+    auto strokes = strokes_to(number);
+    strokes.push_back(choice);
+    work_.found(strokes);
+  }
+
+  std::vector<int> strokes_to(int number) const {
+    std::vector<int> strokes;
+    for (int node = number; nodes_[node].before >= 0; node = nodes_[node].before)
+      strokes.push_back(nodes_[node].stroke);
+    std::ranges::reverse(strokes);
+    return strokes;
+  }
+
+  /// A plan by way of a promising node, so that a search that is stopped has a good one.
+  void improve(int number) {
+    const bool outside = work_.knows_depth() && ++dives_ % 2 == 0;
+    search_depth_first(work_, strokes_to(number), 0, outside ? Guide::outside_in : Guide::cost);
+  }
+
+  StrokeWork& work_;
+  StageBook& book_;
+  std::vector<Node> nodes_;
+  int dives_ = 0;
+  std::vector<std::vector<int>> at_stage_;  ///< nodes, by stage
+  std::priority_queue<Waiting, std::vector<Waiting>, Dearer> open_;
+};
+
+}  // namespace
+
+bool search_best_first(StrokeWork& work) {
+  for (;;) {
+    const BestFirst::End end = BestFirst(work).run();
+    if (end != BestFirst::End::bound_renewed) return end == BestFirst::End::done;
+  }
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,212 @@
+#include "line_depth.hpp"
+#include "stroke_model.hpp"
+
+#include <planish/brake/plan.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace planish {
+namespace {
+
+using namespace brake_detail;
+
+std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
+/// The first option that is out of its range.
+std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
+  const auto wrong = [](const char* name, const char* range) {
+    return Error{ErrorCode::bad_option, fmt::format("`{}` is to be {}", name, range), name};
+  };
+  const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
+  if (options.shortfall && !is_length(*options.shortfall)) return wrong("shortfall", "0 or more");
+  if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
+    return wrong("springback", "at least 0 and below 45°");
+  if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
+    return wrong("tensile_strength", "above 0");
+  if (!is_length(options.radius_of_opening)) return wrong("radius_of_opening", "0 or more");
+  if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
+    return wrong("opening", "above 0");
+  for (const BendId bend : options.begin_with)
+    if (!sheet.bends.has(bend)) return wrong("begin_with", "bends that the sheet has");
+  return std::nullopt;
+}
+
+std::optional<Error> line_without_tool(const StrokeModel& model) {
+  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
+    const FittingTools& fitting = model.fitting(i);
+    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
+    const BrakeLine& line = model.work().lines[i];
+    const std::string name = name_of(line.bends.front());
+    return Error{ErrorCode::no_tool,
+                 fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
+                             "and there is {}",
+                             name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
+                             fitting.why),
+                 name};
+  }
+  return std::nullopt;
+}
+
+/// Radii that air bending over the chosen V does not give.
+void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOptions& options,
+                Plan& plan) {
+  constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
+  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
+    const BrakeLine& line = model.work().lines[i];
+    const double opening = tools.dies[model.fitting(i).dies.front()].opening;
+    const double given = options.radius_of_opening * opening;
+    if (!line.given_radius || line.closes || line.closed_by ||
+        std::abs(line.inside_radius - given) <= kBeyond * given)
+      continue;
+    for (const BendId bend : line.bends)
+      plan.notes.push_back(
+          fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
+                      "leaves about {:.4g} mm",
+                      name_of(bend), line.inside_radius, opening, given));
+  }
+  for (const BendId bend : model.work().rolled)
+    plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
+}
+
+StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
+  StrokeProblem problem;
+  problem.lines = static_cast<int>(model.work().lines.size());
+  problem.choices = [&model](const LineSet& formed) { return model.choices(formed); };
+  problem.check = [&model](const LineSet& formed, const StrokeChoice& choice) {
+    return model.check(formed, choice);
+  };
+  problem.possible = model.possible();
+  problem.depth = line_depths(model.work());
+  for (const BendId bend : options.begin_with)
+    for (int i = 0; i < problem.lines; ++i) {
+      const auto& bends = model.work().lines[i].bends;
+      if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
+    }
+  return problem;
+}
+
+/// The search, and where it gives up the cheapest order from the outside in. That is looked for
+/// first: those orders are few, and most parts with many bends have one.
+Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
+                                 const Progress& progress) {
+  constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
+  constexpr double kOutsideIn = 0.4;  // share of the time
+  const StrokeProblem whole = problem_of(model, options);
+  StrokeLimits limits = options.limits;
+  std::optional<StrokeSearch> outside_in;
+  const auto start = std::chrono::steady_clock::now();
+  if (whole.lines > kMany) {
+    StrokeProblem narrow = whole;
+    narrow.choices = [&model](const LineSet& formed) {
+      std::vector<StrokeChoice> choices = model.choices(formed);
+      std::erase_if(choices,
+                    [&](const auto& choice) { return !model.is_outermost(formed, choice); });
+      return choices;
+    };
+    limits.seconds *= kOutsideIn;
+    auto found = search_strokes(narrow, options.weights, limits, progress);
+    if (!found) return found;
+    if (!found->strokes.empty()) outside_in = std::move(*found);
+    if (outside_in && options.limits.first) return *outside_in;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  limits.seconds = std::max(0.0, options.limits.seconds - taken.count());
+  auto found = search_strokes(whole, options.weights, limits, progress);
+  const bool better = found && outside_in &&
+                      (found->strokes.empty() || outside_in->cost < found->cost) &&
+                      found->status != PlanStatus::optimal;
+  if (!better) return found;
+  outside_in->status = PlanStatus::feasible;
+  outside_in->bound = found->bound;
+  outside_in->stages += found->stages;
+  return *outside_in;
+}
+
+void add_strokes(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+  LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
+  for (const StrokeChoice& choice : search.strokes) {
+    plan.strokes.push_back(model.stroke(formed, choice));
+    formed = joined(formed, choice.lines);
+  }
+}
+
+/// What is in the way of a bend in a stage, as a sentence.
+std::string why_not(const BlockedBend& blocked) {
+  if (blocked.hits.empty()) return blocked.why;
+  std::string sentence;
+  if (blocked.with) sentence = fmt::format("flange {}", index_of(*blocked.with) + 1);
+  return fmt::format("{} is {:.3g} mm deep in the {}{}", sentence.empty() ? "the sheet" : sentence,
+                     blocked.depth, blocked.hits,
+                     blocked.at_turn ? fmt::format(" at {:.0f}°", blocked.at_turn->degrees()) : "");
+}
+
+/// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
+/// rest in the stage that got furthest.
+void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
+  constexpr int kTold = 4;  // lines: more say the same again
+  int told = 0;
+  for (int line = 0; line < std::ssize(model.work().lines); ++line) {
+    if (holds(furthest, line) || ++told > kTold) continue;
+    const BlockedBend blocked = model.blocked(furthest, line);
+    plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
+                                     name_of(blocked.bend), why_not(blocked)));
+  }
+}
+
+/// What every stage hits, told for the stage that got furthest.
+void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+  for (const int line : search.blocked) {
+    const auto& closes = model.work().lines[line].closes;
+    if (closes && std::count(search.blocked.begin(), search.blocked.end(), *closes)) continue;
+    BlockedBend blocked = model.blocked(search.furthest, line);
+    for (const BendId bend : model.work().lines[line].bends) {
+      blocked.bend = bend;
+      plan.blocked.push_back(blocked);
+    }
+  }
+  for (int i = 0; i < std::ssize(model.work().lines); ++i)
+    if (!holds(search.furthest, i)) {
+      const auto& bends = model.work().lines[i].bends;
+      for (const BendId bend : bends)
+        if (!std::count(plan.unformed.begin(), plan.unformed.end(), bend))
+          plan.unformed.push_back(bend);
+    }
+  if (search.blocked.empty()) note_furthest(model, search.furthest, plan);
+}
+
+}  // namespace
+
+Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                          const PlanOptions& options, const Progress& progress) {
+  if (const auto right = check(tools); !right) return tl::unexpected(right.error());
+  if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
+  const double opening = options.opening.value_or(wanted_opening(sheet.thickness));
+  auto work = workpiece_of(
+      sheet, layout, {options.radius_of_opening * opening, angle_before_closing(tools, options)});
+  if (!work) return tl::unexpected(work.error());
+  StrokeModel model(std::move(*work), tools, options);
+  if (const auto error = line_without_tool(model)) return tl::unexpected(*error);
+  Plan plan;
+  note_radii(model, tools, options, plan);
+  auto search = search_plan(model, options, progress);
+  if (!search) return tl::unexpected(search.error());
+  if (search->furthest.empty())
+    search->furthest = no_lines(static_cast<int>(model.work().lines.size()));
+  plan.status = search->status;
+  plan.cost = search->cost;
+  plan.turn_overs = search->turn_overs;
+  plan.rotations = search->rotations;
+  plan.tool_changes = search->tool_changes;
+  plan.ungauged = search->ungauged;
+  plan.states = search->stages;
+  add_strokes(model, *search, plan);
+  if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, plan);
+  return plan;
+}
+
+}  // namespace planish

@@ -1,0 +1,224 @@
+#include "stage_book.hpp"
+
+#include <planish/base/assert.hpp>
+
+#include <algorithm>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr std::size_t kMostBlockings = 500;  // each stage is held against all of them
+constexpr int kMostCases = 5'000;            // told apart for one family: about 1 ms
+
+/// Whether in each stage in which lines are formed as `formed` says, for those that are `known`, a
+/// conflict holds. Not if that takes more than the cases left.
+bool hold_in_all(const std::vector<Conflict>& conflicts, const LineSet& known,
+                 const LineSet& formed, int& cases) {
+  if (--cases < 0) return false;
+  const Conflict* shortest = nullptr;
+  int open = 0;
+  for (const Conflict& conflict : conflicts) {
+    const LineSet shared = common(conflict.lines, known);
+    if (common(shared, conflict.formed) != common(shared, formed)) continue;
+    const int lines = count(conflict.lines) - count(shared);
+    if (lines == 0) return true;
+    if (!shortest || lines < open) {
+      shortest = &conflict;
+      open = lines;
+    }
+  }
+  if (!shortest) return false;
+  for (const int line : members(shortest->lines)) {
+    if (holds(known, line)) continue;
+    LineSet both = known, with = formed;
+    insert(both, line);
+    insert(with, line);
+    return hold_in_all(conflicts, both, formed, cases) && hold_in_all(conflicts, both, with, cases);
+  }
+  return false;
+}
+
+bool hold_everywhere(const Family& family) {
+  if (family.conflicts.empty()) return false;
+  const LineSet nothing(family.conflicts.front().lines.size());
+  int cases = kMostCases;
+  return hold_in_all(family.conflicts, nothing, nothing, cases);
+}
+
+}  // namespace
+
+bool Conflict::holds_in(const LineSet& stage) const { return common(lines, stage) == formed; }
+
+StageBook::StageBook(const StrokeProblem& problem, const StrokeWeights& weights)
+    : problem_(problem),
+      weights_(weights),
+      full_(all_lines(problem.lines)),
+      seen_(no_lines(problem.lines)),
+      furthest_(seen_),
+      families_of_line_(problem.lines),
+      possible_of_line_(problem.lines) {
+  list_families();
+}
+
+void StageBook::list_families() {
+  std::vector<bool> alone(families_of_line_.size(), true);
+  for (const StrokeChoice& row : problem_.possible) {
+    const std::vector<int> lines = members(row.lines);
+    for (const int line : lines) {
+      if (lines.size() > 1) alone[line] = false;
+      possible_of_line_[line].insert(set_up_in(row));
+      families_of_line_[line].push_back(family_of(row.lines, set_up_in(row)));
+    }
+  }
+  for (std::size_t line = 0; line < alone.size(); ++line)
+    if (!alone[line]) families_of_line_[line].clear();
+}
+
+int StageBook::stage_of(const LineSet& formed) {
+  const auto [place, fresh] = numbers_.try_emplace(formed, static_cast<int>(stages_.size()));
+  if (fresh) {
+    stages_.push_back({&place->first});
+    if (count(formed) > count(furthest_)) furthest_ = formed;
+  }
+  return place->second;
+}
+
+std::optional<int> StageBook::find(const LineSet& formed) const {
+  const auto known = numbers_.find(formed);
+  return known == numbers_.end() ? std::nullopt : std::optional(known->second);
+}
+
+bool StageBook::is_dead(const LineSet& formed) const {
+  const auto known = find(formed);
+  if (known && stages_[*known].dead) return true;
+  return std::ranges::any_of(blockings_, [&](const Blocking& blocking) {
+    return !holds(formed, blocking.line) && within(blocking.by, formed);
+  });
+}
+
+SetUp StageBook::set_up_in(const StrokeChoice& choice) {
+  return {choice.punch, choice.die, choice.reference_up, choice.direction};
+}
+
+bool StageBook::is_refuted(const StrokeChoice& choice) {
+  const auto known = family_numbers_.find({choice.lines, set_up_in(choice)});
+  if (known == family_numbers_.end()) return false;
+  Family& family = families_[known->second];
+  if (family.looked_at != family.conflicts.size()) family.refuted = hold_everywhere(family);
+  family.looked_at = family.conflicts.size();
+  return family.refuted;
+}
+
+int StageBook::set_up_of(const SetUp& set_up) {
+  const auto [place, fresh] = set_up_numbers_.try_emplace(set_up, set_ups_.size());
+  if (fresh) set_ups_.push_back(set_up);
+  return place->second;
+}
+
+int StageBook::family_of(const LineSet& lines, const SetUp& set_up) {
+  const auto [place, fresh] = family_numbers_.try_emplace({lines, set_up}, families_.size());
+  if (fresh) families_.emplace_back();
+  return place->second;
+}
+
+int StageBook::number_of(const StrokeChoice& choice) {
+  const SetUp set_up = set_up_in(choice);
+  const auto [place, fresh] = choice_numbers_.try_emplace({{choice.lines, set_up}, choice.gauged},
+                                                          choices_.size());
+  if (fresh)
+    choices_.push_back({choice, set_up_of(set_up),
+                        weights_.stroke + (choice.gauged ? 0.0 : weights_.ungauged),
+                        family_of(choice.lines, set_up)});
+  return place->second;
+}
+
+/// What `possible` leaves out would be proven infeasible.
+bool StageBook::is_covered(const StrokeChoice& choice) const {
+  if (problem_.possible.empty()) return true;
+  return std::ranges::all_of(members(choice.lines), [&](int line) {
+    return possible_of_line_[line].contains(set_up_in(choice));
+  });
+}
+
+bool StageBook::fits_beginning(const LineSet& formed, const StrokeChoice& choice) const {
+  const auto next = std::ranges::find_if(problem_.begin_with,
+                                         [&](int line) { return !holds(formed, line); });
+  return next == problem_.begin_with.end() || holds(choice.lines, *next);
+}
+
+const std::vector<Offer>& StageBook::offers(int stage) {
+  if (stages_[stage].asked) return stages_[stage].offers;
+  const LineSet& formed = *stages_[stage].formed;
+  std::vector<Offer> offers;
+  for (const StrokeChoice& choice : problem_.choices(formed)) {
+    PLANISH_ASSERT(choice.lines.size() == formed.size() && count(choice.lines) > 0);
+    PLANISH_ASSERT(disjoint(choice.lines, formed) && within(choice.lines, full_));
+    PLANISH_ASSERT(is_covered(choice));
+    if (fits_beginning(formed, choice)) offers.push_back({number_of(choice)});
+  }
+  ++asked_;
+  offers_kept_ += static_cast<std::int64_t>(offers.size());
+  stages_[stage].asked = true;
+  stages_[stage].offers = std::move(offers);
+  return stages_[stage].offers;
+}
+
+bool StageBook::ask(const KnownChoice& known, const LineSet& formed) {
+  for (const Conflict& conflict : families_[known.family].conflicts)
+    if (conflict.holds_in(formed)) return false;
+  const StrokeVerdict verdict = problem_.check(formed, known.choice);
+  if (!verdict.feasible && verdict.because) learn(known, formed, *verdict.because);
+  return verdict.feasible;
+}
+
+void StageBook::learn(const KnownChoice& known, const LineSet& formed, const LineSet& because) {
+  PLANISH_ASSERT(because.size() == formed.size());
+  families_[known.family].conflicts.push_back({because, common(because, formed)});
+  ++learned_;
+  if (count(known.choice.lines) != 1 || blockings_.size() >= kMostBlockings) return;
+  const int line = members(known.choice.lines).front();
+  const auto by = blocked_for_good(line, formed);
+  // By nothing at all: that is a line that the bound finds possible nowhere.
+  if (by && count(*by) > 0) blockings_.push_back({line, *by});
+}
+
+/// What is formed stays so, and with it every conflict by formed lines alone.
+std::optional<LineSet> StageBook::blocked_for_good(int line, const LineSet& formed) const {
+  const std::vector<int>& ways = families_of_line_[line];
+  if (ways.empty()) return std::nullopt;
+  LineSet by(formed.size());
+  for (const int way : ways) {
+    std::optional<LineSet> least;
+    for (const Conflict& conflict : families_[way].conflicts) {
+      if (conflict.lines != conflict.formed || !within(conflict.lines, formed)) continue;
+      LineSet with = joined(by, conflict.lines);
+      if (!least || count(with) < count(*least)) least = std::move(with);
+    }
+    if (!least) return std::nullopt;
+    by = std::move(*least);
+  }
+  return by;
+}
+
+bool StageBook::feasible(int stage, std::size_t offer) {
+  Offer& one = stages_[stage].offers[offer];
+  const KnownChoice& known = choices_[one.choice];
+  if (one.state == Offer::State::unknown) {
+    const bool yes = !problem_.check || ask(known, *stages_[stage].formed);
+    one.state = yes ? Offer::State::feasible : Offer::State::infeasible;
+    if (yes) seen_ = joined(std::move(seen_), known.choice.lines);
+  }
+  return one.state == Offer::State::feasible;
+}
+
+double StageBook::change(int from, int to) const {
+  if (from == kNoSetUp || from == to) return 0.0;
+  const SetUp &a = set_ups_[from], &b = set_ups_[to];
+  double cost = 0.0;
+  if (a.punch != b.punch || a.die != b.die) cost += weights_.tool_change;
+  if (a.reference_up != b.reference_up) cost += weights_.turn_over;
+  if (a.direction != b.direction) cost += weights_.rotate;
+  return cost;
+}
+
+}  // namespace planish::brake_detail

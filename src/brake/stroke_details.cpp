@@ -1,0 +1,188 @@
+#include "stroke_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kDepthFound = 0.005;  // mm
+constexpr double kDeepest = 1000.0;    // mm: beyond any tool
+
+constexpr double kNewtons = 1000.0;  // in a kN
+constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
+
+std::vector<double> all_segments(const std::vector<ToolRow>& rows) {
+  std::vector<double> segments;
+  for (const ToolRow& row : rows)
+    segments.insert(segments.end(), row.segments.begin(), row.segments.end());
+  return segments;
+}
+
+}  // namespace
+
+std::optional<FlangeId> StrokeModel::flange_of(int line, int part) {
+  const PartTree& tree = room(line).tree;
+  const PartTree::Part& at = tree.parts()[part];
+  if (!at.is_zone) return work_.bodies[at.index].flange;
+  const auto& bodies = work_.lines[at.index].bodies;
+  const auto beyond = work_.bodies[bodies[1]].flange;
+  return beyond ? beyond : work_.bodies[bodies[0]].flange;
+}
+
+Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
+  const Setting setting = this->setting(formed, choice);
+  const BrakeLine& line = work_.lines[setting.line];
+  const Die& die = tools_.dies[setting.die];
+  Rows rows;
+  Stroke stroke;
+  if (line.closes)
+    cannot_close(setting, &rows);
+  else
+    obstructed(setting, &rows);
+  double length = 0.0;
+  for (int i = 0; i < std::ssize(work_.lines); ++i) {
+    if (!holds(setting.pressed, i)) continue;
+    const auto& bends = work_.lines[i].bends;
+    stroke.bends.insert(stroke.bends.end(), bends.begin(), bends.end());
+    length += work_.lines[i].length();
+  }
+  stroke.press_line = line.press_line;
+  stroke.flattening = line.closes.has_value();
+  stroke.angle = line.closes ? line.closed - line.angle : line.angle;
+  stroke.punch = tools_.punches[setting.punch].id;
+  stroke.die = die.id;
+  stroke.punch_segments = all_segments(rows.punch);
+  stroke.die_segments = all_segments(rows.die);
+  // As the operator sees it: with the gauge behind the line, x runs to the right.
+  const std::vector<Interval> pieces = pressed_pieces(setting);
+  const auto begins = [&](const std::vector<ToolRow>& row) {
+    if (row.empty()) return 0.0;
+    if (setting.direction > 0) return row.front().from - pieces.front().lo;
+    return pieces.back().hi - (row.back().from + row.back().length());
+  };
+  stroke.punch_from = begins(rows.punch);
+  stroke.die_from = begins(rows.die);
+  stroke.reference_up = line.reference_up;
+  stroke.gauge_direction = setting.direction * line.across();
+  stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;
+  if (choice.gauged && !line.closes) stroke.gauge = gauge(setting);
+  stroke.force = length / kNewtons *
+                 (line.closes
+                      ? closing_force(options_.tensile_strength, work_.thickness)
+                      : force_per_length(options_.tensile_strength, work_.thickness, die.opening));
+  if (!line.closes) stroke.clearance = clearance(setting, rows);
+  return stroke;
+}
+
+/// The least distance between tools and workpiece where it counts, over all turns. Punch and die
+/// count as far as their rows reach.
+double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
+  double least = kFarAway;
+  const PartTree& tree = room(stroke.line).tree;
+  const PressMotion motion = this->motion(stroke);
+  const double most = most_turn(stroke.line);
+  for (int part = 0; part < std::ssize(tree.parts()); ++part) {
+    const PlacedPart& placed = parts_in(stroke)[part]->placed;
+    for (const ToolKind kind : kToolKinds) {
+      const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
+      const SidedObstacle body = room_of_tools_.body(
+          kind, above ? stroke.punch : stroke.die, nearness(part, kind, stroke), stroke.direction);
+      const Obstacle& obstacle = placed.left ? *body.left : *body.right;
+      const std::vector<ToolRow>* row = kind == ToolKind::punch ? &rows.punch
+                                        : kind == ToolKind::die ? &rows.die
+                                                                : nullptr;
+      const auto look = [&](const Block3& block, double lo, double hi) {
+        const Convex cut = section(block, lo, hi);
+        if (cut.empty()) return;
+        const Moving moving = turned_with_side(motion, cut);
+        least = std::min(least, closest(motion, moving, obstacle, most, least).distance);
+      };
+      for (const Block3& block : placed.blocks) {
+        const Interval along = extent(block);
+        if (!row) look(block, along.lo, along.hi);
+        for (const ToolRow& tool : row ? *row : std::vector<ToolRow>()) {
+          const double lo = std::max(along.lo, tool.from - least),
+                       hi = std::min(along.hi, tool.from + tool.length() + least);
+          if (lo > hi) continue;
+          look(block, std::max(along.lo, tool.from), std::min(along.hi, tool.from + tool.length()));
+        }
+      }
+    }
+  }
+  return least;
+}
+
+/// How deep the part that hits is in the tool at the worst turn, where the row has to stand; at
+/// least `most` if it is that deep.
+BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction,
+                                 double most) {
+  BlockedBend blocked{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
+  if (obstruction.part >= 0) blocked.with = flange_of(stroke.line, obstruction.part);
+  if (!obstruction.hits || obstruction.part < 0) return blocked;
+  const ToolKind kind = *obstruction.hits;
+  const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
+  const int tool = above ? stroke.punch : stroke.die;
+  const PlacedPart& placed = parts_in(stroke)[obstruction.part]->placed;
+  const std::vector<Interval> pieces = pressed_pieces(stroke);
+  Interval along{-1e9, 1e9};
+  if (kind == ToolKind::punch || kind == ToolKind::die)
+    along = {pieces.front().lo + shortfall(), pieces.back().hi - shortfall()};
+  const auto turn_deeper = [&](double depth) {
+    const Obstacle& plain = room_of_tools_.deeper(kind, tool, depth);
+    const Obstacle other = mirrored(plain);
+    const bool same = stroke.direction > 0;
+    return hit_within(motion(stroke), placed, same ? plain : other, same ? other : plain, along,
+                      most_turn(stroke.line));
+  };
+  double lo = 0.0, hi = kPenetration;
+  std::optional<double> turn;
+  while (hi < kDeepest && lo < most) {
+    const auto deeper = turn_deeper(hi);
+    if (!deeper) break;
+    turn = deeper;
+    lo = hi;
+    hi *= 2.0;
+  }
+  while (hi - lo > kDepthFound && lo < most) {
+    const double middle = 0.5 * (lo + hi);
+    if (const auto deeper = turn_deeper(middle)) {
+      turn = deeper;
+      lo = middle;
+    } else {
+      hi = middle;
+    }
+  }
+  blocked.hits = room_of_tools_.name(kind, tool);
+  blocked.depth = lo;
+  if (turn) blocked.at_turn = Angle::radians(*turn);
+  return blocked;
+}
+
+BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
+  const FittingTools& fitting = fitting_[line];
+  BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
+  insert(alone, line);
+  for (const int punch : fitting.punches)
+    for (const int die : fitting.dies)
+      for (const int direction : {1, -1}) {
+        const Setting stroke{&formed, alone, line, punch, die, direction};
+        const bool closes = work_.lines[line].closes.has_value();
+        auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
+        if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
+        if (!obstruction) continue;
+        BlockedBend found = deepest(stroke, *obstruction,
+                                    best.hits.empty() ? kDeepest : best.depth);
+        const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
+        if (!collides && (best_collides || !best.why.empty())) continue;
+        if (collides && best_collides && found.depth >= best.depth) continue;
+        best = std::move(found);
+      }
+  if (best.hits.empty()) best.depth = 0.0;
+  return best;
+}
+
+}  // namespace planish::brake_detail

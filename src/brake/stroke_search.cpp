@@ -1,0 +1,195 @@
+#include "stroke_work.hpp"
+
+#include <planish/base/assert.hpp>
+#include <planish/base/tolerance.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish {
+namespace brake_detail {
+namespace {
+
+constexpr std::int64_t kQuickStages = 2'000;      // for a first plan
+constexpr std::int64_t kMostOffers = 50'000'000;  // kept: 400 MB
+
+}  // namespace
+
+StrokeWork::StrokeWork(const StrokeProblem& problem, const StrokeWeights& weights,
+                       const StrokeLimits& limits, const Progress& progress)
+    : problem_(problem),
+      weights_(weights),
+      limits_(limits),
+      progress_(progress),
+      lines_(problem.lines),
+      start_(std::chrono::steady_clock::now()),
+      book_(problem, weights),
+      bound_(std::make_unique<StrokeBound>(problem, weights)),
+      cheapest_(std::numeric_limits<double>::infinity()) {}
+
+double StrokeWork::bound(const LineSet& formed, int set_up) {
+  return (*bound_)(formed, set_up == kNoSetUp ? nullptr : &book_.set_up(set_up));
+}
+
+/// A possible choice of several lines may still be there for fewer of them.
+bool StrokeWork::renew_bound() {
+  if (book_.learned() == learned_known_) return false;
+  learned_known_ = book_.learned();
+  std::set<std::size_t> rows;
+  for (std::size_t i = 0; i < problem_.possible.size(); ++i)
+    if (count(problem_.possible[i].lines) == 1 && book_.is_refuted(problem_.possible[i]))
+      rows.insert(i);
+  if (rows == refuted_rows_) return false;
+  refuted_rows_ = std::move(rows);
+  bound_ = std::make_unique<StrokeBound>(problem_, weights_, refuted_rows_);
+  return true;
+}
+
+void StrokeWork::found(const std::vector<int>& strokes) {
+  const double cost = cost_of(book_, strokes);
+  if (!cheaper(cost, cheapest_)) return;
+  cheapest_ = cost;
+  plan_ = strokes;
+}
+
+bool StrokeWork::cheaper(double cost, double than) const {
+  if (std::isinf(than)) return !std::isinf(cost);
+  return cost < than - tolerance::kComputed * (1.0 + std::abs(than));
+}
+
+StrokeWork::Stop StrokeWork::stopped() {
+  if (progress_.should_stop()) return Stop::cancelled;
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  const bool over = passed.count() > limits_.seconds || book_.asked() >= limits_.stages ||
+                    book_.offers_kept() > kMostOffers;
+  return over ? Stop::limit : Stop::none;
+}
+
+int StrokeWork::depth_of(const StrokeChoice& choice) const {
+  if (!knows_depth()) return 0;
+  int depth = std::numeric_limits<int>::max();
+  for (const int line : members(choice.lines))
+    depth = std::min(depth, problem_.depth[line]);
+  return depth;
+}
+
+bool StrokeWork::all_seen() const {
+  for (int line = 0; line < lines_; ++line)
+    if (!book_.seen(line) && !std::ranges::binary_search(bound_->hopeless(), line)) return false;
+  return true;
+}
+
+double cost_of(const StageBook& book, const std::vector<int>& strokes) {
+  double cost = 0.0;
+  int set_up = kNoSetUp;
+  for (const int stroke : strokes) {
+    const KnownChoice& known = book.choice(stroke);
+    cost += book.change(set_up, known.set_up) + known.cost;
+    set_up = known.set_up;
+  }
+  return cost;
+}
+
+}  // namespace brake_detail
+
+namespace {
+
+using namespace brake_detail;
+
+bool is_weight(double weight) { return weight >= 0.0 && std::isfinite(weight); }
+
+Result<void> check_input(const StrokeProblem& problem, const StrokeWeights& weights) {
+  PLANISH_ASSERT(problem.lines >= 0 && problem.choices);
+  PLANISH_ASSERT(problem.depth.empty() || std::ssize(problem.depth) == problem.lines);
+  for (const double weight :
+       {weights.turn_over, weights.rotate, weights.tool_change, weights.stroke, weights.ungauged})
+    if (!is_weight(weight))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("a weight is {}; it must be 0 or more", weight), "weights");
+  for (const int line : problem.begin_with)
+    PLANISH_ASSERT(line >= 0 && line < problem.lines);
+  return {};
+}
+
+/// Looks for any plan, with more and more patience. Returns whether it is known that there is none.
+bool look_for_plan(StrokeWork& work) {
+  for (const std::int64_t patience : {std::int64_t{0}, kQuickStages / 20, kQuickStages})
+    for (const Guide guide :
+         {Guide::cost, Guide::outside_in, Guide::first_line, Guide::last_line}) {
+      if (guide == Guide::outside_in && !work.knows_depth()) continue;
+      const bool ended = search_depth_first(work, {}, patience, guide);
+      if (work.has_plan()) return false;
+      work.renew_bound();
+      if (ended || !work.hopeless().empty()) return true;
+    }
+  return false;
+}
+
+/// Whether the search ended by itself: with the cheapest plan, or knowing that there is none.
+bool run(StrokeWork& work, const StrokeLimits& limits) {
+  const bool exhausted = look_for_plan(work);
+  work.renew_bound();
+  work.prove(work.bound(LineSet(work.book().full().size()), kNoSetUp));
+  if (exhausted || !work.hopeless().empty()) return true;
+  if (work.has_plan() && (limits.first || !work.cheaper(work.proven(), work.cheapest())))
+    return !work.cheaper(work.proven(), work.cheapest());
+  return search_best_first(work);
+}
+
+void tell_plan(StrokeSearch& result, StrokeWork& work) {
+  const StageBook& book = work.book();
+  result.cost = work.cheapest();
+  const KnownChoice* before = nullptr;
+  for (const int stroke : work.plan()) {
+    const KnownChoice& known = book.choice(stroke);
+    result.strokes.push_back(known.choice);
+    result.ungauged += known.choice.gauged ? 0 : 1;
+    if (before) {
+      const SetUp &a = book.set_up(before->set_up), &b = book.set_up(known.set_up);
+      result.turn_overs += a.reference_up != b.reference_up ? 1 : 0;
+      result.rotations += a.direction != b.direction ? 1 : 0;
+      result.tool_changes += a.punch != b.punch || a.die != b.die ? 1 : 0;
+    }
+    before = &known;
+  }
+}
+
+void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
+  const bool all = search_reachable(work);
+  result.status = PlanStatus::infeasible;
+  result.blocked_all = all;
+  for (int line = 0; line < lines; ++line)
+    if (all ? !work.book().seen(line) : std::ranges::binary_search(work.hopeless(), line))
+      result.blocked.push_back(line);
+}
+
+}  // namespace
+
+Result<StrokeSearch> search_strokes(const StrokeProblem& problem, const StrokeWeights& weights,
+                                    const StrokeLimits& limits, const Progress& progress) {
+  if (auto fine = check_input(problem, weights); !fine) return tl::unexpected(fine.error());
+  StrokeSearch result;
+  if (problem.lines == 0) {
+    result.status = PlanStatus::optimal;
+    return result;
+  }
+  StrokeWork work(problem, weights, limits, progress);
+  const bool ended = run(work, limits);
+  if (work.stopped() == StrokeWork::Stop::cancelled)
+    return fail(ErrorCode::cancelled, "ordering the strokes was stopped");
+  if (work.has_plan()) {
+    result.status = ended ? PlanStatus::optimal : PlanStatus::feasible;
+    tell_plan(result, work);
+  } else {
+    if (ended) tell_blocked(result, work, problem.lines);
+    result.furthest = work.book().furthest();
+  }
+  result.stages = work.book().asked();
+  result.bound = work.has_plan() && ended ? result.cost : work.proven();
+  return result;
+}
+
+}  // namespace planish

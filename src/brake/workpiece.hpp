@@ -1,0 +1,92 @@
+#pragma once
+
+#include "convex.hpp"
+#include "press_motion.hpp"
+
+#include <planish/base/result.hpp>
+#include <planish/sheet/layout.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace planish::brake_detail {
+
+struct Interval {
+  double lo = 0.0, hi = 0.0;
+};
+
+/// Sorts intervals and joins those that touch within `touching`.
+std::vector<Interval> joined(std::vector<Interval> intervals, double touching);
+
+/// A straight line that is pressed at once: of a bend, of several bends between the same two
+/// bodies, or one press line of a bend.
+struct BrakeLine {
+  std::vector<BendId> bends;
+  std::optional<int> press_line = {};  ///< of a bend with several: which, from 0
+  BendKind kind = BendKind::cylinder;
+  Vec2 origin = Vec2::Zero(), along = Vec2::UnitX();  ///< in the pattern; `along` is a unit vector
+  std::vector<Interval> pieces;  ///< of material, along the line from the origin
+  Angle angle;
+  double inside_radius = 0.0;  ///< as drawn; of a sharp bend and of press lines what the V gives
+  bool given_radius = true;    ///< whether it is as drawn
+  PressedBend bend;            ///< BA, K·T, T
+  bool up = true;              ///< the inside faces the viewer of the pattern
+  bool reference_up = true;    ///< the reference skin is the inside
+  std::array<int, 2> bodies = {};  ///< on the right of the line and on its left
+  /// A hem is two lines at one place: the first bends it by `angle` as far as tools go, the second
+  /// closes it to `closed`.
+  std::optional<int> closes = {}, closed_by = {};
+  Angle closed;
+
+  Vec2 across() const { return {-along.y(), along.x()}; }  ///< to the left
+  double from() const { return pieces.front().lo; }
+  double to() const { return pieces.back().hi; }
+  double length() const;  ///< of material
+};
+
+/// A straight free border in the pattern, the material on its left.
+using FreeEdge = Segment;
+
+/// A plane part of the sheet that no line divides.
+struct Body {
+  std::vector<FaceId> faces;
+  std::optional<FlangeId> flange = {};  ///< the first that it belongs to
+  std::vector<Convex> pieces;           ///< in the pattern
+  std::vector<FreeEdge> edges;
+};
+
+/// What lies at a line and is bent there.
+struct Zone {
+  std::vector<Convex> pieces;   ///< (along, across) from the line's origin, |across| ≤ BA/2
+  std::vector<FreeEdge> edges;  ///< in the pattern
+};
+
+/// A sheet cut at the lines where it is pressed: bodies in a tree whose branches are the lines.
+struct Workpiece {
+  double thickness = 0.0;
+  std::vector<Body> bodies;
+  std::vector<BrakeLine> lines;
+  std::vector<Zone> zones;     ///< by line
+  std::vector<BendId> rolled;  ///< bends that take no stroke; they stay flat
+};
+
+struct WorkpieceOptions {
+  /// Inside radius of a fold that is drawn without one, and of what is pressed at a press line, mm.
+  double air_radius = 1.0;
+  /// How far hems are bent before they are closed; 0: they are lines like others.
+  Angle before_closing = {};
+};
+
+/// Bends from here on are hems.
+inline constexpr double kHemDegrees = 170.0;
+
+/// Errors: `no_straight_bend` (a general bend without press lines), `unsupported_shape` (lines that
+/// close a loop of bodies and are not one line).
+Result<Workpiece> workpiece_of(const Sheet& sheet, const Layout& layout,
+                               const WorkpieceOptions& options = {});
+
+/// The material of a face in the pattern, without what forms fill.
+std::vector<Convex> face_material(const Sheet& sheet, const Layout& layout, FaceId face);
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,160 @@
+#include "bending.hpp"
+
+#include "plan_report.hpp"
+#include "units.hpp"
+
+#include <planish/job/tools_json.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace planish::job {
+namespace {
+
+constexpr int kCannotStatus = 4;  // formats.md#exit-status
+
+std::string names_of(const Report& report, const std::vector<BendId>& bends) {
+  return fmt::format("{}", fmt::join(bend_ids(report, bends), ", "));
+}
+
+Result<std::vector<BendId>> bends_named(const Report& report,
+                                        const std::vector<std::string>& names) {
+  std::vector<BendId> bends;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(report.flat.bends, name, &FlatBend::id);
+    if (found == report.flat.bends.end()) {
+      std::vector<std::string> known;
+      for (const FlatBend& bend : report.flat.bends)
+        known.push_back(bend.id);
+      return fail(
+          ErrorCode::bad_option,
+          fmt::format("there is no bend \"{}\"; the bends are {}", name, fmt::join(known, ", ")),
+          "fix");
+    }
+    bends.push_back(found->bend);
+  }
+  return bends;
+}
+
+/// "B3: F4 hits punch P88 by 3.1 mm at 72°"
+std::string reason_of(const Report& report, const BlockedBend& blocked) {
+  const Units units(report.units);
+  std::string text = bend_id(report, blocked.bend);
+  if (!blocked.hits.empty()) {
+    text += blocked.with ? fmt::format(": F{} hits ", index_of(*blocked.with) + 1)
+                         : std::string(": the part hits ");
+    text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
+                        units.symbol());
+    if (blocked.at_turn) text += fmt::format(" at {:.0f}°", blocked.at_turn->degrees());
+  }
+  if (!blocked.why.empty()) text += (blocked.hits.empty() ? ": " : "; ") + blocked.why;
+  return text;
+}
+
+std::string reasons_of(const Report& report, const Plan& plan) {
+  constexpr std::size_t kTold = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kTold, plan.blocked.size()); ++i)
+    text += "; " + reason_of(report, plan.blocked[i]);
+  if (plan.blocked.size() > kTold)
+    text += fmt::format("; and {} more", plan.blocked.size() - kTold);
+  return text;
+}
+
+std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
+  std::string text = "no order of strokes forms all bends with these tools";
+  if (!bending.begin_with.empty())
+    text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
+  if (!plan.blocked.empty()) return text + reasons_of(report, plan);
+  if (plan.unformed.empty()) return text;
+  text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
+                      names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
+  // The plan's last note is about the stage that got furthest.
+  return plan.notes.empty() ? text : text + "; " + plan.notes.back();
+}
+
+/// Of a bend with several press lines the first that is blocked says why.
+void name_once(std::vector<BlockedBend>& blocked) {
+  std::set<BendId> named;
+  std::erase_if(blocked, [&](const BlockedBend& one) { return !named.insert(one.bend).second; });
+}
+
+/// Where the bends are that a plan leaves out.
+std::vector<Vec2> places_of(const Report& report, const Plan& plan) {
+  std::vector<Vec2> places;
+  const auto add = [&](BendId bend) {
+    const auto found = std::ranges::find(report.flat.bends, bend, &FlatBend::bend);
+    if (found != report.flat.bends.end() && !found->lines.empty())
+      places.push_back(0.5 * (found->lines.front().a + found->lines.front().b));
+  };
+  for (const BlockedBend& blocked : plan.blocked)
+    add(blocked.bend);
+  if (plan.blocked.empty())
+    for (const BendId bend : plan.unformed)
+      add(bend);
+  return places;
+}
+
+void find_ungauged(Report& report, const Plan& plan) {
+  std::vector<BendId> bends;
+  for (const Stroke& stroke : plan.strokes)
+    if (!stroke.gauge && !stroke.flattening)
+      bends.insert(bends.end(), stroke.bends.begin(), stroke.bends.end());
+  if (bends.empty()) return;
+  report.findings.push_back({"no_gauge_edge",
+                             Severity::info,
+                             fmt::format("no straight edge lies parallel to the bend line for the "
+                                         "fingers of the back gauge: {}",
+                                         names_of(report, bends)),
+                             {}});
+}
+
+std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending) {
+  const bool only_finding = bending.ask == Bending::Ask::finding;
+  std::optional<Error> refusal;
+  name_once(plan.blocked);
+  if (plan.status == PlanStatus::infeasible) {
+    const std::string sentence = cannot_sentence(report, plan, bending);
+    if (only_finding)
+      report.findings.push_back(
+          {"cannot_bend", Severity::error, sentence, places_of(report, plan)});
+    else
+      refusal = Error{ErrorCode::cannot_bend, sentence, {}};
+  }
+  if (plan.status == PlanStatus::gave_up)
+    report.findings.push_back({"no_plan",
+                               Severity::warning,
+                               fmt::format("no order of strokes was found among {} stages, nor was "
+                                           "it shown that there is none: give it more time",
+                                           plan.states),
+                               {}});
+  if (only_finding) return std::nullopt;
+  find_ungauged(report, plan);
+  report.notes.insert(report.notes.end(), plan.notes.begin(), plan.notes.end());
+  report.plan = std::move(plan);
+  return refusal;
+}
+
+}  // namespace
+
+std::optional<Error> plan_strokes(Report& report, const Bending& bending,
+                                  const Progress& progress) {
+  if (bending.ask == Bending::Ask::nothing) return std::nullopt;
+  progress.at("ordering the bends", 0.95);
+  PlanOptions options = bending.plan;
+  auto begin = bends_named(report, bending.begin_with);
+  if (!begin) return begin.error();
+  options.begin_with = std::move(*begin);
+  const BrakeTools& tools = bending.tools ? *bending.tools : default_tools();
+  auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
+  if (plan) return take_plan(report, std::move(*plan), bending);
+  if (bending.ask == Bending::Ask::plan || exit_status(plan.error().code) != kCannotStatus)
+    return plan.error();
+  report.findings.push_back({"cannot_bend", Severity::error, plan.error().message, {}});
+  return std::nullopt;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,191 @@
+#include "bending_options.hpp"
+
+#include <planish/job/tools_json.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+
+namespace planish::job {
+namespace {
+
+constexpr Range kSpringback{"an angle of at least 0 and below 45 degrees", 0.0, 45.0, true, false};
+
+struct Weight {
+  std::string_view name;
+  double StrokeWeights::*value;
+};
+
+constexpr std::array kStrokeWeights{
+    Weight{"turn_over", &StrokeWeights::turn_over}, Weight{"rotate", &StrokeWeights::rotate},
+    Weight{"tool_change", &StrokeWeights::tool_change}, Weight{"stroke", &StrokeWeights::stroke},
+    Weight{"ungauged", &StrokeWeights::ungauged}};
+
+/// What a metal does at the press brake: the upper ends of what shops measure, since tools that
+/// bear more do no harm (shop-floor.md#press-brake).
+struct Metal {
+  std::string_view name;
+  double tensile_strength;   ///< N/mm²
+  double springback;         ///< degrees
+  double radius_of_opening;  ///< inside radius that air bending leaves, per opening of the die
+};
+
+constexpr std::array kMetals{Metal{"steel", 450.0, 1.0, 0.16}, Metal{"stainless", 700.0, 3.0, 0.20},
+                             Metal{"aluminium", 270.0, 2.0, 0.13}};
+
+std::vector<std::string> words_between(const std::string& text, char separator) {
+  std::vector<std::string> words(1);
+  for (const char c : text)
+    if (c == separator)
+      words.emplace_back();
+    else
+      words.back() += c;
+  return words;
+}
+
+const std::string& words_of(const OptionValue& value) { return std::get<std::string>(value); }
+
+Result<void> set_tools(Request& to, const OptionValue& value) {
+  const OptionFile& file = std::get<OptionFile>(value);
+  auto tools = parse_tools(file.text, file.name);
+  if (!tools) return tl::unexpected(tools.error());
+  to.bending.tools = std::move(*tools);
+  return {};
+}
+
+Result<void> set_metal(Request& to, const OptionValue& value) {
+  for (const Metal& metal : kMetals) {
+    if (metal.name != words_of(value)) continue;
+    to.bending.plan.tensile_strength = metal.tensile_strength;
+    to.bending.plan.springback = Angle::degrees(metal.springback);
+    to.bending.plan.radius_of_opening = metal.radius_of_opening;
+  }
+  return {};
+}
+
+Result<void> set_weights(Request& to, const OptionValue& value) {
+  for (const std::string& word : words_between(words_of(value), ',')) {
+    const auto equals = word.find('=');
+    const auto weight = std::ranges::find(kStrokeWeights, word.substr(0, equals), &Weight::name);
+    const auto number = equals == std::string::npos ? std::nullopt
+                                                    : parse_number(word.substr(equals + 1));
+    if (weight == kStrokeWeights.end() || !number || *number < 0.0)
+      return fail(ErrorCode::bad_option,
+                  fmt::format("`weights` must be like turn_over=3,rotate=2, each a number of at "
+                              "least 0 for one of turn_over, rotate, tool_change, stroke, "
+                              "ungauged, not \"{}\"",
+                              word),
+                  "weights");
+    to.bending.plan.weights.*(weight->value) = *number;
+  }
+  return {};
+}
+
+Result<void> set_fix(Request& to, const OptionValue& value) {
+  to.bending.begin_with = words_between(words_of(value), ',');
+  return {};
+}
+
+}  // namespace
+
+const std::vector<Option>& bending_options() {
+  static const std::vector<Option> table{
+      {.name = "check_bending",
+       .kind = OptionKind::flag,
+       .group = "Press brake",
+       .description = "find out whether a press brake can bend it",
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.ask = std::get<bool>(value) ? Bending::Ask::finding : Bending::Ask::nothing;
+         return {};
+       }},
+      {.name = "tools",
+       .kind = OptionKind::file,
+       .group = "Press brake",
+       .description = "the press brake and its tools; `planish bend --print-tools` prints those "
+                      "that are used otherwise",
+       .file_type = "FILE.json",
+       .file_kind = "tools file",
+       .set = set_tools},
+      {.name = "metal",
+       .kind = OptionKind::word,
+       .group = "Press brake",
+       .description = "sets tensile strength, springback and the radius that air bending leaves; "
+                      "without it those of mild steel, and no springback",
+       .words = {"steel", "stainless", "aluminium"},
+       .set = set_metal},
+      {.name = "springback",
+       .kind = OptionKind::number,
+       .group = "Press brake",
+       .description = "degrees by which every bend is bent further",
+       .otherwise = "0, or the metal's",
+       .range = kSpringback,
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.springback = Angle::degrees(std::get<double>(value));
+         return {};
+       }},
+      {.name = "clearance",
+       .kind = OptionKind::number,
+       .group = "Press brake",
+       .description = "kept between part and tools, in mm",
+       .otherwise = "0",
+       .range = kAtLeastZero,
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.clearance = std::get<double>(value);
+         return {};
+       }},
+      {.name = "shortfall",
+       .kind = OptionKind::number,
+       .group = "Press brake",
+       .description = "by which the punch may be short of each end of a bend line, in mm",
+       .otherwise = "the thickness",
+       .range = kAtLeastZero,
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.shortfall = std::get<double>(value);
+         return {};
+       }},
+      {.name = "opening",
+       .kind = OptionKind::number,
+       .group = "Press brake",
+       .description = "of the V that is wanted, in mm: the die nearest to it is taken",
+       .otherwise = "by thickness: 6 times to 2.5 mm, 8 times to 8 mm, 10 times above",
+       .range = kAboveZero,
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.opening = std::get<double>(value);
+         return {};
+       }},
+      {.name = "weights",
+       .kind = OptionKind::name,
+       .group = "Order",
+       .description = "costs between which the order is chosen",
+       .otherwise = "turn_over=3,rotate=2,tool_change=5,stroke=1,ungauged=4",
+       .set = set_weights},
+      {.name = "fix",
+       .kind = OptionKind::name,
+       .group = "Order",
+       .description = "bends that come first, in this order, as in B3,B1",
+       .set = set_fix},
+      {.name = "first",
+       .kind = OptionKind::flag,
+       .group = "Order",
+       .description = "take the first plan that is found",
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.limits.first = std::get<bool>(value);
+         return {};
+       }},
+      {.name = "search_time",
+       .kind = OptionKind::number,
+       .group = "Order",
+       .description = "seconds after which the best plan found is given",
+       .otherwise = "6",
+       .range = kAboveZero,
+       .on_command_line = false,
+       .set = [](Request& to, const OptionValue& value) -> Result<void> {
+         to.bending.plan.limits.seconds = std::get<double>(value);
+         return {};
+       }},
+  };
+  return table;
+}
+
+}  // namespace planish::job

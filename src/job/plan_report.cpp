@@ -1,0 +1,208 @@
+#include "plan_report.hpp"
+
+#include "json_parts.hpp"
+#include "report_schema.hpp"
+#include "table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace planish::job {
+namespace {
+
+std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
+
+Json id_json(const std::optional<FlangeId>& flange) {
+  return flange ? Json(flange_id(*flange)) : Json(nullptr);
+}
+
+std::string_view status_word(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::optimal:
+      return "optimal";
+    case PlanStatus::feasible:
+      return "feasible";
+    case PlanStatus::infeasible:
+      return "infeasible";
+    case PlanStatus::gave_up:
+      break;
+  }
+  return "gave_up";
+}
+
+Json lengths_json(const std::vector<double>& lengths, const Units& units) {
+  Json json = Json::array();
+  for (const double length : lengths)
+    json.push_back(number_json(units.length(length)));
+  return json;
+}
+
+Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
+  if (!gauge) return nullptr;
+  Json json;
+  json["distance"] = number_json(units.length(gauge->distance));
+  json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
+  return json;
+}
+
+Json stroke_json(const Stroke& stroke, const Report& report, const Units& units) {
+  Json json;
+  json["bends"] = bend_ids(report, stroke.bends);
+  if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
+  if (stroke.flattening) json["flattening"] = true;
+  json["angle"] = number_json(stroke.angle.degrees());
+  json["punch"] = stroke.punch;
+  json["die"] = stroke.die;
+  json["punch_segments"] = lengths_json(stroke.punch_segments, units);
+  json["punch_from"] = number_json(units.length(stroke.punch_from));
+  json["die_segments"] = lengths_json(stroke.die_segments, units);
+  json["die_from"] = number_json(units.length(stroke.die_from));
+  json["side_up"] = stroke.reference_up ? "reference" : "other";
+  json["to_gauge"] = id_json(stroke.to_gauge);
+  json["gauge_direction"] = Json::array(
+      {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
+  json["gauge"] = gauge_json(stroke.gauge, units);
+  json["force"] = number_json(stroke.force);
+  json["clearance"] = number_json(units.length(stroke.clearance));
+  return json;
+}
+
+Json blocked_json(const BlockedBend& blocked, const Report& report, const Units& units) {
+  Json json;
+  json["bend"] = bend_id(report, blocked.bend);
+  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
+  json["with"] = id_json(blocked.with);
+  json["depth"] = number_json(units.length(blocked.depth));
+  json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
+  if (!blocked.why.empty()) json["why"] = blocked.why;
+  return json;
+}
+
+Schema stroke_schema() {
+  const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
+                               required("edge", report_line().said("that touches the fingers"))});
+  return object(
+      {required("bends", list(text()).said("pressed together")),
+       optional("press_line", whole(1).said("which one of a bend with several")),
+       optional("flattening", flag().said("closes a hem that was bent before")),
+       required("angle", angle(kAnyNumber).or_null()), required("punch", text()),
+       required("die", text()), required("punch_segments", list(measured_length())),
+       required("punch_from", measured_length().said("from the end of the bend line")),
+       required("die_segments", list(measured_length())), required("die_from", measured_length()),
+       required("side_up", words({"reference", "other"})),
+       required("to_gauge", text().or_null().said("flange on the gauge's side")),
+       required("gauge_direction",
+                tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
+       required("gauge", gauge.or_null()), required("force", measured_number().said("kN")),
+       required("clearance", measured_length().said("least that is left"))});
+}
+
+Schema blocked_schema() {
+  return object({required("bend", text()), required("hits", text().or_null()),
+                 required("with", text().or_null().said("flange")),
+                 required("depth", measured_length()),
+                 required("at_turn", angle(kAnyNumber).or_null()), optional("why", text())});
+}
+
+std::string gauge_text(const Stroke& stroke, const Units& units) {
+  return stroke.gauge ? units.length_text(stroke.gauge->distance) : "none";
+}
+
+std::string strokes_text(const Plan& plan, const Report& report, const Units& units) {
+  if (plan.strokes.empty()) return {};
+  using Align = Table::Align;
+  Table table({{"stroke", Align::right},
+               {"bends"},
+               {"angle", Align::right},
+               {"punch"},
+               {"die"},
+               {"up"},
+               {"to gauge"},
+               {"gauge", Align::right},
+               {"force kN", Align::right}});
+  int number = 0;
+  for (const Stroke& stroke : plan.strokes)
+    table.add({std::to_string(++number),
+               fmt::format("{}", fmt::join(bend_ids(report, stroke.bends), " ")),
+               fmt::format("{:.1f}°", stroke.angle.degrees()), stroke.punch, stroke.die,
+               stroke.reference_up ? "reference" : "other",
+               stroke.to_gauge ? flange_id(*stroke.to_gauge) : "", gauge_text(stroke, units),
+               fmt::format("{:.0f}", stroke.force)});
+  return table.text();
+}
+
+}  // namespace
+
+std::string bend_id(const Report& report, BendId bend) {
+  const auto found = std::ranges::find(report.flat.bends, bend, &FlatBend::bend);
+  return found == report.flat.bends.end() ? fmt::format("B{}", index_of(bend) + 1) : found->id;
+}
+
+std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends) {
+  std::vector<std::string> ids;
+  for (const BendId bend : bends)
+    ids.push_back(bend_id(report, bend));
+  return ids;
+}
+
+Json plan_json(const Plan& plan, const Report& report) {
+  const Units units(report.units);
+  const bool found = plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
+  Json json;
+  json["status"] = status_word(plan.status);
+  json["cost"] = found ? number_json(plan.cost) : Json(nullptr);
+  json["turn_overs"] = plan.turn_overs;
+  json["rotations"] = plan.rotations;
+  json["tool_changes"] = plan.tool_changes;
+  json["ungauged"] = plan.ungauged;
+  json["states"] = plan.states;
+  json["strokes"] = Json::array();
+  for (const Stroke& stroke : plan.strokes)
+    json["strokes"].push_back(stroke_json(stroke, report, units));
+  json["blocked"] = Json::array();
+  for (const BlockedBend& blocked : plan.blocked)
+    json["blocked"].push_back(blocked_json(blocked, report, units));
+  if (!plan.unformed.empty()) json["unformed"] = bend_ids(report, plan.unformed);
+  return json;
+}
+
+Schema plan_schema() {
+  return object({required("status", words({"optimal", "feasible", "infeasible", "gave_up"})),
+                 required("cost", measured_number().said("null if there is no plan")),
+                 required("turn_overs", whole()), required("rotations", whole()),
+                 required("tool_changes", whole()), required("ungauged", whole()),
+                 required("states", whole().said("stages that were looked at")),
+                 required("strokes", list(stroke_schema())),
+                 required("blocked", list(blocked_schema()).said("bends that no stage can form")),
+                 optional("unformed", list(text()).said("bends left in the stage that got "
+                                                        "furthest"))})
+      .said("the strokes at a press brake, in order");
+}
+
+std::string plan_text(const Plan& plan, const Report& report) {
+  const Units units(report.units);
+  if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
+    return fmt::format(
+        "plan: {}, {} looked at\n",
+        plan.status == PlanStatus::infeasible ? "none is possible" : "none was found",
+        counted(static_cast<int>(plan.states), "stage"));
+  return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
+                     counted(static_cast<int>(plan.strokes.size()), "stroke"),
+                     counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),
+                     counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units));
+}
+
+std::map<BendId, int> stroke_numbers(const Plan& plan) {
+  std::map<BendId, int> numbers;
+  int number = 0;
+  for (const Stroke& stroke : plan.strokes) {
+    ++number;
+    for (const BendId bend : stroke.bends)
+      numbers.try_emplace(bend, number);
+  }
+  return numbers;
+}
+
+}  // namespace planish::job

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "schema.hpp"
+#include "units.hpp"
+
+#include <planish/job/report.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace planish::job {
+
+/// "B3", as the pattern of a report calls the bend.
+std::string bend_id(const Report& report, BendId bend);
+std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends);
+
+/// The plan of a report with the keys of formats.md#plan.
+Json plan_json(const Plan& plan, const Report& report);
+Schema plan_schema();
+
+/// The same for a terminal.
+std::string plan_text(const Plan& plan, const Report& report);
+
+/// Number of the first stroke that presses a bend, from 1; bends that none presses are missing.
+std::map<BendId, int> stroke_numbers(const Plan& plan);
+
+}  // namespace planish::job

@@ -1,0 +1,268 @@
+#include "brake/stroke_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+const double kSine45 = std::numbers::sqrt2 / 2.0;
+
+Turn turn_up(double angle = 90.0, double radius = 2.0) {
+  return {Angle::degrees(angle), radius, BendDirection::up};
+}
+
+Result<Plan> plan_of(const Sheet& sheet, const BrakeTools& tools, const PlanOptions& options = {},
+                     const FlattenOptions& flattening = {}) {
+  const auto flat = flat_sheet(sheet, flattening);
+  EXPECT_TRUE(flat);
+  return plan_bending(sheet, flat->layout, tools, options);
+}
+
+/// A U whose first leg only closes if it is bent last: the plan bends it last.
+TEST(PlanBending, BendsTheLongLegLast) {
+  const double longest = 60.0 + 2.0 - (10.0 - 0.05) / kSine45;  // closed_forms_test.cpp
+  const Sheet sheet = strip(
+      {Straight{longest + 5}, turn_up(), Straight{60}, turn_up(), Straight{30}}, 80, 1.5);
+  const auto plan = plan_of(sheet, plain_tools());
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->status, PlanStatus::optimal);
+  ASSERT_EQ(plan->strokes.size(), 2u);
+  EXPECT_EQ(plan->strokes[0].bends, std::vector<BendId>{BendId(1)});
+  EXPECT_EQ(plan->strokes[1].bends, std::vector<BendId>{BendId(0)});
+}
+
+/// Both legs too long: proven, and told how deep in the punch the leg is, and when. A leg δ beyond
+/// the limit comes δ sin 45° deeper than the ε that is allowed, at the end of the stroke.
+TEST(PlanBending, ProvesThatALegHitsThePunch) {
+  const double longest = 60.0 + 2.0 - (10.0 - 0.05) / kSine45, beyond = 3.0;
+  const Sheet sheet = strip(
+      {Straight{longest + beyond}, turn_up(), Straight{60}, turn_up(), Straight{longest + beyond}},
+      80, 1.5);
+  const auto plan = plan_of(sheet, plain_tools());
+  ASSERT_TRUE(plan);
+  EXPECT_EQ(plan->status, PlanStatus::infeasible);
+  EXPECT_TRUE(plan->strokes.empty());
+  EXPECT_EQ(plan->unformed.size(), 1u);
+  ASSERT_FALSE(plan->notes.empty());
+  Room room(sheet, plain_tools());
+  const BlockedBend blocked = room.model().blocked(room.lines({1}), room.line_of(2));
+  EXPECT_EQ(blocked.hits, "punch P");
+  EXPECT_EQ(blocked.with, FlangeId(0));
+  EXPECT_NEAR(blocked.depth, 0.05 + beyond * kSine45, 0.01);
+  ASSERT_TRUE(blocked.at_turn);
+  EXPECT_NEAR(blocked.at_turn->degrees(), 90.0, 0.5);
+}
+
+TEST(PlanBending, BendsHatZAndBox) {
+  for (const Sheet& sheet :
+       {z_profile(), box(), box({}, BendDirection::down), l_bracket(), l_bracket_down()}) {
+    BrakeTools tools = plain_tools({},
+                                   {10.0, Angle::degrees(80), 1.0, 9.0, 100.0, {300, 50, 20, 10}});
+    const auto plan = plan_of(sheet, tools);
+    ASSERT_TRUE(plan) << plan.error().message;
+    EXPECT_EQ(plan->status, PlanStatus::optimal);
+    EXPECT_EQ(plan->strokes.size(), sheet.bends.size());
+  }
+}
+
+TEST(PlanBending, SaysWhichToolIsMissing) {
+  const auto code = [](const Sheet& sheet, const BrakeTools& tools,
+                       const PlanOptions& options = {}) {
+    const auto plan = plan_of(sheet, tools, options);
+    return plan ? "" : std::string(code_name(plan.error().code));
+  };
+  BrakeTools blunt = plain_tools();
+  blunt.punches[0].tip_radius = 3.1;
+  EXPECT_EQ(code(l_bracket(), blunt), "no_tool");  // r 3
+  blunt.punches[0].tip_radius = 2.9;
+  EXPECT_EQ(code(l_bracket(), blunt), "");
+  // 80° tools bend by up to 100°.
+  EXPECT_EQ(code(strip({Straight{50}, turn_up(99.9), Straight{50}}, 40, 1.5), plain_tools()), "");
+  EXPECT_EQ(code(strip({Straight{50}, turn_up(100.1), Straight{50}}, 40, 1.5), plain_tools()),
+            "no_tool");
+  PlanOptions springs;
+  springs.springback = Angle::degrees(1);
+  EXPECT_EQ(
+      code(strip({Straight{50}, turn_up(99.9), Straight{50}}, 40, 1.5), plain_tools(), springs),
+      "no_tool");
+  EXPECT_EQ(code(hem(), plain_tools()), "no_tool");
+  EXPECT_EQ(code(as_ruled(l_bracket(), Angle::degrees(5)), plain_tools()), "no_straight_bend");
+  PlanOptions wrong;
+  wrong.clearance = -1;
+  EXPECT_EQ(code(l_bracket(), plain_tools(), wrong), "bad_option");
+  // 1.42 · 450 · 2² / 12 N/mm is 213 kN/m.
+  BrakeTools weak = plain_tools();
+  weak.dies[0].max_force = 212;
+  EXPECT_EQ(code(l_bracket(), weak), "no_tool");
+  weak.dies[0].max_force = 214;
+  EXPECT_EQ(code(l_bracket(), weak), "");
+}
+
+TEST(PlanBending, NeedsNoStrokeForAPlateOrARolledBend) {
+  const auto plate = plan_of(plate_with_holes(), plain_tools());
+  ASSERT_TRUE(plate);
+  EXPECT_EQ(plate->status, PlanStatus::optimal);
+  EXPECT_TRUE(plate->strokes.empty());
+  const auto rolled = plan_of(strip({Straight{50}, turn_up(90, 30), Straight{50}}, 40, 1.5),
+                              plain_tools());
+  ASSERT_TRUE(rolled);
+  EXPECT_TRUE(rolled->strokes.empty());
+  ASSERT_EQ(rolled->notes.size(), 1u);
+  EXPECT_NE(rolled->notes[0].find("rolled"), std::string::npos);
+}
+
+/// Of the dies that bear the angle the one nearest to the wanted V, 6 · 1.5 mm, is taken, and of
+/// two as near the narrower.
+TEST(PlanBending, TakesTheNearestV) {
+  BrakeTools tools = plain_tools();
+  tools.dies.clear();
+  for (const double opening : {12.0, 6.0, 8.0, 10.0, 16.0}) {
+    tools.dies.push_back(die({opening, Angle::degrees(80), 0.5, 20.0}));
+    tools.dies.back().id = std::to_string(static_cast<int>(opening));
+  }
+  const Sheet sheet = strip({Straight{50}, turn_up(), Straight{50}}, 40, 1.5);
+  const auto id = [&](const PlanOptions& options) {
+    const auto plan = plan_of(sheet, tools, options);
+    return plan ? plan->strokes.at(0).die : "";
+  };
+  EXPECT_EQ(id({}), "8");
+  PlanOptions wide;
+  wide.opening = 15.0;
+  EXPECT_EQ(id(wide), "16");
+}
+
+/// Random sheets: what must not change the answer does not.
+class PlanInvariants : public testing::Test {
+ protected:
+  struct Case {
+    Sheet sheet;
+    BrakeTools tools;
+  };
+  static std::vector<Case> cases() {
+    std::mt19937 random(99);
+    std::vector<Case> cases;
+    for (int i = 0; i < 24; ++i) {
+      Case made{random_sheet(random, 4), plain_tools()};
+      made.tools.punches[0].tip_radius = 0.05;
+      made.tools.punches[0].profile[1].x() = 6.0;  // not its own mirror image
+      made.tools.punches[0].profile[2].x() = 6.0;
+      made.tools.punches[0].profile[1].y() *= 0.6;
+      made.tools.punches[0].angle = Angle::degrees(30);
+      made.tools.punches[0].profile = {{0, 0}, {4, 14.93}, {4, 120}, {-9, 120}, {-9, 33.6}};
+      const double t = made.sheet.thickness;
+      made.tools.dies[0] = die({6.0 * t,
+                                Angle::degrees(30),
+                                0.3 * t,
+                                3.0 * t + 8.0,
+                                100.0,
+                                {500, 300, 200, 100, 50, 20, 15, 10, 5}});
+      made.tools.punches[0].segments = made.tools.dies[0].segments;
+      cases.push_back(std::move(made));
+    }
+    return cases;
+  }
+  struct Answer {
+    bool planned = false;
+    PlanStatus status = PlanStatus::gave_up;
+    double cost = 0.0;
+    friend bool operator==(const Answer&, const Answer&) = default;
+  };
+  static Answer answer(const Case& asked, const PlanOptions& options = {},
+                       const FlattenOptions& flattening = {}) {
+    const auto plan = plan_of(asked.sheet, asked.tools, options, flattening);
+    if (!plan) return {};
+    return {true, plan->status, plan->cost};
+  }
+};
+
+TEST_F(PlanInvariants, TheWayThePatternLiesChangesNothing) {
+  int planned = 0, infeasible = 0;
+  for (const Case& asked : cases()) {
+    FlattenOptions reference, other, kept;
+    reference.up = UpSide::reference;
+    other.up = UpSide::other;
+    kept.keep_root = true;
+    const Answer first = answer(asked, {}, reference);
+    EXPECT_EQ(first, answer(asked, {}, other));
+    EXPECT_EQ(first, answer(asked, {}, kept));
+    planned += first.planned && first.status == PlanStatus::optimal;
+    infeasible += first.planned && first.status == PlanStatus::infeasible;
+  }
+  EXPECT_GT(planned, 2);
+  EXPECT_GT(infeasible, 2);
+}
+
+TEST_F(PlanInvariants, MirroredToolsOnlyTurnTheSheetRound) {
+  for (const Case& asked : cases()) {
+    Case mirrored = asked;
+    for (ToolProfile* profile :
+         {&mirrored.tools.punches[0].profile, &mirrored.tools.dies[0].profile}) {
+      std::reverse(profile->begin(), profile->end());
+      for (Vec2& p : *profile)
+        p.x() = -p.x();
+    }
+    EXPECT_EQ(answer(asked), answer(mirrored));
+  }
+}
+
+TEST_F(PlanInvariants, MorePunchesAreNeverWorse) {
+  for (const Case& asked : cases()) {
+    const Answer few = answer(asked);
+    Case more = asked;
+    more.tools.punches.push_back(asked.tools.punches[0]);
+    more.tools.punches.back().id = "thin";
+    more.tools.punches.back().profile = {{0, 0}, {3, 11.2}, {3, 120}, {-3, 120}, {-3, 11.2}};
+    const Answer many = answer(more);
+    if (few.status != PlanStatus::optimal) continue;
+    EXPECT_EQ(many.status, PlanStatus::optimal);
+    EXPECT_LE(many.cost, few.cost);
+  }
+}
+
+TEST_F(PlanInvariants, ClearanceNeverHelps) {
+  for (const Case& asked : cases()) {
+    bool was_infeasible = false;
+    double cost = 0.0;
+    for (const double clearance : {0.0, 0.5, 2.0}) {
+      PlanOptions options;
+      options.clearance = clearance;
+      const Answer now = answer(asked, options);
+      if (!now.planned) continue;
+      if (was_infeasible) {
+        EXPECT_EQ(now.status, PlanStatus::infeasible);
+      }
+      if (now.status == PlanStatus::optimal) {
+        EXPECT_GE(now.cost, cost);
+      }
+      was_infeasible = now.status == PlanStatus::infeasible;
+      cost = now.cost;
+    }
+  }
+}
+
+/// What a plan says of itself holds: every stroke keeps the clearance it reports.
+TEST_F(PlanInvariants, ReportedClearanceIsKept) {
+  int looked = 0;
+  for (const Case& asked : cases()) {
+    const auto plan = plan_of(asked.sheet, asked.tools);
+    if (!plan || plan->status != PlanStatus::optimal) continue;
+    double least = 1e9;
+    for (const Stroke& stroke : plan->strokes)
+      least = std::min(least, stroke.clearance);
+    if (least < 0.1 || least > 900.0) continue;
+    ++looked;
+    // The same order with the clearance asked: possible below the least, not above.
+    PlanOptions options;
+    for (const Stroke& stroke : plan->strokes)
+      options.begin_with.insert(options.begin_with.end(), stroke.bends.begin(), stroke.bends.end());
+    options.clearance = least - 0.02;
+    EXPECT_EQ(answer(asked, options).status, PlanStatus::optimal) << least;
+  }
+  EXPECT_GT(looked, 2);
+}
+
+}  // namespace
+}  // namespace planish::test

@@ -1,0 +1,86 @@
+#include "stroke_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::test {
+
+using namespace brake_detail;
+
+Punch punch(const PlainPunch& plain) {
+  const double b = plain.half_width, up = b / std::tan(0.5 * plain.angle.radians());
+  return {"P",
+          {{0, 0}, {b, up}, {b, plain.height}, {-b, plain.height}, {-b, up}},
+          plain.tip_radius,
+          plain.angle,
+          plain.segments,
+          {}};
+}
+
+Die die(const PlainDie& plain) {
+  const double v = 0.5 * plain.opening, b = plain.half_width;
+  const double deep = v / std::tan(0.5 * plain.angle.radians());
+  return {"D",
+          plain.opening,
+          plain.angle,
+          plain.shoulder_radius,
+          {{-v, 0}, {-b, 0}, {-b, -plain.height}, {b, -plain.height}, {b, 0}, {v, 0}, {0, -deep}},
+          plain.segments,
+          {}};
+}
+
+BrakeTools plain_tools(const PlainPunch& upper, const PlainDie& lower) {
+  BrakeTools tools;
+  tools.machine.name = "test";
+  tools.machine.force = 1e6;
+  tools.machine.length = 3000;
+  tools.punches = {punch(upper)};
+  tools.dies = {die(lower)};
+  return tools;
+}
+
+Room::Room(Sheet sheet, BrakeTools tools, const PlanOptions& options,
+           const FlattenOptions& flattening)
+    : sheet_(std::move(sheet)), tools_(std::move(tools)) {
+  auto flat = flat_sheet(sheet_, flattening);
+  EXPECT_TRUE(flat) << flat.error().message;
+  flat_ = std::move(*flat);
+  WorkpieceOptions work_options;
+  work_options.air_radius = options.radius_of_opening * wanted_opening(sheet_.thickness);
+  auto work = workpiece_of(sheet_, flat_.layout, work_options);
+  EXPECT_TRUE(work) << work.error().message;
+  model_ = std::make_unique<StrokeModel>(std::move(*work), tools_, options);
+}
+
+int Room::line_of(int bend) const {
+  const auto& lines = model_->work().lines;
+  for (int i = 0; i < std::ssize(lines); ++i)
+    if (std::count(lines[i].bends.begin(), lines[i].bends.end(), static_cast<BendId>(bend - 1)))
+      return i;
+  ADD_FAILURE() << "no line of bend " << bend;
+  return -1;
+}
+
+LineSet Room::lines(const std::vector<int>& bends) const {
+  LineSet set = no_lines(static_cast<int>(model_->work().lines.size()));
+  for (const int bend : bends)
+    insert(set, line_of(bend));
+  return set;
+}
+
+std::vector<StrokeChoice> Room::ways(int bend, const std::vector<int>& formed) {
+  const LineSet stage = lines(formed);
+  std::vector<StrokeChoice> ways;
+  for (const StrokeChoice& choice : model_->choices(stage))
+    if (holds(choice.lines, line_of(bend)) && model_->check(stage, choice).feasible)
+      ways.push_back(choice);
+  return ways;
+}
+
+bool Room::can_press(int bend, const std::vector<int>& formed) {
+  return !ways(bend, formed).empty();
+}
+
+}  // namespace planish::test

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "stroke_model.hpp"
+#include "support/sheets.hpp"
+
+#include <planish/sheet/flat_pattern.hpp>
+
+namespace planish::test {
+
+/// A straight punch: the wedge of its tip as wide as the body, which goes up to `height`.
+struct PlainPunch {
+  Angle angle = Angle::degrees(80);
+  double half_width = 10.0, height = 150.0, tip_radius = 0.8;
+  std::vector<double> segments = {500, 200, 100, 100, 50, 40, 20, 15, 10};
+};
+Punch punch(const PlainPunch& plain = {});
+
+struct PlainDie {
+  double opening = 12.0;
+  Angle angle = Angle::degrees(80);
+  double shoulder_radius = 1.5, half_width = 20.0, height = 100.0;
+  std::vector<double> segments = {500, 200, 100, 100, 50, 40, 20, 15, 10};
+};
+Die die(const PlainDie& plain = {});
+
+/// One punch, one die, no beams, no gauge.
+BrakeTools plain_tools(const PlainPunch& upper = {}, const PlainDie& lower = {});
+
+/// A sheet made ready for strokes; its tools live as long as it does.
+class Room {
+ public:
+  Room(Sheet sheet, BrakeTools tools, const PlanOptions& options = {},
+       const FlattenOptions& flattening = {});
+
+  brake_detail::StrokeModel& model() { return *model_; }
+  const Sheet& sheet() const { return sheet_; }
+  const Layout& layout() const { return flat_.layout; }
+  const BrakeTools& tools() const { return tools_; }
+
+  /// The line of a bend, counted from 1 as people do.
+  int line_of(int bend) const;
+  LineSet lines(const std::vector<int>& bends) const;
+  /// Whether any way is left to press a bend when others are formed.
+  bool can_press(int bend, const std::vector<int>& formed);
+  /// The ways to press it.
+  std::vector<StrokeChoice> ways(int bend, const std::vector<int>& formed);
+
+ private:
+  Sheet sheet_;
+  BrakeTools tools_;
+  FlatSheet flat_;
+  std::unique_ptr<brake_detail::StrokeModel> model_;
+};
+
+}  // namespace planish::test

@@ -1,0 +1,224 @@
+#!/usr/bin/python3
+"""Orders the strokes of parts that a press brake can bend; refuses those that it cannot, and tools that cannot be."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+from planish_cli import CLI, CliTest, main  # noqa: E402
+
+WEIGHTS = {"turn_over": 3, "rotate": 2, "tool_change": 5, "stroke": 1, "ungauged": 4}
+
+
+def channel(leg, lip=0, out=False):
+    """A channel of 2 mm, web 60, legs of the given height, 100 long; with lips, turned in or out, if they are wanted."""
+    room = 5
+    upright = lambda x, z: [[x, 0, room], [x, 100, room], [x, 100, z], [x, 0, z]]
+    top = leg - room if lip else leg
+    plates = [{"id": "web", "outline": [[room, 0, 0], [60 - room, 0, 0], [60 - room, 100, 0], [room, 100, 0]]},
+              {"id": "left", "outline": upright(0, top)}, {"id": "right", "outline": upright(60, top)}]
+    pairs = [["web", "left"], ["web", "right"]]
+    if lip:
+        for name, x, into in (("left", 0, 1), ("right", 60, -1)):
+            way = -into if out else into
+            near, far = x + way * room, x + way * lip
+            plates.append({"id": f"{name} lip",
+                           "outline": [[near, 0, leg], [near, 100, leg], [far, 100, leg], [far, 0, leg]]})
+            pairs.append([name, f"{name} lip"])
+    return {"thickness": 2, "defaults": {"inside_radius": 2}, "plates": plates,
+            "bends": [{"between": pair} for pair in pairs]}
+
+
+class BendTest(CliTest):
+    def plan(self, plates, *arguments, status=0):
+        self.write("part.json", json.dumps(plates))
+        self.run_cli("bend", "part.json", "--json", "r.json", "-q", *arguments, status=status)
+        report = self.json("r.json")
+        self.assertEqual(report["command"], "bend")
+        return report
+
+    def tools(self):
+        return json.loads(self.run_cli("bend", "--print-tools")[0])
+
+    def cost_of(self, strokes, weights):
+        cost, last = 0, None
+        for stroke in strokes:
+            cost += weights["stroke"] + (0 if stroke["gauge"] else weights["ungauged"])
+            if last:
+                cost += weights["turn_over"] * (stroke["side_up"] != last["side_up"])
+                cost += weights["rotate"] * (stroke["gauge_direction"] != last["gauge_direction"])
+                cost += weights["tool_change"] * ((stroke["punch"], stroke["die"]) != (last["punch"], last["die"]))
+            last = stroke
+        return cost
+
+
+class Plans(BendTest):
+    def test_cost_is_that_of_the_strokes(self):
+        for part in (channel(30), channel(30, lip=15), channel(30, lip=15, out=True)):
+            plan = self.plan(part)["plan"]
+            self.assertEqual(plan["status"], "optimal")
+            self.assertAlmostEqual(plan["cost"], self.cost_of(plan["strokes"], WEIGHTS))
+            self.assertEqual(sorted(b for s in plan["strokes"] for b in s["bends"]),
+                             [f"B{i + 1}" for i in range(len(part["bends"]))])
+
+    def test_lips_that_turn_out_take_one_turning_over(self):
+        # The insides of the bends of web and lips are on opposite sides.
+        self.assertEqual(self.plan(channel(30, lip=15, out=True))["plan"]["turn_overs"], 1)
+        self.assertEqual(self.plan(channel(30, lip=15))["plan"]["turn_overs"], 0)
+
+    def test_weights_are_those_given(self):
+        weights = {"turn_over": 7, "rotate": 0.5, "tool_change": 1, "stroke": 2, "ungauged": 0}
+        words = ",".join(f"{name}={value}" for name, value in weights.items())
+        plan = self.plan(channel(30, lip=15, out=True), "--weights", words)["plan"]
+        self.assertAlmostEqual(plan["cost"], self.cost_of(plan["strokes"], weights))
+
+    def test_begins_as_it_is_told(self):
+        for first in ("B1", "B2"):
+            report = self.plan(channel(30), "--fix", first)
+            self.assertEqual(report["plan"]["strokes"][0]["bends"], [first])
+            orders = {bend["id"]: bend["order"] for bend in report["flat"]["bends"]}
+            self.assertEqual(orders[first], 1)
+
+    def test_force_is_that_of_the_metal(self):
+        # 1.42 · R_m · T² / V over the pressed length, V 12 for 2 mm.
+        plain = self.plan(channel(30))["plan"]["strokes"][0]["force"]
+        stainless = self.plan(channel(30), "--material", "stainless", "--opening", "12")["plan"]["strokes"][0]["force"]
+        self.assertAlmostEqual(stainless / plain, 700 / 450, places=6)
+
+    def test_the_summary_lists_the_strokes(self):
+        self.write("part.json", json.dumps(channel(30)))
+        out, _ = self.run_cli("bend", "part.json")
+        self.assertRegex(out, r"plan: optimal, cost \d+: 2 strokes")
+        self.assertEqual(len(re.findall(r"^ +\d  B\d ", out, re.M)), 2)
+
+    def test_standard_input_is_read_once(self):
+        out, _ = self.run_cli("bend", "-", "--json", "-", "-q", stdin=json.dumps(channel(30)).encode())
+        self.assertEqual(json.loads(out)["plan"]["status"], "optimal")
+
+    def test_a_sheet_without_bends_takes_no_stroke(self):
+        flat = channel(30)
+        flat["plates"], flat["bends"] = flat["plates"][:1], []
+        self.assertEqual(self.plan(flat)["plan"]["strokes"], [])
+
+
+class Infeasible(BendTest):
+    def test_a_channel_too_deep_for_the_tools_is_refused_with_its_pattern(self):
+        report = self.plan(channel(250), status=4)
+        self.assertEqual((report["status"], report["reason"]["code"]), ("refused", "cannot_bend"))
+        self.assertEqual((report["plan"]["status"], report["plan"]["strokes"]), ("infeasible", []))
+        self.assertEqual(report["sheet"]["bends"], 2)
+        self.assertEqual(len(report["flat"]["bends"]), 2)
+
+    def test_more_tools_never_make_it_worse_and_more_clearance_never_better(self):
+        tools = self.tools()
+        thick = dict(tools["punches"][0], id="thick", profile=[[0, 0], [12, 12.4], [12, 120], [-12, 120], [-12, 12.4]])
+        self.write("all.json", json.dumps(dict(tools, punches=[thick, *tools["punches"]])))
+        self.write("few.json", json.dumps(dict(tools, punches=[thick])))
+        rows = set()
+        for lip in (10, 13, 16, 19, 22):
+            self.write("part.json", json.dumps(channel(30, lip=lip)))
+            costs = [self.cost("--tools", f"{tools}.json", "--clearance", clearance)
+                     for tools, clearance in (("all", 0), ("few", 0), ("few", 3))]
+            self.assertEqual(costs, sorted(costs), lip)
+            rows.add(tuple(cost == float("inf") for cost in costs))
+        # Some lip is too long for all, some for few, some for few with clearance only.
+        self.assertGreaterEqual(len(rows), 3, rows)
+
+    def cost(self, *arguments):
+        """Of the cheapest order; infinite if there is none."""
+        subprocess.run([CLI, "bend", "part.json", "--json", "r.json", "-q", *map(str, arguments)], cwd=self.dir,
+                       capture_output=True, check=False)
+        plan = self.json("r.json")["plan"]
+        self.assertIn(plan["status"], ("optimal", "infeasible"))
+        return float("inf") if plan["cost"] is None else plan["cost"]
+
+    def test_unfold_tells_it_as_a_finding(self):
+        self.write("part.json", json.dumps(channel(250)))
+        self.run_cli("connect", "part.json", "-o", "deep.step", "-q")
+        self.run_cli("unfold", "deep.step", "--check", "--check-bending", "--json", "r.json", "-q")
+        report = self.json("r.json")
+        (finding,) = [check for check in report["checks"] if check["code"] == "cannot_bend"]
+        self.assertEqual(finding["severity"], "error")
+        self.assertNotIn("plan", report)
+        self.run_cli("unfold", "deep.step", "--check", "--json", "r.json", "-q")
+        self.assertNotIn("cannot_bend", [check["code"] for check in self.json("r.json")["checks"]])
+
+    def test_step_and_plates_have_one_plan(self):
+        self.write("part.json", json.dumps(channel(30, lip=15)))
+        self.run_cli("connect", "part.json", "-o", "part.step", "-q")
+        self.run_cli("bend", "part.step", "--json", "s.json", "-q")
+        plates = self.plan(channel(30, lip=15))["plan"]
+        step = self.json("s.json")["plan"]
+        for key in ("status", "cost", "turn_overs", "rotations", "tool_changes"):
+            self.assertEqual(step[key], plates[key], key)
+
+
+class WrongRequests(BendTest):
+    def setUp(self):
+        super().setUp()
+        self.write("part.json", json.dumps(channel(30)))
+
+    def test_options(self):
+        for arguments, words in (
+                (["--weights", "turn=3"], "--weights must be like turn_over=3"),
+                (["--weights", "rotate=-1"], "--weights must be like"),
+                (["--fix", "B7"], 'there is no bend "B7"; the bends are B1, B2'),
+                (["--springback", "90"], "--springback"),
+                (["--clearance", "-1"], "--clearance"),
+                (["-o", "plan.dxf"], "end it in .pdf or .svg"),
+                (["-o", "a.pdf", "-o", "a.pdf"], "a.pdf"),
+                (["--body", "1"], "--body does not go with a plates file")):
+            self.assertIn(words, self.refused("bend", "part.json", *arguments, status=2), arguments)
+
+    def test_tools_that_cannot_be(self):
+        def refused_with(change):
+            tools = self.tools()
+            change(tools)
+            self.write("tools.json", json.dumps(tools))
+            return self.refused("bend", "part.json", "--tools", "tools.json", status=3)
+
+        crossed = refused_with(lambda t: t["punches"][1].update(profile=[[0, 0], [9, 90], [-9, 90], [9, 30]]))
+        self.assertIn("crosses", crossed)
+        self.assertIn("tools.json/punches/1/profile", crossed)
+        self.assertIn("tools.json/dies/0/segments", refused_with(lambda t: t["dies"][0].update(segments=[])))
+        self.assertIn("tools.json/dies", refused_with(lambda t: t.update(dies=[])))
+        self.assertIn("tools.json/punches/0/id", refused_with(lambda t: t["punches"][0].pop("id")))
+
+    def test_files_that_no_maker_reads(self):
+        self.write("other.json", "{}")
+        self.assertIn("not one of these", self.refused("bend", "other.json", status=3))
+        self.assertIn("missing.step", self.refused("bend", "missing.step", status=3))
+
+    def test_a_thickness_that_no_tool_bears(self):
+        thick = json.loads(json.dumps(channel(30)))
+        thick["thickness"], thick["defaults"]["inside_radius"] = 2, 0.1
+        report = self.plan(thick, status=4)
+        self.assertEqual(report["reason"]["code"], "no_tool")
+
+
+class Pages(BendTest):
+    def test_pages_hold_the_strokes(self):
+        self.write("part.json", json.dumps(channel(30, lip=15, out=True)))
+        self.run_cli("bend", "part.json", "-o", "plan.pdf", "-o", "plan.svg", "--json", "r.json", "-q")
+        report = self.json("r.json")
+        self.assertEqual(report["files"], ["plan.pdf", "plan.svg"])
+        pdf = (self.dir / "plan.pdf").read_bytes()
+        self.assertTrue(pdf.startswith(b"%PDF-1.4") and pdf.endswith(b"%%EOF\n"))
+        texts = [e.text for e in xml.etree.ElementTree.parse(self.dir / "plan.svg").iter() if e.tag.endswith("text")]
+        for stroke in report["plan"]["strokes"]:
+            self.assertIn(stroke["punch"], texts)
+            self.assertIn(f"punch {stroke['punch']}, die {stroke['die']}", texts)
+        self.assertEqual(len([t for t in texts if t and "TURN OVER" in t]), report["plan"]["turn_overs"])
+
+    def test_a_refused_part_leaves_no_pages(self):
+        self.write("part.json", json.dumps(channel(250)))
+        self.run_cli("bend", "part.json", "-o", "plan.pdf", "--json", "r.json", "-q", status=4)
+        self.assertEqual(self.names(), ["part.json", "r.json"])
+
+
+if __name__ == "__main__":
+    main()

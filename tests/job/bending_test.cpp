@@ -1,0 +1,217 @@
+#include <planish/job/maker.hpp>
+#include <planish/job/request.hpp>
+#include <planish/job/run.hpp>
+#include <planish/job/tools_json.hpp>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace planish::job {
+namespace {
+
+using nlohmann::json;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A channel of 2 mm as plates that leave room for the bends: a web of 60 mm and legs of a given
+/// height, measured to where the plates meet, 100 mm long.
+std::string channel(double leg) {
+  const double room = 5.0;
+  const auto upright = [&](double x) {
+    return json{{x, 0, room}, {x, 100, room}, {x, 100, leg}, {x, 0, leg}};
+  };
+  json plates;
+  plates["thickness"] = 2;
+  plates["defaults"]["inside_radius"] = 2;
+  plates["plates"] = {
+      {{"id", "web"},
+       {"outline", {{room, 0, 0}, {60 - room, 0, 0}, {60 - room, 100, 0}, {room, 100, 0}}}},
+      {{"id", "left"}, {"outline", upright(0)}},
+      {{"id", "right"}, {"outline", upright(60)}}};
+  plates["bends"] = {{{"between", {"web", "left"}}}, {{"between", {"web", "right"}}}};
+  return plates.dump();
+}
+
+/// What a maker reports of a channel, with options changed by `change`.
+template <typename Change>
+std::unique_ptr<Made> made_of(const std::string& input, const Change& change) {
+  Request request;
+  request.input = "channel.json";
+  request.bending.ask = Bending::Ask::plan;
+  change(request.bending);
+  const auto maker = built_in().maker_for("channel.json", input);
+  EXPECT_TRUE(maker);
+  const auto work = (*maker)->open({"channel.json", input, {}}, {});
+  EXPECT_TRUE(work);
+  auto made = (*work)->make(request, {});
+  EXPECT_TRUE(made) << made.error().message;
+  return std::move(*made);
+}
+
+std::vector<std::string> codes_of(const Report& report) {
+  std::vector<std::string> codes;
+  for (const Finding& finding : report.findings)
+    codes.push_back(finding.code);
+  return codes;
+}
+
+constexpr auto kAsIs = [](Bending&) {};
+
+TEST(Bending, PlansAChannelInTwoStrokesFromOneSide) {
+  const auto made = made_of(channel(30), kAsIs);
+  ASSERT_FALSE(made->report().refusal) << made->report().refusal->message;
+  const json report = json::parse(made->json());
+  const json& plan = report["plan"];
+  EXPECT_EQ(plan["status"], "optimal");
+  ASSERT_EQ(plan["strokes"].size(), 2u);
+  EXPECT_EQ(plan["turn_overs"], 0);
+  EXPECT_EQ(plan["tool_changes"], 0);
+  // Two strokes, and the sheet rotated between them if at all.
+  EXPECT_EQ(plan["cost"],
+            2.0 + 2.0 * plan["rotations"].get<double>() + 4.0 * plan["ungauged"].get<double>());
+  for (const json& stroke : plan["strokes"]) {
+    EXPECT_NEAR(stroke["angle"], 90.0, 1e-9);
+    // 1.42 · 450 · 2² / 12 N/mm over 100 mm
+    EXPECT_NEAR(stroke["force"], 1.42 * 450 * 4 / 12 * 100 / 1000, 0.5);
+  }
+}
+
+TEST(Bending, NumbersBendsByTheStrokesThatPressThem) {
+  const auto made = made_of(channel(30), [](Bending& b) { b.begin_with = {"B2"}; });
+  const json report = json::parse(made->json());
+  EXPECT_EQ(report["plan"]["strokes"][0]["bends"], json({"B2"}));
+  EXPECT_EQ(report["flat"]["bends"][0]["order"], 2);
+  EXPECT_EQ(report["flat"]["bends"][1]["order"], 1);
+}
+
+TEST(Bending, RefusesABeginningWithABendThatIsNotThere) {
+  Request request;
+  request.bending.ask = Bending::Ask::plan;
+  request.bending.begin_with = {"B3"};
+  const auto work = built_in().maker("connect")->open({"c.json", channel(30), {}}, {});
+  const auto made = (*work)->make(request, {});
+  ASSERT_FALSE(made);
+  EXPECT_EQ(made.error().code, ErrorCode::bad_option);
+  EXPECT_EQ(made.error().where, "fix");
+  EXPECT_THAT(made.error().message, HasSubstr("B1, B2"));
+}
+
+TEST(Bending, RefusesAChannelTooDeepForItsTools) {
+  // Whichever leg is bent first stands 250 mm high and must pass the beam 120 mm above the tip,
+  // 60 mm to either side of it: over a web of 60 mm it cannot.
+  const auto made = made_of(channel(250), kAsIs);
+  const Report& report = made->report();
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->code, ErrorCode::cannot_bend);
+  const json told = json::parse(made->json());
+  EXPECT_EQ(told["status"], "refused");
+  EXPECT_EQ(told["reason"]["code"], "cannot_bend");
+  EXPECT_EQ(told["plan"]["status"], "infeasible");
+  EXPECT_TRUE(told["plan"]["strokes"].empty());
+  EXPECT_TRUE(told["plan"]["cost"].is_null());
+  EXPECT_FALSE(told["sheet"].is_null());
+  EXPECT_EQ(told["flat"]["bends"].size(), 2u);
+}
+
+TEST(Bending, IsAFindingIfOnlyThatIsAsked) {
+  const auto deep = made_of(channel(250), [](Bending& b) { b.ask = Bending::Ask::finding; });
+  EXPECT_FALSE(deep->report().refusal);
+  EXPECT_THAT(codes_of(deep->report()), Contains("cannot_bend"));
+  EXPECT_FALSE(deep->report().plan);
+  const auto flat = made_of(channel(30), [](Bending& b) { b.ask = Bending::Ask::finding; });
+  EXPECT_THAT(codes_of(flat->report()), Not(Contains("cannot_bend")));
+}
+
+TEST(Bending, IsNotLookedAtUnlessAsked) {
+  const auto made = made_of(channel(250), [](Bending& b) { b.ask = Bending::Ask::nothing; });
+  EXPECT_FALSE(made->report().refusal);
+  EXPECT_FALSE(made->report().plan);
+  EXPECT_FALSE(json::parse(made->json()).contains("plan"));
+}
+
+TEST(Bending, TakesItsToolsFromTheRequest) {
+  BrakeTools tools = default_tools();
+  std::erase_if(tools.punches, [](const Punch& one) { return one.id != "P85-R1"; });
+  std::erase_if(tools.dies, [](const Die& one) { return one.id != "V16-85"; });
+  const auto made = made_of(channel(30), [&](Bending& b) { b.tools = tools; });
+  ASSERT_TRUE(made->report().plan);
+  for (const Stroke& stroke : made->report().plan->strokes) {
+    EXPECT_EQ(stroke.punch, "P85-R1");
+    EXPECT_EQ(stroke.die, "V16-85");
+  }
+}
+
+TEST(Bending, TellsThePlanInTheUnitOfTheReport) {
+  Request inches;
+  inches.units = LengthUnit::inch;
+  inches.bending.ask = Bending::Ask::plan;
+  const auto work = built_in().maker("connect")->open({"c.json", channel(30), {}}, {});
+  const auto in = (*work)->make(inches, {});
+  const auto mm = made_of(channel(30), kAsIs);
+  ASSERT_TRUE(in);
+  const json a = json::parse((*in)->json())["plan"]["strokes"][0];
+  const json b = json::parse(mm->json())["plan"]["strokes"][0];
+  ASSERT_FALSE(b["gauge"].is_null());
+  EXPECT_NEAR(a["gauge"]["distance"].get<double>() * 25.4, b["gauge"]["distance"], 1e-9);
+  EXPECT_NEAR(a["punch_segments"][0].get<double>() * 25.4, b["punch_segments"][0], 1e-9);
+  EXPECT_NEAR(a["clearance"].get<double>() * 25.4, b["clearance"], 1e-9);
+  EXPECT_EQ(a["force"], b["force"]);
+}
+
+TEST(BendingOptions, AreRefusedByNameIfTheySayNothing) {
+  const auto entered = [](const char* name, const char* text) {
+    OptionValues values;
+    EXPECT_TRUE(values.set_text(option(name), text));
+    Request request;
+    return values.enter(request);
+  };
+  for (const char* text :
+       {"turn_over", "turn_over=", "turn_over=-1", "turn=3", "rotate=2,", "rotate=nan", "=3"}) {
+    const auto done = entered("weights", text);
+    ASSERT_FALSE(done) << text;
+    EXPECT_EQ(done.error().code, ErrorCode::bad_option);
+    EXPECT_EQ(done.error().where, "weights");
+  }
+  EXPECT_TRUE(entered("weights", "turn_over=3,rotate=0.5"));
+}
+
+TEST(BendingOptions, SetWhatTheyAreNamedFor) {
+  OptionValues values;
+  for (const auto& [name, text] :
+       std::vector<std::pair<const char*, const char*>>{{"metal", "stainless"},
+                                                        {"clearance", "0.5"},
+                                                        {"shortfall", "3"},
+                                                        {"opening", "12"},
+                                                        {"weights", "turn_over=7,ungauged=0"},
+                                                        {"fix", "B3,B1"},
+                                                        {"search_time", "2.5"}})
+    EXPECT_TRUE(values.set_text(option(name), text)) << name;
+  Request request;
+  ASSERT_TRUE(values.enter(request));
+  const PlanOptions& plan = request.bending.plan;
+  EXPECT_EQ(plan.tensile_strength, 700.0);
+  EXPECT_NEAR(plan.springback.degrees(), 3.0, 1e-12);
+  EXPECT_EQ(plan.clearance, 0.5);
+  EXPECT_EQ(plan.shortfall, 3.0);
+  EXPECT_EQ(plan.opening, 12.0);
+  EXPECT_EQ(plan.weights.turn_over, 7.0);
+  EXPECT_EQ(plan.weights.ungauged, 0.0);
+  EXPECT_EQ(plan.weights.rotate, StrokeWeights{}.rotate);
+  EXPECT_EQ(plan.limits.seconds, 2.5);
+  EXPECT_THAT(request.bending.begin_with, testing::ElementsAre("B3", "B1"));
+}
+
+TEST(BendingOptions, LetSpringbackOverrideThatOfTheMetal) {
+  OptionValues values;
+  EXPECT_TRUE(values.set_text(option("springback"), "0.5"));
+  EXPECT_TRUE(values.set_text(option("metal"), "aluminium"));
+  Request request;
+  ASSERT_TRUE(values.enter(request));
+  EXPECT_NEAR(request.bending.plan.springback.degrees(), 0.5, 1e-12);
+  EXPECT_EQ(request.bending.plan.tensile_strength, 270.0);
+}
+
+}  // namespace
+}  // namespace planish::job
