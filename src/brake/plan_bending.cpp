@@ -92,6 +92,27 @@ void add_strokes(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
   }
 }
 
+/// What is in the way of a bend in a stage, as a sentence.
+std::string why_not(const BlockedBend& blocked) {
+  if (blocked.hits.empty()) return blocked.why;
+  std::string sentence;
+  if (blocked.with) sentence = fmt::format("flange {}", index_of(*blocked.with) + 1);
+  return fmt::format("{} is {:.3g} mm deep in the {}{}", sentence.empty() ? "the sheet" : sentence,
+                     blocked.depth, blocked.hits,
+                     blocked.at_turn ? fmt::format(" at {:.0f}°", blocked.at_turn->degrees()) : "");
+}
+
+/// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
+/// rest in the stage that got furthest.
+void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
+  for (int line = 0; line < std::ssize(model.work().lines); ++line) {
+    if (holds(furthest, line)) continue;
+    const BlockedBend blocked = model.blocked(furthest, line);
+    plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
+                                     name_of(blocked.bend), why_not(blocked)));
+  }
+}
+
 /// What every stage hits, told for the stage that got furthest.
 void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
   for (const int line : search.blocked) {
@@ -106,6 +127,7 @@ void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
       const auto& bends = model.work().lines[i].bends;
       plan.unformed.insert(plan.unformed.end(), bends.begin(), bends.end());
     }
+  if (search.blocked.empty()) note_furthest(model, search.furthest, plan);
 }
 
 }  // namespace

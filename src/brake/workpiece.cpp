@@ -16,6 +16,7 @@ namespace {
 constexpr double kRolledRatio = 10.0;  // inside radius in thicknesses, as in the rules
 constexpr double kTouching = 1e-4;     // mm: pieces of a line or a zone that are one
 constexpr double kBesideSeam = 1e-6;   // mm: faces of a bend may end on its line
+constexpr double kNoRadius = 1e-3;     // mm: a bend that is drawn sharp inside
 constexpr double kOneLine = 1e-3;      // mm, and radians: lines that are one straight line
 
 bool is_rolled(const Bend& bend, double thickness) {
@@ -214,6 +215,8 @@ void Cutting::add_press_line(BendId id, int number) {
     line.press_line = number;
     line.angle = bend.press_lines[number].angle;
     give_radius(line, std::min(options_.air_radius, bend.inside_radius));
+  } else if (bend.inside_radius < kNoRadius) {
+    give_radius(line, options_.air_radius);
   }
   const int region = first_region_[id] + number;
   raw_.push_back({std::move(line), {region, region + 1}});
