@@ -4,6 +4,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/job/bend_plan_pages.hpp>
 #include <planish/job/tools_json.hpp>
 
 #include <fmt/format.h>
@@ -85,9 +86,16 @@ void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values
     add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
 }
 
+bool is_pdf(const std::string& name) { return suffix_of(name) == ".pdf"; }
+
 /// Errors of the command line, before any work.
 std::optional<Error> unwritable(const BendArguments& arguments) {
-  for (const auto& file : files_named({arguments.json})) {
+  for (const std::string& output : arguments.outputs)
+    if (!is_pdf(output) && suffix_of(output) != ".svg")
+      return bad_option(fmt::format("-o {}: a bend plan is written as .pdf or .svg", output));
+  std::vector<std::string> outputs = arguments.outputs;
+  outputs.push_back(arguments.json);
+  for (const auto& file : files_named(outputs)) {
     if (const auto fine = check_output(file, arguments.input); !fine) return fine.error();
     const auto spared = spare_inputs(file, files_named({arguments.options.text("tools")}));
     if (!spared) return spared.error();
@@ -116,7 +124,7 @@ class Bend : public Command {
     if (!work) return failed(work.error());
     auto made = (*work)->make(request, parent.progress);
     if (!made) return failed(made.error());
-    return outcome_of(**made);
+    return outcome_of(**made, request.bending);
   }
 
   Outcome failed(const Error& error) const override {
@@ -139,10 +147,17 @@ class Bend : public Command {
     return std::nullopt;
   }
 
-  Outcome outcome_of(job::Made& made) const {
+  Outcome outcome_of(job::Made& made, const job::Bending& bending) const {
     made.report().of_bending = true;
     Outcome outcome{.json = made.json(), .error = made.report().refusal};
-    if (arguments_.quiet || outcome.error) return outcome;
+    if (outcome.error) return outcome;
+    for (const std::string& output : arguments_.outputs) {
+      auto pages = is_pdf(output) ? job::bend_plan_pdf(made.report(), bending)
+                                  : job::bend_plan_svg(made.report(), bending);
+      if (!pages) return failed(pages.error());
+      outcome.files.push_back({output, std::move(*pages)});
+    }
+    if (arguments_.quiet) return outcome;
     (arguments_.json == "-" ? outcome.aside : outcome.output) = made.text();
     return outcome;
   }
@@ -174,6 +189,9 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
           },
           "print the tools file that is used without --tools, and exit")
       ->group("Press brake");
+  add_repeatable(*command, "-o,--output", arguments.outputs,
+                 "pages to hang at the machine: .pdf or .svg file; may be given several times")
+      ->group("Output");
   add_text(*command, "--json", arguments.json, "FILE",
            "the report as JSON; - writes it to standard output")
       ->group("Output");

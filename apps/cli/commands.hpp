@@ -38,6 +38,7 @@ int run_plates(const PlatesArguments& arguments);
 
 struct BendArguments {
   std::string input;
+  std::vector<std::string> outputs;  ///< pages, as PDF or SVG
   std::string json;  ///< file, or "-"; empty: none
   bool quiet = false;
   job::OptionValues options;

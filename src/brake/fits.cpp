@@ -41,6 +41,10 @@ double wanted_opening(double thickness) {
   return (thickness <= 8.0 ? 8.0 : 10.0) * thickness;
 }
 
+WorkpieceOptions workpiece_options(double thickness, const PlanOptions& options) {
+  return {options.radius_of_opening * options.opening.value_or(wanted_opening(thickness))};
+}
+
 double force_per_length(double tensile_strength, double thickness, double opening) {
   return 1.42 * tensile_strength * thickness * thickness / opening;
 }

@@ -13,6 +13,9 @@ namespace planish::brake_detail {
 /// The V opening for a thickness: 6 T up to 2.5 mm, 8 T to 8 mm, 10 T above.
 double wanted_opening(double thickness);
 
+/// Radii of what is pressed without one of its own are those of the wanted V.
+WorkpieceOptions workpiece_options(double thickness, const PlanOptions& options);
+
 /// Force of air bending, N per mm of line, which is kN per metre.
 double force_per_length(double tensile_strength, double thickness, double opening);
 

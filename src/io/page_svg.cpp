@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -56,17 +57,26 @@ std::string text_text(const Page::Text& text) {
 
 }  // namespace
 
-std::string svg_text(const Page& page) {
-  const std::string width = svg_number(page.size().x(), 3), height = svg_number(page.size().y(), 3);
+std::string pages_svg(const std::vector<Page>& pages) {
+  Vec2 size = Vec2::Zero();
+  for (const Page& page : pages)
+    size = {std::max(size.x(), page.size().x()), size.y() + page.size().y()};
+  const std::string width = svg_number(size.x(), 3), height = svg_number(size.y(), 3);
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" "
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" fill-rule=\"evenodd\" "
       "stroke-linejoin=\"round\" stroke-linecap=\"round\">\n",
       width, height);
-  for (const Page::Shape& shape : page.shapes())
-    svg += shape_text(shape);
-  for (const Page::Text& text : page.texts())
-    svg += text_text(text);
+  double top = 0.0;
+  for (const Page& page : pages) {
+    svg += fmt::format("<g transform=\"translate(0 {})\">\n", svg_number(top, 3));
+    for (const Page::Shape& shape : page.shapes())
+      svg += shape_text(shape);
+    for (const Page::Text& text : page.texts())
+      svg += text_text(text);
+    svg += "</g>\n";
+    top += page.size().y();
+  }
   return svg + "</svg>\n";
 }
 

@@ -111,7 +111,7 @@ void Page::rectangle(const Vec2& corner, const Vec2& size, const Ink& ink) {
        ink);
 }
 
-Result<std::string> pdf_text(const std::vector<Page>& pages, const std::string& title) {
+Result<std::string> pages_pdf(const std::vector<Page>& pages, const std::string& title) {
   if (pages.empty()) return fail(ErrorCode::cannot_draw, "there is nothing to draw");
   const auto loaded = io_detail::cairo();
   if (!loaded) return tl::unexpected(loaded.error());

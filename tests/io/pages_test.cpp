@@ -22,7 +22,7 @@ Page sample() {
 }
 
 TEST(Pages, AreSvgInMillimetres) {
-  const std::string svg = svg_text(sample());
+  const std::string svg = pages_svg({sample()});
   EXPECT_THAT(svg, HasSubstr(R"(width="297mm" height="210mm" viewBox="0 0 297 210")"));
   EXPECT_THAT(svg, HasSubstr("M10 10L50 10L50 40L10 40ZM20 20L20 30L30 30L30 20Z"));
   EXPECT_THAT(svg, HasSubstr(R"(fill="#ff8000" stroke="#000000" stroke-width="0.5")"));
@@ -35,7 +35,7 @@ TEST(Pages, AreSvgInMillimetres) {
 TEST(Pages, ArePdfWithEmbeddedLetters) {
   Page upright(210.0, 297.0);
   upright.text({10, 10}, "Ø 6.6 × 90° – ½");
-  const auto pdf = pdf_text({sample(), upright}, "bracket");
+  const auto pdf = pages_pdf({sample(), upright}, "bracket");
   ASSERT_TRUE(pdf) << pdf.error().message;
   EXPECT_EQ(pdf->rfind("%PDF-", 0), 0u);
   EXPECT_THAT(*pdf, HasSubstr("/Count 2"));
@@ -47,14 +47,14 @@ TEST(Pages, ArePdfWithEmbeddedLetters) {
 }
 
 TEST(Pages, AreTheSameBytesEachTime) {
-  const auto once = pdf_text({sample()}, "a"), again = pdf_text({sample()}, "a");
+  const auto once = pages_pdf({sample()}, "a"), again = pages_pdf({sample()}, "a");
   ASSERT_TRUE(once && again);
   EXPECT_EQ(*once, *again);
   EXPECT_THAT(*once, Not(HasSubstr("/CreationDate")));
 }
 
 TEST(Pages, WithoutAnyAreAnError) {
-  const auto none = pdf_text({}, "nothing");
+  const auto none = pages_pdf({}, "nothing");
   ASSERT_FALSE(none);
   EXPECT_EQ(none.error().code, ErrorCode::cannot_draw);
 }

@@ -78,9 +78,9 @@ class Page {
 /// when this is first called (docs/decisions/0011-what-every-run-loads-is-small.md). Errors:
 /// `cannot_draw` if Cairo or a font is missing on this machine (the message names the package), or
 /// if there are no pages.
-Result<std::string> pdf_text(const std::vector<Page>& pages, const std::string& title);
+Result<std::string> pages_pdf(const std::vector<Page>& pages, const std::string& title);
 
-/// A page as SVG, in mm. Letters are text in the reader's own sans-serif font.
-std::string svg_text(const Page& page);
+/// Pages as one SVG, below one another, in mm. Letters are text in the reader's own sans-serif font.
+std::string pages_svg(const std::vector<Page>& pages);
 
 }  // namespace planish
