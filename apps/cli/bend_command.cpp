@@ -4,7 +4,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
-#include <planish/job/plan_pages.hpp>
+#include <planish/job/bend_plan_pages.hpp>
 #include <planish/job/tools_json.hpp>
 
 #include <fmt/format.h>
@@ -151,23 +151,32 @@ class Bend : public Command {
   }
 
   /// The plan of all pieces on pages, in each format that was asked for.
-  std::vector<OutputFile> files_of(const job::Made& made, const job::Request& request) const {
-    const BrakeTools& tools = request.bending.tools ? *request.bending.tools : job::default_tools();
+  Result<std::vector<OutputFile>> files_of(const job::Made& made,
+                                           const job::Request& request) const {
+    std::vector<OutputFile> files;
+    if (arguments_.outputs.empty()) return files;
     std::vector<Page> pages;
     for (int piece = 0; piece < made.pieces(); ++piece)
-      for (Page& page : job::plan_pages(made.piece(piece), tools))
+      for (Page& page : job::bend_plan_pages(made.piece(piece), request.bending))
         pages.push_back(std::move(page));
-    std::vector<OutputFile> files;
-    for (const std::string& name : arguments_.outputs)
-      files.push_back({name, suffix_of(name) == ".pdf" ? pdf_text(pages) : svg_text(pages)});
+    for (const std::string& name : arguments_.outputs) {
+      if (suffix_of(name) == ".svg") {
+        files.push_back({name, pages_svg(pages)});
+        continue;
+      }
+      auto pdf = pages_pdf(pages, made.report().body + ", bend plan");
+      if (!pdf) return tl::unexpected(pdf.error());
+      files.push_back({name, std::move(*pdf)});
+    }
     return files;
   }
 
   Outcome outcome_of(job::Made& made, const job::Request& request) const {
     made.report().of_bending = true;
     if (made.report().refusal) return {.json = made.json(), .error = made.report().refusal};
-    Outcome outcome;
-    if (!arguments_.outputs.empty()) outcome.files = files_of(made, request);
+    auto files = files_of(made, request);
+    if (!files) return failed(files.error());
+    Outcome outcome{.files = std::move(*files)};
     append_names(made.report().files, outcome.files);
     // All files are written or none, the report too.
     if (outcome.files.empty() || arguments_.json == "-")

@@ -20,6 +20,7 @@ constexpr std::array kCodes{
     CodeRow{ErrorCode::no_such_face, "no_such_face", 2},
     CodeRow{ErrorCode::cannot_read, "cannot_read", 3},
     CodeRow{ErrorCode::cannot_write, "cannot_write", 3},
+    CodeRow{ErrorCode::cannot_draw, "cannot_draw", 3},
     CodeRow{ErrorCode::empty_file, "empty_file", 3},
     CodeRow{ErrorCode::not_step, "not_step", 3},
     CodeRow{ErrorCode::truncated_file, "truncated_file", 3},

@@ -66,6 +66,12 @@ Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options) 
          std::max(sharpest(tools.punches), sharpest(tools.dies)) - options.springback;
 }
 
+WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
+                                   const PlanOptions& options) {
+  return {options.radius_of_opening * options.opening.value_or(wanted_opening(thickness)),
+          angle_before_closing(tools, options)};
+}
+
 namespace {
 
 /// Flat tools that bear the force of closing a hem.

@@ -23,6 +23,11 @@ double closing_force(double tensile_strength, double thickness);
 /// flat tools to close it.
 Angle angle_before_closing(const BrakeTools& tools, const PlanOptions& options);
 
+/// How a workpiece is cut at its lines for these tools: radii of what is pressed without one of its
+/// own are those of the wanted V.
+WorkpieceOptions workpiece_options(double thickness, const BrakeTools& tools,
+                                   const PlanOptions& options);
+
 /// Which tools bear a line, whatever the stage (math.md#tool-fit).
 struct FittingTools {
   std::vector<int> punches;  ///< positions in the list of tools

@@ -185,9 +185,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
                           const PlanOptions& options, const Progress& progress) {
   if (const auto right = check(tools); !right) return tl::unexpected(right.error());
   if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
-  const double opening = options.opening.value_or(wanted_opening(sheet.thickness));
-  auto work = workpiece_of(
-      sheet, layout, {options.radius_of_opening * opening, angle_before_closing(tools, options)});
+  auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
   if (!work) return tl::unexpected(work.error());
   StrokeModel model(std::move(*work), tools, options);
   if (const auto error = line_without_tool(model)) return tl::unexpected(*error);

@@ -93,7 +93,6 @@ class StrokeModel {
   std::optional<Obstruction> rows_missing(const Setting& stroke,
                                           const std::array<std::vector<Interval>, 2>& walls,
                                           const std::array<LineSet, 2>& because, Rows* rows);
-  std::vector<PlacedPart> closed_parts(const Setting& stroke, bool left_folds);
   std::optional<Obstruction> cannot_close(const Setting& stroke, Rows* rows);
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);

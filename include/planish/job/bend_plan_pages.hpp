@@ -1,0 +1,15 @@
+#pragma once
+
+#include <planish/io/pages.hpp>
+#include <planish/job/report.hpp>
+
+#include <vector>
+
+namespace planish::job {
+
+/// The bend plan of a report on pages to hang at the machine: the part and its flat pattern with
+/// the bends numbered in order, then each stroke. `bending` is that of its request. A report
+/// without strokes gives the first page alone.
+std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending);
+
+}  // namespace planish::job

@@ -1,0 +1,382 @@
+#include "bend_pages.hpp"
+
+#include "report_text.hpp"
+#include "units.hpp"
+
+#include <planish/base/assert.hpp>
+#include <planish/geometry/curve.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace planish::job {
+namespace {
+
+constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0;
+constexpr double kHead = 34.0, kFlat = 104.0, kRow = 60.0;  // heights, mm
+constexpr double kChord = 0.05;                             // of curves on paper, mm
+constexpr Colour kUp{0.10, 0.35, 0.72}, kDown{0.78, 0.10, 0.12}, kGrey{0.45, 0.48, 0.52};
+constexpr Colour kSheet{0.93, 0.95, 0.96}, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
+constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert{0.80, 0.25, 0.05};
+
+struct Rectangle {
+  Vec2 corner, size;
+  Vec2 middle() const { return corner + 0.5 * size; }
+};
+
+/// From a drawing with y up to a rectangle of the page.
+class Fit {
+ public:
+  Fit(const Box2& drawing, const Rectangle& into, double largest_scale) : box_(drawing) {
+    const Vec2 size = drawing.hi - drawing.lo;
+    scale_ = std::min({largest_scale, into.size.x() / std::max(size.x(), kChord),
+                       into.size.y() / std::max(size.y(), kChord)});
+    origin_ = into.middle() - scale_ * Vec2(0.5 * (drawing.lo.x() + drawing.hi.x()),
+                                            -0.5 * (drawing.lo.y() + drawing.hi.y()));
+  }
+  double scale() const { return scale_; }
+  Vec2 operator()(const Vec2& p) const { return origin_ + scale_ * Vec2(p.x(), -p.y()); }
+  std::vector<Vec2> operator()(std::vector<Vec2> points) const {
+    for (Vec2& p : points)
+      p = (*this)(p);
+    return points;
+  }
+
+ private:
+  Box2 box_;
+  double scale_ = 1.0;
+  Vec2 origin_;
+};
+
+void add(Box2& box, const std::vector<Vec2>& points) {
+  for (const Vec2& p : points)
+    box.add(p);
+}
+
+/// The rings of the pattern, outer first, to be drawn at a scale.
+std::vector<std::vector<Vec2>> rings_of(const FlatPattern& flat, double scale) {
+  const double chord = kChord / scale;
+  std::vector<std::vector<Vec2>> rings{sampled(flat.outer.loop, chord)};
+  for (const Contour& opening : flat.openings)
+    rings.push_back(sampled(opening.loop, chord));
+  return rings;
+}
+
+const FlatBend& bend_of(const Report& report, BendId id) {
+  const auto found = std::ranges::find(report.flat.bends, id, &FlatBend::bend);
+  PLANISH_ASSERT(found != report.flat.bends.end());
+  return *found;
+}
+
+Colour colour_of(const FlatBend& bend) { return bend.direction == BendDirection::up ? kUp : kDown; }
+
+/// The lines that a stroke presses.
+std::vector<Segment> pressed_lines(const Report& report, const Stroke& stroke) {
+  std::vector<Segment> lines;
+  for (const BendId id : stroke.bends) {
+    const std::vector<Segment>& all = bend_of(report, id).lines;
+    if (stroke.press_line && *stroke.press_line < std::ssize(all))
+      lines.push_back(all[static_cast<std::size_t>(*stroke.press_line)]);
+    else
+      lines.insert(lines.end(), all.begin(), all.end());
+  }
+  return lines;
+}
+
+std::span<const Stroke> strokes_of(const Report& report) {
+  if (!report.plan) return {};
+  return report.plan->strokes;
+}
+
+std::string names_of(const Report& report, const Stroke& stroke) {
+  std::string names;
+  for (const BendId id : stroke.bends)
+    names += (names.empty() ? "" : " + ") + bend_of(report, id).id;
+  if (stroke.press_line) names += fmt::format(", line {}", *stroke.press_line + 1);
+  return names;
+}
+
+/// The drawn side of the pattern shows the reference skin.
+bool shows_reference(const Report& report) {
+  return report.layout.placement[report.layout.root].linear().determinant() > 0.0;
+}
+
+void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour) {
+  constexpr double kRadius = 2.6;
+  std::vector<Vec2> circle;
+  constexpr int kCorners = 32;
+  for (int i = 0; i < kCorners; ++i) {
+    const double turn = 2.0 * std::numbers::pi * i / kCorners;
+    circle.push_back(at + kRadius * Vec2(std::cos(turn), std::sin(turn)));
+  }
+  page.area({circle}, {.stroke = colour, .fill = Colour{1.0, 1.0, 1.0}, .width = 0.3});
+  page.text(at + Vec2(0.0, 1.15), std::to_string(stroke + 1),
+            {.size = 3.2, .bold = true, .anchor = TextAnchor::middle, .colour = colour});
+}
+
+/// A dimension: extension lines, a line with ticks, the length beside it.
+void dimension(Page& page, const Vec2& a, const Vec2& b, const Vec2& away,
+               const std::string& length) {
+  const Ink thin{.stroke = kGrey, .width = 0.15};
+  const Vec2 from = a + away, to = b + away, tick = Vec2(1.0, -1.0);
+  page.lines({{a + 0.15 * away, from + 0.15 * away},
+              {b + 0.15 * away, to + 0.15 * away},
+              {from, to},
+              {from - tick, from + tick},
+              {to - tick, to + tick}},
+             thin);
+  const bool upright = std::abs(b.x() - a.x()) < std::abs(b.y() - a.y());
+  const Vec2 beside = upright ? Vec2(-1.0, 0.0) : Vec2(0.0, -1.0);
+  page.text(0.5 * (from + to) + beside, length,
+            {.size = 3.2,
+             .anchor = TextAnchor::middle,
+             .turned = upright ? 0.5 * std::numbers::pi : 0.0});
+}
+
+/// As exactly as a gauge is set: to 0.1 mm, or a thousandth of another unit.
+std::string size_text(const Report& report, double mm) {
+  const bool metric = report.units == LengthUnit::mm;
+  return fmt::format("{:.{}f}", Units(report.units).length(mm), metric ? 1 : 3);
+}
+
+std::string size_with_unit(const Report& report, double mm) {
+  return fmt::format("{} {}", size_text(report, mm), Units(report.units).symbol());
+}
+
+std::string state_of(const Plan& plan) {
+  switch (plan.status) {
+    case PlanStatus::optimal:
+      return "cheapest order, proven";
+    case PlanStatus::feasible:
+      return "an order that works";
+    case PlanStatus::infeasible:
+      return "CANNOT BE BENT with these tools";
+    case PlanStatus::gave_up:
+      break;
+  }
+  return "no order found within the limit";
+}
+
+/// One line on the order of strokes.
+std::string order_of(const Report& report) {
+  if (!report.plan) return "no bend plan";
+  const Plan& plan = *report.plan;
+  if (plan.strokes.empty()) return state_of(plan);
+  return fmt::format("{}, turned over {}×, rotated {}×, tools changed {}×: {}",
+                     counted(static_cast<int>(plan.strokes.size()), "stroke"), plan.turn_overs,
+                     plan.rotations, plan.tool_changes, state_of(plan));
+}
+
+void head(Page& page, const Report& report, std::size_t at, std::size_t of) {
+  const double right = kWidth - kMargin;
+  page.text({kMargin, kMargin + 5.0}, report.body, {.size = 6.5, .bold = true});
+  page.text({right, kMargin + 5.0}, fmt::format("bend plan {} / {}", at, of),
+            {.size = 3.5, .anchor = TextAnchor::end, .colour = kGrey});
+  const Units units(report.units);
+  std::string blank = fmt::format(
+      "{} {}, blank {} × {}", units.short_text(report.summary.thickness), units.symbol(),
+      size_text(report, report.size.x()), size_with_unit(report, report.size.y()));
+  if (report.mass) blank += fmt::format(", {:.3g} kg", *report.mass);
+  page.text({kMargin, kMargin + 12.0}, blank, {.size = 4.0});
+  page.text({kMargin, kMargin + 18.0}, order_of(report), {.size = 4.0});
+  page.line({kMargin, kMargin + 21.0}, {right, kMargin + 21.0}, {.width = 0.4});
+}
+
+void flat_drawing(Page& page, const Report& report, const Rectangle& into) {
+  Box2 box;
+  add(box, sampled(report.flat.outer.loop, 1.0));
+  constexpr double kRoom = 9.0;  // for dimensions
+  const Rectangle inner{into.corner + Vec2(kRoom, kRoom), into.size - Vec2(2 * kRoom, 2 * kRoom)};
+  const Fit fit(box, inner, 1.0);
+  std::vector<std::vector<Vec2>> rings;
+  for (auto& ring : rings_of(report.flat, fit.scale()))
+    rings.push_back(fit(std::move(ring)));
+  page.area(std::move(rings), {.fill = kSheet, .width = 0.35});
+  const std::span<const Stroke> strokes = strokes_of(report);
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    const Stroke& stroke = strokes[s];
+    const Colour colour = colour_of(bend_of(report, stroke.bends.front()));
+    const std::vector<Segment> lines = pressed_lines(report, stroke);
+    for (const Segment& line : lines)
+      page.line(fit(line.a), fit(line.b), {.stroke = colour, .width = 0.3, .dashes = {2.5, 1.2}});
+    const Segment& first = lines.front();
+    // Strokes on one line (a hem's two) stand beside each other.
+    const double along = 0.5 + 0.06 * static_cast<double>(s % 3);
+    number(page, fit(first.a + along * (first.b - first.a)), s, colour);
+  }
+  const Vec2 low = fit(box.lo), high = fit(box.hi);
+  dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
+            size_text(report, box.hi.x() - box.lo.x()));
+  dimension(page, {low.x(), low.y()}, {low.x(), high.y()}, {-6.0, 0.0},
+            size_text(report, box.hi.y() - box.lo.y()));
+  page.text({into.corner.x() + into.size.x(), into.corner.y() + into.size.y()},
+            fmt::format("drawn side up, scale {:.3g} : 1; blue bends up, red down", fit.scale()),
+            {.size = 3.0, .anchor = TextAnchor::end, .colour = kGrey});
+}
+
+/// The sheet as the operator sees it, the gauge at the top.
+void lying(Page& page, const Report& report, std::size_t s, const Rectangle& into) {
+  const Stroke& stroke = report.plan->strokes[s];
+  const bool drawn_up = stroke.reference_up == shows_reference(report);
+  const Vec2 up = stroke.gauge_direction;
+  const Vec2 right = drawn_up ? Vec2(up.y(), -up.x()) : Vec2(-up.y(), up.x());
+  const auto seen = [&](std::vector<Vec2> points) {
+    for (Vec2& p : points)
+      p = Vec2(p.dot(right), p.dot(up));
+    return points;
+  };
+  Box2 box;
+  add(box, seen(sampled(report.flat.outer.loop, 1.0)));
+  constexpr double kRoom = 7.0;  // for the dimension
+  const Fit fit(box, {into.corner, into.size - Vec2(kRoom, 0.0)}, 1.0);
+  std::vector<std::vector<Vec2>> rings;
+  for (auto& ring : rings_of(report.flat, fit.scale()))
+    rings.push_back(fit(seen(std::move(ring))));
+  page.area(std::move(rings), {.fill = kSheet, .width = 0.25});
+  for (std::size_t before = 0; before < s; ++before)
+    for (const Segment& line : pressed_lines(report, report.plan->strokes[before]))
+      page.lines({fit(seen({line.a, line.b}))}, {.stroke = kGrey, .width = 0.3});
+  for (const Segment& line : pressed_lines(report, stroke))
+    page.lines({fit(seen({line.a, line.b}))}, {.stroke = kPart, .width = 0.9});
+  if (!stroke.gauge) return;
+  const auto edge = fit(seen({stroke.gauge->edge.a, stroke.gauge->edge.b}));
+  const Segment line = pressed_lines(report, stroke).front();
+  const auto bend = fit(seen({line.a, line.b}));
+  page.lines({edge}, {.stroke = kAlert, .width = 0.9});
+  const double right_side = fit(box.hi).x();
+  dimension(page, {right_side, bend[0].y()}, {right_side, edge[0].y()}, {4.0, 0.0},
+            size_text(report, stroke.gauge->distance));
+}
+
+/// The workpiece between the tools, the gauge on the right.
+void between_tools(Page& page, const StrokePicture& picture, const Rectangle& into) {
+  // What is around the workpiece; long tools and beams run out of the picture.
+  Box2 box;
+  for (const auto* sections : {&picture.lying, &picture.bent})
+    for (const ToolProfile& section : *sections)
+      add(box, section);
+  const double room = std::max(20.0, 0.1 * (box.hi - box.lo).maxCoeff());
+  box.lo -= Vec2(0.5 * room, 1.5 * room);
+  box.hi += Vec2(0.5 * room, room);
+  const Fit fit(box, into, 2.0);
+  const auto clip = [&](ToolProfile profile) {
+    for (const auto& [normal, offset] :
+         {std::pair{Vec2(1, 0), box.hi.x()}, std::pair{Vec2(-1, 0), -box.lo.x()},
+          std::pair{Vec2(0, 1), box.hi.y()}, std::pair{Vec2(0, -1), -box.lo.y()}}) {
+      ToolProfile kept;
+      for (std::size_t i = 0; i < profile.size(); ++i) {
+        const Vec2 &a = profile[i], &b = profile[(i + 1) % profile.size()];
+        const double from = normal.dot(a) - offset, to = normal.dot(b) - offset;
+        if (from <= 0.0) kept.push_back(a);
+        if ((from < 0.0) != (to < 0.0) && from != to)
+          kept.push_back(a + from / (from - to) * (b - a));
+      }
+      profile = std::move(kept);
+    }
+    return fit(std::move(profile));
+  };
+  const Ink tool{.stroke = kGrey, .fill = kSteel, .width = 0.2};
+  for (const ToolProfile* profile :
+       {&picture.upper_beam, &picture.lower_beam, &picture.punch, &picture.die})
+    if (profile->size() > 2) page.area({clip(*profile)}, tool);
+  for (const ToolProfile& section : picture.lying)
+    page.area({fit(section)}, {.stroke = kBefore, .fill = kBefore, .width = 0.1});
+  for (const ToolProfile& section : picture.bent)
+    page.area({fit(section)}, {.stroke = kPart, .fill = kPart, .width = 0.1});
+  if (picture.finger.size() > 2)
+    page.area({clip(picture.finger)}, {.stroke = kAlert, .fill = {}, .width = 0.3});
+}
+
+std::string segments_text(const Report& report, const std::vector<double>& segments) {
+  const Units units(report.units);
+  std::string text;
+  for (const double length : segments)
+    text += (text.empty() ? "" : " + ") + units.short_text(length);
+  return text;
+}
+
+/// What is done to the sheet since the stroke before.
+std::string handling(const Report& report, std::size_t s) {
+  if (s == 0) return "start";
+  const Stroke &now = report.plan->strokes[s], &before = report.plan->strokes[s - 1];
+  std::string text;
+  if (now.reference_up != before.reference_up) text = "TURN OVER";
+  constexpr double kSame = 1e-9;
+  if ((now.gauge_direction - before.gauge_direction).norm() > kSame)
+    text += text.empty() ? "ROTATE" : ", ROTATE";
+  if (now.punch != before.punch || now.die != before.die)
+    text += text.empty() ? "CHANGE TOOLS" : ", CHANGE TOOLS";
+  return text;
+}
+
+void stroke_texts(Page& page, const Report& report, std::size_t s, const Vec2& at) {
+  const Stroke& stroke = report.plan->strokes[s];
+  const bool drawn_up = stroke.reference_up == shows_reference(report);
+  double y = at.y();
+  const auto line = [&](const std::string& text, const TextStyle& style = {.size = 3.2}) {
+    page.text({at.x(), y}, text, style);
+    y += 1.45 * style.size;
+  };
+  line(fmt::format("{}  {}{:.4g}°", names_of(report, stroke), stroke.flattening ? "flatten " : "",
+                   stroke.angle.degrees()),
+       {.size = 4.2, .bold = true});
+  if (const std::string text = handling(report, s); !text.empty())
+    line(text, {.size = 3.4, .bold = true, .colour = kAlert});
+  line(drawn_up ? "drawn side up" : "drawn side down");
+  line(stroke.gauge ? "gauge " + size_with_unit(report, stroke.gauge->distance)
+                    : std::string("no edge to gauge: mark the line"));
+  line(fmt::format("punch {}", stroke.punch));
+  line(fmt::format("  {}", segments_text(report, stroke.punch_segments)),
+       {.size = 2.9, .colour = kGrey});
+  line(fmt::format("die {}", stroke.die));
+  line(fmt::format("  {}", segments_text(report, stroke.die_segments)),
+       {.size = 2.9, .colour = kGrey});
+  line(fmt::format("from {} along the line", size_with_unit(report, stroke.punch_from)));
+  line(fmt::format("{:.3g} kN, {} clear", stroke.force, size_with_unit(report, stroke.clearance)));
+}
+
+void stroke_row(Page& page, const Report& report, const StrokePicture& picture, std::size_t s,
+                double top) {
+  constexpr double kGap = 3.0, kLying = 48.0, kTexts = 52.0;
+  const double left = kMargin, inner = kRow - 2 * kGap;
+  number(page, {left + 3.0, top + kGap + 3.0}, s, kBlack);
+  lying(page, report, s, {{left + 8.0, top + kGap}, {kLying, inner}});
+  const double tools = kWidth - 2 * kMargin - kLying - kTexts - 16.0;
+  between_tools(page, picture, {{left + kLying + 12.0, top + kGap}, {tools, inner}});
+  stroke_texts(page, report, s, {kWidth - kMargin - kTexts, top + kGap + 4.0});
+  page.line({left, top + kRow}, {kWidth - kMargin, top + kRow}, {.stroke = kGrey, .width = 0.15});
+}
+
+}  // namespace
+
+std::vector<Page> bend_pages(const Report& report, const std::vector<StrokePicture>& pictures) {
+  const std::size_t strokes = strokes_of(report).size();
+  PLANISH_ASSERT(pictures.size() == strokes);
+  const double below = kHeight - kMargin;
+  const auto rows = [&](double top) { return static_cast<std::size_t>((below - top) / kRow); };
+  const double first_top = kMargin + kHead - 10.0 + kFlat, next_top = kMargin + kHead - 10.0;
+  const std::size_t on_first = rows(first_top), on_next = rows(next_top);
+  const std::size_t rest = strokes > on_first ? strokes - on_first : 0;
+  const std::size_t count = 1 + (rest + on_next - 1) / on_next;
+  std::vector<Page> pages;
+  std::size_t s = 0;
+  for (std::size_t p = 0; p < count; ++p) {
+    Page& page = pages.emplace_back(kWidth, kHeight);
+    head(page, report, p + 1, count);
+    double top = p == 0 ? first_top : next_top;
+    if (p == 0)
+      flat_drawing(page, report,
+                   {{kMargin, kMargin + kHead - 9.0}, {kWidth - 2 * kMargin, kFlat - 6.0}});
+    for (std::size_t row = 0; row < (p == 0 ? on_first : on_next) && s < strokes; ++row, ++s) {
+      stroke_row(page, report, pictures[s], s, top);
+      top += kRow;
+    }
+  }
+  return pages;
+}
+
+}  // namespace planish::job
