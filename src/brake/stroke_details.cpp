@@ -127,7 +127,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   const int tool = above ? stroke.punch : stroke.die;
   const PlacedPart& placed = parts_in(stroke)[obstruction.part]->placed;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
-  Interval along{-1e9, 1e9};
+  Interval along = kEverywhere;
   if (kind == ToolKind::punch || kind == ToolKind::die)
     along = {pieces.front().lo + shortfall(), pieces.back().hi - shortfall()};
   const auto turn_deeper = [&](double depth) {
@@ -161,7 +161,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   return blocked;
 }
 
-BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
+BlockedBend StrokeModel::blocked(const LineSet& formed, int line, Clock::time_point until) {
   const FittingTools& fitting = fitting_[line];
   BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
@@ -169,6 +169,7 @@ BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
+        if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
         const Setting stroke{&formed, alone, line, punch, die, direction};
         const bool closes = work_.lines[line].closes.has_value();
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);

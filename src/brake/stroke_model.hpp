@@ -9,10 +9,14 @@
 #include <planish/brake/plan.hpp>
 #include <planish/brake/stroke_search.hpp>
 
+#include <chrono>
 #include <memory>
 #include <unordered_map>
 
 namespace planish::brake_detail {
+
+using Clock = std::chrono::steady_clock;
+inline constexpr Clock::time_point kNoEnd = Clock::time_point::max();
 
 /// Answers which strokes can be made in a stage. What a part of the workpiece hits depends on the
 /// lines between it and the pressed one only: it is computed once for each of their states.
@@ -32,8 +36,9 @@ class StrokeModel {
   bool is_outermost(const LineSet& formed, const StrokeChoice& choice);
   /// What is to be done in a stroke that can be made.
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
-  /// Why a line cannot be pressed in a stage, by the tools that come nearest to it.
-  BlockedBend blocked(const LineSet& formed, int line);
+  /// Why a line cannot be pressed in a stage, by the tools that come nearest to it; of those looked
+  /// at until a time, the first at least.
+  BlockedBend blocked(const LineSet& formed, int line, Clock::time_point until = kNoEnd);
 
  private:
   /// What a part hits, and what hangs on it: by slot and by how the line between them is.
