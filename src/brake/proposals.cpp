@@ -55,6 +55,7 @@ class Trying {
                                 std::chrono::duration<double>(trying.seconds))) {
     auto work = work_for(options);
     if (work) work_ = std::move(*work);
+    obstacles_ = std::make_shared<ToolRoom>(tools, options.clearance);
   }
 
   std::vector<Proposal> all() {
@@ -81,7 +82,7 @@ class Trying {
     options.limits.first = true;
     options.limits.reasons = false;
     options.limits.seconds = left.count();
-    StrokeModel model(std::move(work), tools, options);
+    StrokeModel model(std::move(work), tools, options, &tools == &tools_ ? obstacles_ : nullptr);
     if (line_without_tool(model)) return false;
     const auto search = search_plan(model, options, progress_);
     return search &&
@@ -108,7 +109,7 @@ class Trying {
 
   /// The widest V that any line is pressed over now.
   double widest() const {
-    StrokeModel model(work_, tools_, options_);
+    const StrokeModel model(work_, tools_, options_, obstacles_);
     double opening = 0.0;
     for (int i = 0; i < std::ssize(work_.lines); ++i)
       for (const int die : model.fitting(i).dies)
@@ -193,26 +194,36 @@ class Trying {
     return -1;
   }
 
-  /// The lines that lead from a body to a line; each of them bends what comes before it.
-  std::vector<std::pair<int, int>> path(int body, int line) const {
+  struct Shortened {
+    int body = 0;
+    int near = 0;  ///< its line towards the bend that is in question
+    auto operator<=>(const Shortened&) const = default;
+  };
+
+  /// The bodies on the way from one to a line, then all others that do not lie on it.
+  std::vector<Shortened> candidates(int body, int line) const {
     const PartTree tree(work_, line);
-    std::vector<std::pair<int, int>> bodies;
-    for (int part = tree.part_of_body(body); part >= 0; part = tree.parts()[part].before) {
-      const PartTree::Part& at = tree.parts()[part];
-      bodies.emplace_back(at.index, at.over < 0 ? line : at.over);
-    }
+    std::vector<Shortened> bodies;
+    const auto add = [&](const PartTree::Part& part) {
+      if (!part.is_zone && part.over >= 0) bodies.push_back({part.index, part.over});
+    };
+    for (int part = tree.part_of_body(body); part >= 0; part = tree.parts()[part].before)
+      add(tree.parts()[part]);
+    for (const PartTree::Part& part : tree.parts())
+      add(part);
     return bodies;
   }
 
-  /// The flange that hits, or one on the way from it to the bend.
+  /// The flange that hits, one on the way from it to the bend, or another: with another tool it is
+  /// another that hits.
   void try_shorter() {
-    std::set<int> tried;
+    std::set<Shortened> tried;
     for (const BlockedBend& hit : hits()) {
       if (!hit.with) continue;
       const int line = line_of(hit.bend), body = body_of(*hit.with);
       if (line < 0 || body < 0) continue;
-      for (const auto& [shorter, near] : path(body, line))
-        if (tried.insert(shorter).second && near != line && shortens(shorter, near)) return;
+      for (const Shortened& one : candidates(body, line))
+        if (tried.insert(one).second && shortens(one.body, one.near)) return;
     }
   }
 
@@ -240,6 +251,7 @@ class Trying {
   }
 
   void try_split() {
+    if (work_.lines.size() < 2) return;  // two plates are no plan
     std::vector<int> lines;
     const auto add = [&](BendId bend) {
       const int line = line_of(bend);
@@ -272,6 +284,7 @@ class Trying {
   const Progress& progress_;
   Clock::time_point end_, share_end_;
   Workpiece work_;
+  std::shared_ptr<ToolRoom> obstacles_;
   std::vector<Proposal> found_;
 };
 

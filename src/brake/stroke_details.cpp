@@ -28,8 +28,10 @@ std::optional<FlangeId> StrokeModel::flange_of(int line, int part) {
   const PartTree::Part& at = tree.parts()[part];
   if (!at.is_zone) return work_.bodies[at.index].flange;
   const auto& bodies = work_.lines[at.index].bodies;
-  const auto beyond = work_.bodies[bodies[1]].flange;
-  return beyond ? beyond : work_.bodies[bodies[0]].flange;
+  const int before = at.before >= 0 ? tree.parts()[at.before].index : bodies[0];
+  const int beyond = bodies[bodies[0] == before ? 1 : 0];
+  const auto flange = work_.bodies[beyond].flange;
+  return flange ? flange : work_.bodies[before].flange;
 }
 
 Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
@@ -88,7 +90,7 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
     const PlacedPart& placed = parts_in(stroke)[part]->placed;
     for (const ToolKind kind : kToolKinds) {
       const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
-      const SidedObstacle body = room_of_tools_.body(
+      const SidedObstacle body = room_of_tools_->body(
           kind, above ? stroke.punch : stroke.die, nearness(part, kind, stroke), stroke.direction);
       const Obstacle& obstacle = placed.left ? *body.left : *body.right;
       const std::vector<ToolRow>* row = kind == ToolKind::punch ? &rows.punch
@@ -131,7 +133,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   if (kind == ToolKind::punch || kind == ToolKind::die)
     along = {pieces.front().lo + shortfall(), pieces.back().hi - shortfall()};
   const auto turn_deeper = [&](double depth) {
-    const Obstacle& plain = room_of_tools_.deeper(kind, tool, depth);
+    const Obstacle& plain = room_of_tools_->deeper(kind, tool, depth);
     const Obstacle other = mirrored(plain);
     const bool same = stroke.direction > 0;
     return hit_within(motion(stroke), placed, same ? plain : other, same ? other : plain, along,
@@ -155,7 +157,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
       hi = middle;
     }
   }
-  blocked.hits = room_of_tools_.name(kind, tool);
+  blocked.hits = room_of_tools_->name(kind, tool);
   blocked.depth = lo;
   if (turn) blocked.at_turn = Angle::radians(*turn);
   return blocked;

@@ -52,11 +52,13 @@ bool lie_on_one_line(const BrakeLine& a, const BrakeLine& b) {
 
 }  // namespace
 
-StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options)
+StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options,
+                         std::shared_ptr<ToolRoom> obstacles)
     : work_(std::move(work)),
       tools_(tools),
       options_(options),
-      room_of_tools_(tools, options.clearance),
+      room_of_tools_(obstacles ? std::move(obstacles)
+                               : std::make_shared<ToolRoom>(tools, options.clearance)),
       rooms_(work_.lines.size()),
       on_one_line_(work_.lines.size()) {
   for (const Punch& punch : tools.punches)

@@ -22,7 +22,9 @@ inline constexpr Clock::time_point kNoEnd = Clock::time_point::max();
 /// lines between it and the pressed one only: it is computed once for each of their states.
 class StrokeModel {
  public:
-  StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options);
+  /// `obstacles`: of these tools and this clearance, if they are there already.
+  StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options,
+              std::shared_ptr<ToolRoom> obstacles = nullptr);
 
   const Workpiece& work() const { return work_; }
   const FittingTools& fitting(int line) const { return fitting_[line]; }
@@ -109,7 +111,7 @@ class StrokeModel {
   Workpiece work_;
   const BrakeTools& tools_;
   PlanOptions options_;
-  ToolRoom room_of_tools_;
+  std::shared_ptr<ToolRoom> room_of_tools_;
   std::vector<FittingTools> fitting_;
   std::vector<SegmentSums> punch_segments_, die_segments_;
   std::vector<Vec2> directions_;  ///< of the pattern, by the numbers of `StrokeChoice`
