@@ -1,7 +1,7 @@
+#include "support/sheets.hpp"
+
 #include <planish/brake/plan.hpp>
 #include <planish/sheet/flat_pattern.hpp>
-
-#include "support/strips.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -38,8 +38,8 @@ BrakeTools tools() {
 Sheet staircase(int bends) {
   std::vector<StripPart> sections{Straight{30}};
   for (int i = 0; i < bends; ++i) {
-    sections.push_back(Turn{Angle::degrees(90), 2.0,
-                            i % 2 == 0 ? BendDirection::up : BendDirection::down});
+    sections.push_back(
+        Turn{Angle::degrees(90), 2.0, i % 2 == 0 ? BendDirection::up : BendDirection::down});
     sections.push_back(Straight{30});
   }
   return strip(sections, 80, 1.5);
