@@ -1,5 +1,5 @@
 # Finds the headers of Cairo (Debian: libcairo2-dev): Cairo::headers. The library itself is loaded
-# when something is drawn and never linked (docs/decisions/0011).
+# when something is drawn and never linked (docs/decisions/0012).
 
 find_path(Cairo_INCLUDE_DIR cairo-pdf.h PATH_SUFFIXES cairo)
 mark_as_advanced(Cairo_INCLUDE_DIR)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks DXF files of flat patterns by the rules of a cutting shop, with ezdxf's eyes.
 
-    check_dxf.py [--area A [--tol R]] [--slits L] [--no-audit] file.dxf ...
+    check_dxf.py [--area A [--tol R]] [--slits L] [--texts] [--no-audit] file.dxf ...
     check_dxf.py --list files.tsv
 
 Prints one JSON object per file, in one list when there are several or with --list, and exits with
@@ -13,6 +13,7 @@ for cubics). --tol is relative to the expected area. A list has a line for each 
 path <tab> area [<tab> tol [<tab> slits]]; empty area: not compared; # starts a comment.
 --slits is the length of all slits in mm, within 1e-6 of itself: cuts on the layer of the openings that
 do not close. None are expected unless it is given.
+--texts allows TEXT on the layer TEXT, which `planish` writes on request.
 """
 
 import argparse
@@ -29,6 +30,7 @@ BEND_UP = {"BEND_UP", "IV_BEND", "SHEETMETAL_BEND_LINES_UP", "UP_CENTERLINES"}
 BEND_DOWN = {"BEND_DOWN", "IV_BEND_DOWN", "SHEETMETAL_BEND_LINES_DOWN", "DOWN_CENTERLINES"}
 BEND_ZONE = {"BEND_TANGENT", "IV_TANGENT", "SHEETMETAL_BEND_TANGENT_LI"}
 FEATURES = {"FEATURE_PROFILES", "IV_FEATURE_PROFILES", "SHEETMETAL_FEATURE_PROFILES"}
+TEXTS = "TEXT"
 KNOWN = OUTER | OPENINGS | BEND_UP | BEND_DOWN | BEND_ZONE | FEATURES
 
 MILLIMETRES = {1: 25.4, 4: 1.0, 5: 10.0, 6: 1000.0}
@@ -151,7 +153,7 @@ def audit(doc, errors):
     errors += [f"audit, fixed: {e.message}" for e in auditor.fixes if "owner handle" not in e.message]
 
 
-def check(path, expected, tolerance, slit_length=0.0, auditing=True):
+def check(path, expected, tolerance, slit_length=0.0, auditing=True, texts=False):
     errors = []
     report = {"path": path, "ok": False, "errors": errors}
     try:
@@ -168,13 +170,13 @@ def check(path, expected, tolerance, slit_length=0.0, auditing=True):
     for entity in entities:
         kind, layer = entity.dxftype(), entity.dxf.layer
         layers[layer] = layers.get(layer, 0) + 1
-        if kind in NOT_GEOMETRY:
+        if kind in NOT_GEOMETRY and not (texts and (kind, layer) == ("TEXT", TEXTS)):
             errors.append(f"layer {layer}: {kind} in a cutting file")
         if version == "R12" and kind in R12_FORBIDDEN:
             errors.append(f"{kind} in an R12 file")
         if layer not in doc.layers:
             errors.append(f"layer {layer} is not in the table of layers")
-    errors += [f"unknown layer {layer}" for layer in layers if layer not in KNOWN]
+    errors += [f"unknown layer {layer}" for layer in layers if layer not in KNOWN and not (texts and layer == TEXTS)]
 
     slits = []
     cuts = [e for e in entities if e.dxf.layer in OUTER | OPENINGS]
@@ -205,6 +207,7 @@ def check(path, expected, tolerance, slit_length=0.0, auditing=True):
         bend_up=sum(e.dxf.layer in BEND_UP for e in bends),
         bend_down=sum(e.dxf.layer in BEND_DOWN for e in bends),
         slits=len(slits), slits_mm=slits_mm, splines=count("SPLINE"), features=sum(n for l, n in layers.items() if l in FEATURES),
+        texts=sorted(e.dxf.text for e in entities if e.dxftype() == "TEXT"),
         extents=extents, dxfversion=doc.dxfversion if version != "R12" else "AC1009",
         insunits=units, layers=layers)
     return report
@@ -234,12 +237,13 @@ def main():
     parser.add_argument("--area", type=float, help="expected area, mm²")
     parser.add_argument("--tol", type=float, default=1e-9, help="of the area, relative")
     parser.add_argument("--slits", type=float, default=0.0, help="length of all slits, mm")
+    parser.add_argument("--texts", action="store_true", help="allow texts on the layer TEXT")
     parser.add_argument("--no-audit", action="store_true", help="leave out ezdxf's audit")
     arguments = parser.parse_args()
     jobs = jobs_of(arguments)
     if not jobs:
         parser.error("no files")
-    reports = [check(*job, auditing=not arguments.no_audit) for job in jobs]
+    reports = [check(*job, auditing=not arguments.no_audit, texts=arguments.texts) for job in jobs]
     single = len(reports) == 1 and not arguments.list
     print(json.dumps(reports[0] if single else reports, indent=2))
     for report in reports:

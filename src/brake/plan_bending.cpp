@@ -1,4 +1,5 @@
 #include "plan_search.hpp"
+#include "preferred_tools.hpp"
 
 #include <planish/brake/plan.hpp>
 
@@ -54,9 +55,10 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
 }
 
-void add_strokes(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+void add_strokes(StrokeModel& model, const BrakeTools& tools, const StrokeSearch& search,
+                 Plan& plan) {
   LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
-  for (const StrokeChoice& choice : search.strokes) {
+  for (const StrokeChoice& choice : with_preferred_tools(model, tools, search.strokes)) {
     plan.strokes.push_back(model.stroke(formed, choice));
     formed = joined(formed, choice.lines);
   }
@@ -133,7 +135,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.tool_changes = search->tool_changes;
   plan.ungauged = search->ungauged;
   plan.states = search->stages;
-  add_strokes(model, *search, plan);
+  add_strokes(model, tools, *search, plan);
   if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, until, plan);
   return plan;
 }

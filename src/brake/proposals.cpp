@@ -59,6 +59,7 @@ class Trying {
   }
 
   std::vector<Proposal> all() {
+    if (work_.lines.empty()) return {};
     const std::vector<void (Trying::*)()> kinds{&Trying::try_orders,  &Trying::try_openings,
                                                 &Trying::try_punches, &Trying::try_taller,
                                                 &Trying::try_shorter, &Trying::try_split};

@@ -8,11 +8,12 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kSameLine = 1e-3;       // mm, and radians: lines that are pressed together
-constexpr double kSameWay = 1e-3;        // of unit vectors: one direction of the gauge
-constexpr double kLongEnough = 1e-3;     // mm: of a flange, for rounding of what is drawn
-constexpr int kLooksAtFlange = 81;       // along a bend line, over all its pieces
-constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were laid out
+constexpr double kSameLine = 1e-3;              // mm, and radians: lines that are pressed together
+constexpr double kSameWay = 1e-3;               // of unit vectors: one direction of the gauge
+constexpr double kLongEnough = 1e-3;            // mm: of a flange, for rounding of what is drawn
+constexpr int kLooksAtFlange = 81;              // along a bend line, over all its pieces
+constexpr double kTouchingParts = 1e-3;         // mm: neighbouring faces as they were laid out
+constexpr std::size_t kMostBlocks = 1'500'000;  // of parts that are known: 1 GB
 
 /// Middles of equal shares of the pieces' common length.
 std::vector<double> looks_along(const std::vector<Interval>& pieces) {
@@ -95,12 +96,25 @@ StrokeModel::LineRoom& StrokeModel::room(int line) {
   return *rooms_[line];
 }
 
+/// Forgets what parts hit when it is more than memory holds; it is found again where it is needed.
+void StrokeModel::forget_if_many() {
+  if (blocks_known_ < kMostBlocks) return;
+  blocks_known_ = 0;
+  for (const auto& room : rooms_) {
+    if (!room) continue;
+    room->parts.clear();
+    for (auto& known : room->at_line)
+      known.reset();
+  }
+}
+
 /// What is known of each part in a stage. A part's place follows from that of the body it hangs on
 /// and from how the line between them is.
 const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& stroke) {
   LineRoom& room = this->room(stroke.line);
   if (!room.parts.empty() && room.formed == *stroke.formed && room.pressed == stroke.pressed)
     return room.parts;
+  forget_if_many();
   room.formed = *stroke.formed;
   room.pressed = stroke.pressed;
   room.parts.clear();
@@ -117,6 +131,7 @@ const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& str
       *known = std::make_unique<Known>(
           Known{room.tree.placed(i, before ? &before->placed : nullptr, over)});
       (*known)->hanging.resize(room.tree.hanging(i));
+      blocks_known_ += (*known)->placed.blocks.size() + (*known)->placed.strips.size();
     }
     room.parts.push_back(known->get());
   }

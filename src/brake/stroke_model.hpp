@@ -82,6 +82,7 @@ class StrokeModel {
 
   Setting setting(const LineSet& formed, const StrokeChoice& choice) const;
   LineRoom& room(int line);
+  void forget_if_many();
   const std::vector<Known*>& parts_in(const Setting& stroke);
   PressMotion motion(const Setting& stroke) const;
   double most_turn(int line) const;
@@ -116,6 +117,7 @@ class StrokeModel {
   std::vector<SegmentSums> punch_segments_, die_segments_;
   std::vector<Vec2> directions_;  ///< of the pattern, by the numbers of `StrokeChoice`
   std::vector<std::unique_ptr<LineRoom>> rooms_;
+  std::size_t blocks_known_ = 0;
   std::vector<std::vector<int>> on_one_line_;  ///< by line: those that continue it in the pattern
   std::unordered_map<int, Interval> contact_ranges_;
 };

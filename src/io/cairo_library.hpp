@@ -18,7 +18,7 @@
 namespace planish::io_detail {
 
 /// Cairo, loaded by hand: linked, it and the twenty libraries behind it would take 2 ms of every
-/// run (docs/decisions/0011-what-every-run-loads-is-small.md).
+/// run (docs/decisions/0012-cairo-is-loaded-when-pages-are-written.md).
 struct Cairo {
 #define PLANISH_CAIRO_MEMBER(name) decltype(&cairo_##name) name = nullptr;
   PLANISH_CAIRO_FUNCTIONS(PLANISH_CAIRO_MEMBER)

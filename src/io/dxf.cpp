@@ -1,3 +1,4 @@
+#include "bend_text.hpp"
 #include "dxf_writer.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -18,7 +19,7 @@ namespace {
 constexpr double kShortestMark = 1e-6;  // mm
 
 struct Styles {
-  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features;
+  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features, text;
 };
 
 Styles styles_of(LayerProfile profile) {
@@ -29,14 +30,16 @@ Styles styles_of(LayerProfile profile) {
                 .bend_down = {names.bend_down, 1, true},
                 // Not dashed: some shops bend along every dashed line.
                 .bend_zone = {names.bend_zone, 8},
-                .features = {names.features, 3}};
+                .features = {names.features, 3},
+                // Readers take every layer with BEND in its name for bend lines.
+                .text = {"TEXT", 8}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
   return styles;
 }
 
 struct Entity {
   EntityStyle style;
-  std::variant<Segment, Outline> geometry;
+  std::variant<Segment, Outline, DxfText> geometry;
 };
 
 /// Entities in the order of work.
@@ -46,6 +49,8 @@ class Drawing {
       : styles_(styles_of(options.profile)),
         options_(options),
         scale_(1.0 / millimetres_in(options.units)) {
+    for (const FlatBend& bend : pattern.bends)
+      add_text(bend);
     for (const FlatBend& bend : pattern.bends)
       add_bend(bend);
     for (const FlatBend& bend : pattern.bends)
@@ -116,6 +121,24 @@ class Drawing {
     }
   }
 
+  void add_text(const FlatBend& bend) {
+    constexpr double kHighest = 3.0, kWide = 0.9;  // mm; a letter, by its height
+    if (!options_.bend_text || bend.lines.empty()) return;
+    const Segment& line = longest_line(bend);
+    const std::string text = bend_text(bend);
+    Vec2 along = line.b - line.a;
+    const double length = along.norm();
+    if (length < kShortestMark) return;
+    // Read from below or from the right.
+    if (along.x() < -kShortestMark || (along.x() < kShortestMark && along.y() < 0.0))
+      along = -along;
+    const double height = std::min(kHighest, length / (kWide * static_cast<double>(text.size())));
+    const Vec2 above = height / length * Vec2(-along.y(), along.x());
+    entities_.push_back(
+        {styles_.text, DxfText{(0.5 * (line.a + line.b) + above) * scale_, height * scale_,
+                               Angle::radians(std::atan2(along.y(), along.x())), text}});
+  }
+
   void add_tangent_lines(const FlatBend& bend) {
     if (!options_.tangent_lines || styles_.bend_zone.layer.empty()) return;
     for (const Segment& line : bend.tangent_lines)
@@ -152,6 +175,8 @@ void write(DxfWriter& writer, const Entity& entity, double unit) {
   if (const auto* line = std::get_if<Segment>(&entity.geometry)) {
     const double scale = entity.style.dashed ? dash_scale(*line, unit) : 1.0;
     write_line(writer, entity.style, *line, scale);
+  } else if (const auto* text = std::get_if<DxfText>(&entity.geometry)) {
+    write_text(writer, entity.style, *text);
   } else {
     write_outline(writer, entity.style, std::get<Outline>(entity.geometry));
   }

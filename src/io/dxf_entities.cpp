@@ -1,7 +1,9 @@
 #include "dxf_writer.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace planish::io_detail {
 namespace {
@@ -138,12 +140,33 @@ void write(DxfWriter& w, const EntityStyle& style, const Loop& chain) {
   }
 }
 
+std::string in_dxf(std::string text) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSigns{
+      {{"°", "%%d"}, {"×", "x"}, {"…", "-"}}};
+  for (const auto& [sign, written] : kSigns)
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign))
+      text.replace(at, sign.size(), written);
+  return text;
+}
+
 }  // namespace
 
 void write_line(DxfWriter& w, const EntityStyle& style, const Segment& line, double dash_scale) {
   begin(w, "LINE", "AcDbLine", style, dash_scale);
   w.coord(10, line.a.x(), line.a.y());
   w.coord(11, line.b.x(), line.b.y());
+}
+
+void write_text(DxfWriter& w, const EntityStyle& style, const DxfText& text) {
+  constexpr int kMiddle = 4;  // in both directions
+  begin(w, "TEXT", "AcDbText", style);
+  w.coord(10, text.at.x(), text.at.y());
+  w.dxfReal(40, text.height);
+  w.dxfString(1, in_dxf(text.text));
+  w.dxfReal(50, text.turned.degrees());
+  w.dxfInt(72, kMiddle);
+  w.coord(11, text.at.x(), text.at.y());
+  if (!w.r12()) w.subClass("AcDbText");
 }
 
 void write_outline(DxfWriter& w, const EntityStyle& style, const Outline& outline) {

@@ -53,6 +53,15 @@ void write_epilog(DL_Dxf& dxf, DxfWriter& writer);
 /// `dash_scale` shortens the dashes of a line too short to show any.
 void write_line(DxfWriter& writer, const EntityStyle& style, const Segment& line,
                 double dash_scale);
+/// A line of text, its middle `at`, turned counter-clockwise; "°" and "×" are written as DXF and
+/// its fonts have them.
+struct DxfText {
+  Vec2 at;
+  double height = 0.0;  ///< of capitals
+  Angle turned;
+  std::string text;
+};
+void write_text(DxfWriter& writer, const EntityStyle& style, const DxfText& text);
 void write_outline(DxfWriter& writer, const EntityStyle& style, const Outline& outline);
 
 }  // namespace planish::io_detail

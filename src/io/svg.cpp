@@ -1,3 +1,4 @@
+#include "bend_text.hpp"
 #include "svg_labels.hpp"
 #include "svg_shapes.hpp"
 
@@ -102,20 +103,6 @@ std::string bend_lines(const FlatPattern& pattern, double font) {
   return text + "</g>\n";
 }
 
-std::string label_text(const FlatBend& bend) {
-  // Words, not arrows: an arrow turned with its line no longer points up or down.
-  const std::string direction = bend.direction == BendDirection::up ? "UP" : "DOWN";
-  const bool pressed = bend.line_angles.size() > 1 && bend.line_angles.front() < bend.angle;
-  if (pressed) {
-    const auto [least, most] = std::ranges::minmax(bend.line_angles);
-    const std::string from = svg_number(least.degrees(), 2), to = svg_number(most.degrees(), 2);
-    return fmt::format("{} {} {} × {}°", bend.id, direction, bend.line_angles.size(),
-                       from == to ? from : from + " … " + to);
-  }
-  return fmt::format("{} {} {}° R{}", bend.id, direction, svg_number(bend.angle.degrees(), 2),
-                     svg_number(bend.inside_radius, 2));
-}
-
 std::string slits(const FlatPattern& pattern, double font) {
   std::string text = fmt::format(
       "<g class=\"slits\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kOutlineColor,
@@ -184,15 +171,12 @@ std::vector<PlacedLabel> point_labels(const FlatPattern& pattern, double font) {
 
 std::vector<BendLabel> bend_labels(const FlatPattern& pattern, double font,
                                    const std::vector<PlacedLabel>& points) {
-  const auto by_length = [](const Segment& a, const Segment& b) {
-    return (a.b - a.a).norm() < (b.b - b.a).norm();
-  };
   std::vector<LabelRequest> requests;
   std::vector<BendDirection> directions;
   for (const FlatBend& bend : pattern.bends) {
     if (bend.lines.empty()) continue;
-    const Segment& line = *std::ranges::max_element(bend.lines, by_length);
-    requests.push_back({label_text(bend), line, half_width(bend, line)});
+    const Segment& line = longest_line(bend);
+    requests.push_back({bend_text(bend), line, half_width(bend, line)});
     directions.push_back(bend.direction);
   }
   const auto placed = place_labels(requests, obstacles(pattern, font), font, points);

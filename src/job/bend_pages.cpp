@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 #include <span>
 
@@ -132,6 +133,11 @@ void dimension(Page& page, const Vec2& a, const Vec2& b, const Vec2& away,
              thin);
   const bool upright = std::abs(b.x() - a.x()) < std::abs(b.y() - a.y());
   const Vec2 beside = upright ? Vec2(-1.0, 0.0) : Vec2(0.0, -1.0);
+  constexpr double kLong = 12.0;  // mm: room for the text between the ticks
+  if (upright && (to - from).norm() < kLong) {
+    page.text(0.5 * (from + to) + Vec2(1.8, 1.1), length, {.size = 3.2});
+    return;
+  }
   page.text(0.5 * (from + to) + beside, length,
             {.size = 3.2,
              .anchor = TextAnchor::middle,
@@ -172,15 +178,35 @@ std::string order_of(const Report& report) {
                      plan.rotations, plan.tool_changes, state_of(plan));
 }
 
-void head(Page& page, const Report& report, std::size_t at, std::size_t of) {
+/// What the force and the angles are for.
+std::string metal_of(const Bending& bending) {
+  std::string text = fmt::format("{} {:g} N/mm²", bending.metal.empty() ? "steel" : bending.metal,
+                                 bending.plan.tensile_strength);
+  const double springback = bending.plan.springback.degrees();
+  return springback == 0.0 ? text : text + fmt::format(", springback {:g}°", springback);
+}
+
+/// The part as its file is called, and its body where that has a name of its own.
+std::string title_of(const Report& report) {
+  const std::string file = std::filesystem::path(input_name(report)).stem().string();
+  return report.body.empty() || report.body == file ? file : file + " · " + report.body;
+}
+
+void head(Page& page, const Report& report, const Bending& bending, std::size_t at,
+          std::size_t of) {
   const double right = kWidth - kMargin;
-  page.text({kMargin, kMargin + 5.0}, report.body, {.size = 6.5, .bold = true});
+  constexpr double kLargest = 6.5, kWide = 0.62, kRoom = 150.0;  // mm; a letter, by its size
+  const std::string title = title_of(report);
+  const double size = std::min(
+      kLargest, kRoom / (kWide * static_cast<double>(std::max<std::size_t>(1, title.size()))));
+  page.text({kMargin, kMargin + 5.0}, title, {.size = size, .bold = true});
   page.text({right, kMargin + 5.0}, fmt::format("bend plan {} / {}", at, of),
             {.size = 3.5, .anchor = TextAnchor::end, .colour = kGrey});
   const Units units(report.units);
-  std::string blank = fmt::format(
-      "{} {}, blank {} × {}", units.short_text(report.summary.thickness), units.symbol(),
-      size_text(report, report.size.x()), size_with_unit(report, report.size.y()));
+  std::string blank = fmt::format("{} {} {}, blank {} × {}",
+                                  units.short_text(report.summary.thickness), units.symbol(),
+                                  metal_of(bending), size_text(report, report.size.x()),
+                                  size_with_unit(report, report.size.y()));
   if (report.mass) blank += fmt::format(", {:.3g} kg", *report.mass);
   page.text({kMargin, kMargin + 12.0}, blank, {.size = 4.0});
   page.text({kMargin, kMargin + 18.0}, order_of(report), {.size = 4.0});
@@ -244,7 +270,7 @@ void lying(Page& page, const Report& report, std::size_t s, const Rectangle& int
   };
   Box2 box;
   add(box, seen(sampled(report.flat.outer.loop, 1.0)));
-  constexpr double kRoom = 7.0;  // for the dimension
+  constexpr double kRoom = 11.0;  // for the dimension
   const Fit fit(box, {into.corner, into.size - Vec2(kRoom, 0.0)}, 1.0);
   std::vector<std::vector<Vec2>> rings;
   for (auto& ring : rings_of(report.flat, fit.scale()))
@@ -354,7 +380,7 @@ void stroke_texts(Page& page, const Report& report, std::size_t s, const Vec2& a
 
 void stroke_row(Page& page, const Report& report, const StrokePicture& picture, std::size_t s,
                 double top) {
-  constexpr double kGap = 3.0, kLying = 48.0, kTexts = 52.0;
+  constexpr double kGap = 3.0, kLying = 52.0, kTexts = 52.0;
   const double left = kMargin, inner = kRow - 2 * kGap;
   number(page, {left + 3.0, top + kGap + 3.0}, s, kBlack);
   lying(page, report, s, {{left + 8.0, top + kGap}, {kLying, inner}});
@@ -366,7 +392,8 @@ void stroke_row(Page& page, const Report& report, const StrokePicture& picture, 
 
 }  // namespace
 
-std::vector<Page> bend_pages(const Report& report, const std::vector<StrokePicture>& pictures) {
+std::vector<Page> bend_pages(const Report& report, const Bending& bending,
+                             const std::vector<StrokePicture>& pictures) {
   const std::size_t strokes = strokes_of(report).size();
   PLANISH_ASSERT(pictures.size() == strokes);
   const double below = kHeight - kMargin;
@@ -379,7 +406,7 @@ std::vector<Page> bend_pages(const Report& report, const std::vector<StrokePictu
   std::size_t s = 0;
   for (std::size_t p = 0; p < count; ++p) {
     Page& page = pages.emplace_back(kWidth, kHeight);
-    head(page, report, p + 1, count);
+    head(page, report, bending, p + 1, count);
     double top = p == 0 ? first_top : next_top;
     if (p == 0)
       flat_drawing(page, report,

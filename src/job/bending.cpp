@@ -117,6 +117,7 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
                                            "it shown that there is none: give it more time",
                                            plan.states),
                                {}});
+  number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
   report.notes.insert(report.notes.end(), plan.notes.begin(), plan.notes.end());

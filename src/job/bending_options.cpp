@@ -57,6 +57,7 @@ Result<void> set_tools(Request& to, const OptionValue& value) {
 Result<void> set_metal(Request& to, const OptionValue& value) {
   for (const Metal& metal : kMetals) {
     if (metal.name != words_of(value)) continue;
+    to.bending.metal = metal.name;
     to.bending.plan.tensile_strength = metal.tensile_strength;
     to.bending.plan.springback = Angle::degrees(metal.springback);
     to.bending.plan.radius_of_opening = metal.radius_of_opening;

@@ -79,7 +79,7 @@ Maker connect_maker() {
       .mark = "plates",
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
-      .options = with_pattern_options({{"units", "that of the plates file"},
+      .options = with_bending_options({{"units", "that of the plates file"},
                                        {"k", "that of the plates file, or 0.44"},
                                        {"k_table"},
                                        {"din6935"},

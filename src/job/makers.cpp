@@ -9,10 +9,18 @@ const std::vector<Maker>& makers() {
 }
 
 std::vector<OptionUse> with_pattern_options(std::vector<OptionUse> own) {
-  for (const char* name : {"profile", "r12", "splines", "arc_tolerance", "bend_marks",
-                           "tick_length", "tangent_lines", "write_overlapping", "density"})
+  for (const char* name :
+       {"profile", "r12", "splines", "arc_tolerance", "bend_marks", "tick_length", "tangent_lines",
+        "bend_text", "write_overlapping", "density"})
     own.push_back({name});
   return own;
+}
+
+std::vector<OptionUse> with_bending_options(std::vector<OptionUse> own) {
+  for (const char* name :
+       {"check_bending", "tools", "metal", "springback", "clearance", "shortfall", "opening"})
+    own.push_back({name});
+  return with_pattern_options(std::move(own));
 }
 
 }  // namespace planish::job

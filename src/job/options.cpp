@@ -300,6 +300,16 @@ const std::vector<Option>& dxf_options() {
          to.dxf.tangent_lines = yes(value);
          return {};
        }},
+      {.name = "bend_text",
+       .kind = OptionKind::flag,
+       .group = "DXF",
+       .description = "a text at each bend: its number, direction, angle and radius, and its place "
+                      "in "
+                      "the order of strokes if that is known",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.bend_text = yes(value);
+         return {};
+       }},
   };
   return table;
 }

@@ -206,15 +206,11 @@ std::string plan_text(const Plan& plan, const Report& report) {
                      counted(plan.tool_changes, "tool change"), strokes_text(plan, report, units));
 }
 
-std::map<BendId, int> stroke_numbers(const Plan& plan) {
-  std::map<BendId, int> numbers;
-  int number = 0;
-  for (const Stroke& stroke : plan.strokes) {
-    ++number;
-    for (const BendId bend : stroke.bends)
-      numbers.try_emplace(bend, number);
-  }
-  return numbers;
+void number_bends(FlatPattern& flat, const Plan& plan) {
+  for (FlatBend& bend : flat.bends)
+    for (std::size_t s = plan.strokes.size(); s > 0; --s)
+      if (std::ranges::count(plan.strokes[s - 1].bends, bend.bend) > 0)
+        bend.stroke = static_cast<int>(s);
 }
 
 }  // namespace planish::job

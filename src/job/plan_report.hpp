@@ -5,7 +5,6 @@
 
 #include <planish/job/report.hpp>
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,7 @@ Schema plan_schema();
 /// The same for a terminal.
 std::string plan_text(const Plan& plan, const Report& report);
 
-/// Number of the first stroke that presses a bend, from 1; bends that none presses are missing.
-std::map<BendId, int> stroke_numbers(const Plan& plan);
+/// Enters the first stroke that presses each bend; bends that none presses stay without.
+void number_bends(FlatPattern& flat, const Plan& plan);
 
 }  // namespace planish::job

@@ -61,15 +61,14 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
   return json;
 }
 
-/// Without a plan bends are counted as they come; with one, by the strokes that press them.
-void add_bends(Json& rows, const Report& report, const Units& units, const BendDetails& details) {
-  const bool planned = report.plan && !report.plan->strokes.empty();
-  const auto numbers = planned ? stroke_numbers(*report.plan) : std::map<BendId, int>();
+/// Bends are counted by the strokes that press them, as they come where no order is known.
+void add_bends(Json& rows, const FlatPattern& flat, const Units& units,
+               const BendDetails& details) {
+  const bool planned = has_order(flat);
   int count = 0;
-  for (const FlatBend& bend : report.flat.bends) {
-    const auto number = numbers.find(bend.bend);
+  for (const FlatBend& bend : flat.bends) {
     Json order = ++count;
-    if (planned) order = number == numbers.end() ? Json(nullptr) : Json(number->second);
+    if (planned) order = bend.stroke ? Json(*bend.stroke) : Json(nullptr);
     rows.push_back(bend_json(bend, order, units));
     if (details) details(rows.back(), bend);
   }
@@ -87,7 +86,7 @@ Json flat_json(const Report& report, const Units& units, BendList bends,
   json["cutting"]["outer"] = number_json(units.length(outer_cutting_length(flat)));
   json["cutting"]["inner"] = number_json(units.length(inner_cutting_length(flat)));
   json["bends"] = Json::array();
-  if (bends == BendList::shown) add_bends(json["bends"], report, units, details);
+  if (bends == BendList::shown) add_bends(json["bends"], flat, units, details);
   if (!flat.labels.empty()) json["labels"] = Json::array();
   for (const FlatLabel& label : flat.labels)
     json["labels"].push_back({{"text", label.text}, {"at", point_json(label.at, units)}});

@@ -53,22 +53,32 @@ std::string blank_line(const Report& report, const Units& units) {
 std::string bend_table(const FlatPattern& flat, const Units& units) {
   if (flat.bends.empty()) return {};
   using Align = Table::Align;
-  Table table({{"bend"},
-               {"kind"},
-               {"angle", Align::right},
-               {"radius", Align::right},
-               {"direction"},
-               {"K", Align::right},
-               {"from"},
-               {"allowance", Align::right},
-               {"deduction", Align::right},
-               {"length", Align::right}});
+  std::vector<Table::Column> columns{{"bend"},
+                                     {"kind"},
+                                     {"angle", Align::right},
+                                     {"radius", Align::right},
+                                     {"direction"},
+                                     {"K", Align::right},
+                                     {"from"},
+                                     {"allowance", Align::right},
+                                     {"deduction", Align::right},
+                                     {"length", Align::right}};
+  const bool planned = has_order(flat);
+  if (planned) columns.push_back({"stroke", Align::right});
+  Table table(std::move(columns));
   for (const FlatBend& bend : flat.bends) {
-    table.add({bend.id, std::string(kind_name(bend.kind)), angle_text(bend.angle),
-               units.length_text(bend.inside_radius), std::string(direction_name(bend.direction)),
-               fmt::format("{:.3f}", bend.allowance.k_factor), bend.allowance.source,
-               units.length_text(bend.allowance.allowance),
-               units.length_text(bend.allowance.deduction), units.length_text(bend.length)});
+    std::vector<std::string> row{bend.id,
+                                 std::string(kind_name(bend.kind)),
+                                 angle_text(bend.angle),
+                                 units.length_text(bend.inside_radius),
+                                 std::string(direction_name(bend.direction)),
+                                 fmt::format("{:.3f}", bend.allowance.k_factor),
+                                 bend.allowance.source,
+                                 units.length_text(bend.allowance.allowance),
+                                 units.length_text(bend.allowance.deduction),
+                                 units.length_text(bend.length)};
+    if (planned) row.push_back(bend.stroke ? std::to_string(*bend.stroke) : "-");
+    table.add(std::move(row));
   }
   return table.text();
 }

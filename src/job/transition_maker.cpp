@@ -74,7 +74,7 @@ Maker transition_maker() {
       .mark = "from",
       .help = kHelp,
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
-      .options = with_pattern_options({{"units", "that of the transition file"},
+      .options = with_bending_options({{"units", "that of the transition file"},
                                        {"piece"},
                                        {"k", "that of the transition file, or 0.5"},
                                        {"process"},

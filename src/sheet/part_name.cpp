@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace planish {
 
 std::string part_name(const FlatPattern& pattern, const PartId& part) {
@@ -11,6 +13,11 @@ std::string part_name(const FlatPattern& pattern, const PartId& part) {
   for (const FlatBend& bend : pattern.bends)
     if (bend.bend == id) return "bend " + bend.id;
   return fmt::format("bend {}", index_of(id) + 1);
+}
+
+bool has_order(const FlatPattern& pattern) {
+  return std::ranges::any_of(pattern.bends,
+                             [](const FlatBend& bend) { return bend.stroke.has_value(); });
 }
 
 }  // namespace planish

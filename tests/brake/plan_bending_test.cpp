@@ -35,6 +35,31 @@ TEST(PlanBending, BendsTheLongLegLast) {
   EXPECT_EQ(plan->strokes[1].bends, std::vector<BendId>{BendId(0)});
 }
 
+/// Of tools that cost the same: the least acute, then the largest tip that is not larger than the
+/// inside radius, but none that the part does not allow.
+TEST(PlanBending, TakesTheToolsThatMarkTheSheetLeast) {
+  BrakeTools tools = plain_tools();
+  const auto add = [&](const char* id, double angle, double tip) {
+    Punch punch = tools.punches.front();
+    punch.id = id;
+    punch.angle = Angle::degrees(angle);
+    punch.tip_radius = tip;
+    tools.punches.push_back(punch);
+  };
+  const double usual = tools.punches.front().angle.degrees();
+  add("acute", usual - 30.0, 1.5);
+  add("round", usual, 1.5);
+  add("too round", usual, 2.5);
+  const Sheet sheet = strip({Straight{40}, turn_up(), Straight{60}, turn_up(), Straight{30}}, 80,
+                            1.5);
+  const auto plan = plan_of(sheet, tools), plain = plan_of(sheet, plain_tools());
+  ASSERT_TRUE(plan && plain);
+  EXPECT_EQ(plan->cost, plain->cost);
+  ASSERT_EQ(plan->strokes.size(), 2u);
+  for (const Stroke& stroke : plan->strokes)
+    EXPECT_EQ(stroke.punch, "round");
+}
+
 /// Both legs too long: proven, and told how deep in the punch the leg is, and when. A leg δ beyond
 /// the limit comes δ sin 45° deeper than the ε that is allowed, at the end of the stroke.
 TEST(PlanBending, ProvesThatALegHitsThePunch) {

@@ -147,6 +147,26 @@ class Infeasible(BendTest):
         self.run_cli("unfold", "deep.step", "--check", "--json", "r.json", "-q")
         self.assertNotIn("cannot_bend", [check["code"] for check in self.json("r.json")["checks"]])
 
+    def test_every_bend_table_has_the_order(self):
+        part = channel(30, lip=15, out=True)
+        strokes = self.plan(part)["plan"]["strokes"]
+        order = {bend: number for number, stroke in reversed(list(enumerate(strokes, 1))) for bend in stroke["bends"]}
+        self.assertNotEqual(list(order.values()), sorted(order.values()))  # not the order in which bends are numbered
+        out, _ = self.run_cli("connect", "part.json", "--check-bending", "--bend-text", "--flat", "f.dxf", "--flat", "f.svg",
+                              "--json", "r.json")
+        bends = self.json("r.json")["flat"]["bends"]
+        self.assertEqual({bend["id"]: bend["order"] for bend in bends}, order)
+        table = out[out.index("stroke\n"):out.index("extension area")]
+        rows = {line.split()[0]: line.split()[-1] for line in table.splitlines() if re.match(r"B\d+ ", line)}
+        self.assertEqual(rows, {bend: str(number) for bend, number in order.items()})
+        drawn = (self.dir / "f.svg").read_text()
+        texts = re.findall(r"\nTEXT\n(?:.*\n)*?  1\n(.*)\n", (self.dir / "f.dxf").read_text())
+        for bend, number in order.items():
+            self.assertIn(f">{number}: {bend} ", drawn)
+            self.assertEqual(len([text for text in texts if text.startswith(f"{number}: {bend} ")]), 1)
+        self.run_cli("connect", "part.json", "--check-bending", "--flat", "f.dxf", "-q")
+        self.assertNotIn("\nTEXT\n", (self.dir / "f.dxf").read_text())
+
     def test_step_and_plates_have_one_plan(self):
         self.write("part.json", json.dumps(channel(30, lip=15)))
         self.run_cli("connect", "part.json", "-o", "part.step", "-q")
@@ -265,11 +285,17 @@ class Pages(BendTest):
         report = self.json("r.json")
         self.assertEqual(report["files"], ["plan.pdf", "plan.svg"])
         pdf = (self.dir / "plan.pdf").read_bytes()
-        self.assertTrue(pdf.startswith(b"%PDF-1.") and pdf.endswith(b"%%EOF\n"))
+        self.assertTrue(pdf.startswith(b"%PDF-1.") and pdf.rstrip().endswith(b"%%EOF"))
         texts = [e.text for e in xml.etree.ElementTree.parse(self.dir / "plan.svg").iter() if e.tag.endswith("text")]
         for stroke in report["plan"]["strokes"]:
             self.assertIn(f"punch {stroke['punch']}", texts)
             self.assertIn(f"die {stroke['die']}", texts)
+            if not stroke["gauge"]:
+                self.assertIn("no edge to gauge: mark the line", texts)
+                continue
+            distance = f"{stroke['gauge']['distance']:.1f}"
+            self.assertIn(f"gauge {distance} mm", texts)
+            self.assertIn(distance, texts)  # the dimension of the lying sheet
         self.assertEqual(len([t for t in texts if t and "TURN OVER" in t]), report["plan"]["turn_overs"])
 
     def test_a_part_that_cannot_be_bent_has_a_page_that_says_why(self):

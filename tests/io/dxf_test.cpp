@@ -62,6 +62,21 @@ TEST(Dxf, MarksFirstThenOpeningsAndTheOuterContourLast) {
                           "LWPOLYLINE INTERIOR_PROFILES", "LWPOLYLINE OUTER_PROFILE"));
 }
 
+TEST(Dxf, WritesTextsAtBendsOnRequest) {
+  FlatPattern pattern = bracket();
+  pattern.bends[0].stroke = 2;
+  for (const DxfVersion version : {DxfVersion::r2000, DxfVersion::r12}) {
+    const std::string text = dxf(pattern, {.version = version, .bend_text = true});
+    const auto texts = of_type(text, "TEXT");
+    ASSERT_EQ(texts.size(), pattern.bends.size());
+    EXPECT_EQ(value_of(texts[0], 8), "TEXT");
+    EXPECT_EQ(value_of(texts[0], 1).rfind("2: B1 UP 90%%d R", 0), 0u) << value_of(texts[0], 1);
+    EXPECT_EQ(value_of(texts[1], 1).rfind("B2 DOWN ", 0), 0u) << value_of(texts[1], 1);
+    EXPECT_EQ(kinds_and_layers(dxf(pattern, {.version = version})).size(),
+              kinds_and_layers(text).size() - 2);
+  }
+}
+
 TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {
   FlatPattern pattern = bracket();
   pattern.slits = {Segment{{70, 60}, {140, 60}}, Segment{{70, 80}, {200, 80}}};

@@ -82,6 +82,7 @@ export interface Options {
   bend_marks?: 'lines' | 'ticks';
   tick_length?: number;
   tangent_lines?: boolean;
+  bend_text?: boolean;
   process?: 'laser' | 'punch';
   rules?: OptionFile<Record<string, number | boolean | string>>;
   no_rules?: boolean;

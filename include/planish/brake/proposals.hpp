@@ -13,7 +13,8 @@ struct ProposalOptions {
 };
 
 /// Looks for changes by which an infeasible sheet can be bent: of each kind the smallest that is
-/// found. Lengths are told to 0.1 mm, of punches to 10 mm. Requires what the plan was made from.
+/// found in time. Lengths are told to 0.1 mm, of punches to 10 mm. Requires what the plan was made
+/// from.
 std::vector<Proposal> proposals(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                                 const PlanOptions& options, const Plan& infeasible,
                                 const ProposalOptions& trying = {}, const Progress& progress = {});

@@ -27,6 +27,7 @@ struct DxfOptions {
   BendMarks bend_marks = BendMarks::lines;
   double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line's length
   bool tangent_lines = false;  ///< ignored where the profile has no layer for them
+  bool bend_text = false;      ///< number, direction, angle and radius beside each bend line
 };
 
 /// DXF text of a flat pattern by the rules of shop-floor.md#dxf: one closed polyline (or circle)
@@ -38,7 +39,8 @@ struct DxfOptions {
 /// and all with `arcs`, are closed polylines with arcs of at most half a turn. Reals are written so
 /// that they read back as the same double; the enclosed area is that of the pattern, except where
 /// splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
-/// bend up 5, bend down 1, bend zone 8, formed features 3.
+/// bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each bend
+/// comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3 mm.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length is not positive), `internal` (a contour is
 /// empty, has no extent or is not finite).

@@ -75,12 +75,12 @@ class Page {
 };
 
 /// Pages as one PDF, with embedded letters; the same pages give the same bytes. Cairo is loaded
-/// when this is first called (docs/decisions/0011-what-every-run-loads-is-small.md). Errors:
-/// `cannot_draw` if Cairo or a font is missing on this machine (the message names the package), or
-/// if there are no pages.
+/// when this is first called (docs/decisions/0012-cairo-is-loaded-when-pages-are-written.md).
+/// Errors: `cannot_draw` if Cairo or a font is missing on this machine (the message names the
+/// package), or if there are no pages.
 Result<std::string> pages_pdf(const std::vector<Page>& pages, const std::string& title);
 
-/// Pages as one SVG, below one another, in mm. Letters are text in the reader's own sans-serif font.
+/// Pages as one SVG, below one another, in mm. Letters are text in the reader's sans-serif font.
 std::string pages_svg(const std::vector<Page>& pages);
 
 }  // namespace planish

@@ -37,6 +37,7 @@ struct Bending {
   Ask ask = Ask::nothing;
   std::optional<BrakeTools> tools;      ///< empty: `default_tools`
   std::vector<std::string> begin_with;  ///< ids of bends that come first, in this order
+  std::string metal;                    ///< the word given for it; empty: that of the defaults
   PlanOptions plan;                     ///< its `begin_with` is not used
 };
 

@@ -34,6 +34,7 @@ struct FlatBend {
   std::vector<Segment> tangent_lines;  ///< limits of the bend zone, interrupted likewise
   double length = 0.0;  ///< sum of the lengths of `lines`; for press lines, which lie side by side,
                         ///< their mean
+  std::optional<int> stroke = {};  ///< number of the first that presses it, from 1, if it is known
 };
 
 /// A formed feature in the flat pattern: outlines. What is cut within them stands among the
@@ -78,6 +79,9 @@ void require_valid(const FlatPattern& pattern);
 
 /// A part as people know it: "flange 3", counted from 1, "bend B2".
 std::string part_name(const FlatPattern& pattern, const PartId& part);
+
+/// Whether it is known in which order its bends are pressed.
+bool has_order(const FlatPattern& pattern);
 
 /// Sides of the smallest rectangle, at any angle, that contains the pattern, longer first, mm; zero
 /// for an empty pattern. Curves are measured to 1e-4 mm.

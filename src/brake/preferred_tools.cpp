@@ -1,0 +1,87 @@
+#include "preferred_tools.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace planish::brake_detail {
+namespace {
+
+/// Strokes in a row that are made with the same tools, and the stage before the first of them.
+struct Run {
+  std::size_t from = 0, to = 0;
+  LineSet formed;
+};
+
+struct Pair {
+  int punch = 0, die = 0;
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+Pair tools_of(const StrokeChoice& stroke) { return {stroke.punch, stroke.die}; }
+
+std::vector<Run> runs_of(const std::vector<StrokeChoice>& strokes, int lines) {
+  std::vector<Run> runs;
+  LineSet formed = no_lines(lines);
+  for (std::size_t s = 0; s < strokes.size(); ++s) {
+    if (s == 0 || tools_of(strokes[s]) != tools_of(strokes[s - 1])) runs.push_back({s, s, formed});
+    runs.back().to = s + 1;
+    formed = joined(formed, strokes[s].lines);
+  }
+  return runs;
+}
+
+/// All pairs for the first stroke of a run, the preferred first.
+std::vector<Pair> pairs_of(const FittingTools& fitting, const BrakeTools& tools) {
+  std::vector<Pair> pairs;
+  for (const int punch : fitting.punches)
+    for (const int die : fitting.dies)
+      pairs.push_back({punch, die});
+  std::ranges::stable_sort(pairs, {}, [&](const Pair& pair) {
+    const Punch& punch = tools.punches[pair.punch];
+    return std::tuple(-punch.angle.radians() - tools.dies[pair.die].angle.radians(),
+                      -punch.tip_radius);
+  });
+  return pairs;
+}
+
+/// Whether a pair can make all strokes of a run.
+bool makes(StrokeModel& model, const std::vector<StrokeChoice>& strokes, const Run& run,
+           const Pair& pair) {
+  LineSet formed = run.formed;
+  for (std::size_t s = run.from; s < run.to; ++s) {
+    StrokeChoice choice = strokes[s];
+    choice.punch = pair.punch;
+    choice.die = pair.die;
+    for (const int line : members(choice.lines)) {
+      const FittingTools& fitting = model.fitting(line);
+      if (!std::ranges::count(fitting.punches, pair.punch) ||
+          !std::ranges::count(fitting.dies, pair.die))
+        return false;
+    }
+    if (!model.check(formed, choice).feasible) return false;
+    formed = joined(formed, choice.lines);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<StrokeChoice> with_preferred_tools(StrokeModel& model, const BrakeTools& tools,
+                                               std::vector<StrokeChoice> strokes) {
+  const int lines = static_cast<int>(model.work().lines.size());
+  for (const Run& run : runs_of(strokes, lines)) {
+    const Pair now = tools_of(strokes[run.from]);
+    const int line = members(strokes[run.from].lines).front();
+    for (const Pair& pair : pairs_of(model.fitting(line), tools)) {
+      if (pair != now && !makes(model, strokes, run, pair)) continue;
+      for (std::size_t s = run.from; s < run.to; ++s) {
+        strokes[s].punch = pair.punch;
+        strokes[s].die = pair.die;
+      }
+      break;
+    }
+  }
+  return strokes;
+}
+
+}  // namespace planish::brake_detail
