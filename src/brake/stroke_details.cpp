@@ -162,15 +162,22 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
 }
 
 BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
-  const FittingTools& fitting = fitting_[line];
-  BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
+  return blocked_way(formed, alone).bend;
+}
+
+StrokeModel::BlockedWay StrokeModel::blocked_way(const LineSet& formed, const LineSet& pressed) {
+  const int line = members(pressed).front();
+  const BrakeLine& first = work_.lines[line];
+  const FittingTools& fitting = fitting_[line];
+  const bool closes = first.closes.has_value();
+  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  Setting way{&formed, pressed, line, 0, 0, 1};
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
-        const Setting stroke{&formed, alone, line, punch, die, direction};
-        const bool closes = work_.lines[line].closes.has_value();
+        const Setting stroke{&formed, pressed, line, punch, die, direction};
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
@@ -180,9 +187,13 @@ BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
         if (!collides && (best_collides || !best.why.empty())) continue;
         if (collides && best_collides && found.depth >= best.depth) continue;
         best = std::move(found);
+        way = stroke;
       }
   if (best.hits.empty()) best.depth = 0.0;
-  return best;
+  StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
+  choice.direction = direction_number(way.direction * first.across());
+  choice.gauged = closes || gauge(way).has_value();
+  return {std::move(best), std::move(choice)};
 }
 
 }  // namespace planish::brake_detail

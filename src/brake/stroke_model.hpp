@@ -6,7 +6,7 @@
 #include "sweep.hpp"
 #include "tool_room.hpp"
 
-#include <planish/brake/plan.hpp>
+#include <planish/brake/order.hpp>
 #include <planish/brake/stroke_search.hpp>
 
 #include <memory>
@@ -34,6 +34,14 @@ class StrokeModel {
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
   /// Why a line cannot be pressed in a stage, by the tools that come nearest to it.
   BlockedBend blocked(const LineSet& formed, int line);
+  /// The same for lines pressed together, with the way in which it comes nearest.
+  struct BlockedWay {
+    BlockedBend bend;
+    StrokeChoice choice;
+  };
+  BlockedWay blocked_way(const LineSet& formed, const LineSet& pressed);
+  /// The stroke in space, whether it can be made or not.
+  StrokeScene scene(const LineSet& formed, const StrokeChoice& choice);
 
  private:
   /// What a part hits, and what hangs on it: by slot and by how the line between them is.
@@ -94,6 +102,9 @@ class StrokeModel {
                                           const std::array<std::vector<Interval>, 2>& walls,
                                           const std::array<LineSet, 2>& because, Rows* rows);
   std::optional<Obstruction> cannot_close(const Setting& stroke, Rows* rows);
+  Rows rows_wanted(const Setting& stroke);
+  void add_bending(const Setting& stroke, StrokeScene& scene);
+  void add_closing(const Setting& stroke, StrokeScene& scene);
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);
   Interval contact_range(int line, int die);
