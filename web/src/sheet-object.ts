@@ -4,7 +4,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { markedWith, type PickedLine } from './lines.ts';
 import { sheetMaterial } from './sheet-material.ts';
-import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
+import { foldSheet, makeSheetMesh, poseSheet, type FoldedSheet, type Pose, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec3 } from './types.ts';
 
@@ -72,15 +72,21 @@ export class SheetObject {
   }
 
   setShare(share: number) {
-    if (!this.mesh) return;
-    const { positions, normals } = foldSheet(this.mesh, share, this.thickness, this.held);
+    if (this.mesh) this.setSkins(this.mesh, foldSheet(this.mesh, share, this.thickness, this.held));
+  }
+
+  setPose(pose: Pose) {
+    if (this.mesh) this.setSkins(this.mesh, poseSheet(this.mesh, pose, this.thickness));
+  }
+
+  private setSkins(mesh: SheetMesh, { positions, normals }: FoldedSheet) {
     const position = new BufferAttribute(positions, 3);
     this.skin.geometry.setAttribute('position', position);
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
     this.forms.geometry.setAttribute('position', position);
-    setRim(this.rim.geometry, this.mesh.cuts, positions);
+    setRim(this.rim.geometry, mesh.cuts, positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
       setTint(this.rim.geometry, this.rimTint);
     this.skin.geometry.boundingSphere = null;
@@ -88,7 +94,8 @@ export class SheetObject {
     this.mark();
   }
 
-  paint(palette: Palette, selected: number | null, edge: number | null) {
+  /** `hit`: the part that collides. */
+  paint(palette: Palette, selected: number | null, edge: number | null, hit: number | null = null) {
     this.rimTint.set(palette.rim);
     setTint(this.rim.geometry, this.rimTint);
     setTint(this.solid.geometry, new Color(palette.flange));
@@ -102,18 +109,20 @@ export class SheetObject {
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh,
       n = cornerFacet.length;
-    const [flange, bend, flangeUnder, bendUnder, mark] = [
+    const [flange, bend, flangeUnder, bendUnder, mark, collides] = [
       palette.flange,
       palette.bend,
       palette.flangeUnder,
       palette.bendUnder,
       palette.selected,
+      palette.hit,
     ].map((c) => new Color(c));
     for (let c = 0; c < n; ++c) {
       const part = shape.facet_part[cornerFacet[c]!]!,
         isBend = shape.parts[part]?.kind === 'bend';
-      const upper = part === selected ? mark! : isBend ? bend! : flange!;
-      const lower = part === selected ? mark! : isBend ? bendUnder! : flangeUnder!;
+      const own = part === hit ? collides! : part === selected ? mark! : null;
+      const upper = own ?? (isBend ? bend! : flange!),
+        lower = own ?? (isBend ? bendUnder! : flangeUnder!);
       color.setXYZ(c, upper.r, upper.g, upper.b);
       color.setXYZ(n + c, lower.r, lower.g, lower.b);
     }
