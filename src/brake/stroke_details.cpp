@@ -161,6 +161,18 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   return blocked;
 }
 
+/// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
+/// do.
+BlockedBend StrokeModel::deepest_of_all(const Setting& stroke, double most) {
+  BlockedBend worst{work_.lines[stroke.line].bends.front()};
+  for (const Obstruction& obstruction : collisions(stroke)) {
+    BlockedBend found = deepest(stroke, obstruction, most);
+    if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);
+    if (worst.depth >= most) break;
+  }
+  return worst;
+}
+
 BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
@@ -181,8 +193,10 @@ StrokeModel::BlockedWay StrokeModel::blocked_way(const LineSet& formed, const Li
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
-        BlockedBend found = deepest(stroke, *obstruction,
-                                    best.hits.empty() ? kDeepest : best.depth);
+        const double most = best.hits.empty() ? kDeepest : best.depth;
+        BlockedBend found = obstruction->part >= 0 && obstruction->hits
+                                ? deepest_of_all(stroke, most)
+                                : deepest(stroke, *obstruction, most);
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
         if (!collides && (best_collides || !best.why.empty())) continue;
         if (collides && best_collides && found.depth >= best.depth) continue;

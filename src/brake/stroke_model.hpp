@@ -108,6 +108,8 @@ class StrokeModel {
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);
   Interval contact_range(int line, int die);
+  std::vector<Obstruction> collisions(const Setting& stroke);
+  BlockedBend deepest_of_all(const Setting& stroke, double most);
   BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, double most);
   std::optional<FlangeId> flange_of(int line, int part);
   int direction_number(const Vec2& direction) const;

@@ -66,6 +66,8 @@ const directions: Record<StandardView, Vec3> = {
   right: [1, 0, 0],
   iso: [1, -1.25, 0.95],
 };
+/** From low in front of the machine, beside the operator: the sides of a bend are seen, not their edges. */
+const beforeMachine: Vec3 = [1, -0.9, 0.42];
 
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
@@ -170,8 +172,8 @@ export class FoldedView {
       this.hit = hit;
       this.sheet.paint(this.palette, this.picked.part, this.picked.edge, hit);
     }
-    if (was !== this.machine.group.visible) this.fit();
-    else this.keepInSight();
+    if (was === this.machine.group.visible) this.keepInSight();
+    else this.lookFrom(was ? directions.iso : beforeMachine);
     this.draw();
   }
 
@@ -244,8 +246,11 @@ export class FoldedView {
   }
 
   look(view: StandardView) {
-    const [x, y, z] = directions[view],
-      direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+    this.lookFrom(directions[view]);
+  }
+
+  private lookFrom([x, y, z]: Vec3) {
+    const direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
     this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
     this.orbit.update();
     this.fit();

@@ -20,6 +20,8 @@ import type { Palette } from './theme.ts';
 import type { OrderAnswer, StrokeRow, ToolName, Vec2 } from './types.ts';
 
 const beside = 30; // mm by which beams are drawn longer than the tools, though they are as long as the machine
+const below = 55; // mm under the die's top that are to be seen
+const above = 95;
 const creased = 25; // degrees: edges that are drawn; rounded corners have none
 
 type Kind = ToolName | 'finger';
@@ -42,7 +44,9 @@ export class MachineObject {
     this.materials = { punch: tool(), die: tool(), 'upper beam': beam(), 'lower beam': beam(), finger: tool() };
     const light = new DirectionalLight(0xffffff, 2.2);
     light.position.set(-0.4, -0.8, 1);
-    this.group.add(this.upper, this.lower, new AmbientLight(0xffffff, 1.4), light);
+    const other = new DirectionalLight(0xffffff, 1.1);
+    other.position.set(1, 0.2, 0.25);
+    this.group.add(this.upper, this.lower, new AmbientLight(0xffffff, 1.5), light, other);
     this.group.visible = false;
   }
 
@@ -121,13 +125,12 @@ export class MachineObject {
     to.add(mesh, lines);
   }
 
-  /** The space that punch and die take up; beams are left out, they go on for ever. */
+  /** Where the tools work, along the line that is pressed; the machine goes on above and below. */
   boundsInto(box: Box3) {
-    if (!this.group.visible) return;
-    this.group.updateMatrixWorld(true);
-    for (const group of [this.upper, this.lower])
-      for (const o of group.children)
-        if (o instanceof Mesh && !String(o.userData.kind).endsWith('beam')) box.expandByObject(o, false);
+    if (!this.group.visible || !this.order) return;
+    const row = this.order.strokes[this.stroke]!,
+      [from, to] = reach(row);
+    for (const x of [from, to]) for (const z of [-below, above]) box.expandByPoint(new Vector3(x, row.scene.across, z));
   }
 }
 

@@ -120,7 +120,7 @@ export class Stages {
       at = a.at
         .clone()
         .lerp(b.at, s)
-        .add(new Vector3(0, -out, 0.3 * out * Math.min(1, angle)));
+        .add(new Vector3(0, -out, 0.3 * out));
     const moved = new Matrix4().makeRotationFromQuaternion(turn);
     moved.setPosition(at.sub(middle.clone().applyMatrix4(moved)));
     return rows(moved);

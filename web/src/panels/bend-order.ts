@@ -212,7 +212,9 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     : row.flattening
       ? ''
       : 'no gauge';
-  const small = [`${row.punch} / ${row.die}`, `${row.side_up} side up`, gauge].filter(Boolean).join(' · ');
+  const small = [`${row.punch} / ${row.die}`, `pattern ${row.scene.pattern_up ? 'up' : 'down'}`, gauge]
+    .filter(Boolean)
+    .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
       ? html`<small class="bad" data-testid="why-blocked">${sentence(row.blocked.sentence)}</small>`
       : nothing}`;
