@@ -103,8 +103,8 @@ class Steps {
       const auto& closes = model_.work().lines[members(lines).front()].closes;
       if (closes && !holds(stage, *closes))
         nearest.bend = {nearest.bend.bend, {}, {}, 0.0, {}, "a hem is bent before it is closed"};
-      step.ways = {std::move(nearest.choice)};
-      step.blocked = std::move(nearest.bend);
+      step.ways = {nearest.choice};
+      step.blocked = nearest.bend;
     }
     steps_.push_back(std::move(step));
     formed_ = joined(std::move(formed_), lines);

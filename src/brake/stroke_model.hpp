@@ -30,7 +30,7 @@ class StrokeModel {
   std::vector<StrokeChoice> possible() const;
   /// Whether everything on one side of what is pressed is formed: bending from the outside in.
   bool is_outermost(const LineSet& formed, const StrokeChoice& choice);
-  /// What is to be done in a stroke that can be made.
+  /// What is to be done in a stroke. Of one that cannot be made segments and clearance are missing.
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
   /// Why a line cannot be pressed in a stage, by the tools that come nearest to it.
   BlockedBend blocked(const LineSet& formed, int line);
@@ -39,7 +39,7 @@ class StrokeModel {
     BlockedBend bend;
     StrokeChoice choice;
   };
-  BlockedWay blocked_way(const LineSet& formed, const LineSet& pressed);
+  const BlockedWay& blocked_way(const LineSet& formed, const LineSet& pressed);
   /// The stroke in space, whether it can be made or not.
   StrokeScene scene(const LineSet& formed, const StrokeChoice& choice);
 
@@ -110,7 +110,8 @@ class StrokeModel {
   Interval contact_range(int line, int die);
   std::vector<Obstruction> collisions(const Setting& stroke);
   BlockedBend deepest_of_all(const Setting& stroke, double most);
-  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, double most);
+  BlockedWay nearest_way(const LineSet& formed, const LineSet& pressed);
+  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, const Interval& told);
   std::optional<FlangeId> flange_of(int line, int part);
   int direction_number(const Vec2& direction) const;
 
@@ -124,6 +125,7 @@ class StrokeModel {
   std::vector<std::unique_ptr<LineRoom>> rooms_;
   std::vector<std::vector<int>> on_one_line_;  ///< by line: those that continue it in the pattern
   std::unordered_map<int, Interval> contact_ranges_;
+  std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;
 };
 
 }  // namespace planish::brake_detail
