@@ -19,7 +19,7 @@ import { gaugeEdge, type Stage } from './stage.ts';
 import type { Palette } from './theme.ts';
 import type { OrderAnswer, StrokeRow, ToolName, Vec2 } from './types.ts';
 
-const beside = 30; // mm by which beams are drawn longer than the tools, though they are as long as the machine
+const beside = 30; // mm by which beams are drawn longer than sheet and tools, though they are as long as the machine
 const below = 55; // mm under the die's top that are to be seen
 const above = 95;
 const creased = 25; // degrees: edges that are drawn; rounded corners have none
@@ -58,7 +58,7 @@ export class MachineObject {
       this.stroke = -1;
       return;
     }
-    if (order !== this.order || stage.stroke !== this.stroke) this.stand(order, stage.stroke);
+    if (order !== this.order || stage.stroke !== this.stroke) this.stand(order, stage.stroke, stage.span);
     this.upper.position.z = stage.punch;
     this.hit = stage.hit?.tool ?? null;
     this.color();
@@ -85,7 +85,7 @@ export class MachineObject {
   }
 
   /** The tools of a stroke. */
-  private stand(order: OrderAnswer, stroke: number) {
+  private stand(order: OrderAnswer, stroke: number, span: [number, number]) {
     this.order = order;
     this.stroke = stroke;
     for (const group of [this.upper, this.lower]) clear(group);
@@ -96,8 +96,9 @@ export class MachineObject {
       die = tools.dies[row.die] ?? [];
     for (const [from, length] of scene.punch) this.add(this.upper, 'punch', punch, from, length, scene.across);
     for (const [from, length] of scene.die) this.add(this.lower, 'die', die, from, length, scene.across);
-    const [from, to] = reach(row);
-    const long = to - from + 2 * beside;
+    const [first, last] = reach(row),
+      from = Math.min(first, span[0]),
+      long = Math.max(last, span[1]) - from + 2 * beside;
     this.add(this.upper, 'upper beam', tools.upper_beams[row.punch] ?? [], from - beside, long, scene.across);
     this.add(this.lower, 'lower beam', tools.lower_beam, from - beside, long, scene.across);
     this.addFingers(order, row);

@@ -40,6 +40,8 @@ export class SheetObject {
   private known: CornerLine[] | null = null; // made when they are asked for
   private picked: { part: number | null; edge: number | null } = { part: null, edge: null };
   private readonly rimTint = new Color();
+  private readonly hitTint = new Color();
+  private hit: number | null = null; // the part that collides
 
   constructor() {
     this.skin = new Mesh(new BufferGeometry(), sheetMaterial(false));
@@ -88,7 +90,7 @@ export class SheetObject {
     this.forms.geometry.setAttribute('position', position);
     setRim(this.rim.geometry, mesh.cuts, positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
-      setTint(this.rim.geometry, this.rimTint);
+      this.tintRim();
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
     this.mark();
@@ -97,7 +99,9 @@ export class SheetObject {
   /** `hit`: the part that collides. */
   paint(palette: Palette, selected: number | null, edge: number | null, hit: number | null = null) {
     this.rimTint.set(palette.rim);
-    setTint(this.rim.geometry, this.rimTint);
+    this.hitTint.set(palette.hit);
+    this.hit = hit;
+    this.tintRim();
     setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
@@ -127,6 +131,19 @@ export class SheetObject {
       color.setXYZ(n + c, lower.r, lower.g, lower.b);
     }
     color.needsUpdate = true;
+  }
+
+  /** The rim has one colour, but for that of the part that collides. */
+  private tintRim() {
+    const { geometry } = this.rim;
+    setTint(geometry, this.rimTint);
+    const tint = geometry.getAttribute('tint') as BufferAttribute | undefined;
+    if (!this.mesh || this.hit === null || !tint) return;
+    const { shape, cornerFacet, cuts } = this.mesh,
+      { r, g, b } = this.hitTint;
+    for (let quad = 0; 2 * quad < cuts.length; ++quad)
+      if (shape.facet_part[cornerFacet[cuts[2 * quad]!]!] === this.hit)
+        for (let i = 6 * quad; i < 6 * quad + 6; ++i) tint.setXYZ(i, r, g, b);
   }
 
   /** The lines of what is picked: an edge, or a sharp bend, which has no facets to paint. */

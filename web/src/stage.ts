@@ -11,6 +11,7 @@ export interface Stage {
   turn: number; // degrees, of what is pressed
   pose: Pose;
   punch: number; // height of its lowest point
+  span: [number, number]; // of the sheet along x, as it lies
   hit: { part: number; tool: ToolName | null } | null; // what collides now
 }
 
@@ -58,14 +59,14 @@ export class Stages {
       row = strokes[stroke]!,
       turn = turnAt(row, share),
       pose = this.poseAt(stroke, turn);
-    const stopped = row.blocked?.at_turn ?? (row.blocked ? 0 : null),
-      collides = stopped !== null && share > phases.brought && turn >= stopped - 1e-9;
+    const collides = isStopped(row, share);
     if (share < phases.brought) pose.at = this.between(stroke, share / phases.brought, pose);
     return {
       stroke,
       turn,
       pose,
       punch: punchAt(row, turn) + this.opening(stroke) * openAt(share),
+      span: spanOf(this.shape, row.scene),
       hit: collides ? { part: this.partOf(row.blocked!.with), tool: row.blocked!.tool } : null,
     };
   }
@@ -209,6 +210,24 @@ export function turnAt(row: StrokeRow, share: number): number {
     turn = row.angle * Math.min(1, Math.max(0, t));
   if (row.blocked && t >= 1) return most; // it may collide only when bent beyond its angle
   return row.blocked ? Math.min(turn, most) : turn;
+}
+
+/** Whether a stroke that cannot be made has come to where something collides. */
+export const isStopped = (row: StrokeRow, share: number): boolean =>
+  row.blocked !== null && share > phases.brought && turnAt(row, share) >= (row.blocked.at_turn ?? 0) - 1e-9;
+
+/** From where to where along x the pattern lies. */
+function spanOf({ points, turn }: Shape, scene: Scene): [number, number] {
+  const [ox, oy] = turnedPlace(scene.origin, turn),
+    [ux, uy] = turnedPlace(scene.along, turn);
+  let lo = Infinity,
+    hi = -Infinity;
+  for (let i = 0; i < points.length; i += 2) {
+    const x = (points[i]! - ox) * ux + (points[i + 1]! - oy) * uy;
+    lo = Math.min(lo, x);
+    hi = Math.max(hi, x);
+  }
+  return [lo, hi];
 }
 
 /** How far open the machine is, of its opening. */

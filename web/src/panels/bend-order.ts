@@ -117,7 +117,7 @@ function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
         : nothing}
     </p>
     ${answer.sentence
-      ? html`<p class="hint bad" data-testid="order-sentence">${sentence(answer.sentence)}</p>`
+      ? html`<p class="hint bad" data-testid="order-sentence">${sentence(byPlates(ui, answer.sentence))}</p>`
       : nothing}
     <ol
       class="strokes ${old ? 'old' : ''} ${order.asked ? 'pending' : ''}"
@@ -208,7 +208,7 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
   const { units } = ui.state,
     length = (v: number) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
   const gauge = row.gauge
-    ? `${row.to_gauge ?? 'edge'} to gauge ${length(row.gauge.distance)}`
+    ? `${byPlates(ui, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
     : row.flattening
       ? ''
       : 'no gauge';
@@ -216,9 +216,13 @@ function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
     .filter(Boolean)
     .join(' · ');
   return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
-      ? html`<small class="bad" data-testid="why-blocked">${sentence(row.blocked.sentence)}</small>`
+      ? html`<small class="bad" data-testid="why-blocked">${sentence(byPlates(ui, row.blocked.sentence))}</small>`
       : nothing}`;
 }
+
+/** Flanges of plates by the names of their plates. */
+export const byPlates = (ui: Ui, text: string) =>
+  text.replace(/\bF\d+\b/g, (name) => ui.state.shape?.parts.find((p) => p.name === name)?.plate ?? name);
 
 /** What is done before a stroke. */
 export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {

@@ -1,9 +1,9 @@
 import { html, nothing } from 'lit-html';
 import { nameOf } from '../order-state.ts';
-import { turnAt } from '../stage.ts';
+import { isStopped, turnAt } from '../stage.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
-import { changesBefore } from './bend-order.ts';
+import { byPlates, changesBefore } from './bend-order.ts';
 import { sentence } from './message-bar.ts';
 
 /** Below the part in the machine: from one stroke to the next, and what is seen. */
@@ -64,18 +64,22 @@ export function machineLegend(ui: Ui) {
   const gauge = row.gauge
     ? `gauge ${lengthText(row.gauge.distance, order.answer.units, units)} ${unitName(units)}`
     : null;
+  const hit = isStopped(row, order.time - at) ? row.blocked?.tool : null,
+    color = (own: string, ...names: string[]) => (hit && names.includes(hit) ? '--hit' : own);
   const tools: [string, string][] = [
-    ['--punch', `punch ${row.punch}`],
-    ['--die', `die ${row.die}`],
-    ['--beam', 'beams'],
+    [color('--punch', 'punch'), `punch ${row.punch}`],
+    [color('--die', 'die'), `die ${row.die}`],
+    [color('--beam', 'upper beam', 'lower beam'), 'beams'],
     ...(gauge ? [['--finger', gauge] as [string, string]] : []),
   ];
   return html`<ul class="legend" data-testid="machine-legend">
-      ${tools.map(([color, name]) => html`<li><i style="background: var(${color})"></i>${name}</li>`)}
+      ${tools.map(([shown, name]) => html`<li><i style="background: var(${shown})"></i>${name}</li>`)}
     </ul>
     <p>
       <b>Stroke ${at + 1}: ${nameOf(row)}</b>
       ${changesBefore(strokes[at - 1], row).map((c) => html`<i class="change">${c}</i>`)}
     </p>
-    ${row.blocked ? html`<p class="bad" data-testid="collision">${sentence(row.blocked.sentence)}</p>` : nothing}`;
+    ${row.blocked
+      ? html`<p class="bad" data-testid="collision">${sentence(byPlates(ui, row.blocked.sentence))}</p>`
+      : nothing}`;
 }
