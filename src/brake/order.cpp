@@ -15,19 +15,19 @@ using namespace brake_detail;
 
 /// A stroke of an order with the ways in which it can be made; if there is none, with the one that
 /// comes nearest.
-struct Step {
+struct OrderStep {
   LineSet formed;  ///< before it
   std::vector<StrokeChoice> ways;
   std::optional<BlockedBend> blocked = {};
 };
 
 /// Takes the strokes of an order one after the other.
-class Steps {
+class OrderSteps {
  public:
-  explicit Steps(StrokeModel& model)
+  explicit OrderSteps(StrokeModel& model)
       : model_(model), formed_(no_lines(static_cast<int>(model.work().lines.size()))) {}
 
-  const std::vector<Step>& steps() const { return steps_; }
+  const std::vector<OrderStep>& steps() const { return steps_; }
   const LineSet& formed() const { return formed_; }
   /// A hem that was closed before it was bent counts as closed once it is bent.
   LineSet standing(LineSet formed) const {
@@ -96,7 +96,7 @@ class Steps {
   }
 
   void add(const LineSet& lines) {
-    Step step{formed_, ways(lines)};
+    OrderStep step{formed_, ways(lines)};
     if (step.ways.empty()) {
       const LineSet stage = standing(formed_);
       auto nearest = model_.blocked_way(stage, lines);
@@ -112,7 +112,7 @@ class Steps {
 
   StrokeModel& model_;
   LineSet formed_;
-  std::vector<Step> steps_;
+  std::vector<OrderStep> steps_;
 };
 
 std::string names_of(const std::vector<BendId>& bends) {
@@ -123,7 +123,7 @@ std::string names_of(const std::vector<BendId>& bends) {
 }
 
 /// Presses what an order says. The error says which of its strokes makes no sense.
-std::optional<Error> take(Steps& steps, const Workpiece& work,
+std::optional<Error> take(OrderSteps& steps, const Workpiece& work,
                           const std::vector<OrderedStroke>& order, const Progress& progress) {
   LineSet taken = no_lines(static_cast<int>(work.lines.size()));
   for (const OrderedStroke& stroke : order) {
@@ -144,12 +144,12 @@ std::optional<Error> take(Steps& steps, const Workpiece& work,
 }
 
 /// Of the ways to make each step those that make the whole cheapest.
-Result<StrokeSearch> cheapest(const std::vector<Step>& steps, const LineSet& all,
+Result<StrokeSearch> cheapest(const std::vector<OrderStep>& steps, const LineSet& all,
                               const StrokeWeights& weights, const Progress& progress) {
   StrokeProblem problem;
   problem.lines = count(all);
   problem.choices = [&](const LineSet& formed) {
-    const auto step = std::ranges::find(steps, formed, &Step::formed);
+    const auto step = std::ranges::find(steps, formed, &OrderStep::formed);
     PLANISH_ASSERT(step != steps.end());
     return step->ways;
   };
@@ -185,7 +185,7 @@ Result<OrderChecker> OrderChecker::make(const Sheet& sheet, const Layout& layout
 Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order,
                                          const Progress& progress) {
   StrokeModel& model = *state_->model;
-  Steps steps(model);
+  OrderSteps steps(model);
   if (const auto error = take(steps, model.work(), order, progress)) return tl::unexpected(*error);
   if (progress.should_stop()) return fail(ErrorCode::cancelled, "checking the order was stopped");
   const auto search = cheapest(steps.steps(), steps.formed(), state_->options.weights, progress);
@@ -197,7 +197,7 @@ Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order
   checked.tool_changes = search->tool_changes;
   checked.ungauged = search->ungauged;
   for (std::size_t i = 0; i < search->strokes.size(); ++i) {
-    const Step& step = steps.steps()[i];
+    const OrderStep& step = steps.steps()[i];
     const LineSet stage = steps.standing(step.formed);
     checked.strokes.push_back({model.stroke(stage, search->strokes[i]), step.blocked,
                                model.scene(stage, search->strokes[i])});

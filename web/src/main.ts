@@ -85,7 +85,7 @@ const computation = new Computation(
   (shown) => views.chord(shown),
 );
 const documents = new Documents(api, store);
-const orderWork = new OrderWork(api, store);
+const orderWork = new OrderWork(api, store, () => documents.reopen());
 
 let waiting = 0;
 let scrolledFor: string | undefined;
@@ -195,7 +195,8 @@ function playStrokes() {
   showTime(order.time >= most - (1 - phases.pressed) ? 0 : order.time, true);
   let last = performance.now();
   const step = (now: number) => {
-    if (!store.state.order.playing || !isInMachine(store.state)) return;
+    if (!store.state.order.playing) return;
+    if (!isInMachine(store.state)) return showTime(store.state.order.time);
     showTime(store.state.order.time + (now - last) / 1000 / strokeSeconds, true);
     last = now;
     requestAnimationFrame(step);

@@ -15,7 +15,9 @@ export class OrderWork {
 
   private readonly api: Api;
   private readonly store: Store;
-  constructor(api: Api, store: Store) {
+  private readonly reopen: () => Promise<boolean>;
+  constructor(api: Api, store: Store, reopen: () => Promise<boolean>) {
+    this.reopen = reopen;
     this.api = api;
     this.store = store;
     store.subscribe((state, before) => {
@@ -68,8 +70,10 @@ export class OrderWork {
       if (this.isShown(of))
         this.store.dispatch({ type: 'order', answer, of: input, ofBrake: brake, asked: wanted.asked });
     } catch (error) {
-      const cancelled = error instanceof ApiError && error.problem.code === 'cancelled';
-      if (this.isShown(of))
+      const cancelled = error instanceof ApiError && error.problem.code === 'cancelled',
+        gone = error instanceof ApiError && error.status === 404;
+      if (gone && (await this.reopen().catch(() => false))) this.waiting ??= wanted;
+      else if (this.isShown(of))
         this.store.dispatch({ type: 'order-problem', problem: cancelled ? null : problemOf(error) });
     }
     await this.ended; // so that it cannot end the next request
