@@ -160,9 +160,10 @@ export class FoldedView {
     this.draw();
   }
 
-  /** The sheet in the machine; without a stage it is as folded by `share`. */
-  setStage(order: OrderAnswer | null, stage: Stage | null, share: number) {
+  /** The sheet in the machine; without a stage it is as folded by `share`. Another stroke is fitted unless it plays. */
+  setStage(order: OrderAnswer | null, stage: Stage | null, share: number, playing = false) {
     const was = this.machine.group.visible,
+      other = stage?.stroke !== this.machine.shown && !playing && this.isFitted,
       hit = stage?.hit?.part ?? null;
     this.machine.set(order, stage);
     this.machine.paint(this.palette);
@@ -172,8 +173,9 @@ export class FoldedView {
       this.hit = hit;
       this.sheet.paint(this.palette, this.picked.part, this.picked.edge, hit);
     }
-    if (was === this.machine.group.visible) this.keepInSight();
-    else this.lookFrom(was ? directions.iso : beforeMachine);
+    if (was !== this.machine.group.visible) this.lookFrom(was ? directions.iso : beforeMachine);
+    else if (other) this.fit();
+    else this.keepInSight();
     this.draw();
   }
 

@@ -50,6 +50,11 @@ export class MachineObject {
     this.group.visible = false;
   }
 
+  /** The row of the stroke whose tools stand; −1: none. */
+  get shown() {
+    return this.stroke;
+  }
+
   /** Shows the machine in a stage; null: nothing. */
   set(order: OrderAnswer | null, stage: Stage | null) {
     this.group.visible = stage !== null;

@@ -128,7 +128,7 @@ export class Views {
       return;
     }
     if (!this.stages?.isOf(shape, answer)) this.stages = new Stages(shape, answer);
-    this.folded.setStage(answer, this.stages.at(time), state.fold);
+    this.folded.setStage(answer, this.stages.at(time), state.fold, state.order.playing);
   }
 
   fit() {
