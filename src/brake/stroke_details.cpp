@@ -38,10 +38,7 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   const Die& die = tools_.dies[setting.die];
   Rows rows;
   Stroke stroke;
-  if (line.closes)
-    cannot_close(setting, &rows);
-  else
-    obstructed(setting, &rows);
+  const auto obstruction = line.closes ? cannot_close(setting, &rows) : obstructed(setting, &rows);
   double length = 0.0;
   for (int i = 0; i < std::ssize(work_.lines); ++i) {
     if (!holds(setting.pressed, i)) continue;
@@ -73,7 +70,7 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
                  (line.closes
                       ? closing_force(options_.tensile_strength, work_.thickness)
                       : force_per_length(options_.tensile_strength, work_.thickness, die.opening));
-  if (!line.closes) stroke.clearance = clearance(setting, rows);
+  if (!line.closes && !obstruction) stroke.clearance = clearance(setting, rows);
   return stroke;
 }
 
@@ -115,10 +112,11 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
   return least;
 }
 
-/// How deep the part that hits is in the tool at the worst turn, where the row has to stand; at
-/// least `most` if it is that deep.
+/// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
+/// Outside `told` it is only said on which side it is: at most its lower end, or at least its upper
+/// one.
 BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction,
-                                 double most) {
+                                 const Interval& told) {
   BlockedBend blocked{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
   if (obstruction.part >= 0) blocked.with = flange_of(stroke.line, obstruction.part);
   if (!obstruction.hits || obstruction.part < 0) return blocked;
@@ -139,14 +137,21 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
-  while (hi < kDeepest && lo < most) {
+  blocked.hits = room_of_tools_.name(kind, tool);
+  // Most ways are told apart from the best one by a single look.
+  if (told.hi < kDeepest && turn_deeper(told.hi)) {
+    blocked.depth = told.hi;
+    return blocked;
+  }
+  if (told.lo > 0.0 && !turn_deeper(told.lo)) return blocked;
+  while (hi < kDeepest) {
     const auto deeper = turn_deeper(hi);
     if (!deeper) break;
     turn = deeper;
     lo = hi;
     hi *= 2.0;
   }
-  while (hi - lo > kDepthFound && lo < most) {
+  while (hi - lo > kDepthFound) {
     const double middle = 0.5 * (lo + hi);
     if (const auto deeper = turn_deeper(middle)) {
       turn = deeper;
@@ -155,34 +160,68 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
       hi = middle;
     }
   }
-  blocked.hits = room_of_tools_.name(kind, tool);
   blocked.depth = lo;
   if (turn) blocked.at_turn = Angle::radians(*turn);
   return blocked;
 }
 
+/// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
+/// do.
+BlockedBend StrokeModel::deepest_of_all(const Setting& stroke, double most) {
+  BlockedBend worst{work_.lines[stroke.line].bends.front()};
+  for (const Obstruction& obstruction : collisions(stroke)) {
+    BlockedBend found = deepest(stroke, obstruction, {worst.depth, most});
+    if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);
+    if (worst.depth >= most) break;
+  }
+  return worst;
+}
+
 BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
-  const FittingTools& fitting = fitting_[line];
-  BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
+  return blocked_way(formed, alone).bend;
+}
+
+const StrokeModel::BlockedWay& StrokeModel::blocked_way(const LineSet& formed,
+                                                        const LineSet& pressed) {
+  LineSet key = formed;
+  key.insert(key.end(), pressed.begin(), pressed.end());
+  const auto known = blocked_ways_.find(key);
+  if (known != blocked_ways_.end()) return known->second;
+  return blocked_ways_[std::move(key)] = nearest_way(formed, pressed);
+}
+
+/// Of all ways to make a stroke that cannot be made the one in which least is in the way.
+StrokeModel::BlockedWay StrokeModel::nearest_way(const LineSet& formed, const LineSet& pressed) {
+  const int line = members(pressed).front();
+  const BrakeLine& first = work_.lines[line];
+  const FittingTools& fitting = fitting_[line];
+  const bool closes = first.closes.has_value();
+  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  Setting way{&formed, pressed, line, 0, 0, 1};
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
-        const Setting stroke{&formed, alone, line, punch, die, direction};
-        const bool closes = work_.lines[line].closes.has_value();
+        const Setting stroke{&formed, pressed, line, punch, die, direction};
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
-        BlockedBend found = deepest(stroke, *obstruction,
-                                    best.hits.empty() ? kDeepest : best.depth);
+        const double most = best.hits.empty() ? kDeepest : best.depth;
+        BlockedBend found = obstruction->part >= 0 && obstruction->hits
+                                ? deepest_of_all(stroke, most)
+                                : deepest(stroke, *obstruction, {0.0, most});
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
         if (!collides && (best_collides || !best.why.empty())) continue;
         if (collides && best_collides && found.depth >= best.depth) continue;
         best = std::move(found);
+        way = stroke;
       }
   if (best.hits.empty()) best.depth = 0.0;
-  return best;
+  StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
+  choice.direction = direction_number(way.direction * first.across());
+  choice.gauged = closes || gauge(way).has_value();
+  return {std::move(best), std::move(choice)};
 }
 
 }  // namespace planish::brake_detail

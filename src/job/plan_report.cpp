@@ -18,20 +18,6 @@ Json id_json(const std::optional<FlangeId>& flange) {
   return flange ? Json(flange_id(*flange)) : Json(nullptr);
 }
 
-std::string_view status_word(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::feasible:
-      return "feasible";
-    case PlanStatus::infeasible:
-      return "infeasible";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "gave_up";
-}
-
 Json lengths_json(const std::vector<double>& lengths, const Units& units) {
   Json json = Json::array();
   for (const double length : lengths)
@@ -44,39 +30,6 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   Json json;
   json["distance"] = number_json(units.length(gauge->distance));
   json["edge"] = Json::array({point_json(gauge->edge.a, units), point_json(gauge->edge.b, units)});
-  return json;
-}
-
-Json stroke_json(const Stroke& stroke, const Report& report, const Units& units) {
-  Json json;
-  json["bends"] = bend_ids(report, stroke.bends);
-  if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
-  if (stroke.flattening) json["flattening"] = true;
-  json["angle"] = number_json(stroke.angle.degrees());
-  json["punch"] = stroke.punch;
-  json["die"] = stroke.die;
-  json["punch_segments"] = lengths_json(stroke.punch_segments, units);
-  json["punch_from"] = number_json(units.length(stroke.punch_from));
-  json["die_segments"] = lengths_json(stroke.die_segments, units);
-  json["die_from"] = number_json(units.length(stroke.die_from));
-  json["side_up"] = stroke.reference_up ? "reference" : "other";
-  json["to_gauge"] = id_json(stroke.to_gauge);
-  json["gauge_direction"] = Json::array(
-      {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
-  json["gauge"] = gauge_json(stroke.gauge, units);
-  json["force"] = number_json(stroke.force);
-  json["clearance"] = number_json(units.length(stroke.clearance));
-  return json;
-}
-
-Json blocked_json(const BlockedBend& blocked, const Report& report, const Units& units) {
-  Json json;
-  json["bend"] = bend_id(report, blocked.bend);
-  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
-  json["with"] = id_json(blocked.with);
-  json["depth"] = number_json(units.length(blocked.depth));
-  json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
-  if (!blocked.why.empty()) json["why"] = blocked.why;
   return json;
 }
 
@@ -147,8 +100,56 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
   return ids;
 }
 
-Json plan_json(const Plan& plan, const Report& report) {
+std::string_view status_word(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::optimal:
+      return "optimal";
+    case PlanStatus::feasible:
+      return "feasible";
+    case PlanStatus::infeasible:
+      return "infeasible";
+    case PlanStatus::gave_up:
+      break;
+  }
+  return "gave_up";
+}
+
+Json stroke_json(const Stroke& stroke, const Report& report) {
   const Units units(report.units);
+  Json json;
+  json["bends"] = bend_ids(report, stroke.bends);
+  if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
+  if (stroke.flattening) json["flattening"] = true;
+  json["angle"] = number_json(stroke.angle.degrees());
+  json["punch"] = stroke.punch;
+  json["die"] = stroke.die;
+  json["punch_segments"] = lengths_json(stroke.punch_segments, units);
+  json["punch_from"] = number_json(units.length(stroke.punch_from));
+  json["die_segments"] = lengths_json(stroke.die_segments, units);
+  json["die_from"] = number_json(units.length(stroke.die_from));
+  json["side_up"] = stroke.reference_up ? "reference" : "other";
+  json["to_gauge"] = id_json(stroke.to_gauge);
+  json["gauge_direction"] = Json::array(
+      {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
+  json["gauge"] = gauge_json(stroke.gauge, units);
+  json["force"] = number_json(stroke.force);
+  json["clearance"] = number_json(units.length(stroke.clearance));
+  return json;
+}
+
+Json blocked_json(const BlockedBend& blocked, const Report& report) {
+  const Units units(report.units);
+  Json json;
+  json["bend"] = bend_id(report, blocked.bend);
+  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
+  json["with"] = id_json(blocked.with);
+  json["depth"] = number_json(units.length(blocked.depth));
+  json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
+  if (!blocked.why.empty()) json["why"] = blocked.why;
+  return json;
+}
+
+Json plan_json(const Plan& plan, const Report& report) {
   const bool found = plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
   Json json;
   json["status"] = status_word(plan.status);
@@ -160,10 +161,10 @@ Json plan_json(const Plan& plan, const Report& report) {
   json["states"] = plan.states;
   json["strokes"] = Json::array();
   for (const Stroke& stroke : plan.strokes)
-    json["strokes"].push_back(stroke_json(stroke, report, units));
+    json["strokes"].push_back(stroke_json(stroke, report));
   json["blocked"] = Json::array();
   for (const BlockedBend& blocked : plan.blocked)
-    json["blocked"].push_back(blocked_json(blocked, report, units));
+    json["blocked"].push_back(blocked_json(blocked, report));
   if (!plan.unformed.empty()) json["unformed"] = bend_ids(report, plan.unformed);
   return json;
 }

@@ -55,7 +55,7 @@ struct Stroke {
 /// Why no reachable stage can form a bend: what the workpiece hits at best.
 struct BlockedBend {
   BendId bend;
-  std::string hits;                   ///< "punch P88", "die V16", "upper beam", "itself"; empty:
+  std::string hits = {};              ///< "punch P88", "die V16", "upper beam", "itself"; empty:
                                       ///< `why` says it
   std::optional<FlangeId> with = {};  ///< the flange that hits
   double depth = 0.0;                 ///< mm
