@@ -168,7 +168,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
 /// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
 /// do.
 BlockedBend StrokeModel::deepest_of_all(const Setting& stroke, double most) {
-  BlockedBend worst{work_.lines[stroke.line].bends.front()};
+  BlockedBend worst{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, {}};
   for (const Obstruction& obstruction : collisions(stroke)) {
     BlockedBend found = deepest(stroke, obstruction, {worst.depth, most});
     if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);

@@ -156,6 +156,28 @@ TEST(CheckOrder, SaysWhatHitsAndGoesOn) {
   EXPECT_FALSE(checked.strokes[1].scene.punch.empty());
 }
 
+/// A lip at the end of such a leg points into the punch: it is much deeper than the leg, which is
+/// named where there is no lip.
+TEST(CheckOrder, NamesTheDeepestOfAllThatHit) {
+  const double leg = 60.0 + 2.0 - (10.0 - 0.05) / kSin45 + 1.0, depth_of_leg = 0.05 + kSin45;
+  const auto blocked = [](const std::vector<StripPart>& parts, const std::vector<int>& order) {
+    Checked part(strip(parts, 80, 1.5), plain_tools());
+    const CheckedOrder checked = part.check(one_by_one(order));
+    EXPECT_TRUE(checked.strokes.back().blocked);
+    return checked.strokes.back().blocked.value_or(BlockedBend());
+  };
+  const BlockedBend plain = blocked(
+      {Straight{leg}, up_by_90(), Straight{60}, up_by_90(), Straight{30}}, {0, 1});
+  EXPECT_EQ(plain.with, FlangeId(0));
+  EXPECT_NEAR(plain.depth, depth_of_leg, 0.01);
+  const BlockedBend lipped = blocked(
+      {Straight{12}, up_by_90(), Straight{leg}, up_by_90(), Straight{60}, up_by_90(), Straight{30}},
+      {0, 1, 2});
+  EXPECT_EQ(lipped.hits, "punch P");
+  EXPECT_EQ(lipped.with, FlangeId(0));
+  EXPECT_GT(lipped.depth, depth_of_leg + 3.0);
+}
+
 TEST(CheckOrder, LetsWhatIsLeftOutFollow) {
   Checked part(box(), narrow_tools());
   const CheckedOrder checked = part.check(one_by_one({2}));
