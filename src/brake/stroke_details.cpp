@@ -14,11 +14,18 @@ constexpr double kDeepest = 1000.0;    // mm: beyond any tool
 constexpr double kNewtons = 1000.0;  // in a kN
 constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
 
-std::vector<double> all_segments(const std::vector<ToolRow>& rows) {
-  std::vector<double> segments;
+/// Rows as the operator sees them: with the gauge behind the line, x runs to the right.
+std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
+                                  bool from_left) {
+  std::vector<SegmentRow> seen;
   for (const ToolRow& row : rows)
-    segments.insert(segments.end(), row.segments.begin(), row.segments.end());
-  return segments;
+    seen.push_back(
+        {from_left ? row.from - line.lo : line.hi - (row.from + row.length()), row.segments});
+  if (from_left) return seen;
+  std::ranges::reverse(seen);
+  for (SegmentRow& row : seen)
+    std::ranges::reverse(row.segments);
+  return seen;
 }
 
 }  // namespace
@@ -51,17 +58,10 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = tools_.punches[setting.punch].id;
   stroke.die = die.id;
-  stroke.punch_segments = all_segments(rows.punch);
-  stroke.die_segments = all_segments(rows.die);
-  // As the operator sees it: with the gauge behind the line, x runs to the right.
   const std::vector<Interval> pieces = pressed_pieces(setting);
-  const auto begins = [&](const std::vector<ToolRow>& row) {
-    if (row.empty()) return 0.0;
-    if (setting.direction > 0) return row.front().from - pieces.front().lo;
-    return pieces.back().hi - (row.back().from + row.back().length());
-  };
-  stroke.punch_from = begins(rows.punch);
-  stroke.die_from = begins(rows.die);
+  const Interval whole{pieces.front().lo, pieces.back().hi};
+  stroke.punch_rows = seen_rows(rows.punch, whole, setting.direction > 0);
+  stroke.die_rows = seen_rows(rows.die, whole, setting.direction > 0);
   stroke.reference_up = line.reference_up;
   stroke.gauge_direction = setting.direction * line.across();
   stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;

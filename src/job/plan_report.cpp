@@ -25,6 +25,21 @@ Json lengths_json(const std::vector<double>& lengths, const Units& units) {
   return json;
 }
 
+/// All segments of a tool in one row, and where it begins; the rows where there are several.
+void add_rows(Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
+              const Units& units) {
+  std::vector<double> all;
+  for (const SegmentRow& row : rows)
+    all.insert(all.end(), row.segments.begin(), row.segments.end());
+  json[tool + "_segments"] = lengths_json(all, units);
+  json[tool + "_from"] = number_json(units.length(rows.empty() ? 0.0 : rows.front().from));
+  if (rows.size() < 2) return;
+  Json& list = json[tool + "_rows"] = Json::array();
+  for (const SegmentRow& row : rows)
+    list.push_back({{"from", number_json(units.length(row.from))},
+                    {"segments", lengths_json(row.segments, units)}});
+}
+
 Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   if (!gauge) return nullptr;
   Json json;
@@ -36,6 +51,8 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
 Schema stroke_schema() {
   const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
                                required("edge", report_line().said("that touches the fingers"))});
+  const Schema rows = list(
+      object({required("from", measured_length()), required("segments", list(measured_length()))}));
   return object(
       {required("bends", list(text()).said("pressed together")),
        optional("press_line", whole(1).said("which one of a bend with several")),
@@ -43,8 +60,9 @@ Schema stroke_schema() {
        required("angle", angle(kAnyNumber).or_null()), required("punch", text()),
        required("die", text()), required("punch_segments", list(measured_length())),
        required("punch_from", measured_length().said("from the end of the bend line")),
+       optional("punch_rows", rows.said("where gaps are between segments")),
        required("die_segments", list(measured_length())), required("die_from", measured_length()),
-       required("side_up", words({"reference", "other"})),
+       optional("die_rows", rows), required("side_up", words({"reference", "other"})),
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
@@ -123,10 +141,8 @@ Json stroke_json(const Stroke& stroke, const Report& report) {
   json["angle"] = number_json(stroke.angle.degrees());
   json["punch"] = stroke.punch;
   json["die"] = stroke.die;
-  json["punch_segments"] = lengths_json(stroke.punch_segments, units);
-  json["punch_from"] = number_json(units.length(stroke.punch_from));
-  json["die_segments"] = lengths_json(stroke.die_segments, units);
-  json["die_from"] = number_json(units.length(stroke.die_from));
+  add_rows(json, "punch", stroke.punch_rows, units);
+  add_rows(json, "die", stroke.die_rows, units);
   json["side_up"] = stroke.reference_up ? "reference" : "other";
   json["to_gauge"] = id_json(stroke.to_gauge);
   json["gauge_direction"] = Json::array(

@@ -273,7 +273,7 @@ TEST(StrokeScene, HasTheSheetInTheMachine) {
       for (std::size_t i = 1; i < row.size(); ++i)
         EXPECT_NEAR(row[i].from, row[i - 1].from + row[i - 1].length, 1e-9);
     }
-    EXPECT_NEAR(scene.punch.front().from - from, stroke.punch_from, 1e-9);
+    EXPECT_NEAR(scene.punch.front().from - from, stroke.punch_rows.front().from, 1e-9);
   }
 }
 

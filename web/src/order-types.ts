@@ -59,14 +59,22 @@ export interface Scene {
   gauge: [Vec2, Vec2] | null; // the edge at the fingers, in the pattern
 }
 
+/** Segments side by side, from the left as the operator sees them. */
+export interface SegmentRow {
+  from: number;
+  segments: number[];
+}
+
 export interface StrokeRow extends OrderedStroke {
   angle: number;
   punch: string;
   die: string;
   punch_segments: number[];
   punch_from: number;
+  punch_rows?: SegmentRow[];
   die_segments: number[];
   die_from: number;
+  die_rows?: SegmentRow[];
   side_up: 'reference' | 'other';
   to_gauge: string | null;
   gauge_direction: Vec2;
