@@ -173,10 +173,12 @@ class Bend : public Command {
 
   Outcome outcome_of(job::Made& made, const job::Request& request) const {
     made.report().of_bending = true;
-    if (made.report().refusal) return {.json = made.json(), .error = made.report().refusal};
+    const std::optional<Error>& refusal = made.report().refusal;
+    // A page shows why a part cannot be bent.
+    if (refusal && !made.report().plan) return {.json = made.json(), .error = refusal};
     auto files = files_of(made, request);
     if (!files) return failed(files.error());
-    Outcome outcome{.files = std::move(*files)};
+    Outcome outcome{.files = std::move(*files), .error = refusal};
     append_names(made.report().files, outcome.files);
     // All files are written or none, the report too.
     if (outcome.files.empty() || arguments_.json == "-")

@@ -129,13 +129,16 @@ void Cutting::add_press_line(BendId id, int number) {
   const Box2 box = parameter_box(sheet_[face]);
   const double u = lines_at_[id][number];
   const double aside = u + tolerance::kAside * (box.hi.x() - box.lo.x());
+  // The ruling's ends may lie beyond an apex, where what is beside it is on the other side.
+  const double inside = 0.5 * (box.lo.y() + box.hi.y());
   const Vec2 a = layout_.develop(sheet_, face, {u, box.lo.y()}),
              b = layout_.develop(sheet_, face, {u, box.hi.y()}),
-             beyond = layout_.develop(sheet_, face, {aside, box.lo.y()});
+             beside = layout_.develop(sheet_, face, {aside, inside}) -
+                      layout_.develop(sheet_, face, {u, inside});
   BrakeLine line = line_of(id);
   line.origin = a;
   line.along = (b - a).normalized();
-  if (line.across().dot(beyond - a) < 0.0) line.along = -line.along;
+  if (line.across().dot(beside) < 0.0) line.along = -line.along;
   if (!bend.press_lines.empty()) {
     line.press_line = number;
     line.angle = bend.press_lines[number].angle;
@@ -225,7 +228,7 @@ void Cutting::add_closing_lines() {
   const int count = static_cast<int>(made_.lines.size());
   for (int i = 0; i < count && options_.before_closing.radians() > 0.0; ++i) {
     BrakeLine& line = made_.lines[i];
-    if (line.angle.degrees() < kHemDegrees || line.press_line) continue;
+    if (!is_hem(line.angle) || line.press_line) continue;
     line.closed = line.angle;
     line.angle = options_.before_closing;
     line.inside_radius = line.bend.allowance / line.angle.radians() - line.bend.neutral;

@@ -20,19 +20,26 @@ double largest_tool_angle(const BrakeLine& line, const PlanOptions& options) {
 bool bears(const std::optional<double>& most, double force) { return !most || *most >= force; }
 
 std::string no_tool_sentence(const BrakeLine& line, const BrakeTools& tools,
-                             const PlanOptions& options, bool punches) {
-  if (line.angle.degrees() >= kHemDegrees) return "no flat punch and flat die to close a hem";
+                             const PlanOptions& options, bool punches, double force) {
   const double most = largest_tool_angle(line, options);
+  if (is_hem(line.angle) && !line.closed_by) return "no flat punch and flat die to close a hem";
+  if (most <= 0.0)
+    return fmt::format("no tool that bends by {:.4g}° or more: it has to be rolled",
+                       180.0 - options.springback.degrees());
   const auto sharp = [&](const auto& tool) { return tool.angle.radians() <= most; };
   const double degrees = Angle::radians(most).degrees();
   if (punches && std::none_of(tools.punches.begin(), tools.punches.end(), sharp))
     return fmt::format("no punch of {:.4g}° or less", degrees);
+  const bool fine = std::ranges::any_of(tools.punches, [&](const Punch& punch) {
+    return sharp(punch) && punch.tip_radius <= line.inside_radius + kWritten;
+  });
   if (punches)
-    return fmt::format("no punch of {:.4g}° or less has a tip radius of at most {:.4g} mm", degrees,
-                       line.inside_radius);
+    return fmt::format("no punch of {:.4g}° or less with a tip radius of at most {:.4g} mm{}",
+                       degrees, line.inside_radius,
+                       fine ? fmt::format(" that bears {:.4g} kN per metre", force) : "");
   if (std::none_of(tools.dies.begin(), tools.dies.end(), sharp))
     return fmt::format("no die of {:.4g}° or less", degrees);
-  return fmt::format("no die of {:.4g}° or less bears the force", degrees);
+  return fmt::format("no die of {:.4g}° or less that bears the force", degrees);
 }
 
 }  // namespace
@@ -122,7 +129,7 @@ FittingTools fitting_tools(const BrakeLine& line, const BrakeTools& tools,
       fitting.punches.push_back(i);
   }
   if (fitting.punches.empty() || fitting.dies.empty()) {
-    fitting.why = no_tool_sentence(line, tools, options, fitting.punches.empty());
+    fitting.why = no_tool_sentence(line, tools, options, fitting.punches.empty(), force);
   }
   return fitting;
 }

@@ -28,6 +28,10 @@ std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options
   return std::nullopt;
 }
 
+}  // namespace
+
+std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
 std::optional<Error> line_without_tool(const StrokeModel& model) {
   for (int i = 0; i < std::ssize(model.work().lines); ++i) {
     const FittingTools& fitting = model.fitting(i);
@@ -43,10 +47,6 @@ std::optional<Error> line_without_tool(const StrokeModel& model) {
   }
   return std::nullopt;
 }
-
-}  // namespace
-
-std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
 
 Result<std::unique_ptr<StrokeModel>> stroke_model(const Sheet& sheet, const Layout& layout,
                                                   const BrakeTools& tools,

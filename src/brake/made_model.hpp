@@ -20,4 +20,7 @@ LineSet lines_of(const Workpiece& work, const OrderedStroke& stroke);
 /// "B3"
 std::string name_of(BendId bend);
 
+/// The first line that no tool bears: `no_tool`.
+std::optional<Error> line_without_tool(const StrokeModel& model);
+
 }  // namespace planish::brake_detail

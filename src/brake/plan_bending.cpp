@@ -1,5 +1,5 @@
-#include "line_depth.hpp"
 #include "made_model.hpp"
+#include "plan_search.hpp"
 #include "preferred_tools.hpp"
 
 #include <planish/brake/plan.hpp>
@@ -36,60 +36,6 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
 }
 
-StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
-  StrokeProblem problem;
-  problem.lines = static_cast<int>(model.work().lines.size());
-  problem.choices = [&model](const LineSet& formed) { return model.choices(formed); };
-  problem.check = [&model](const LineSet& formed, const StrokeChoice& choice) {
-    return model.check(formed, choice);
-  };
-  problem.possible = model.possible();
-  problem.depth = line_depths(model.work());
-  for (const BendId bend : options.begin_with)
-    for (int i = 0; i < problem.lines; ++i) {
-      const auto& bends = model.work().lines[i].bends;
-      if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
-    }
-  return problem;
-}
-
-/// The search, and where it gives up the cheapest order from the outside in. That is looked for
-/// first: those orders are few, and most parts with many bends have one.
-Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
-                                 const Progress& progress) {
-  constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
-  constexpr double kOutsideIn = 0.4;  // share of the time
-  const StrokeProblem whole = problem_of(model, options);
-  StrokeLimits limits = options.limits;
-  std::optional<StrokeSearch> outside_in;
-  const auto start = std::chrono::steady_clock::now();
-  if (whole.lines > kMany) {
-    StrokeProblem narrow = whole;
-    narrow.choices = [&model](const LineSet& formed) {
-      std::vector<StrokeChoice> choices = model.choices(formed);
-      std::erase_if(choices,
-                    [&](const auto& choice) { return !model.is_outermost(formed, choice); });
-      return choices;
-    };
-    limits.seconds *= kOutsideIn;
-    auto found = search_strokes(narrow, options.weights, limits, progress);
-    if (!found) return found;
-    if (!found->strokes.empty()) outside_in = std::move(*found);
-    if (outside_in && options.limits.first) return *outside_in;
-  }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  limits.seconds = std::max(0.0, options.limits.seconds - taken.count());
-  auto found = search_strokes(whole, options.weights, limits, progress);
-  const bool better = found && outside_in &&
-                      (found->strokes.empty() || outside_in->cost < found->cost) &&
-                      found->status != PlanStatus::optimal;
-  if (!better) return found;
-  outside_in->status = PlanStatus::feasible;
-  outside_in->bound = found->bound;
-  outside_in->stages += found->stages;
-  return *outside_in;
-}
-
 void add_strokes(StrokeModel& model, const BrakeTools& tools, const StrokeSearch& search,
                  Plan& plan) {
   LineSet formed = no_lines(static_cast<int>(model.work().lines.size()));
@@ -111,23 +57,26 @@ std::string why_not(const BlockedBend& blocked) {
 
 /// Where each bend can be formed in some stage, but no order forms all: what is in the way of the
 /// rest in the stage that got furthest.
-void note_furthest(StrokeModel& model, const LineSet& furthest, Plan& plan) {
+void note_furthest(StrokeModel& model, const LineSet& furthest, Clock::time_point until,
+                   Plan& plan) {
   constexpr int kTold = 4;  // lines: more say the same again
   int told = 0;
   for (int line = 0; line < std::ssize(model.work().lines); ++line) {
     if (holds(furthest, line) || ++told > kTold) continue;
-    const BlockedBend blocked = model.blocked(furthest, line);
+    const BlockedBend blocked = model.blocked(furthest, line, until);
+    plan.in_the_way.push_back(blocked);
     plan.notes.push_back(fmt::format("in the stage that got furthest, {} cannot be bent: {}",
                                      name_of(blocked.bend), why_not(blocked)));
   }
 }
 
 /// What every stage hits, told for the stage that got furthest.
-void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
+void add_blocked(StrokeModel& model, const StrokeSearch& search, Clock::time_point until,
+                 Plan& plan) {
   for (const int line : search.blocked) {
     const auto& closes = model.work().lines[line].closes;
     if (closes && std::count(search.blocked.begin(), search.blocked.end(), *closes)) continue;
-    BlockedBend blocked = model.blocked(search.furthest, line);
+    BlockedBend blocked = model.blocked(search.furthest, line, until);
     for (const BendId bend : model.work().lines[line].bends) {
       blocked.bend = bend;
       plan.blocked.push_back(blocked);
@@ -140,7 +89,7 @@ void add_blocked(StrokeModel& model, const StrokeSearch& search, Plan& plan) {
         if (!std::count(plan.unformed.begin(), plan.unformed.end(), bend))
           plan.unformed.push_back(bend);
     }
-  if (search.blocked.empty()) note_furthest(model, search.furthest, plan);
+  if (search.blocked.empty()) note_furthest(model, search.furthest, until, plan);
 }
 
 }  // namespace
@@ -152,6 +101,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   StrokeModel& model = **made;
   Plan plan;
   note_radii(model, tools, options, plan);
+  const Clock::time_point until = options.limits.end(Clock::now());
   auto search = search_plan(model, options, progress);
   if (!search) return tl::unexpected(search.error());
   if (search->furthest.empty())
@@ -164,7 +114,7 @@ Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeT
   plan.ungauged = search->ungauged;
   plan.states = search->stages;
   add_strokes(model, tools, *search, plan);
-  if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, plan);
+  if (plan.status == PlanStatus::infeasible) add_blocked(model, *search, until, plan);
   return plan;
 }
 

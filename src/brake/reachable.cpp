@@ -11,7 +11,7 @@ class Reaching {
   explicit Reaching(StrokeWork& work) : work_(work), book_(work.book()) {}
 
   bool run() {
-    const auto end = std::chrono::steady_clock::now() + kLongest;
+    const auto end = std::min(std::chrono::steady_clock::now() + kLongest, work_.end());
     reach(LineSet(book_.full().size()));
     while (!left_.empty() && !work_.all_seen()) {
       const int stage = left_.back();

@@ -42,8 +42,8 @@ const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part, co
                                                      const PressMotion& motion) {
   const int tool = kind == ToolKind::punch || kind == ToolKind::upper_beam ? stroke.punch
                                                                            : stroke.die;
-  const SidedObstacle obstacle = room_of_tools_.obstacle(kind, tool, nearness(part, kind, stroke),
-                                                         stroke.direction);
+  const SidedObstacle obstacle = room_of_tools_->obstacle(kind, tool, nearness(part, kind, stroke),
+                                                          stroke.direction);
   Known& known = *parts_in(stroke)[part];
   for (const auto& [key, blocked] : known.blocked)
     if (key == obstacle.key) return blocked;
@@ -105,7 +105,7 @@ std::optional<StrokeModel::Obstruction> StrokeModel::rows_missing(
           because[row], kind, -1,
           fmt::format("no segments of {} press the line, {:.4g} mm long, and stand "
                       "between what is beside it",
-                      room_of_tools_.name(kind, tool), pieces.back().hi - pieces.front().lo)};
+                      room_of_tools_->name(kind, tool), pieces.back().hi - pieces.front().lo)};
     if (rows) (row == 0 ? rows->punch : rows->die) = std::move(standing);
   }
   return std::nullopt;

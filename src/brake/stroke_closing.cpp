@@ -30,7 +30,7 @@ std::optional<StrokeModel::Obstruction> StrokeModel::cannot_close(const Setting&
                                     : Nearness::clear;
       Obstacle tool = moved(
           *room_of_tools_
-               .obstacle(kind, above ? stroke.punch : stroke.die, nearness, stroke.direction)
+               ->obstacle(kind, above ? stroke.punch : stroke.die, nearness, stroke.direction)
                .left,
           at);
       tool.moves = false;
@@ -40,7 +40,7 @@ std::optional<StrokeModel::Obstruction> StrokeModel::cannot_close(const Setting&
       if (kind == ToolKind::upper_beam || kind == ToolKind::lower_beam)
         return Obstruction{
             path, kind, -1,
-            fmt::format("the {} is in the way of closing the hem", room_of_tools_.name(kind, 0))};
+            fmt::format("the {} is in the way of closing the hem", room_of_tools_->name(kind, 0))};
       const size_t row = kind == ToolKind::punch ? 0 : 1;
       walls[row].insert(walls[row].end(), blocked.begin(), blocked.end());
       because[row] = joined(because[row], path);

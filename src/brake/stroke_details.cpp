@@ -35,8 +35,10 @@ std::optional<FlangeId> StrokeModel::flange_of(int line, int part) {
   const PartTree::Part& at = tree.parts()[part];
   if (!at.is_zone) return work_.bodies[at.index].flange;
   const auto& bodies = work_.lines[at.index].bodies;
-  const auto beyond = work_.bodies[bodies[1]].flange;
-  return beyond ? beyond : work_.bodies[bodies[0]].flange;
+  const int before = at.before >= 0 ? tree.parts()[at.before].index : bodies[0];
+  const int beyond = bodies[bodies[0] == before ? 1 : 0];
+  const auto flange = work_.bodies[beyond].flange;
+  return flange ? flange : work_.bodies[before].flange;
 }
 
 Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
@@ -85,7 +87,7 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
     const PlacedPart& placed = parts_in(stroke)[part]->placed;
     for (const ToolKind kind : kToolKinds) {
       const bool above = kind == ToolKind::punch || kind == ToolKind::upper_beam;
-      const SidedObstacle body = room_of_tools_.body(
+      const SidedObstacle body = room_of_tools_->body(
           kind, above ? stroke.punch : stroke.die, nearness(part, kind, stroke), stroke.direction);
       const Obstacle& obstacle = placed.left ? *body.left : *body.right;
       const std::vector<ToolRow>* row = kind == ToolKind::punch ? &rows.punch
@@ -125,11 +127,11 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   const int tool = above ? stroke.punch : stroke.die;
   const PlacedPart& placed = parts_in(stroke)[obstruction.part]->placed;
   const std::vector<Interval> pieces = pressed_pieces(stroke);
-  Interval along{-1e9, 1e9};
+  Interval along = kEverywhere;
   if (kind == ToolKind::punch || kind == ToolKind::die)
     along = {pieces.front().lo + shortfall(), pieces.back().hi - shortfall()};
   const auto turn_deeper = [&](double depth) {
-    const Obstacle& plain = room_of_tools_.deeper(kind, tool, depth);
+    const Obstacle& plain = room_of_tools_->deeper(kind, tool, depth);
     const Obstacle other = mirrored(plain);
     const bool same = stroke.direction > 0;
     return hit_within(motion(stroke), placed, same ? plain : other, same ? other : plain, along,
@@ -137,7 +139,7 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
-  blocked.hits = room_of_tools_.name(kind, tool);
+  blocked.hits = room_of_tools_->name(kind, tool);
   // Most ways are told apart from the best one by a single look.
   if (told.hi < kDeepest && turn_deeper(told.hi)) {
     blocked.depth = told.hi;
@@ -177,23 +179,26 @@ BlockedBend StrokeModel::deepest_of_all(const Setting& stroke, double most) {
   return worst;
 }
 
-BlockedBend StrokeModel::blocked(const LineSet& formed, int line) {
+BlockedBend StrokeModel::blocked(const LineSet& formed, int line, Clock::time_point until) {
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
-  return blocked_way(formed, alone).bend;
+  return blocked_way(formed, alone, until).bend;
 }
 
-const StrokeModel::BlockedWay& StrokeModel::blocked_way(const LineSet& formed,
-                                                        const LineSet& pressed) {
+StrokeModel::BlockedWay StrokeModel::blocked_way(const LineSet& formed, const LineSet& pressed,
+                                                 Clock::time_point until) {
   LineSet key = formed;
   key.insert(key.end(), pressed.begin(), pressed.end());
   const auto known = blocked_ways_.find(key);
   if (known != blocked_ways_.end()) return known->second;
-  return blocked_ways_[std::move(key)] = nearest_way(formed, pressed);
+  BlockedWay way = nearest_way(formed, pressed, until);
+  if (Clock::now() <= until) blocked_ways_.emplace(std::move(key), way);
+  return way;
 }
 
 /// Of all ways to make a stroke that cannot be made the one in which least is in the way.
-StrokeModel::BlockedWay StrokeModel::nearest_way(const LineSet& formed, const LineSet& pressed) {
+StrokeModel::BlockedWay StrokeModel::nearest_way(const LineSet& formed, const LineSet& pressed,
+                                                 Clock::time_point until) {
   const int line = members(pressed).front();
   const BrakeLine& first = work_.lines[line];
   const FittingTools& fitting = fitting_[line];
@@ -203,6 +208,7 @@ StrokeModel::BlockedWay StrokeModel::nearest_way(const LineSet& formed, const Li
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
+        if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
         const Setting stroke{&formed, pressed, line, punch, die, direction};
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);

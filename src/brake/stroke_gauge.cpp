@@ -89,7 +89,7 @@ std::optional<GaugeStop> StrokeModel::gauge(const Setting& stroke) {
   });
   if (edges.empty()) return std::nullopt;
   const PressMotion lying = motion(stroke);
-  const Obstacle& finger = room_of_tools_.finger();
+  const Obstacle& finger = room_of_tools_->finger();
   for (const GaugeEdge& edge : edges) {
     const Obstacle here = moved(finger, {edge.away, 0.0}), there = mirrored(here);
     std::vector<Interval> blocked;

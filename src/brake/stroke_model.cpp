@@ -8,11 +8,31 @@
 namespace planish::brake_detail {
 namespace {
 
-constexpr double kSameLine = 1e-3;       // mm, and radians: lines that are pressed together
-constexpr double kSameWay = 1e-3;        // of unit vectors: one direction of the gauge
-constexpr double kLongEnough = 1e-3;     // mm: of a flange, for rounding of what is drawn
-constexpr int kLooksAtFlange = 41;       // along a piece of the bend line
-constexpr double kTouchingParts = 1e-3;  // mm: neighbouring faces as they were laid out
+constexpr double kSameLine = 1e-3;              // mm, and radians: lines that are pressed together
+constexpr double kSameWay = 1e-3;               // of unit vectors: one direction of the gauge
+constexpr double kLongEnough = 1e-3;            // mm: of a flange, for rounding of what is drawn
+constexpr int kLooksAtFlange = 81;              // along a bend line, over all its pieces
+constexpr double kTouchingParts = 1e-3;         // mm: neighbouring faces as they were laid out
+constexpr std::size_t kMostBlocks = 1'500'000;  // of parts that are known: 1 GB
+
+/// Middles of equal shares of the pieces' common length.
+std::vector<double> looks_along(const std::vector<Interval>& pieces) {
+  double length = 0.0;
+  for (const Interval& piece : pieces)
+    length += piece.hi - piece.lo;
+  std::vector<double> looks;
+  double before = 0.0;
+  for (const Interval& piece : pieces) {
+    const double after = before + piece.hi - piece.lo;
+    for (auto i = std::ssize(looks); i < kLooksAtFlange; ++i) {
+      const double at = (static_cast<double>(i) + 0.5) / kLooksAtFlange * length;
+      if (at > after) break;
+      looks.push_back(piece.lo + at - before);
+    }
+    before = after;
+  }
+  return looks;
+}
 
 int first_line(const LineSet& set) {
   int line = 0;
@@ -33,11 +53,13 @@ bool lie_on_one_line(const BrakeLine& a, const BrakeLine& b) {
 
 }  // namespace
 
-StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options)
+StrokeModel::StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options,
+                         std::shared_ptr<ToolRoom> obstacles)
     : work_(std::move(work)),
       tools_(tools),
       options_(options),
-      room_of_tools_(tools, options.clearance),
+      room_of_tools_(obstacles ? std::move(obstacles)
+                               : std::make_shared<ToolRoom>(tools, options.clearance)),
       rooms_(work_.lines.size()),
       on_one_line_(work_.lines.size()) {
   for (const Punch& punch : tools.punches)
@@ -74,12 +96,25 @@ StrokeModel::LineRoom& StrokeModel::room(int line) {
   return *rooms_[line];
 }
 
+/// Forgets what parts hit when it is more than memory holds; it is found again where it is needed.
+void StrokeModel::forget_if_many() {
+  if (blocks_known_ < kMostBlocks) return;
+  blocks_known_ = 0;
+  for (const auto& room : rooms_) {
+    if (!room) continue;
+    room->parts.clear();
+    for (auto& known : room->at_line)
+      known.reset();
+  }
+}
+
 /// What is known of each part in a stage. A part's place follows from that of the body it hangs on
 /// and from how the line between them is.
 const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& stroke) {
   LineRoom& room = this->room(stroke.line);
   if (!room.parts.empty() && room.formed == *stroke.formed && room.pressed == stroke.pressed)
     return room.parts;
+  forget_if_many();
   room.formed = *stroke.formed;
   room.pressed = stroke.pressed;
   room.parts.clear();
@@ -96,6 +131,7 @@ const std::vector<StrokeModel::Known*>& StrokeModel::parts_in(const Setting& str
       *known = std::make_unique<Known>(
           Known{room.tree.placed(i, before ? &before->placed : nullptr, over)});
       (*known)->hanging.resize(room.tree.hanging(i));
+      blocks_known_ += (*known)->placed.blocks.size() + (*known)->placed.strips.size();
     }
     room.parts.push_back(known->get());
   }
@@ -247,28 +283,26 @@ double StrokeModel::measured_reach(const Setting& stroke, bool left) {
   for (const Known* known : parts_in(stroke))
     if (known->placed.flat) flat.push_back(&known->placed);
   std::vector<double> reaches;
-  for (const Interval& piece : pressed_pieces(stroke))
-    for (int i = 0; i < kLooksAtFlange; ++i) {
-      const double x = piece.lo + (i + 0.5) / kLooksAtFlange * (piece.hi - piece.lo);
-      std::vector<Interval> material;
-      for (const PlacedPart* part : flat) {
-        for (const ArcStrip& strip : part->strips)
-          if (strip.left == left && strip.along.lo <= x && x <= strip.along.hi)
-            material.push_back({strip.from, strip.to});
-        for (size_t k = 0; k < part->blocks.size() && part->left == left; ++k) {
-          const Convex cut = section(part->blocks[k], x, x);
-          if (cut.empty()) continue;
-          Box2 box;
-          for (const Vec2& p : cut)
-            box.add(p);
-          material.push_back({box.lo.x(), box.hi.x()});
-        }
+  for (const double x : looks_along(pressed_pieces(stroke))) {
+    std::vector<Interval> material;
+    for (const PlacedPart* part : flat) {
+      for (const ArcStrip& strip : part->strips)
+        if (strip.left == left && strip.along.lo <= x && x <= strip.along.hi)
+          material.push_back({strip.from, strip.to});
+      for (size_t k = 0; k < part->blocks.size() && part->left == left; ++k) {
+        const Convex cut = section(part->blocks[k], x, x);
+        if (cut.empty()) continue;
+        Box2 box;
+        for (const Vec2& p : cut)
+          box.add(p);
+        material.push_back({box.lo.x(), box.hi.x()});
       }
-      double far = 0.0;
-      for (const Interval& run : joined(std::move(material), kTouchingParts))
-        if (run.lo <= far + kTouchingParts) far = std::max(far, run.hi);
-      reaches.push_back(far);
     }
+    double far = 0.0;
+    for (const Interval& run : joined(std::move(material), kTouchingParts))
+      if (run.lo <= far + kTouchingParts) far = std::max(far, run.hi);
+    reaches.push_back(far);
+  }
   const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>(reaches.size() / 2);
   std::nth_element(reaches.begin(), middle, reaches.end());
   return *middle;

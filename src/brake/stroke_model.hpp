@@ -9,16 +9,22 @@
 #include <planish/brake/order.hpp>
 #include <planish/brake/stroke_search.hpp>
 
+#include <chrono>
 #include <memory>
 #include <unordered_map>
 
 namespace planish::brake_detail {
 
+using Clock = std::chrono::steady_clock;
+inline constexpr Clock::time_point kNoEnd = Clock::time_point::max();
+
 /// Answers which strokes can be made in a stage. What a part of the workpiece hits depends on the
 /// lines between it and the pressed one only: it is computed once for each of their states.
 class StrokeModel {
  public:
-  StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options);
+  /// `obstacles`: of these tools and this clearance, if they are there already.
+  StrokeModel(Workpiece work, const BrakeTools& tools, const PlanOptions& options,
+              std::shared_ptr<ToolRoom> obstacles = nullptr);
 
   const Workpiece& work() const { return work_; }
   const FittingTools& fitting(int line) const { return fitting_[line]; }
@@ -32,14 +38,16 @@ class StrokeModel {
   bool is_outermost(const LineSet& formed, const StrokeChoice& choice);
   /// What is to be done in a stroke. Of one that cannot be made segments and clearance are missing.
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
-  /// Why a line cannot be pressed in a stage, by the tools that come nearest to it.
-  BlockedBend blocked(const LineSet& formed, int line);
+  /// Why a line cannot be pressed in a stage, by the tools that come nearest to it; of those looked
+  /// at until a time, the first at least.
+  BlockedBend blocked(const LineSet& formed, int line, Clock::time_point until = kNoEnd);
   /// The same for lines pressed together, with the way in which it comes nearest.
   struct BlockedWay {
     BlockedBend bend;
     StrokeChoice choice;
   };
-  const BlockedWay& blocked_way(const LineSet& formed, const LineSet& pressed);
+  BlockedWay blocked_way(const LineSet& formed, const LineSet& pressed,
+                         Clock::time_point until = kNoEnd);
   /// The stroke in space, whether it can be made or not.
   StrokeScene scene(const LineSet& formed, const StrokeChoice& choice);
 
@@ -83,6 +91,7 @@ class StrokeModel {
 
   Setting setting(const LineSet& formed, const StrokeChoice& choice) const;
   LineRoom& room(int line);
+  void forget_if_many();
   const std::vector<Known*>& parts_in(const Setting& stroke);
   PressMotion motion(const Setting& stroke) const;
   double most_turn(int line) const;
@@ -110,7 +119,7 @@ class StrokeModel {
   Interval contact_range(int line, int die);
   std::vector<Obstruction> collisions(const Setting& stroke);
   BlockedBend deepest_of_all(const Setting& stroke, double most);
-  BlockedWay nearest_way(const LineSet& formed, const LineSet& pressed);
+  BlockedWay nearest_way(const LineSet& formed, const LineSet& pressed, Clock::time_point until);
   BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, const Interval& told);
   std::optional<FlangeId> flange_of(int line, int part);
   int direction_number(const Vec2& direction) const;
@@ -118,11 +127,12 @@ class StrokeModel {
   Workpiece work_;
   const BrakeTools& tools_;
   PlanOptions options_;
-  ToolRoom room_of_tools_;
+  std::shared_ptr<ToolRoom> room_of_tools_;
   std::vector<FittingTools> fitting_;
   std::vector<SegmentSums> punch_segments_, die_segments_;
   std::vector<Vec2> directions_;  ///< of the pattern, by the numbers of `StrokeChoice`
   std::vector<std::unique_ptr<LineRoom>> rooms_;
+  std::size_t blocks_known_ = 0;
   std::vector<std::vector<int>> on_one_line_;  ///< by line: those that continue it in the pattern
   std::unordered_map<int, Interval> contact_ranges_;
   std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;

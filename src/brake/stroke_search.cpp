@@ -25,7 +25,7 @@ StrokeWork::StrokeWork(const StrokeProblem& problem, const StrokeWeights& weight
       limits_(limits),
       progress_(progress),
       lines_(problem.lines),
-      start_(std::chrono::steady_clock::now()),
+      end_(limits.end(std::chrono::steady_clock::now())),
       book_(problem, weights),
       bound_(std::make_unique<StrokeBound>(problem, weights)),
       cheapest_(std::numeric_limits<double>::infinity()) {}
@@ -62,8 +62,7 @@ bool StrokeWork::cheaper(double cost, double than) const {
 
 StrokeWork::Stop StrokeWork::stopped() {
   if (progress_.should_stop()) return Stop::cancelled;
-  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  const bool over = passed.count() > limits_.seconds || book_.asked() >= limits_.stages ||
+  const bool over = std::chrono::steady_clock::now() > end_ || book_.asked() >= limits_.stages ||
                     book_.offers_kept() > kMostOffers;
   return over ? Stop::limit : Stop::none;
 }
@@ -94,6 +93,13 @@ double cost_of(const StageBook& book, const std::vector<int>& strokes) {
 }
 
 }  // namespace brake_detail
+
+std::chrono::steady_clock::time_point StrokeLimits::end(
+    std::chrono::steady_clock::time_point start) const {
+  constexpr double kLongest = 1e6;  // s: clocks count in 64 bits
+  const std::chrono::duration<double> taken(std::min(seconds, kLongest));
+  return start + std::chrono::duration_cast<std::chrono::steady_clock::duration>(taken);
+}
 
 namespace {
 
@@ -158,8 +164,8 @@ void tell_plan(StrokeSearch& result, StrokeWork& work) {
 }
 
 void tell_blocked(StrokeSearch& result, StrokeWork& work, int lines) {
-  const bool all = search_reachable(work);
   result.status = PlanStatus::infeasible;
+  const bool all = work.wants_reasons() && search_reachable(work);
   result.blocked_all = all;
   for (int line = 0; line < lines; ++line)
     if (all ? !work.book().seen(line) : std::ranges::binary_search(work.hopeless(), line))

@@ -45,6 +45,9 @@ class StrokeWork {
   /// Whether every line that may be possible at all has been formed in a stage that can be reached.
   bool all_seen() const;
 
+  bool wants_reasons() const { return limits_.reasons; }
+  std::chrono::steady_clock::time_point end() const { return end_; }  ///< of its time
+
   /// Why the search ends before it is done.
   enum class Stop { none, limit, cancelled };
   Stop stopped();
@@ -56,7 +59,7 @@ class StrokeWork {
   StrokeLimits limits_;
   const Progress& progress_;
   int lines_;
-  std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::time_point end_;
   StageBook book_;
   std::unique_ptr<StrokeBound> bound_;
   std::set<std::size_t> refuted_rows_;

@@ -6,46 +6,33 @@ namespace planish::brake_detail {
 namespace {
 
 bool hangs_below(ToolKind kind) { return kind == ToolKind::die || kind == ToolKind::lower_beam; }
-size_t row(ToolKind kind) { return static_cast<size_t>(kind); }
-size_t row(Nearness nearness) { return static_cast<size_t>(nearness); }
+constexpr double kBody = 1.0;  // mm: any clearance above 0 keeps the tool whole
 
 }  // namespace
 
-ToolRoom::ToolRoom(const BrakeTools& tools, double clearance) : tools_(tools) {
+ToolRoom::ToolRoom(const BrakeTools& tools, double clearance)
+    : tools_(tools), clearance_(clearance) {
   if (tools_.machine.gauge)
     finger_ = obstacle_of(section_of(tools_.machine.gauge->finger), kPenetration, 0.0);
-  constexpr double kBody = 1.0;  // any clearance above 0 keeps the tool whole
-  for (const ToolKind kind : kToolKinds)
-    for (int i = 0; i < count(kind); ++i) {
-      const ToolSection drawn = section(kind, i);
-      const bool symmetric = is_symmetric(drawn);
-      const auto add = [&](auto& table, Nearness nearness, Obstacle obstacle) {
-        obstacle.moves = hangs_below(kind);
-        table[row(kind)][row(nearness)].push_back(seen(std::move(obstacle), symmetric));
-      };
-      const bool is_beam = kind == ToolKind::upper_beam || kind == ToolKind::lower_beam;
-      const Obstacle deep = obstacle_of(drawn, kPenetration, 0.0);
-      const Obstacle far = clearance > 0.0 ? obstacle_of(drawn, 0.0, clearance) : deep;
-      add(obstacles_, Nearness::clear, far);
-      Obstacle near = is_beam ? far : deep;
-      if (kind == ToolKind::punch && clearance > 0.0) {
-        // The tip's wedge may be touched; what stands out beyond it keeps its clearance.
-        add(obstacles_, Nearness::touching,
-            united(deep, obstacle_beside_tip(tools_.punches[i], clearance)));
-      } else {
-        add(obstacles_, Nearness::touching, near);
-      }
-      const Obstacle whole = obstacle_of(drawn, 0.0, kBody);
-      add(bodies_, Nearness::clear, whole);
-      Obstacle body = whole;
-      if (kind == ToolKind::punch) body = obstacle_beside_tip(tools_.punches[i], kBody);
-      if (kind == ToolKind::die) body = Obstacle();
-      add(bodies_, Nearness::touching, std::move(body));
-    }
 }
 
-int ToolRoom::count(ToolKind kind) const {
-  return static_cast<int>(hangs_below(kind) ? tools_.dies.size() : tools_.punches.size());
+/// What a part has to keep away from. The tip's wedge may be touched; what stands out beyond it
+/// keeps its clearance.
+Obstacle ToolRoom::kept_from(ToolKind kind, int tool, Nearness nearness) const {
+  const ToolSection drawn = section(kind, tool);
+  const bool is_beam = kind == ToolKind::upper_beam || kind == ToolKind::lower_beam;
+  const bool keeps = clearance_ > 0.0 && (nearness == Nearness::clear || is_beam);
+  if (keeps) return obstacle_of(drawn, 0.0, clearance_);
+  Obstacle deep = obstacle_of(drawn, kPenetration, 0.0);
+  if (kind != ToolKind::punch || clearance_ == 0.0) return deep;
+  return united(std::move(deep), obstacle_beside_tip(tools_.punches[tool], clearance_));
+}
+
+Obstacle ToolRoom::body_of(ToolKind kind, int tool, Nearness nearness) const {
+  if (nearness == Nearness::touching && kind == ToolKind::die) return {};
+  if (nearness == Nearness::touching && kind == ToolKind::punch)
+    return obstacle_beside_tip(tools_.punches[tool], kBody);
+  return obstacle_of(section(kind, tool), 0.0, kBody);
 }
 
 ToolSection ToolRoom::section(ToolKind kind, int tool) const {
@@ -55,8 +42,9 @@ ToolSection ToolRoom::section(ToolKind kind, int tool) const {
   return section_of(tools_.machine.upper_beam, lowered(tools_.punches[tool]));
 }
 
-ToolRoom::Seen ToolRoom::seen(Obstacle obstacle, bool symmetric) {
-  Seen seen{std::move(obstacle), {}, symmetric, keys_};
+ToolRoom::Seen ToolRoom::seen(Obstacle obstacle, ToolKind kind, int tool) {
+  obstacle.moves = hangs_below(kind);
+  Seen seen{std::move(obstacle), {}, is_symmetric(section(kind, tool)), keys_};
   seen.mirror = mirrored(seen.plain);
   keys_ += 2;
   return seen;
@@ -68,12 +56,24 @@ SidedObstacle ToolRoom::sided(const Seen& seen, int direction) const {
   return {&seen.mirror, &seen.plain, seen.key + 1};
 }
 
-SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction) const {
-  return sided(obstacles_[row(kind)][row(nearness)][tool], direction);
+SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction) {
+  auto at = obstacles_.find({kind, nearness, tool});
+  if (at == obstacles_.end())
+    at = obstacles_
+             .emplace(std::tuple{kind, nearness, tool},
+                      seen(kept_from(kind, tool, nearness), kind, tool))
+             .first;
+  return sided(at->second, direction);
 }
 
-SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int direction) const {
-  return sided(bodies_[row(kind)][row(nearness)][tool], direction);
+SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int direction) {
+  auto at = bodies_.find({kind, nearness, tool});
+  if (at == bodies_.end())
+    at = bodies_
+             .emplace(std::tuple{kind, nearness, tool},
+                      seen(body_of(kind, tool, nearness), kind, tool))
+             .first;
+  return sided(at->second, direction);
 }
 
 const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth) {

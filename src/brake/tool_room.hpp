@@ -23,18 +23,18 @@ struct SidedObstacle {
   int key = 0;  ///< equal for the same shapes
 };
 
-/// All tools of a shop as obstacles. A direction of +1 has the gauge on the left of the bend line,
-/// −1 on its right.
+/// All tools of a shop as obstacles, each made when it is first asked for. A direction of +1 has
+/// the gauge on the left of the bend line, −1 on its right.
 class ToolRoom {
  public:
   ToolRoom(const BrakeTools& tools, double clearance);
 
   const BrakeTools& tools() const { return tools_; }
   /// `tool` is a punch for a punch and the upper beam, else a die.
-  SidedObstacle obstacle(ToolKind kind, int tool, Nearness nearness, int direction) const;
+  SidedObstacle obstacle(ToolKind kind, int tool, Nearness nearness, int direction);
   /// The tool itself, whatever is kept away from it; for sides being bent without the wedge of the
   /// punch's tip, and without the die.
-  SidedObstacle body(ToolKind kind, int tool, Nearness nearness, int direction) const;
+  SidedObstacle body(ToolKind kind, int tool, Nearness nearness, int direction);
   /// What of a tool is deeper than `depth` below its surface. Kept: each is made once.
   const Obstacle& deeper(ToolKind kind, int tool, double depth);
   /// Of the back gauge, where it touches at the origin.
@@ -47,16 +47,19 @@ class ToolRoom {
     bool symmetric = false;
     int key = 0;
   };
+  using Table = std::map<std::tuple<ToolKind, Nearness, int>, Seen>;
   ToolSection section(ToolKind kind, int tool) const;
-  Seen seen(Obstacle obstacle, bool symmetric);
+  Obstacle kept_from(ToolKind kind, int tool, Nearness nearness) const;
+  Obstacle body_of(ToolKind kind, int tool, Nearness nearness) const;
+  Seen seen(Obstacle obstacle, ToolKind kind, int tool);
   SidedObstacle sided(const Seen& seen, int direction) const;
-  int count(ToolKind kind) const;
 
   const BrakeTools& tools_;
+  double clearance_;
   int keys_ = 0;
   Obstacle finger_;
   std::map<std::tuple<ToolKind, int, double>, Obstacle> deeper_;
-  std::array<std::array<std::vector<Seen>, 2>, 4> obstacles_, bodies_;
+  Table obstacles_, bodies_;
 };
 
 }  // namespace planish::brake_detail

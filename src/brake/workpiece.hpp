@@ -78,8 +78,12 @@ struct WorkpieceOptions {
   Angle before_closing = {};
 };
 
-/// Bends from here on are hems.
-inline constexpr double kHemDegrees = 170.0;
+/// Bends between these angles are hems: bent as far as tools go, then closed. What turns further
+/// than the drop of an open hem is a roll.
+inline constexpr double kHemDegrees = 170.0, kRollDegrees = 225.0;
+inline bool is_hem(Angle angle) {
+  return angle.degrees() >= kHemDegrees && angle.degrees() <= kRollDegrees;
+}
 
 /// Errors: `no_straight_bend` (a general bend without press lines), `unsupported_shape` (lines that
 /// close a loop of bodies and are not one line).

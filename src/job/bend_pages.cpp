@@ -1,5 +1,6 @@
 #include "bend_pages.hpp"
 
+#include "bend_reasons.hpp"
 #include "report_text.hpp"
 #include "units.hpp"
 
@@ -234,6 +235,18 @@ void flat_drawing(Page& page, const Report& report, const Rectangle& into) {
     const double along = 0.5 + 0.06 * static_cast<double>(s % 3);
     number(page, fit(first.a + along * (first.b - first.a)), s, colour);
   }
+  const std::vector<BlockedBend> obstacles = obstacles_of(report);
+  for (const FlatBend& bend : report.flat.bends) {
+    const bool blocked = std::ranges::count(obstacles, bend.bend, &BlockedBend::bend) > 0;
+    for (const Segment& line : bend.lines)
+      if (strokes.empty())
+        page.line(fit(line.a), fit(line.b),
+                  {.stroke = blocked ? kAlert : kGrey, .width = blocked ? 0.6 : 0.3});
+    if (!blocked || bend.lines.empty()) continue;
+    const Segment& line = bend.lines.front();
+    page.text(fit(0.5 * (line.a + line.b)) + Vec2(1.0, -1.0), bend.id,
+              {.size = 3.2, .bold = true, .colour = kAlert});
+  }
   const Vec2 low = fit(box.lo), high = fit(box.hi);
   dimension(page, {low.x(), high.y()}, {high.x(), high.y()}, {0.0, -6.0},
             size_text(report, box.hi.x() - box.lo.x()));
@@ -402,6 +415,8 @@ std::vector<Page> bend_pages(const Report& report, const Bending& bending,
     if (p == 0)
       flat_drawing(page, report,
                    {{kMargin, kMargin + kHead - 9.0}, {kWidth - 2 * kMargin, kFlat - 6.0}});
+    if (p == 0 && !obstacles_of(report).empty())
+      write_reasons(page, report, {kMargin, top + 6.0}, below);
     for (std::size_t row = 0; row < (p == 0 ? on_first : on_next) && s < strokes; ++row, ++s) {
       stroke_row(page, report, pictures[s], s, top);
       top += kRow;

@@ -1,8 +1,9 @@
 #include "bending.hpp"
 
 #include "plan_report.hpp"
-#include "units.hpp"
+#include "proposal_report.hpp"
 
+#include <planish/brake/proposals.hpp>
 #include <planish/job/tools_json.hpp>
 
 #include <fmt/format.h>
@@ -24,7 +25,7 @@ std::string reasons_of(const Report& report, const Plan& plan) {
   constexpr std::size_t kTold = 3;
   std::string text;
   for (std::size_t i = 0; i < std::min(kTold, plan.blocked.size()); ++i)
-    text += "; " + reason_of(report, plan.blocked[i]);
+    text += "; " + blocked_sentence(plan.blocked[i], report);
   if (plan.blocked.size() > kTold)
     text += fmt::format("; and {} more", plan.blocked.size() - kTold);
   return text;
@@ -152,6 +153,12 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   options.begin_with = std::move(*begin);
   const BrakeTools& tools = bending.tools ? *bending.tools : default_tools();
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
+  if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
+    progress.at("looking for what would help", 0.97);
+    const ProposalOptions trying{.others = bending.tools ? &default_tools() : nullptr};
+    plan->proposals = proposals(report.sheet, report.layout, tools, options, *plan, trying,
+                                progress);
+  }
   if (plan) return take_plan(report, std::move(*plan), bending);
   if (bending.ask == Bending::Ask::plan || exit_status(plan.error().code) != kCannotStatus)
     return plan.error();

@@ -1,6 +1,7 @@
 #include "plan_report.hpp"
 
 #include "json_parts.hpp"
+#include "proposal_report.hpp"
 #include "report_schema.hpp"
 #include "table.hpp"
 
@@ -182,6 +183,12 @@ Json plan_json(const Plan& plan, const Report& report) {
   for (const BlockedBend& blocked : plan.blocked)
     json["blocked"].push_back(blocked_json(blocked, report));
   if (!plan.unformed.empty()) json["unformed"] = bend_ids(report, plan.unformed);
+  if (!plan.in_the_way.empty()) {
+    json["in_the_way"] = Json::array();
+    for (const BlockedBend& blocked : plan.in_the_way)
+      json["in_the_way"].push_back(blocked_json(blocked, report));
+  }
+  if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
   return json;
 }
 
@@ -194,7 +201,11 @@ Schema plan_schema() {
                  required("strokes", list(stroke_schema())),
                  required("blocked", list(blocked_schema()).said("bends that no stage can form")),
                  optional("unformed", list(text()).said("bends left in the stage that got "
-                                                        "furthest"))})
+                                                        "furthest")),
+                 optional("in_the_way",
+                          list(blocked_schema()).said("of bends left there, of four at most")),
+                 optional("proposals",
+                          list(proposal_schema()).said("if infeasible: what it can be bent with"))})
       .said("the strokes at a press brake, in order");
 }
 
@@ -202,9 +213,10 @@ std::string plan_text(const Plan& plan, const Report& report) {
   const Units units(report.units);
   if (plan.status == PlanStatus::infeasible || plan.status == PlanStatus::gave_up)
     return fmt::format(
-        "plan: {}, {} looked at\n",
-        plan.status == PlanStatus::infeasible ? "none is possible" : "none was found",
-        counted(static_cast<int>(plan.states), "stage"));
+               "plan: {}, {} looked at\n",
+               plan.status == PlanStatus::infeasible ? "none is possible" : "none was found",
+               counted(static_cast<int>(plan.states), "stage")) +
+           proposals_text(plan, report);
   return fmt::format("plan: {}, cost {:g}: {}, {}, {}, {}\n{}", status_word(plan.status), plan.cost,
                      counted(static_cast<int>(plan.strokes.size()), "stroke"),
                      counted(plan.turn_overs, "turn-over"), counted(plan.rotations, "rotation"),

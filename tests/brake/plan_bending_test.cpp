@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -126,6 +127,39 @@ TEST(PlanBending, SaysWhichToolIsMissing) {
   EXPECT_EQ(code(l_bracket(), weak), "");
 }
 
+/// A bend of 250° is neither a bend of tools nor a hem.
+TEST(PlanBending, SendsARollToAnotherMachine) {
+  const Sheet rolled = strip({Straight{50}, turn_up(250), Straight{50}}, 40, 1.5);
+  const auto plan = plan_of(rolled, plain_tools());
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().code, ErrorCode::no_tool);
+  EXPECT_NE(plan.error().message.find("there is no tool that bends by 180° or more"),
+            std::string::npos)
+      << plan.error().message;
+}
+
+/// The time that a plan may take covers the reasons why there is none.
+TEST(PlanBending, ExplainsWithinItsTime) {
+  std::vector<StripPart> parts{Straight{80}};
+  for (int i = 0; i < 24; ++i) {
+    parts.push_back(turn_up());
+    parts.push_back(Straight{i % 2 == 0 ? 3.0 : 80.0});  // jogs that no die takes twice
+  }
+  BrakeTools tools = plain_tools();
+  for (int i = 0; i < 40; ++i) {
+    tools.punches.push_back(tools.punches[0]);
+    tools.punches.back().id = "P" + std::to_string(i);
+  }
+  PlanOptions options;
+  options.limits.seconds = 0.5;
+  const auto begin = std::chrono::steady_clock::now();
+  const auto plan = plan_of(strip(parts, 80, 1.5), tools, options);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  ASSERT_TRUE(plan);
+  EXPECT_TRUE(plan->strokes.empty());
+  EXPECT_LT(taken.count(), 10.0);  // on a machine that does other things besides
+}
+
 TEST(PlanBending, NeedsNoStrokeForAPlateOrARolledBend) {
   const auto plate = plan_of(plate_with_holes(), plain_tools());
   ASSERT_TRUE(plate);
@@ -166,11 +200,11 @@ class PlanInvariants : public testing::Test {
     Sheet sheet;
     BrakeTools tools;
   };
-  static std::vector<Case> cases() {
+  static std::vector<Case> cases(int bends = 4) {
     std::mt19937 random(99);
     std::vector<Case> cases;
     for (int i = 0; i < 24; ++i) {
-      Case made{random_sheet(random, 4), plain_tools()};
+      Case made{random_sheet(random, bends), plain_tools()};
       made.tools.punches[0].tip_radius = 0.05;
       made.tools.punches[0].profile[1].x() = 6.0;  // not its own mirror image
       made.tools.punches[0].profile[2].x() = 6.0;
@@ -197,7 +231,9 @@ class PlanInvariants : public testing::Test {
   };
   static Answer answer(const Case& asked, const PlanOptions& options = {},
                        const FlattenOptions& flattening = {}) {
-    const auto plan = plan_of(asked.sheet, asked.tools, options, flattening);
+    PlanOptions patient = options;
+    patient.limits.seconds = 600.0;  // the machine may do other things besides
+    const auto plan = plan_of(asked.sheet, asked.tools, patient, flattening);
     if (!plan) return {};
     return {true, plan->status, plan->cost};
   }
@@ -266,6 +302,73 @@ TEST_F(PlanInvariants, ClearanceNeverHelps) {
       cost = now.cost;
     }
   }
+}
+
+/// The part seen in a mirror that lies in its pattern: what goes up goes down.
+Sheet mirror_image(Sheet sheet) {
+  for (Bend& bend : sheet.bends)
+    bend.reference_inside = !bend.reference_inside;
+  return sheet;
+}
+
+/// The same sheet with its bends and flanges numbered from the other end.
+Sheet renumbered(const Sheet& sheet) {
+  Sheet other = sheet;
+  const auto bend_of = [&](BendId id) {
+    return static_cast<BendId>(static_cast<int>(sheet.bends.size()) - 1 - index_of(id));
+  };
+  const auto flange_of = [&](FlangeId id) {
+    return static_cast<FlangeId>(static_cast<int>(sheet.flanges.size()) - 1 - index_of(id));
+  };
+  for (const BendId id : sheet.bends.ids())
+    other.bends[bend_of(id)] = sheet.bends[id];
+  for (const FlangeId id : sheet.flanges.ids())
+    other.flanges[flange_of(id)] = sheet.flanges[id];
+  for (Face& face : other.faces) {
+    if (auto* bend = std::get_if<BendId>(&face.part_of)) *bend = bend_of(*bend);
+    if (auto* flange = std::get_if<FlangeId>(&face.part_of)) *flange = flange_of(*flange);
+  }
+  for (Joint& joint : other.joints)
+    if (joint.sharp) joint.sharp = bend_of(*joint.sharp);
+  return other;
+}
+
+TEST_F(PlanInvariants, APartThatIsMovedMirroredOrRenumberedHasTheSamePlan) {
+  const Eigen::Isometry3d motion = Eigen::Translation3d(70.0, -30.0, 900.0) *
+                                   Eigen::AngleAxisd(1.1, Vec3(1, -2, 3).normalized());
+  std::size_t most_bends = 0;
+  int planned = 0, infeasible = 0;
+  for (const Case& asked : cases(7)) {
+    const Answer first = answer(asked);
+    for (const Sheet& same :
+         {moved(asked.sheet, motion), mirror_image(asked.sheet), renumbered(asked.sheet)})
+      EXPECT_EQ(first, answer({same, asked.tools}));
+    most_bends = std::max(most_bends, asked.sheet.bends.size());
+    planned += first.planned && first.status == PlanStatus::optimal;
+    infeasible += first.planned && first.status == PlanStatus::infeasible;
+  }
+  EXPECT_GE(most_bends, 6u);
+  EXPECT_GE(planned, 2);
+  EXPECT_GT(infeasible, 2);
+}
+
+/// Dies of the opening that is taken anyhow: a narrower one and one for smaller angles.
+TEST_F(PlanInvariants, MoreDiesOfTheSameOpeningAreNeverWorse) {
+  int looked = 0;
+  for (const Case& asked : cases()) {
+    const Answer few = answer(asked);
+    Case more = asked;
+    const double opening = asked.tools.dies[0].opening;
+    more.tools.dies.push_back(die({opening, Angle::degrees(28), asked.tools.dies[0].shoulder_radius,
+                                   0.5 * opening + 2.0, 100.0, asked.tools.dies[0].segments}));
+    more.tools.dies.back().id = "narrow";
+    const Answer many = answer(more);
+    if (few.status != PlanStatus::optimal) continue;
+    ++looked;
+    EXPECT_EQ(many.status, PlanStatus::optimal);
+    EXPECT_LE(many.cost, few.cost);
+  }
+  EXPECT_GT(looked, 2);
 }
 
 /// What a plan says of itself holds: every stroke keeps the clearance it reports.

@@ -177,6 +177,47 @@ class Infeasible(BendTest):
             self.assertEqual(step[key], plates[key], key)
 
 
+class Proposals(BendTest):
+    def proposals(self, plates, *arguments):
+        plan = self.plan(plates, *arguments, status=4)["plan"]
+        self.assertEqual(plan["status"], "infeasible")
+        return {proposal["kind"]: proposal for proposal in plan["proposals"]}
+
+    def test_a_smaller_v_is_one_that_does(self):
+        # V 12 with shoulders of 1.2 takes flanges from 7.2 mm.
+        low = channel(7)
+        proposal = self.proposals(low)["smaller_v"]
+        self.assertLess(proposal["opening"], 12)
+        self.assertTrue(proposal["tools"])
+        strokes = self.plan(low, "--opening", str(proposal["opening"]))["plan"]["strokes"]
+        for stroke in strokes:
+            self.assertIn(stroke["die"], proposal["tools"])
+
+    def test_a_flange_shorter_by_that_much_can_be_bent(self):
+        by = self.proposals(channel(80))["shorter_flange"]["by"]
+        self.assertEqual(self.plan(channel(80 - by))["plan"]["status"], "optimal")
+        self.assertEqual(self.plan(channel(80 - by + 0.2), status=4)["plan"]["status"], "infeasible")
+
+    def test_a_punch_of_the_common_tools_is_named(self):
+        tools = self.tools()
+        wide = dict(tools["punches"][0], id="wide", profile=[[0, 0], [25, 25.9], [25, 120], [-25, 120], [-25, 25.9]])
+        self.write("wide.json", json.dumps(dict(tools, punches=[wide])))
+        proposal = self.proposals(channel(45), "--tools", "wide.json")["punch"]
+        (name,) = proposal["tools"]
+        (punch,) = [punch for punch in tools["punches"] if punch["id"] == name]
+        self.write("both.json", json.dumps(dict(tools, punches=[wide, punch])))
+        strokes = self.plan(channel(45), "--tools", "both.json")["plan"]["strokes"]
+        self.assertIn(name, [stroke["punch"] for stroke in strokes])
+
+    def test_they_are_in_the_summary(self):
+        self.write("part.json", json.dumps(channel(80)))
+        out, _ = self.run_cli("bend", "part.json", status=4)
+        self.assertRegex(out, r"it can be bent\n  .*\n")
+
+    def test_a_part_that_can_be_bent_needs_none(self):
+        self.assertNotIn("proposals", self.plan(channel(30))["plan"])
+
+
 class WrongRequests(BendTest):
     def setUp(self):
         super().setUp()
@@ -207,17 +248,34 @@ class WrongRequests(BendTest):
         self.assertIn("tools.json/dies/0/segments", refused_with(lambda t: t["dies"][0].update(segments=[])))
         self.assertIn("tools.json/dies", refused_with(lambda t: t.update(dies=[])))
         self.assertIn("tools.json/punches/0/id", refused_with(lambda t: t["punches"][0].pop("id")))
+        self.assertIn("(tools.json/punches)", refused_with(lambda t: t.update(punches=[])))
+        self.assertIn("tools.json/dies/1/segments", refused_with(lambda t: t["dies"][1].pop("segments")))
+        self.assertIn("tools.json/punches/2/profile", refused_with(
+            lambda t: t["punches"][2].update(profile=[[1, 1], [9, 90], [-9, 90]])))
 
     def test_files_that_no_maker_reads(self):
         self.write("other.json", "{}")
         self.assertIn("not one of these", self.refused("bend", "other.json", status=3))
         self.assertIn("missing.step", self.refused("bend", "missing.step", status=3))
 
-    def test_a_thickness_that_no_tool_bears(self):
-        thick = json.loads(json.dumps(channel(30)))
-        thick["thickness"], thick["defaults"]["inside_radius"] = 2, 0.1
-        report = self.plan(thick, status=4)
-        self.assertEqual(report["reason"]["code"], "no_tool")
+    def test_parts_that_no_tool_bears(self):
+        sharp = dict(channel(30), defaults={"inside_radius": 0.1})
+        reason = self.plan(sharp, status=4)["reason"]
+        self.assertEqual((reason["code"], reason["where"]), ("no_tool", "B1"))
+        self.assertIn("no punch of 90° or less with a tip radius of at most 0.1 mm", reason["message"])
+        # 1.42 · 450 · 2² / 12 N/mm are 213 kN per metre.
+        tools = self.tools()
+        for die in tools["dies"]:
+            die["max_force"] = 20
+        self.write("weak.json", json.dumps(tools))
+        reason = self.plan(channel(30), "--tools", "weak.json", status=4)["reason"]
+        self.assertEqual(reason["code"], "no_tool")
+        self.assertIn("that bears the force", reason["message"])
+
+    def test_a_bend_without_a_straight_line(self):
+        lofted = pathlib.Path(__file__).parents[2] / "examples/connect/b_lofted.json"
+        self.run_cli("bend", str(lofted), "--json", "r.json", "-q", status=4)
+        self.assertEqual(self.json("r.json")["reason"]["code"], "no_straight_bend")
 
 
 class Pages(BendTest):
@@ -240,8 +298,22 @@ class Pages(BendTest):
             self.assertIn(distance, texts)  # the dimension of the lying sheet
         self.assertEqual(len([t for t in texts if t and "TURN OVER" in t]), report["plan"]["turn_overs"])
 
-    def test_a_refused_part_leaves_no_pages(self):
+    def test_a_part_that_cannot_be_bent_has_a_page_that_says_why(self):
         self.write("part.json", json.dumps(channel(250)))
+        self.run_cli("bend", "part.json", "-o", "plan.pdf", "-o", "plan.svg", "--json", "r.json", "-q", status=4)
+        report = self.json("r.json")
+        self.assertEqual(report["files"], ["plan.pdf", "plan.svg"])
+        page = " ".join(e.text or "" for e in xml.etree.ElementTree.parse(self.dir / "plan.svg").iter()
+                        if e.tag.endswith("text"))
+        (in_the_way,) = report["plan"]["in_the_way"]
+        self.assertIn("CANNOT BE BENT", page)
+        self.assertIn(f"{in_the_way['bend']}: {in_the_way['with']} hits {in_the_way['hits']}", page)
+        self.assertTrue(report["plan"]["proposals"])
+        for proposal in report["plan"]["proposals"]:
+            self.assertIn(proposal["sentence"], page)
+
+    def test_a_part_refused_before_it_is_planned_leaves_no_pages(self):
+        self.write("part.json", json.dumps(dict(channel(30), defaults={"inside_radius": 0.1})))
         self.run_cli("bend", "part.json", "-o", "plan.pdf", "--json", "r.json", "-q", status=4)
         self.assertEqual(self.names(), ["part.json", "r.json"])
 

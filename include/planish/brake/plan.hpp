@@ -67,6 +67,26 @@ struct BlockedBend {
   std::string why = {};  ///< one sentence, with what would help if that is known
 };
 
+/// A change by which a sheet can be bent that cannot be bent as it is. Each was planned again and
+/// has an order.
+struct Proposal {
+  enum class Kind {
+    smaller_v,       ///< another wanted opening: `opening`, `tools` its dies
+    punch,           ///< a punch of another catalogue besides: `tools`
+    taller_punches,  ///< all punches taller `by`, the upper beam as much higher
+    shorter_flange,  ///< `flange` shorter `by`
+    swap,            ///< the two `bends` swapped in the order that was asked for
+    any_order,       ///< without the order that was asked for
+    split,           ///< two parts, cut at `bends`, each of which can be bent
+  };
+  Kind kind = Kind::smaller_v;
+  double opening = 0.0;  ///< mm
+  double by = 0.0;       ///< mm
+  std::vector<std::string> tools = {};
+  std::optional<FlangeId> flange = {};
+  std::vector<BendId> bends = {};
+};
+
 /// The order in which a sheet is bent, or why there is none.
 struct Plan {
   PlanStatus status = PlanStatus::gave_up;
@@ -76,7 +96,10 @@ struct Plan {
   std::vector<Stroke> strokes;       ///< empty unless optimal or feasible
   std::vector<BlockedBend> blocked;  ///< if infeasible
   std::vector<BendId> unformed;      ///< if infeasible: what is left in the stage that got furthest
-  std::vector<std::string> notes;    ///< bends that take no stroke, radii beyond what the V gives
+  /// If each bend can be formed in some stage: what is in the way of some of the unformed there.
+  std::vector<BlockedBend> in_the_way;
+  std::vector<Proposal> proposals;  ///< if infeasible, and looked for (proposals.hpp)
+  std::vector<std::string> notes;   ///< bends that take no stroke, radii beyond what the V gives
 };
 
 /// Finds the cheapest order of strokes (math.md#press-brake). `layout` is that of the sheet, whose

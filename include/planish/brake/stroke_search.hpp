@@ -3,6 +3,7 @@
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -33,8 +34,12 @@ struct StrokeWeights {
 /// Where a search ends although more could be found.
 struct StrokeLimits {
   bool first = false;             ///< at the first plan
-  double seconds = 6.0;           ///< after this time
+  bool reasons = true;            ///< if there is none: find out which lines cannot be formed
+  double seconds = 6.0;           ///< after this time, in which reasons are found too
   std::int64_t stages = 300'000;  ///< after looking at so many stages
+
+  /// When the time is over of what starts then.
+  std::chrono::steady_clock::time_point end(std::chrono::steady_clock::time_point start) const;
 };
 
 /// Whether a stroke can be made.

@@ -1,0 +1,155 @@
+#include "changed_work.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planish::brake_detail {
+namespace {
+
+constexpr double kAlike = 1e-3;  // radians, mm: lines that run the same way
+
+/// Away from a line into the body on one of its sides: a unit vector of the pattern.
+Vec2 away_from(const BrakeLine& line, int body) {
+  return line.bodies[1] == body ? line.across() : Vec2(-line.across());
+}
+
+double half_zone(const BrakeLine& line) { return 0.5 * line.bend.allowance; }
+
+bool touches(const BrakeLine& line, int body) {
+  return line.bodies[0] == body || line.bodies[1] == body;
+}
+
+/// Whether a line is the given one, or closes what that bends.
+bool is_same(const Workpiece& work, int line, int as) {
+  return line == as || work.lines[line].closes == as || work.lines[as].closes == line;
+}
+
+/// Bodies that are reached from one without crossing a line.
+std::vector<bool> reached_from(const Workpiece& work, int body, int without) {
+  std::vector<bool> reached(work.bodies.size(), false);
+  std::vector<int> left{body};
+  reached[body] = true;
+  while (!left.empty()) {
+    const int at = left.back();
+    left.pop_back();
+    for (int i = 0; i < std::ssize(work.lines); ++i) {
+      const BrakeLine& line = work.lines[i];
+      if (is_same(work, i, without) || !touches(line, at)) continue;
+      const int other = line.bodies[line.bodies[0] == at ? 1 : 0];
+      if (!reached[other]) left.push_back(other);
+      reached[other] = true;
+    }
+  }
+  return reached;
+}
+
+/// The lines on a body beside the given one.
+std::vector<int> other_lines(const Workpiece& work, int body, int line) {
+  std::vector<int> others;
+  for (int i = 0; i < std::ssize(work.lines); ++i)
+    if (!is_same(work, i, line) && touches(work.lines[i], body)) others.push_back(i);
+  return others;
+}
+
+double farthest(const Body& body, const BrakeLine& from, const Vec2& away) {
+  double far = 0.0;
+  for (const Convex& piece : body.pieces)
+    for (const Vec2& p : piece)
+      far = std::max(far, away.dot(p - from.origin));
+  return far;
+}
+
+void move(Body& body, const Vec2& by) {
+  for (Convex& piece : body.pieces)
+    for (Vec2& p : piece)
+      p += by;
+  for (FreeEdge& edge : body.edges)
+    edge = {edge.a + by, edge.b + by};
+}
+
+/// Takes out what lies between two distances from a line and closes the gap.
+void take_out(Body& body, const BrakeLine& line, const Vec2& away, const Interval& strip) {
+  const Vec2 back = -(strip.hi - strip.lo) * away;
+  const double at = away.dot(line.origin);
+  std::vector<Convex> pieces;
+  for (const Convex& piece : body.pieces) {
+    Convex near = clipped(piece, away, at + strip.lo), far = clipped(piece, -away, -at - strip.hi);
+    for (Vec2& p : far)
+      p += back;
+    for (Convex* kept : {&near, &far})
+      if (kept->size() > 2) pieces.push_back(std::move(*kept));
+  }
+  body.pieces = std::move(pieces);
+  for (FreeEdge& edge : body.edges)
+    for (Vec2* p : {&edge.a, &edge.b})
+      if (away.dot(*p) - at > strip.lo)
+        *p += std::min(1.0, (away.dot(*p) - at - strip.lo) / (strip.hi - strip.lo)) * back;
+}
+
+}  // namespace
+
+double most_shorter(const Workpiece& work, int body, int line) {
+  constexpr double kLeft = 0.5;  // mm of the flange
+  const BrakeLine& near = work.lines[line];
+  const Vec2 away = away_from(near, body);
+  double far = farthest(work.bodies[body], near, away);
+  for (const int number : other_lines(work, body, line)) {
+    const BrakeLine& other = work.lines[number];
+    const double turned = near.along.x() * other.along.y() - near.along.y() * other.along.x();
+    if (std::abs(turned) > kAlike) return 0.0;
+    far = std::min(far, away.dot(other.origin - near.origin) - half_zone(other));
+  }
+  return std::max(0.0, far - half_zone(near) - kLeft);
+}
+
+Workpiece shortened(const Workpiece& work, int body, int line, double by) {
+  Workpiece made = work;
+  const BrakeLine& near = work.lines[line];
+  const Vec2 away = away_from(near, body);
+  const bool is_end = other_lines(work, body, line).empty();
+  const double far = farthest(work.bodies[body], near, away);
+  const Interval strip = is_end ? Interval{far - by, far}
+                                : Interval{half_zone(near), half_zone(near) + by};
+  take_out(made.bodies[body], near, away, strip);
+  const std::vector<bool> reached = reached_from(work, body, line);
+  for (int i = 0; i < std::ssize(work.bodies); ++i)
+    if (reached[i] && i != body) move(made.bodies[i], -by * away);
+  for (int i = 0; i < std::ssize(work.lines); ++i) {
+    if (is_same(work, i, line) || !reached[work.lines[i].bodies[0]]) continue;
+    made.lines[i].origin -= by * away;
+    for (FreeEdge& edge : made.zones[i].edges)
+      edge = {edge.a - by * away, edge.b - by * away};
+  }
+  return made;
+}
+
+std::array<Workpiece, 2> split_at(const Workpiece& work, int line) {
+  std::array<Workpiece, 2> halves;
+  for (const size_t side : {size_t{0}, size_t{1}}) {
+    Workpiece& half = halves[side];
+    half.thickness = work.thickness;
+    const std::vector<bool> reached = reached_from(work, work.lines[line].bodies[side], line);
+    std::vector<int> body_number(work.bodies.size(), -1), line_number(work.lines.size(), -1);
+    for (int i = 0; i < std::ssize(work.bodies); ++i) {
+      if (!reached[i]) continue;
+      body_number[i] = static_cast<int>(half.bodies.size());
+      half.bodies.push_back(work.bodies[i]);
+    }
+    for (int i = 0; i < std::ssize(work.lines); ++i) {
+      if (is_same(work, i, line) || !reached[work.lines[i].bodies[0]]) continue;
+      line_number[i] = static_cast<int>(half.lines.size());
+      half.lines.push_back(work.lines[i]);
+      half.zones.push_back(work.zones[i]);
+    }
+    for (BrakeLine& kept : half.lines) {
+      for (int& body : kept.bodies)
+        body = body_number[body];
+      for (std::optional<int>* other : {&kept.closes, &kept.closed_by})
+        if (*other) *other = line_number[**other];
+    }
+  }
+  return halves;
+}
+
+}  // namespace planish::brake_detail

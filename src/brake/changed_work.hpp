@@ -1,0 +1,22 @@
+#pragma once
+
+#include "workpiece.hpp"
+
+#include <array>
+#include <optional>
+
+namespace planish::brake_detail {
+
+/// How much shorter a body can be made, seen from one of its lines, mm; 0 if it cannot: lines on it
+/// run across.
+double most_shorter(const Workpiece& work, int body, int line);
+
+/// The workpiece with a body shorter by less than `most_shorter`: its far end cut off, or, where
+/// other bodies hang on it, a strip taken out beside the line. Straight borders for the gauge stay
+/// where the material goes on.
+Workpiece shortened(const Workpiece& work, int body, int line, double by);
+
+/// The two workpieces that are left when one is cut at a line and what is bent there falls away.
+std::array<Workpiece, 2> split_at(const Workpiece& work, int line);
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,67 @@
+#include "plan_search.hpp"
+
+#include "line_depth.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace planish::brake_detail {
+namespace {
+
+StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
+  StrokeProblem problem;
+  problem.lines = static_cast<int>(model.work().lines.size());
+  problem.choices = [&model](const LineSet& formed) { return model.choices(formed); };
+  problem.check = [&model](const LineSet& formed, const StrokeChoice& choice) {
+    return model.check(formed, choice);
+  };
+  problem.possible = model.possible();
+  problem.depth = line_depths(model.work());
+  for (const BendId bend : options.begin_with)
+    for (int i = 0; i < problem.lines; ++i) {
+      const auto& bends = model.work().lines[i].bends;
+      if (std::count(bends.begin(), bends.end(), bend)) problem.begin_with.push_back(i);
+    }
+  return problem;
+}
+
+}  // namespace
+
+Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
+                                 const Progress& progress) {
+  constexpr int kMany = 14;           // lines: fewer are searched whole in a moment
+  constexpr double kOutsideIn = 0.4;  // share of the time
+  const StrokeProblem whole = problem_of(model, options);
+  StrokeLimits limits = options.limits;
+  std::optional<StrokeSearch> outside_in;
+  const auto start = std::chrono::steady_clock::now();
+  if (whole.lines > kMany) {
+    StrokeProblem narrow = whole;
+    narrow.choices = [&model](const LineSet& formed) {
+      std::vector<StrokeChoice> choices = model.choices(formed);
+      std::erase_if(choices,
+                    [&](const auto& choice) { return !model.is_outermost(formed, choice); });
+      return choices;
+    };
+    limits.seconds *= kOutsideIn;
+    limits.reasons = false;
+    auto found = search_strokes(narrow, options.weights, limits, progress);
+    if (!found) return found;
+    if (!found->strokes.empty()) outside_in = std::move(*found);
+    if (outside_in && options.limits.first) return *outside_in;
+  }
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  limits = options.limits;
+  limits.seconds = std::max(0.0, options.limits.seconds - taken.count());
+  auto found = search_strokes(whole, options.weights, limits, progress);
+  const bool better = found && outside_in &&
+                      (found->strokes.empty() || outside_in->cost < found->cost) &&
+                      found->status != PlanStatus::optimal;
+  if (!better) return found;
+  outside_in->status = PlanStatus::feasible;
+  outside_in->bound = found->bound;
+  outside_in->stages += found->stages;
+  return *outside_in;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "stroke_model.hpp"
+
+#include <planish/brake/plan.hpp>
+
+namespace planish::brake_detail {
+
+/// The search, and where it gives up the cheapest order from the outside in. That is looked for
+/// first: those orders are few, and most parts with many bends have one.
+Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
+                                 const Progress& progress);
+
+}  // namespace planish::brake_detail

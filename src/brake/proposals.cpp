@@ -1,0 +1,301 @@
+#include "changed_work.hpp"
+#include "made_model.hpp"
+#include "plan_search.hpp"
+
+#include <planish/brake/proposals.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace planish {
+namespace {
+
+using namespace brake_detail;
+
+constexpr double kFinest = 0.1;         // mm: to which a flange is told
+constexpr double kTallest = 300.0;      // mm: by which punches may be taller
+constexpr double kStepOfPunch = 10.0;   // mm
+constexpr double kOneOpening = 1e-3;    // mm
+constexpr std::size_t kMostSwaps = 28;  // of 8 bends in an order
+
+using Kind = Proposal::Kind;
+
+/// A punch whose upper half is moved up.
+Punch taller(Punch punch, double by) {
+  double top = 0.0;
+  for (const Vec2& p : punch.profile)
+    top = std::max(top, p.y());
+  for (Vec2& p : punch.profile)
+    if (p.y() > 0.5 * top) p.y() += by;
+  return punch;
+}
+
+BrakeTools with_taller_punches(BrakeTools tools, double by) {
+  for (Punch& punch : tools.punches)
+    punch = taller(punch, by);
+  for (Vec2& p : tools.machine.upper_beam)
+    p.y() += by;
+  return tools;
+}
+
+/// Tries changes, each within its share of the time.
+class Trying {
+ public:
+  Trying(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+         const PlanOptions& options, const Plan& plan, const ProposalOptions& trying,
+         const Progress& progress)
+      : sheet_(sheet),
+        layout_(layout),
+        tools_(tools),
+        options_(options),
+        plan_(plan),
+        others_(trying.others),
+        progress_(progress),
+        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(trying.seconds))) {
+    auto work = work_for(options);
+    if (work) work_ = std::move(*work);
+    obstacles_ = std::make_shared<ToolRoom>(tools, options.clearance);
+  }
+
+  std::vector<Proposal> all() {
+    if (work_.lines.empty()) return {};
+    const std::vector<void (Trying::*)()> kinds{&Trying::try_orders,  &Trying::try_openings,
+                                                &Trying::try_punches, &Trying::try_taller,
+                                                &Trying::try_shorter, &Trying::try_split};
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const auto now = Clock::now();
+      share_end_ = now + (end_ - now) / static_cast<int>(kinds.size() - i);
+      (this->*kinds[i])();
+    }
+    return std::move(found_);
+  }
+
+ private:
+  Result<Workpiece> work_for(const PlanOptions& options) const {
+    return workpiece_of(sheet_, layout_, workpiece_options(sheet_.thickness, tools_, options));
+  }
+
+  /// Whether an order is found in what is left of the share.
+  bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options) const {
+    const std::chrono::duration<double> left = share_end_ - Clock::now();
+    if (left.count() <= 0.0 || progress_.should_stop()) return false;
+    options.limits.first = true;
+    options.limits.reasons = false;
+    options.limits.seconds = left.count();
+    StrokeModel model(std::move(work), tools, options, &tools == &tools_ ? obstacles_ : nullptr);
+    if (line_without_tool(model)) return false;
+    const auto search = search_plan(model, options, progress_);
+    return search &&
+           (search->status == PlanStatus::optimal || search->status == PlanStatus::feasible);
+  }
+  bool can_bend(const BrakeTools& tools) const { return can_bend(work_, tools, options_); }
+
+  void try_orders() {
+    const std::vector<BendId>& order = options_.begin_with;
+    if (order.empty()) return;
+    PlanOptions changed = options_;
+    std::size_t tried = 0;
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t j = i + 1; j < order.size() && tried < kMostSwaps; ++j, ++tried) {
+        changed.begin_with = order;
+        std::swap(changed.begin_with[i], changed.begin_with[j]);
+        if (!can_bend(work_, tools_, changed)) continue;
+        found_.push_back({.kind = Kind::swap, .bends = {order[i], order[j]}});
+        return;
+      }
+    changed.begin_with.clear();
+    if (can_bend(work_, tools_, changed)) found_.push_back({.kind = Kind::any_order});
+  }
+
+  /// The widest V that any line is pressed over now.
+  double widest() const {
+    const StrokeModel model(work_, tools_, options_, obstacles_);
+    double opening = 0.0;
+    for (int i = 0; i < std::ssize(work_.lines); ++i)
+      for (const int die : model.fitting(i).dies)
+        opening = std::max(opening, tools_.dies[die].opening);
+    return opening;
+  }
+
+  void try_openings() {
+    const double now = widest();
+    std::set<double, std::greater<>> openings;
+    for (const Die& die : tools_.dies)
+      if (die.opening > 0.0 && die.opening < now - kOneOpening) openings.insert(die.opening);
+    for (const double opening : openings) {
+      PlanOptions changed = options_;
+      changed.opening = opening;
+      auto work = work_for(changed);
+      if (!work || !can_bend(std::move(*work), tools_, changed)) continue;
+      Proposal proposal{.kind = Kind::smaller_v, .opening = opening};
+      for (const Die& die : tools_.dies)
+        if (std::abs(die.opening - opening) < kOneOpening) proposal.tools.push_back(die.id);
+      found_.push_back(std::move(proposal));
+      return;
+    }
+  }
+
+  bool has(const Punch& punch) const {
+    return std::ranges::any_of(tools_.punches, [&](const Punch& own) {
+      return own.profile == punch.profile && own.tip_radius == punch.tip_radius;
+    });
+  }
+
+  BrakeTools with(const Punch& punch) const {
+    BrakeTools more = tools_;
+    more.punches.push_back(punch);
+    return more;
+  }
+
+  void try_punches() {
+    if (!others_) return;
+    BrakeTools more = tools_;
+    for (const Punch& punch : others_->punches)
+      if (!has(punch)) more.punches.push_back(punch);
+    if (more.punches.size() == tools_.punches.size() || !can_bend(more)) return;
+    for (const Punch& punch : others_->punches) {
+      if (has(punch) || !can_bend(with(punch))) continue;
+      found_.push_back({.kind = Kind::punch, .tools = {punch.id}});
+      return;
+    }
+  }
+
+  /// What is in the way in some stage, with what it hits.
+  std::vector<BlockedBend> hits() const {
+    std::vector<BlockedBend> all = plan_.blocked;
+    all.insert(all.end(), plan_.in_the_way.begin(), plan_.in_the_way.end());
+    std::erase_if(all, [](const BlockedBend& one) { return one.hits.empty(); });
+    return all;
+  }
+
+  void try_taller() {
+    const std::vector<BlockedBend> hits = this->hits();
+    const bool above = std::ranges::any_of(hits, [](const BlockedBend& one) {
+      return one.hits == "upper beam" || one.hits.starts_with("punch");
+    });
+    if (!above || !can_bend(with_taller_punches(tools_, kTallest))) return;
+    double too_low = 0.0, enough = kTallest;
+    while (enough - too_low > kStepOfPunch) {
+      const double middle = kStepOfPunch * std::round((too_low + enough) / (2.0 * kStepOfPunch));
+      (can_bend(with_taller_punches(tools_, middle)) ? enough : too_low) = middle;
+    }
+    found_.push_back({.kind = Kind::taller_punches, .by = enough});
+  }
+
+  int body_of(FlangeId flange) const {
+    for (int i = 0; i < std::ssize(work_.bodies); ++i)
+      if (work_.bodies[i].flange == flange) return i;
+    return -1;
+  }
+
+  int line_of(BendId bend) const {
+    for (int i = 0; i < std::ssize(work_.lines); ++i)
+      if (std::ranges::count(work_.lines[i].bends, bend)) return i;
+    return -1;
+  }
+
+  struct Shortened {
+    int body = 0;
+    int near = 0;  ///< its line towards the bend that is in question
+    auto operator<=>(const Shortened&) const = default;
+  };
+
+  /// The bodies on the way from one to a line, then all others that do not lie on it.
+  std::vector<Shortened> candidates(int body, int line) const {
+    const PartTree tree(work_, line);
+    std::vector<Shortened> bodies;
+    const auto add = [&](const PartTree::Part& part) {
+      if (!part.is_zone && part.over >= 0) bodies.push_back({part.index, part.over});
+    };
+    for (int part = tree.part_of_body(body); part >= 0; part = tree.parts()[part].before)
+      add(tree.parts()[part]);
+    for (const PartTree::Part& part : tree.parts())
+      add(part);
+    return bodies;
+  }
+
+  /// The flange that hits, one on the way from it to the bend, or another: with another tool it is
+  /// another that hits.
+  void try_shorter() {
+    std::set<Shortened> tried;
+    for (const BlockedBend& hit : hits()) {
+      if (!hit.with) continue;
+      const int line = line_of(hit.bend), body = body_of(*hit.with);
+      if (line < 0 || body < 0) continue;
+      for (const Shortened& one : candidates(body, line))
+        if (tried.insert(one).second && shortens(one.body, one.near)) return;
+    }
+  }
+
+  bool shortens(int body, int near) {
+    const auto steps = static_cast<int>(most_shorter(work_, body, near) / kFinest);
+    const auto does = [&](int step) {
+      return can_bend(shortened(work_, body, near, step * kFinest), tools_, options_);
+    };
+    if (steps < 1 || !work_.bodies[body].flange) return false;
+    // Too much makes it shorter than the die needs.
+    int little = 0, enough = 0;
+    for (int step = 10; enough == 0 && little < steps; step *= 2) {
+      step = std::min(step, steps);
+      (does(step) ? enough : little) = step;
+    }
+    if (enough == 0) return false;
+    while (enough - little > 1) {
+      const int middle = (little + enough) / 2;
+      (does(middle) ? enough : little) = middle;
+    }
+    found_.push_back({.kind = Kind::shorter_flange,
+                      .by = enough * kFinest,
+                      .flange = work_.bodies[body].flange});
+    return true;
+  }
+
+  void try_split() {
+    if (work_.lines.size() < 2) return;  // two plates are no plan
+    std::vector<int> lines;
+    const auto add = [&](BendId bend) {
+      const int line = line_of(bend);
+      if (line >= 0 && !std::ranges::count(lines, line)) lines.push_back(line);
+    };
+    for (const BlockedBend& one : plan_.blocked)
+      add(one.bend);
+    for (const BendId bend : plan_.unformed)
+      add(bend);
+    for (const BendId bend : sheet_.bends.ids())
+      add(bend);
+    for (const int line : lines) {
+      if (work_.lines[line].press_line) continue;
+      const auto halves = split_at(work_, line);
+      const bool both = std::ranges::all_of(halves, [&](const Workpiece& half) {
+        return half.lines.empty() || can_bend(half, tools_, options_);
+      });
+      if (!both) continue;
+      found_.push_back({.kind = Kind::split, .bends = work_.lines[line].bends});
+      return;
+    }
+  }
+
+  const Sheet& sheet_;
+  const Layout& layout_;
+  const BrakeTools& tools_;
+  const PlanOptions& options_;
+  const Plan& plan_;
+  const BrakeTools* others_;
+  const Progress& progress_;
+  Clock::time_point end_, share_end_;
+  Workpiece work_;
+  std::shared_ptr<ToolRoom> obstacles_;
+  std::vector<Proposal> found_;
+};
+
+}  // namespace
+
+std::vector<Proposal> proposals(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
+                                const PlanOptions& options, const Plan& infeasible,
+                                const ProposalOptions& trying, const Progress& progress) {
+  return Trying(sheet, layout, tools, options, infeasible, trying, progress).all();
+}
+
+}  // namespace planish

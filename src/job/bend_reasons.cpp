@@ -1,0 +1,50 @@
+#include "bend_reasons.hpp"
+
+#include "proposal_report.hpp"
+
+namespace planish::job {
+namespace {
+
+constexpr Colour kObstacle{0.80, 0.25, 0.05};
+
+/// In lines of about as many letters as a page is wide.
+std::vector<std::string> wrapped(const std::string& text) {
+  constexpr std::size_t kLetters = 100;
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!lines.back().empty() && lines.back().size() + word.size() > kLetters) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<BlockedBend> obstacles_of(const Report& report) {
+  if (!report.plan || report.plan->status != PlanStatus::infeasible) return {};
+  return report.plan->blocked.empty() ? report.plan->in_the_way : report.plan->blocked;
+}
+
+void write_reasons(Page& page, const Report& report, const Vec2& from, double bottom) {
+  constexpr double kSpacing = 1.5, kGap = 3.0;
+  double y = from.y();
+  const auto tell = [&](const std::string& text, const TextStyle& style) {
+    for (const std::string& line : wrapped(text)) {
+      if (y > bottom) return;
+      page.text({from.x(), y}, line, style);
+      y += kSpacing * style.size;
+    }
+  };
+  for (const BlockedBend& blocked : obstacles_of(report))
+    tell(blocked_sentence(blocked, report), {.size = 3.4, .colour = kObstacle});
+  if (report.plan->proposals.empty()) return;
+  y += kGap;
+  tell("It can be bent", {.size = 3.8, .bold = true});
+  for (const Proposal& proposal : report.plan->proposals)
+    tell("– " + proposal_sentence(proposal, report), {.size = 3.4});
+}
+
+}  // namespace planish::job

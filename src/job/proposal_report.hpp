@@ -1,0 +1,24 @@
+#pragma once
+
+#include "schema.hpp"
+
+#include <planish/job/report.hpp>
+
+#include <string>
+
+namespace planish::job {
+
+/// "B3: F4 hits punch P88 by 3.1 mm at 72°"
+std::string blocked_sentence(const BlockedBend& blocked, const Report& report);
+
+/// "over a V of 10 mm (V10-88, V10-85)": how an infeasible part could be bent.
+std::string proposal_sentence(const Proposal& proposal, const Report& report);
+
+/// The proposals of a plan with the keys of formats.md#plan.
+Json proposals_json(const Plan& plan, const Report& report);
+Schema proposal_schema();
+
+/// The same for a terminal; empty without any.
+std::string proposals_text(const Plan& plan, const Report& report);
+
+}  // namespace planish::job

@@ -1,0 +1,198 @@
+#include "brake/stroke_room.hpp"
+#include "changed_work.hpp"
+
+#include <planish/brake/proposals.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace planish::test {
+namespace {
+
+using Kind = Proposal::Kind;
+
+const double kSlope = std::numbers::sqrt2 / 2.0;  // of both sides at 90°
+
+Turn bent_up(double radius = 2.0) { return {Angle::degrees(90), radius, BendDirection::up}; }
+
+struct Tried {
+  Plan plan;
+  std::vector<Proposal> proposals;
+  const Proposal* of(Kind kind) const {
+    const auto found = std::ranges::find(proposals, kind, &Proposal::kind);
+    return found == proposals.end() ? nullptr : &*found;
+  }
+};
+
+Tried tried(const Sheet& sheet, const BrakeTools& tools, const PlanOptions& options = {},
+            const BrakeTools* others = nullptr) {
+  const auto flat = flat_sheet(sheet);
+  EXPECT_TRUE(flat);
+  auto plan = plan_bending(sheet, flat->layout, tools, options);
+  EXPECT_TRUE(plan) << plan.error().message;
+  EXPECT_EQ(plan->status, PlanStatus::infeasible);
+  const ProposalOptions trying{.others = others, .seconds = 20.0};
+  return {*plan, proposals(sheet, flat->layout, tools, options, *plan, trying)};
+}
+
+/// Two legs of the same length on a web of 60.
+Sheet channel_of(double leg) {
+  return strip({Straight{leg}, bent_up(), Straight{60}, bent_up(), Straight{leg}}, 80, 1.5);
+}
+
+/// closed_forms_test.cpp: a punch 2 b wide closes a channel whose first leg is at most
+/// web + r − (b − ε) / s long.
+double longest_leg(double half_width) { return 60.0 + 2.0 - (half_width - 0.05) / kSlope; }
+
+/// Only one leg is in the way of the last stroke, so only one has to be shorter, by what it is
+/// beyond the limit.
+TEST(Proposals, TellByHowMuchALegIsTooLong) {
+  for (const double beyond : {0.35, 3.0, 17.85}) {
+    const Tried all = tried(channel_of(longest_leg(10.0) + beyond), plain_tools());
+    const Proposal* shorter = all.of(Kind::shorter_flange);
+    ASSERT_NE(shorter, nullptr) << beyond;
+    EXPECT_GT(shorter->by, beyond - 0.01);
+    EXPECT_LT(shorter->by, beyond + 0.11);
+    ASSERT_TRUE(shorter->flange);
+    EXPECT_NE(*shorter->flange, FlangeId(1));
+    // Two angles can be bent.
+    const Proposal* split = all.of(Kind::split);
+    ASSERT_NE(split, nullptr);
+    EXPECT_EQ(split->bends.size(), 1u);
+    // One die, one punch that is as wide higher up, no order asked for.
+    EXPECT_EQ(all.proposals.size(), 2u);
+  }
+}
+
+/// A narrower punch of the other catalogue: 5 mm to each side instead of 10 take a leg that is
+/// 5 / s longer.
+TEST(Proposals, NameAPunchThatWouldDo) {
+  BrakeTools others = plain_tools();
+  for (const double half_width : {9.0, 5.0, 4.0}) {
+    PlainPunch plain;
+    plain.half_width = half_width;
+    others.punches.push_back(punch(plain));
+    others.punches.back().id = std::to_string(static_cast<int>(half_width));
+  }
+  const double leg = longest_leg(10.0) + 5.0;
+  const Tried all = tried(channel_of(leg), plain_tools(), {}, &others);
+  ASSERT_NE(all.of(Kind::punch), nullptr);
+  EXPECT_EQ(all.of(Kind::punch)->tools, std::vector<std::string>{"5"});
+  EXPECT_EQ(tried(channel_of(longest_leg(3.0)), plain_tools(), {}, &others).of(Kind::punch),
+            nullptr);
+}
+
+/// A flange of x takes a V of at most 2 (x − q) with shoulders of q, here of 1.5.
+TEST(Proposals, NameTheWidestVForAShortFlange) {
+  BrakeTools tools = plain_tools();
+  tools.dies.clear();
+  for (const double opening : {16.0, 12.0, 10.0, 8.0, 6.0}) {
+    PlainDie plain;
+    plain.opening = opening;
+    tools.dies.push_back(die(plain));
+    tools.dies.back().id = "V" + std::to_string(static_cast<int>(opening));
+  }
+  const double half_zone = 0.25 * std::numbers::pi * (1.0 + 0.44 * 2.0);
+  const Sheet sheet = strip({Straight{60}, bent_up(1.0), Straight{7.0 - half_zone}}, 50, 2.0);
+  const Tried all = tried(sheet, tools);
+  const Proposal* smaller = all.of(Kind::smaller_v);
+  ASSERT_NE(smaller, nullptr);
+  EXPECT_EQ(smaller->opening, 10.0);
+  EXPECT_EQ(smaller->tools, std::vector<std::string>{"V10"});
+}
+
+/// closed_forms_test.cpp: a beam at Z above the tip takes legs up to
+/// (Z + ε − r (1 − s)) / s − (web + r + T) − r; for legs 25 longer it has to be 25 s higher.
+TEST(Proposals, TellHowMuchTallerPunchesAre) {
+  PlainPunch plain;
+  plain.height = 100.0;
+  BrakeTools tools = plain_tools(plain);
+  tools.machine.upper_beam = {{-200, 100}, {200, 100}, {200, 300}, {-200, 300}};
+  const double tip = plain.tip_radius / std::sin(0.5 * plain.angle.radians()) - plain.tip_radius;
+  const double web = 90.0, r = 2.0, t = 1.5;
+  const double longest = (100.0 - tip + 0.05 - r * (1.0 - kSlope)) / kSlope - (web + r + t) - r;
+  const double leg = longest + 25.0;  // 17.7 mm too high
+  const Tried all = tried(
+      strip({Straight{leg}, bent_up(r), Straight{web}, bent_up(r), Straight{leg}}, 80, t), tools);
+  ASSERT_NE(all.of(Kind::taller_punches), nullptr);
+  EXPECT_EQ(all.of(Kind::taller_punches)->by, 20.0);
+}
+
+/// A U whose first leg only closes if it is bent last.
+TEST(Proposals, NameBendsToSwap) {
+  const Sheet sheet = strip(
+      {Straight{longest_leg(10.0) + 5.0}, bent_up(), Straight{60}, bent_up(), Straight{30}}, 80,
+      1.5);
+  PlanOptions options;
+  options.begin_with = {BendId(0), BendId(1)};
+  const Tried both = tried(sheet, plain_tools(), options);
+  ASSERT_NE(both.of(Kind::swap), nullptr);
+  EXPECT_EQ(both.of(Kind::swap)->bends, (std::vector<BendId>{BendId(0), BendId(1)}));
+  EXPECT_EQ(both.of(Kind::any_order), nullptr);  // a swap says more
+  options.begin_with = {BendId(0)};
+  const Tried one = tried(sheet, plain_tools(), options);
+  EXPECT_EQ(one.of(Kind::swap), nullptr);
+  EXPECT_NE(one.of(Kind::any_order), nullptr);
+}
+
+TEST(Proposals, TakeNoTimeThatTheyAreNotGiven) {
+  const Sheet sheet = channel_of(longest_leg(10.0) + 3.0);
+  const auto flat = flat_sheet(sheet);
+  const auto plan = plan_bending(sheet, flat->layout, plain_tools());
+  ASSERT_TRUE(plan);
+  EXPECT_TRUE(proposals(sheet, flat->layout, plain_tools(), {}, *plan, {.seconds = 0.0}).empty());
+}
+
+double area_of(const brake_detail::Body& body) {
+  double area = 0.0;
+  for (const brake_detail::Convex& piece : body.pieces)
+    area += ring_area(piece);
+  return area;
+}
+
+/// A strip 80 wide: what is taken out of an end or of the web is a rectangle, and the line beyond
+/// comes as much nearer.
+TEST(ChangedWork, TakesAStripOutOfAFlange) {
+  Room room(channel_of(40.0), plain_tools());
+  const brake_detail::Workpiece& work = room.model().work();
+  const int first = room.line_of(1), second = room.line_of(2);
+  const auto shared = [&](int body) {
+    return std::ranges::count(work.lines[first].bodies, body) +
+           std::ranges::count(work.lines[second].bodies, body);
+  };
+  for (const int body : work.lines[first].bodies) {
+    EXPECT_GT(brake_detail::most_shorter(work, body, first), 30.0);
+    const auto made = brake_detail::shortened(work, body, first, 7.0);
+    EXPECT_NEAR(area_of(made.bodies[body]), area_of(work.bodies[body]) - 7.0 * 80.0, 1e-6);
+    const auto between = [&](const brake_detail::Workpiece& of) {
+      return std::abs(
+          of.lines[first].across().dot(of.lines[second].origin - of.lines[first].origin));
+    };
+    const bool is_web = shared(body) == 2;
+    EXPECT_NEAR(between(made), between(work) - (is_web ? 7.0 : 0.0), 1e-9);
+    const int last = *std::ranges::find_if(work.lines[second].bodies,
+                                           [&](int other) { return shared(other) == 1; });
+    EXPECT_NEAR(area_of(made.bodies[last]), area_of(work.bodies[last]), 1e-9);
+  }
+}
+
+TEST(ChangedWork, SplitsInTwo) {
+  Room room(channel_of(40.0), plain_tools());
+  const auto& work = room.model().work();
+  const auto halves = brake_detail::split_at(work, room.line_of(1));
+  EXPECT_EQ(halves[0].bodies.size() + halves[1].bodies.size(), 3u);
+  EXPECT_EQ(halves[0].lines.size() + halves[1].lines.size(), 1u);
+  double area = 0.0, whole = 0.0;
+  for (const auto& half : halves)
+    for (const auto& body : half.bodies)
+      area += area_of(body);
+  for (const auto& body : work.bodies)
+    whole += area_of(body);
+  EXPECT_NEAR(area, whole, 1e-9);
+}
+
+}  // namespace
+}  // namespace planish::test
