@@ -5,6 +5,7 @@
 #include <planish/brake/plan.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,10 +16,17 @@ namespace {
 
 using namespace brake_detail;
 
-/// Radii that air bending over the chosen V does not give.
+/// "bend B1 has", "bends B1, B2 have"
+std::string bends_have(const std::vector<std::string>& names) {
+  return fmt::format("{} {} {}", names.size() == 1 ? "bend" : "bends", fmt::join(names, ", "),
+                     names.size() == 1 ? "has" : "have");
+}
+
+/// Radii that air bending over the chosen V does not give, a note for each of them.
 void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOptions& options,
                 Plan& plan) {
   constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
+  std::vector<std::pair<std::string, std::vector<std::string>>> names_by_radius;
   for (int i = 0; i < std::ssize(model.work().lines); ++i) {
     const BrakeLine& line = model.work().lines[i];
     const double opening = tools.dies[model.fitting(i).dies.front()].opening;
@@ -26,12 +34,17 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     if (!line.given_radius || line.closes || line.closed_by ||
         std::abs(line.inside_radius - given) <= kBeyond * given)
       continue;
+    const std::string radius = fmt::format(
+        "an inside radius of {:.4g} mm, a V of {:.4g} mm leaves about {:.4g} mm",
+        line.inside_radius, opening, given);
+    auto known = std::ranges::find_if(names_by_radius,
+                                      [&](const auto& one) { return one.first == radius; });
+    if (known == names_by_radius.end()) known = names_by_radius.insert(known, {radius, {}});
     for (const BendId bend : line.bends)
-      plan.notes.push_back(
-          fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
-                      "leaves about {:.4g} mm",
-                      name_of(bend), line.inside_radius, opening, given));
+      known->second.push_back(name_of(bend));
   }
+  for (const auto& [radius, names] : names_by_radius)
+    plan.notes.push_back(fmt::format("{} {}", bends_have(names), radius));
   for (const BendId bend : model.work().rolled)
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
 }
