@@ -42,6 +42,7 @@ ClosedHem closed_hem(const Workpiece& work, const PartTree& tree, const BrakeLin
   const Eigen::Isometry3d stays = Eigen::Isometry3d::Identity(),
                           folds = left_folds ? bent : bent.inverse();
   ClosedHem hem;
+  hem.left_folds = left_folds;
   for (std::size_t i = 0; i < tree.parts().size(); ++i) {
     PlacedPart part;
     part.left = true;

@@ -8,8 +8,9 @@ namespace planish::brake_detail {
 /// all parts on its left.
 struct ClosedHem {
   std::vector<PlacedPart> parts;
-  double middle = 0.0;  ///< of the return, across the line, mm
-  double top = 0.0;     ///< of the return above the inside skin of what lies, mm
+  double middle = 0.0;     ///< of the return, across the line, mm
+  double top = 0.0;        ///< of the return above the inside skin of what lies, mm
+  bool left_folds = true;  ///< the return is on the left of the line
 };
 
 /// `line` is the one that closes the hem, `open` the parts of the tree while both sides lie.

@@ -1,9 +1,11 @@
+#include "made_model.hpp"
 #include "plan_search.hpp"
 #include "preferred_tools.hpp"
 
 #include <planish/brake/plan.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,30 +16,17 @@ namespace {
 
 using namespace brake_detail;
 
-/// The first option that is out of its range.
-std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
-  const auto wrong = [](const char* name, const char* range) {
-    return Error{ErrorCode::bad_option, fmt::format("`{}` is to be {}", name, range), name};
-  };
-  const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
-  if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
-  if (options.shortfall && !is_length(*options.shortfall)) return wrong("shortfall", "0 or more");
-  if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
-    return wrong("springback", "at least 0 and below 45°");
-  if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
-    return wrong("tensile_strength", "above 0");
-  if (!is_length(options.radius_of_opening)) return wrong("radius_of_opening", "0 or more");
-  if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
-    return wrong("opening", "above 0");
-  for (const BendId bend : options.begin_with)
-    if (!sheet.bends.has(bend)) return wrong("begin_with", "bends that the sheet has");
-  return std::nullopt;
+/// "bend B1 has", "bends B1, B2 have"
+std::string bends_have(const std::vector<std::string>& names) {
+  return fmt::format("{} {} {}", names.size() == 1 ? "bend" : "bends", fmt::join(names, ", "),
+                     names.size() == 1 ? "has" : "have");
 }
 
-/// Radii that air bending over the chosen V does not give.
+/// Radii that air bending over the chosen V does not give, a note for each of them.
 void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOptions& options,
                 Plan& plan) {
   constexpr double kBeyond = 1.0 / 3.0;  // math.md#tool-fit
+  std::vector<std::pair<std::string, std::vector<std::string>>> names_by_radius;
   for (int i = 0; i < std::ssize(model.work().lines); ++i) {
     const BrakeLine& line = model.work().lines[i];
     const double opening = tools.dies[model.fitting(i).dies.front()].opening;
@@ -45,12 +34,17 @@ void note_radii(const StrokeModel& model, const BrakeTools& tools, const PlanOpt
     if (!line.given_radius || line.closes || line.closed_by ||
         std::abs(line.inside_radius - given) <= kBeyond * given)
       continue;
+    const std::string radius = fmt::format(
+        "an inside radius of {:.4g} mm, a V of {:.4g} mm leaves about {:.4g} mm",
+        line.inside_radius, opening, given);
+    auto known = std::ranges::find_if(names_by_radius,
+                                      [&](const auto& one) { return one.first == radius; });
+    if (known == names_by_radius.end()) known = names_by_radius.insert(known, {radius, {}});
     for (const BendId bend : line.bends)
-      plan.notes.push_back(
-          fmt::format("bend {} has an inside radius of {:.4g} mm, a V of {:.4g} mm "
-                      "leaves about {:.4g} mm",
-                      name_of(bend), line.inside_radius, opening, given));
+      known->second.push_back(name_of(bend));
   }
+  for (const auto& [radius, names] : names_by_radius)
+    plan.notes.push_back(fmt::format("{} {}", bends_have(names), radius));
   for (const BendId bend : model.work().rolled)
     plan.notes.push_back(fmt::format("bend {} is rolled and takes no stroke", name_of(bend)));
 }
@@ -115,12 +109,9 @@ void add_blocked(StrokeModel& model, const StrokeSearch& search, Clock::time_poi
 
 Result<Plan> plan_bending(const Sheet& sheet, const Layout& layout, const BrakeTools& tools,
                           const PlanOptions& options, const Progress& progress) {
-  if (const auto right = check(tools); !right) return tl::unexpected(right.error());
-  if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
-  auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
-  if (!work) return tl::unexpected(work.error());
-  StrokeModel model(std::move(*work), tools, options);
-  if (const auto error = line_without_tool(model)) return tl::unexpected(*error);
+  auto made = stroke_model(sheet, layout, tools, options);
+  if (!made) return tl::unexpected(made.error());
+  StrokeModel& model = **made;
   Plan plan;
   note_radii(model, tools, options, plan);
   const Clock::time_point until = options.limits.end(Clock::now());

@@ -2,8 +2,6 @@
 
 #include "line_depth.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 
@@ -28,24 +26,6 @@ StrokeProblem problem_of(StrokeModel& model, const PlanOptions& options) {
 }
 
 }  // namespace
-
-std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
-
-std::optional<Error> line_without_tool(const StrokeModel& model) {
-  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
-    const FittingTools& fitting = model.fitting(i);
-    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
-    const BrakeLine& line = model.work().lines[i];
-    const std::string name = name_of(line.bends.front());
-    return Error{ErrorCode::no_tool,
-                 fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
-                             "and there is {}",
-                             name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
-                             fitting.why),
-                 name};
-  }
-  return std::nullopt;
-}
 
 Result<StrokeSearch> search_plan(StrokeModel& model, const PlanOptions& options,
                                  const Progress& progress) {

@@ -4,14 +4,7 @@
 
 #include <planish/brake/plan.hpp>
 
-#include <string>
-
 namespace planish::brake_detail {
-
-std::string name_of(BendId bend);
-
-/// The first line that no tool bears: `no_tool`.
-std::optional<Error> line_without_tool(const StrokeModel& model);
 
 /// The search, and where it gives up the cheapest order from the outside in. That is looked for
 /// first: those orders are few, and most parts with many bends have one.

@@ -1,4 +1,5 @@
 #include "changed_work.hpp"
+#include "made_model.hpp"
 #include "plan_search.hpp"
 
 #include <planish/brake/proposals.hpp>

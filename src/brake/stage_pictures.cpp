@@ -1,6 +1,7 @@
 #include "closed_hem.hpp"
 #include "fits.hpp"
 #include "line_set.hpp"
+#include "made_model.hpp"
 #include "stage_pose.hpp"
 #include "tool_shape.hpp"
 
@@ -13,18 +14,6 @@ namespace planish {
 namespace {
 
 using namespace brake_detail;
-
-/// The lines that a stroke presses.
-LineSet lines_of(const Workpiece& work, const Stroke& stroke) {
-  LineSet lines = no_lines(static_cast<int>(work.lines.size()));
-  for (int i = 0; i < std::ssize(work.lines); ++i)
-    for (const BendId bend : work.lines[i].bends)
-      if (std::ranges::find(stroke.bends, bend) != stroke.bends.end() &&
-          work.lines[i].press_line == stroke.press_line &&
-          work.lines[i].closes.has_value() == stroke.flattening)
-        insert(lines, i);
-  return lines;
-}
 
 /// The parts of the workpiece on both sides of a line in a stage.
 std::vector<PlacedPart> placed_parts(const PartTree& tree, const LineSet& formed,
@@ -141,7 +130,7 @@ std::vector<StrokePicture> stroke_pictures(const Sheet& sheet, const Layout& lay
   std::vector<StrokePicture> pictures;
   LineSet formed = no_lines(static_cast<int>(work->lines.size()));
   for (const Stroke& stroke : plan.strokes) {
-    const LineSet pressed = lines_of(*work, stroke);
+    const LineSet pressed = lines_of(*work, ordered(stroke));
     pictures.push_back(picture(*work, tools, stroke, formed, pressed));
     formed = joined(formed, pressed);
   }

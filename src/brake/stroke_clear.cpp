@@ -52,6 +52,21 @@ const std::vector<Interval>& StrokeModel::blocked_by(ToolKind kind, int part, co
   return known.blocked.back().second;
 }
 
+/// All parts that are in the way of tools which cannot stand elsewhere.
+std::vector<StrokeModel::Obstruction> StrokeModel::collisions(const Setting& stroke) {
+  const PartTree& tree = room(stroke.line).tree;
+  const std::vector<Interval> pieces = pressed_pieces(stroke);
+  const PressMotion motion = this->motion(stroke);
+  std::vector<Obstruction> all;
+  for (int part = 0; part < std::ssize(tree.parts()); ++part)
+    for (const ToolKind kind : kToolKinds) {
+      const std::vector<Interval>& blocked = blocked_by(kind, part, stroke, motion);
+      if (!blocked.empty() && (!is_row(kind) || stands_in(blocked, pieces, shortfall())))
+        all.push_back({tree.parts()[part].path, kind, part, {}});
+    }
+  return all;
+}
+
 /// What is in the way of the tools, or where the rows of tools stand.
 std::optional<StrokeModel::Obstruction> StrokeModel::obstructed(const Setting& stroke, Rows* rows) {
   const PartTree& tree = room(stroke.line).tree;

@@ -14,11 +14,18 @@ constexpr double kDeepest = 1000.0;    // mm: beyond any tool
 constexpr double kNewtons = 1000.0;  // in a kN
 constexpr double kFarAway = 1000.0;  // mm: distances above are not told apart
 
-std::vector<double> all_segments(const std::vector<ToolRow>& rows) {
-  std::vector<double> segments;
+/// Rows as the operator sees them: with the gauge behind the line, x runs to the right.
+std::vector<SegmentRow> seen_rows(const std::vector<ToolRow>& rows, const Interval& line,
+                                  bool from_left) {
+  std::vector<SegmentRow> seen;
   for (const ToolRow& row : rows)
-    segments.insert(segments.end(), row.segments.begin(), row.segments.end());
-  return segments;
+    seen.push_back(
+        {from_left ? row.from - line.lo : line.hi - (row.from + row.length()), row.segments});
+  if (from_left) return seen;
+  std::ranges::reverse(seen);
+  for (SegmentRow& row : seen)
+    std::ranges::reverse(row.segments);
+  return seen;
 }
 
 }  // namespace
@@ -40,10 +47,7 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   const Die& die = tools_.dies[setting.die];
   Rows rows;
   Stroke stroke;
-  if (line.closes)
-    cannot_close(setting, &rows);
-  else
-    obstructed(setting, &rows);
+  const auto obstruction = line.closes ? cannot_close(setting, &rows) : obstructed(setting, &rows);
   double length = 0.0;
   for (int i = 0; i < std::ssize(work_.lines); ++i) {
     if (!holds(setting.pressed, i)) continue;
@@ -56,17 +60,10 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
   stroke.angle = line.closes ? line.closed - line.angle : line.angle;
   stroke.punch = tools_.punches[setting.punch].id;
   stroke.die = die.id;
-  stroke.punch_segments = all_segments(rows.punch);
-  stroke.die_segments = all_segments(rows.die);
-  // As the operator sees it: with the gauge behind the line, x runs to the right.
   const std::vector<Interval> pieces = pressed_pieces(setting);
-  const auto begins = [&](const std::vector<ToolRow>& row) {
-    if (row.empty()) return 0.0;
-    if (setting.direction > 0) return row.front().from - pieces.front().lo;
-    return pieces.back().hi - (row.back().from + row.back().length());
-  };
-  stroke.punch_from = begins(rows.punch);
-  stroke.die_from = begins(rows.die);
+  const Interval whole{pieces.front().lo, pieces.back().hi};
+  stroke.punch_rows = seen_rows(rows.punch, whole, setting.direction > 0);
+  stroke.die_rows = seen_rows(rows.die, whole, setting.direction > 0);
   stroke.reference_up = line.reference_up;
   stroke.gauge_direction = setting.direction * line.across();
   stroke.to_gauge = work_.bodies[line.bodies[setting.direction > 0 ? 1 : 0]].flange;
@@ -75,7 +72,7 @@ Stroke StrokeModel::stroke(const LineSet& formed, const StrokeChoice& choice) {
                  (line.closes
                       ? closing_force(options_.tensile_strength, work_.thickness)
                       : force_per_length(options_.tensile_strength, work_.thickness, die.opening));
-  if (!line.closes) stroke.clearance = clearance(setting, rows);
+  if (!line.closes && !obstruction) stroke.clearance = clearance(setting, rows);
   return stroke;
 }
 
@@ -117,10 +114,11 @@ double StrokeModel::clearance(const Setting& stroke, const Rows& rows) {
   return least;
 }
 
-/// How deep the part that hits is in the tool at the worst turn, where the row has to stand; at
-/// least `most` if it is that deep.
+/// How deep the part that hits is in the tool at the worst turn, where the row has to stand.
+/// Outside `told` it is only said on which side it is: at most its lower end, or at least its upper
+/// one.
 BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstruction,
-                                 double most) {
+                                 const Interval& told) {
   BlockedBend blocked{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, obstruction.why};
   if (obstruction.part >= 0) blocked.with = flange_of(stroke.line, obstruction.part);
   if (!obstruction.hits || obstruction.part < 0) return blocked;
@@ -141,14 +139,21 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
   };
   double lo = 0.0, hi = kPenetration;
   std::optional<double> turn;
-  while (hi < kDeepest && lo < most) {
+  blocked.hits = room_of_tools_->name(kind, tool);
+  // Most ways are told apart from the best one by a single look.
+  if (told.hi < kDeepest && turn_deeper(told.hi)) {
+    blocked.depth = told.hi;
+    return blocked;
+  }
+  if (told.lo > 0.0 && !turn_deeper(told.lo)) return blocked;
+  while (hi < kDeepest) {
     const auto deeper = turn_deeper(hi);
     if (!deeper) break;
     turn = deeper;
     lo = hi;
     hi *= 2.0;
   }
-  while (hi - lo > kDepthFound && lo < most) {
+  while (hi - lo > kDepthFound) {
     const double middle = 0.5 * (lo + hi);
     if (const auto deeper = turn_deeper(middle)) {
       turn = deeper;
@@ -157,35 +162,72 @@ BlockedBend StrokeModel::deepest(const Setting& stroke, const Obstruction& obstr
       hi = middle;
     }
   }
-  blocked.hits = room_of_tools_->name(kind, tool);
   blocked.depth = lo;
   if (turn) blocked.at_turn = Angle::radians(*turn);
   return blocked;
 }
 
+/// Of all parts that are in a tool the one that is deepest; one that is at least `most` deep will
+/// do.
+BlockedBend StrokeModel::deepest_of_all(const Setting& stroke, double most) {
+  BlockedBend worst{work_.lines[stroke.line].bends.front(), {}, {}, 0.0, {}, {}};
+  for (const Obstruction& obstruction : collisions(stroke)) {
+    BlockedBend found = deepest(stroke, obstruction, {worst.depth, most});
+    if (found.depth > worst.depth || worst.hits.empty()) worst = std::move(found);
+    if (worst.depth >= most) break;
+  }
+  return worst;
+}
+
 BlockedBend StrokeModel::blocked(const LineSet& formed, int line, Clock::time_point until) {
-  const FittingTools& fitting = fitting_[line];
-  BlockedBend best{work_.lines[line].bends.front(), {}, {}, kDeepest, {}, fitting.why};
   LineSet alone = no_lines(static_cast<int>(work_.lines.size()));
   insert(alone, line);
+  return blocked_way(formed, alone, until).bend;
+}
+
+StrokeModel::BlockedWay StrokeModel::blocked_way(const LineSet& formed, const LineSet& pressed,
+                                                 Clock::time_point until) {
+  LineSet key = formed;
+  key.insert(key.end(), pressed.begin(), pressed.end());
+  const auto known = blocked_ways_.find(key);
+  if (known != blocked_ways_.end()) return known->second;
+  BlockedWay way = nearest_way(formed, pressed, until);
+  if (Clock::now() <= until) blocked_ways_.emplace(std::move(key), way);
+  return way;
+}
+
+/// Of all ways to make a stroke that cannot be made the one in which least is in the way.
+StrokeModel::BlockedWay StrokeModel::nearest_way(const LineSet& formed, const LineSet& pressed,
+                                                 Clock::time_point until) {
+  const int line = members(pressed).front();
+  const BrakeLine& first = work_.lines[line];
+  const FittingTools& fitting = fitting_[line];
+  const bool closes = first.closes.has_value();
+  BlockedBend best{first.bends.front(), {}, {}, kDeepest, {}, fitting.why};
+  Setting way{&formed, pressed, line, 0, 0, 1};
   for (const int punch : fitting.punches)
     for (const int die : fitting.dies)
       for (const int direction : {1, -1}) {
         if (Clock::now() > until && (!best.hits.empty() || !best.why.empty())) continue;
-        const Setting stroke{&formed, alone, line, punch, die, direction};
-        const bool closes = work_.lines[line].closes.has_value();
+        const Setting stroke{&formed, pressed, line, punch, die, direction};
         auto obstruction = closes ? cannot_close(stroke, nullptr) : too_short(stroke);
         if (!obstruction && !closes) obstruction = obstructed(stroke, nullptr);
         if (!obstruction) continue;
-        BlockedBend found = deepest(stroke, *obstruction,
-                                    best.hits.empty() ? kDeepest : best.depth);
+        const double most = best.hits.empty() ? kDeepest : best.depth;
+        BlockedBend found = obstruction->part >= 0 && obstruction->hits
+                                ? deepest_of_all(stroke, most)
+                                : deepest(stroke, *obstruction, {0.0, most});
         const bool collides = !found.hits.empty(), best_collides = !best.hits.empty();
         if (!collides && (best_collides || !best.why.empty())) continue;
         if (collides && best_collides && found.depth >= best.depth) continue;
         best = std::move(found);
+        way = stroke;
       }
   if (best.hits.empty()) best.depth = 0.0;
-  return best;
+  StrokeChoice choice{pressed, way.punch, way.die, first.reference_up};
+  choice.direction = direction_number(way.direction * first.across());
+  choice.gauged = closes || gauge(way).has_value();
+  return {std::move(best), std::move(choice)};
 }
 
 }  // namespace planish::brake_detail

@@ -6,7 +6,7 @@
 #include "sweep.hpp"
 #include "tool_room.hpp"
 
-#include <planish/brake/plan.hpp>
+#include <planish/brake/order.hpp>
 #include <planish/brake/stroke_search.hpp>
 
 #include <chrono>
@@ -36,11 +36,20 @@ class StrokeModel {
   std::vector<StrokeChoice> possible() const;
   /// Whether everything on one side of what is pressed is formed: bending from the outside in.
   bool is_outermost(const LineSet& formed, const StrokeChoice& choice);
-  /// What is to be done in a stroke that can be made.
+  /// What is to be done in a stroke. Of one that cannot be made segments and clearance are missing.
   Stroke stroke(const LineSet& formed, const StrokeChoice& choice);
   /// Why a line cannot be pressed in a stage, by the tools that come nearest to it; of those looked
   /// at until a time, the first at least.
   BlockedBend blocked(const LineSet& formed, int line, Clock::time_point until = kNoEnd);
+  /// The same for lines pressed together, with the way in which it comes nearest.
+  struct BlockedWay {
+    BlockedBend bend;
+    StrokeChoice choice;
+  };
+  BlockedWay blocked_way(const LineSet& formed, const LineSet& pressed,
+                         Clock::time_point until = kNoEnd);
+  /// The stroke in space, whether it can be made or not.
+  StrokeScene scene(const LineSet& formed, const StrokeChoice& choice);
 
  private:
   /// What a part hits, and what hangs on it: by slot and by how the line between them is.
@@ -102,10 +111,16 @@ class StrokeModel {
                                           const std::array<std::vector<Interval>, 2>& walls,
                                           const std::array<LineSet, 2>& because, Rows* rows);
   std::optional<Obstruction> cannot_close(const Setting& stroke, Rows* rows);
+  Rows rows_wanted(const Setting& stroke);
+  void add_bending(const Setting& stroke, StrokeScene& scene);
+  void add_closing(const Setting& stroke, StrokeScene& scene);
   std::optional<GaugeStop> gauge(const Setting& stroke);
   double clearance(const Setting& stroke, const Rows& rows);
   Interval contact_range(int line, int die);
-  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, double most);
+  std::vector<Obstruction> collisions(const Setting& stroke);
+  BlockedBend deepest_of_all(const Setting& stroke, double most);
+  BlockedWay nearest_way(const LineSet& formed, const LineSet& pressed, Clock::time_point until);
+  BlockedBend deepest(const Setting& stroke, const Obstruction& obstruction, const Interval& told);
   std::optional<FlangeId> flange_of(int line, int part);
   int direction_number(const Vec2& direction) const;
 
@@ -120,6 +135,7 @@ class StrokeModel {
   std::size_t blocks_known_ = 0;
   std::vector<std::vector<int>> on_one_line_;  ///< by line: those that continue it in the pattern
   std::unordered_map<int, Interval> contact_ranges_;
+  std::unordered_map<LineSet, BlockedWay, LineSetHash> blocked_ways_;
 };
 
 }  // namespace planish::brake_detail

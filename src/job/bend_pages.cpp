@@ -330,12 +330,17 @@ void between_tools(Page& page, const StrokePicture& picture, const Rectangle& in
     page.area({clip(picture.finger)}, {.stroke = kAlert, .fill = {}, .width = 0.3});
 }
 
-std::string segments_text(const Report& report, const std::vector<double>& segments) {
+/// "40 + 15 from 0.5 mm", a line for each row.
+std::vector<std::string> row_texts(const Report& report, const std::vector<SegmentRow>& rows) {
   const Units units(report.units);
-  std::string text;
-  for (const double length : segments)
-    text += (text.empty() ? "" : " + ") + units.short_text(length);
-  return text;
+  std::vector<std::string> texts;
+  for (const SegmentRow& row : rows) {
+    std::string text;
+    for (const double length : row.segments)
+      text += (text.empty() ? "  " : " + ") + units.short_text(length);
+    texts.push_back(text + ", from " + size_with_unit(report, row.from));
+  }
+  return texts;
 }
 
 /// What is done to the sheet since the stroke before.
@@ -369,12 +374,11 @@ void stroke_texts(Page& page, const Report& report, std::size_t s, const Vec2& a
   line(stroke.gauge ? "gauge " + size_with_unit(report, stroke.gauge->distance)
                     : std::string("no edge to gauge: mark the line"));
   line(fmt::format("punch {}", stroke.punch));
-  line(fmt::format("  {}", segments_text(report, stroke.punch_segments)),
-       {.size = 2.9, .colour = kGrey});
+  for (const std::string& row : row_texts(report, stroke.punch_rows))
+    line(row, {.size = 2.9, .colour = kGrey});
   line(fmt::format("die {}", stroke.die));
-  line(fmt::format("  {}", segments_text(report, stroke.die_segments)),
-       {.size = 2.9, .colour = kGrey});
-  line(fmt::format("from {} along the line", size_with_unit(report, stroke.punch_from)));
+  for (const std::string& row : row_texts(report, stroke.die_rows))
+    line(row, {.size = 2.9, .colour = kGrey});
   line(fmt::format("{:.3g} kN, {} clear", stroke.force, size_with_unit(report, stroke.clearance)));
 }
 

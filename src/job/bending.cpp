@@ -21,25 +21,6 @@ std::string names_of(const Report& report, const std::vector<BendId>& bends) {
   return fmt::format("{}", fmt::join(bend_ids(report, bends), ", "));
 }
 
-Result<std::vector<BendId>> bends_named(const Report& report,
-                                        const std::vector<std::string>& names) {
-  std::vector<BendId> bends;
-  for (const std::string& name : names) {
-    const auto found = std::ranges::find(report.flat.bends, name, &FlatBend::id);
-    if (found == report.flat.bends.end()) {
-      std::vector<std::string> known;
-      for (const FlatBend& bend : report.flat.bends)
-        known.push_back(bend.id);
-      return fail(
-          ErrorCode::bad_option,
-          fmt::format("there is no bend \"{}\"; the bends are {}", name, fmt::join(known, ", ")),
-          "fix");
-    }
-    bends.push_back(found->bend);
-  }
-  return bends;
-}
-
 std::string reasons_of(const Report& report, const Plan& plan) {
   constexpr std::size_t kTold = 3;
   std::string text;
@@ -48,18 +29,6 @@ std::string reasons_of(const Report& report, const Plan& plan) {
   if (plan.blocked.size() > kTold)
     text += fmt::format("; and {} more", plan.blocked.size() - kTold);
   return text;
-}
-
-std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
-  std::string text = "no order of strokes forms all bends with these tools";
-  if (!bending.begin_with.empty())
-    text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
-  if (!plan.blocked.empty()) return text + reasons_of(report, plan);
-  if (plan.unformed.empty()) return text;
-  text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
-                      names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
-  // The plan's last note is about the stage that got furthest.
-  return plan.notes.empty() ? text : text + "; " + plan.notes.back();
 }
 
 /// Of a bend with several press lines the first that is blocked says why.
@@ -111,12 +80,7 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
       refusal = Error{ErrorCode::cannot_bend, sentence, {}};
   }
   if (plan.status == PlanStatus::gave_up)
-    report.findings.push_back({"no_plan",
-                               Severity::warning,
-                               fmt::format("no order of strokes was found among {} stages, nor was "
-                                           "it shown that there is none: give it more time",
-                                           plan.states),
-                               {}});
+    report.findings.push_back({"no_plan", Severity::warning, gave_up_sentence(plan), {}});
   number_bends(report.flat, plan);
   if (only_finding) return std::nullopt;
   find_ungauged(report, plan);
@@ -126,6 +90,58 @@ std::optional<Error> take_plan(Report& report, Plan plan, const Bending& bending
 }
 
 }  // namespace
+
+Result<std::vector<BendId>> bends_named(const Report& report,
+                                        const std::vector<std::string>& names) {
+  std::vector<BendId> bends;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(report.flat.bends, name, &FlatBend::id);
+    if (found == report.flat.bends.end()) {
+      std::vector<std::string> known;
+      for (const FlatBend& bend : report.flat.bends)
+        known.push_back(bend.id);
+      return fail(
+          ErrorCode::bad_option,
+          fmt::format("there is no bend \"{}\"; the bends are {}", name, fmt::join(known, ", ")),
+          "fix");
+    }
+    bends.push_back(found->bend);
+  }
+  return bends;
+}
+
+std::string reason_of(const Report& report, const BlockedBend& blocked) {
+  const Units units(report.units);
+  std::string text = bend_id(report, blocked.bend);
+  if (!blocked.hits.empty()) {
+    text += blocked.with ? fmt::format(": F{} hits ", index_of(*blocked.with) + 1)
+                         : std::string(": the part hits ");
+    text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
+                        units.symbol());
+    if (blocked.at_turn) text += fmt::format(" at {:.0f}°", blocked.at_turn->degrees());
+  }
+  if (!blocked.why.empty()) text += (blocked.hits.empty() ? ": " : "; ") + blocked.why;
+  return text;
+}
+
+std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
+  std::string text = "no order of strokes forms all bends with these tools";
+  if (!bending.begin_with.empty())
+    text += fmt::format(" that begins with {}", fmt::join(bending.begin_with, ", "));
+  if (!plan.blocked.empty()) return text + reasons_of(report, plan);
+  if (plan.unformed.empty()) return text;
+  text += fmt::format("; each can be formed, but not after the others: {} {} left at best",
+                      names_of(report, plan.unformed), plan.unformed.size() == 1 ? "is" : "are");
+  // The plan's last note is about the stage that got furthest.
+  return plan.notes.empty() ? text : text + "; " + plan.notes.back();
+}
+
+std::string gave_up_sentence(const Plan& plan) {
+  return fmt::format(
+      "no order of strokes was found among {} stages, nor was it shown that there is "
+      "none: give it more time",
+      plan.states);
+}
 
 std::optional<Error> plan_strokes(Report& report, const Bending& bending,
                                   const Progress& progress) {

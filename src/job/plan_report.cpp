@@ -19,25 +19,26 @@ Json id_json(const std::optional<FlangeId>& flange) {
   return flange ? Json(flange_id(*flange)) : Json(nullptr);
 }
 
-std::string_view status_word(PlanStatus status) {
-  switch (status) {
-    case PlanStatus::optimal:
-      return "optimal";
-    case PlanStatus::feasible:
-      return "feasible";
-    case PlanStatus::infeasible:
-      return "infeasible";
-    case PlanStatus::gave_up:
-      break;
-  }
-  return "gave_up";
-}
-
 Json lengths_json(const std::vector<double>& lengths, const Units& units) {
   Json json = Json::array();
   for (const double length : lengths)
     json.push_back(number_json(units.length(length)));
   return json;
+}
+
+/// All segments of a tool in one row, and where it begins; the rows where there are several.
+void add_rows(Json& json, const std::string& tool, const std::vector<SegmentRow>& rows,
+              const Units& units) {
+  std::vector<double> all;
+  for (const SegmentRow& row : rows)
+    all.insert(all.end(), row.segments.begin(), row.segments.end());
+  json[tool + "_segments"] = lengths_json(all, units);
+  json[tool + "_from"] = number_json(units.length(rows.empty() ? 0.0 : rows.front().from));
+  if (rows.size() < 2) return;
+  Json& list = json[tool + "_rows"] = Json::array();
+  for (const SegmentRow& row : rows)
+    list.push_back({{"from", number_json(units.length(row.from))},
+                    {"segments", lengths_json(row.segments, units)}});
 }
 
 Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
@@ -48,42 +49,11 @@ Json gauge_json(const std::optional<GaugeStop>& gauge, const Units& units) {
   return json;
 }
 
-Json stroke_json(const Stroke& stroke, const Report& report, const Units& units) {
-  Json json;
-  json["bends"] = bend_ids(report, stroke.bends);
-  if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
-  if (stroke.flattening) json["flattening"] = true;
-  json["angle"] = number_json(stroke.angle.degrees());
-  json["punch"] = stroke.punch;
-  json["die"] = stroke.die;
-  json["punch_segments"] = lengths_json(stroke.punch_segments, units);
-  json["punch_from"] = number_json(units.length(stroke.punch_from));
-  json["die_segments"] = lengths_json(stroke.die_segments, units);
-  json["die_from"] = number_json(units.length(stroke.die_from));
-  json["side_up"] = stroke.reference_up ? "reference" : "other";
-  json["to_gauge"] = id_json(stroke.to_gauge);
-  json["gauge_direction"] = Json::array(
-      {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
-  json["gauge"] = gauge_json(stroke.gauge, units);
-  json["force"] = number_json(stroke.force);
-  json["clearance"] = number_json(units.length(stroke.clearance));
-  return json;
-}
-
-Json blocked_json(const BlockedBend& blocked, const Report& report, const Units& units) {
-  Json json;
-  json["bend"] = bend_id(report, blocked.bend);
-  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
-  json["with"] = id_json(blocked.with);
-  json["depth"] = number_json(units.length(blocked.depth));
-  json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
-  if (!blocked.why.empty()) json["why"] = blocked.why;
-  return json;
-}
-
 Schema stroke_schema() {
   const Schema gauge = object({required("distance", measured_length().said("from the bend line")),
                                required("edge", report_line().said("that touches the fingers"))});
+  const Schema rows = list(
+      object({required("from", measured_length()), required("segments", list(measured_length()))}));
   return object(
       {required("bends", list(text()).said("pressed together")),
        optional("press_line", whole(1).said("which one of a bend with several")),
@@ -91,8 +61,9 @@ Schema stroke_schema() {
        required("angle", angle(kAnyNumber).or_null()), required("punch", text()),
        required("die", text()), required("punch_segments", list(measured_length())),
        required("punch_from", measured_length().said("from the end of the bend line")),
+       optional("punch_rows", rows.said("where gaps are between segments")),
        required("die_segments", list(measured_length())), required("die_from", measured_length()),
-       required("side_up", words({"reference", "other"})),
+       optional("die_rows", rows), required("side_up", words({"reference", "other"})),
        required("to_gauge", text().or_null().said("flange on the gauge's side")),
        required("gauge_direction",
                 tuple(2, measured_number(), "a direction [x, y]").said("in the flat pattern")),
@@ -148,8 +119,54 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
   return ids;
 }
 
-Json plan_json(const Plan& plan, const Report& report) {
+std::string_view status_word(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::optimal:
+      return "optimal";
+    case PlanStatus::feasible:
+      return "feasible";
+    case PlanStatus::infeasible:
+      return "infeasible";
+    case PlanStatus::gave_up:
+      break;
+  }
+  return "gave_up";
+}
+
+Json stroke_json(const Stroke& stroke, const Report& report) {
   const Units units(report.units);
+  Json json;
+  json["bends"] = bend_ids(report, stroke.bends);
+  if (stroke.press_line) json["press_line"] = *stroke.press_line + 1;
+  if (stroke.flattening) json["flattening"] = true;
+  json["angle"] = number_json(stroke.angle.degrees());
+  json["punch"] = stroke.punch;
+  json["die"] = stroke.die;
+  add_rows(json, "punch", stroke.punch_rows, units);
+  add_rows(json, "die", stroke.die_rows, units);
+  json["side_up"] = stroke.reference_up ? "reference" : "other";
+  json["to_gauge"] = id_json(stroke.to_gauge);
+  json["gauge_direction"] = Json::array(
+      {number_json(stroke.gauge_direction.x()), number_json(stroke.gauge_direction.y())});
+  json["gauge"] = gauge_json(stroke.gauge, units);
+  json["force"] = number_json(stroke.force);
+  json["clearance"] = number_json(units.length(stroke.clearance));
+  return json;
+}
+
+Json blocked_json(const BlockedBend& blocked, const Report& report) {
+  const Units units(report.units);
+  Json json;
+  json["bend"] = bend_id(report, blocked.bend);
+  json["hits"] = blocked.hits.empty() ? Json(nullptr) : Json(blocked.hits);
+  json["with"] = id_json(blocked.with);
+  json["depth"] = number_json(units.length(blocked.depth));
+  json["at_turn"] = blocked.at_turn ? number_json(blocked.at_turn->degrees()) : Json(nullptr);
+  if (!blocked.why.empty()) json["why"] = blocked.why;
+  return json;
+}
+
+Json plan_json(const Plan& plan, const Report& report) {
   const bool found = plan.status == PlanStatus::optimal || plan.status == PlanStatus::feasible;
   Json json;
   json["status"] = status_word(plan.status);
@@ -161,15 +178,15 @@ Json plan_json(const Plan& plan, const Report& report) {
   json["states"] = plan.states;
   json["strokes"] = Json::array();
   for (const Stroke& stroke : plan.strokes)
-    json["strokes"].push_back(stroke_json(stroke, report, units));
+    json["strokes"].push_back(stroke_json(stroke, report));
   json["blocked"] = Json::array();
   for (const BlockedBend& blocked : plan.blocked)
-    json["blocked"].push_back(blocked_json(blocked, report, units));
+    json["blocked"].push_back(blocked_json(blocked, report));
   if (!plan.unformed.empty()) json["unformed"] = bend_ids(report, plan.unformed);
   if (!plan.in_the_way.empty()) {
     json["in_the_way"] = Json::array();
     for (const BlockedBend& blocked : plan.in_the_way)
-      json["in_the_way"].push_back(blocked_json(blocked, report, units));
+      json["in_the_way"].push_back(blocked_json(blocked, report));
   }
   if (plan.status == PlanStatus::infeasible) json["proposals"] = proposals_json(plan, report);
   return json;

@@ -18,6 +18,11 @@ std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId
 Json plan_json(const Plan& plan, const Report& report);
 Schema plan_schema();
 
+/// What it has for one stroke, and for what is in the way of one; the word for its status.
+Json stroke_json(const Stroke& stroke, const Report& report);
+Json blocked_json(const BlockedBend& blocked, const Report& report);
+std::string_view status_word(PlanStatus status);
+
 /// The same for a terminal.
 std::string plan_text(const Plan& plan, const Report& report);
 

@@ -7,14 +7,14 @@ namespace {
 
 using namespace brake_detail;
 
-double material_of(const std::vector<Convex>& pieces) {
+double area_of_pieces(const std::vector<Convex>& pieces) {
   double area = 0.0;
   for (const Convex& piece : pieces)
     area += ring_area(piece);
   return area;
 }
 
-Vec2 mean_corner(const Body& body) {
+Vec2 middle_of(const Body& body) {
   Vec2 sum = Vec2::Zero();
   int corners = 0;
   for (const Convex& piece : body.pieces)
@@ -49,12 +49,11 @@ TEST(PressLines, DivideACornerUpToItsApex) {
       const BrakeLine& line = work->lines[i];
       for (const int side : {0, 1}) {
         const Body& body = work->bodies[line.bodies[side]];
-        EXPECT_GT((side == 1 ? 1.0 : -1.0) * line.across().dot(mean_corner(body) - line.origin),
-                  0.0)
+        EXPECT_GT((side == 1 ? 1.0 : -1.0) * line.across().dot(middle_of(body) - line.origin), 0.0)
             << near << ", line " << i << ", side " << side;
       }
       if (i == 0) continue;  // between the first two lines and so on
-      const double area = material_of(work->bodies[line.bodies[0]].pieces);
+      const double area = area_of_pieces(work->bodies[line.bodies[0]].pieces);
       most = std::max(most, area);
       least = std::min(least, area);
     }

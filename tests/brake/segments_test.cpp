@@ -110,13 +110,34 @@ TEST(StrokeModel, PressesBendsOnOneLineTogether) {
       // 80 mm of line under a V of 12: 1.42 · 450 / 12 N/mm.
       EXPECT_NEAR(stroke.force, 80.0 * 1.42 * 450.0 / 12.0 / 1000.0, 1e-9);
       // 100 mm less one thickness at each end, in segments of 10 … : 98 takes 100.
-      EXPECT_NEAR(std::accumulate(stroke.punch_segments.begin(), stroke.punch_segments.end(), 0.0),
-                  100.0, 1e-9);
+      ASSERT_EQ(stroke.punch_rows.size(), 1u);
+      const auto& segments = stroke.punch_rows.front().segments;
+      EXPECT_NEAR(std::accumulate(segments.begin(), segments.end(), 0.0), 100.0, 1e-9);
     }
     alone |= count(choice.lines) == 1;
   }
   EXPECT_TRUE(together && alone);
   EXPECT_EQ(room.model().choices(room.lines({1})).size(), 2u);
+}
+
+/// Seen from the other side of the machine, segments stand the other way round.
+TEST(StrokeModel, TellsRowsAsTheOperatorSeesThem) {
+  BoxSize size;
+  size.length = 120.0;
+  const BrakeTools tools = plain_tools(PlainPunch{.segments = {40, 50, 20, 10}});
+  Room room(box(size), tools);
+  const LineSet flat = room.lines({});
+  std::vector<Stroke> both;
+  for (const StrokeChoice& choice : room.ways(1, {}))
+    both.push_back(room.model().stroke(flat, choice));
+  ASSERT_EQ(both.size(), 2u);
+  ASSERT_EQ(both[0].punch_rows.size(), 1u);
+  ASSERT_EQ(both[1].punch_rows.size(), 1u);
+  std::vector<double> turned = both[1].punch_rows.front().segments;
+  std::ranges::reverse(turned);
+  EXPECT_EQ(both[0].punch_rows.front().segments, turned);
+  ASSERT_GT(turned.size(), 1u);
+  EXPECT_NE(turned.front(), turned.back());
 }
 
 BrakeTools gauged_tools() {

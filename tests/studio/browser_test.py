@@ -63,6 +63,15 @@ class Browser(StudioTest):
         self.assertEqual(layers.count("OUTER_PROFILE"), 1)
         self.assertIn("BEND_UP", layers)
 
+    def test_strokes_are_shown_in_the_machine(self):
+        self.flow("order")
+
+    def test_a_stroke_is_moved_and_what_collides_is_red(self):
+        self.flow("reorder")
+
+    def test_what_cannot_be_planned_is_said(self):
+        self.flow("unplanned")
+
     def test_edges_are_picked(self):
         self.flow("edges")
 

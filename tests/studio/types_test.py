@@ -12,7 +12,7 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from planish_studio import EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
+from planish_studio import CLI, EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
 
 WEB = SOURCE / "web"
 SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitSpec"}
@@ -69,6 +69,18 @@ class Types(StudioTest):
         self.expect(self.studio.get("/api/documents/d999/progress").json(), "ApiProblem")
         document, spec = self.small("transition/a_square_to_round.json")
         self.shape(document, "result", {**spec, "pieces": 2}, piece=1)
+        self.assertEqual(self.compiled(), "")
+
+    def test_orders_of_strokes_are_of_their_type(self):
+        document, spec = self.studio.open_example("connect/a_folded.json")
+        brake = {"metal": "stainless", "springback": 2, "clearance": 0.1, "shortfall": 3, "opening": 12, "weights": "turn_over=4", "fix": "B1",
+                 "search_time": 3, "tools": {"name": "tools.json", "content": subprocess.run([CLI, "bend", "--print-tools"], capture_output=True, text=True, timeout=60).stdout}}
+        self.expect(brake, "Required<BrakeOptions>")
+        for more in ({}, {"brake": brake}, {"order": []}):
+            answer = self.studio.ask("POST", f"/api/documents/{document}/plan", json.dumps({"spec": spec, "options": {}, **more}))
+            self.assertTrue(answer.is_good, answer.body[:300])
+            self.assertTrue(answer.json()["strokes"])
+            self.expect(answer.json(), "OrderAnswer")
         self.assertEqual(self.compiled(), "")
 
     def test_what_is_refused_is_of_its_type(self):

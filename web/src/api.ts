@@ -1,5 +1,5 @@
 import { decodeShape } from './shape.ts';
-import type { ApiProblem, Description, Example, OpenDocument, Progress, Request, Shape } from './types.ts';
+import type { ApiProblem, Description, Example, OpenDocument, OrderAnswer, Progress, Request, Shape } from './types.ts';
 
 /** An error, as worded by the program. */
 export class ApiError extends Error {
@@ -35,6 +35,8 @@ export class Api {
   close = (id: string) => this.call('DELETE', `/api/documents/${id}`, undefined, { keepalive: true });
   draft = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'draft', request, signal);
   result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
+  plan = (id: string, request: Request, signal?: AbortSignal) =>
+    this.json<OrderAnswer>('POST', `/api/documents/${id}/plan`, JSON.stringify(request), { signal });
   file = async (id: string, artifact: string, request: Request) =>
     (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request))).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);

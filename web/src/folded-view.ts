@@ -15,12 +15,14 @@ import {
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
+import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { distanceToSegment, type PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
-import type { AnchorSpec, Shape, Vec3 } from './types.ts';
+import type { Stage } from './stage.ts';
+import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
 
 export type StandardView = 'front' | 'top' | 'right' | 'iso';
 
@@ -64,6 +66,8 @@ const directions: Record<StandardView, Vec3> = {
   right: [1, 0, 0],
   iso: [1, -1.25, 0.95],
 };
+/** From low in front of the machine, beside the operator: the sides of a bend are seen, not their edges. */
+const beforeMachine: Vec3 = [1, -0.9, 0.42];
 
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
@@ -76,6 +80,9 @@ export class FoldedView {
   private readonly grip = new Object3D();
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
+  private readonly machine = new MachineObject();
+  private picked: Picked = { part: null, edge: null };
+  private hit: number | null = null; // the part that collides
   private shape: Shape | null = null;
   private overlay: Overlay = {
     anchors: [],
@@ -107,7 +114,7 @@ export class FoldedView {
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
     this.camera.up.set(0, 0, 1);
-    this.scene.add(this.sheet.group, this.handles.group, this.grip);
+    this.scene.add(this.sheet.group, this.handles.group, this.machine.group, this.grip);
     this.orbit = this.orbiting();
     this.gizmo = new TransformControls(this.camera, canvas);
     this.gizmo.setSize(0.8);
@@ -120,10 +127,11 @@ export class FoldedView {
 
   setShape(shape: Shape | null, share: number, thickness: number, picked: Picked, held = 0) {
     this.shape = shape;
+    this.picked = picked;
     this.sheet.group.visible = shape !== null;
     if (shape) {
       this.sheet.setShape(shape, thickness, share, held);
-      this.sheet.paint(this.palette, picked.part, picked.edge);
+      this.sheet.paint(this.palette, picked.part, picked.edge, this.hit);
     }
     this.showHandles();
     this.draw();
@@ -145,8 +153,29 @@ export class FoldedView {
 
   paint(palette: Palette, picked: Picked) {
     this.palette = palette;
-    this.sheet.paint(palette, picked.part, picked.edge);
+    this.picked = picked;
+    this.sheet.paint(palette, picked.part, picked.edge, this.hit);
+    this.machine.paint(palette);
     this.showHandles();
+    this.draw();
+  }
+
+  /** The sheet in the machine; without a stage it is as folded by `share`. Another stroke is fitted unless it plays. */
+  setStage(order: OrderAnswer | null, stage: Stage | null, share: number, playing = false) {
+    const was = this.machine.group.visible,
+      other = stage?.stroke !== this.machine.shown && !playing && this.isFitted,
+      hit = stage?.hit?.part ?? null;
+    this.machine.set(order, stage);
+    this.machine.paint(this.palette);
+    if (stage) this.sheet.setPose(stage.pose);
+    else this.sheet.setShare(share);
+    if (hit !== this.hit) {
+      this.hit = hit;
+      this.sheet.paint(this.palette, this.picked.part, this.picked.edge, hit);
+    }
+    if (was !== this.machine.group.visible) this.lookFrom(was ? directions.iso : beforeMachine);
+    else if (other) this.fit();
+    else this.keepInSight();
     this.draw();
   }
 
@@ -158,8 +187,7 @@ export class FoldedView {
   }
 
   fit() {
-    const box = new Box3();
-    this.sheet.boundsInto(box);
+    const box = this.bounds();
     if (box.isEmpty()) return;
     const sphere = box.getBoundingSphere(new Sphere());
     this.radius = Math.max(sphere.radius, 1e-3);
@@ -175,6 +203,14 @@ export class FoldedView {
     [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000];
     this.fitted = { target: this.orbit.target.clone(), zoom: this.camera.zoom, set: this.camera.zoom };
     this.draw();
+  }
+
+  /** Of all that is to be seen. */
+  private bounds(): Box3 {
+    const box = new Box3();
+    this.sheet.boundsInto(box);
+    this.machine.boundsInto(box);
+    return box;
   }
 
   /** Pixels a millimetre. */
@@ -195,8 +231,7 @@ export class FoldedView {
    * A sheet grows as it unfolds: the view zooms out as far as needed, and returns once the sheet is folded.
    */
   private keepInSight() {
-    const box = new Box3();
-    this.sheet.boundsInto(box);
+    const box = this.bounds();
     if (!this.fitted || !this.isFitted || box.isEmpty()) return;
     const { target, zoom } = this.fitted,
       reach = Math.max(
@@ -213,8 +248,11 @@ export class FoldedView {
   }
 
   look(view: StandardView) {
-    const [x, y, z] = directions[view],
-      direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+    this.lookFrom(directions[view]);
+  }
+
+  private lookFrom([x, y, z]: Vec3) {
+    const direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
     this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
     this.orbit.update();
     this.fit();

@@ -4,19 +4,24 @@ export type FacetTree = Pick<Facets, 'facet_parent' | 'facet_hinge' | 'facet_ang
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
+/** By how much of its angle each facet is turned: all by as much, or each by its own share. */
+export type Share = number | ArrayLike<number>;
+
+export const shareOf = (share: Share, facet: number): number => (typeof share === 'number' ? share : share[facet]!);
+
 /**
  * For each facet the 4×4 matrix, row by row, that takes the flat pattern (z = 0) to where the facet lies when every
  * bend is turned by `share` of its angle. At 0 the whole pattern lies in the root facet's plane. Parents come before
  * children.
  */
-export function facetTransforms(tree: FacetTree, share: number): Float64Array {
+export function facetTransforms(tree: FacetTree, share: Share): Float64Array {
   const count = tree.facet_parent.length;
   const out = new Float64Array(16 * count);
   const root = tree.root.length === 16 ? tree.root : identity;
   for (let f = 0; f < count; ++f) {
     const parent = tree.facet_parent[f]!;
     if (parent < 0) out.set(root, 16 * f);
-    else turnAbout(out, 16 * parent, tree.facet_hinge, 4 * f, share * tree.facet_angle[f]!, 16 * f);
+    else turnAbout(out, 16 * parent, tree.facet_hinge, 4 * f, shareOf(share, f) * tree.facet_angle[f]!, 16 * f);
   }
   return out;
 }
@@ -73,14 +78,21 @@ export function place(transforms: Float64Array, f: number, x: number, y: number,
  * The same, moved so that facet `held` is where it is when all is folded: another facet than the root stays in place.
  */
 export function transformsHolding(tree: FacetTree, share: number, held: number): Float64Array {
+  if (held <= 0 || held >= tree.facet_parent.length || share === 1) return facetTransforms(tree, share);
+  return transformsAt(tree, share, held, facetTransforms(tree, 1).subarray(16 * held, 16 * held + 16));
+}
+
+/** The same, moved so that facet `held` lies where a matrix has it. */
+export function transformsAt(tree: FacetTree, share: Share, held: number, at: ArrayLike<number>): Float64Array {
   const out = facetTransforms(tree, share);
-  if (held <= 0 || held >= tree.facet_parent.length || share === 1) return out;
-  const moved = product(facetTransforms(tree, 1), 16 * held, inverse(out, 16 * held), 0);
+  if (tree.facet_parent.length === 0) return out;
+  const moved = product(at, 0, inverse(out, 16 * held), 0);
   for (let f = 0; f < tree.facet_parent.length; ++f) out.set(product(moved, 0, out, 16 * f), 16 * f);
   return out;
 }
 
-function product(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number[] {
+/** Of 4×4 matrices, row by row, that begin at `i` and `j`. */
+export function product(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: number): number[] {
   return Array.from({ length: 16 }, (_, n) => {
     const row = i + 4 * Math.floor(n / 4),
       column = j + (n % 4);
@@ -91,7 +103,7 @@ function product(a: ArrayLike<number>, i: number, b: ArrayLike<number>, j: numbe
 }
 
 /** Of a rigid motion. */
-function inverse(m: ArrayLike<number>, o: number): number[] {
+export function inverse(m: ArrayLike<number>, o: number): number[] {
   const at = (r: number, c: number) => m[o + 4 * r + c]!;
   const out = [...identity];
   for (let r = 0; r < 3; ++r) {

@@ -2,15 +2,18 @@ import { html, nothing, render } from 'lit-html';
 import { Api } from './api.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
+import { OrderWork } from './order-work.ts';
+import { phases } from './stage.ts';
 import { keepInput } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
+import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
-import { initialState, Store, type Theme } from './state.ts';
+import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
@@ -23,7 +26,8 @@ document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><div class="messages"></div><main>
-  <div class="view folded"><div class="canvas"></div><div class="buttons"></div><div class="fold"></div></div>
+  <div class="view folded"><div class="canvas"></div>
+  <div class="buttons"></div><div class="machine"></div><div class="fold"></div></div>
   <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
@@ -57,6 +61,11 @@ const ui: Ui = {
   look: (view) => views.folded.look(view),
   fit: () => views.fit(),
   animate,
+  askOrder: (order) => orderWork.ask(order),
+  cancelOrder: () => orderWork.cancel(),
+  showStroke: (stroke) => showTime(stroke + phases.pressed),
+  showTime,
+  playStrokes,
   setTheme: (theme: Theme) => {
     document.documentElement.dataset.theme = theme;
     store.dispatch({ type: 'theme', theme });
@@ -76,6 +85,7 @@ const computation = new Computation(
   (shown) => views.chord(shown),
 );
 const documents = new Documents(api, store);
+const orderWork = new OrderWork(api, store, () => documents.reopen());
 
 let waiting = 0;
 let scrolledFor: string | undefined;
@@ -101,7 +111,8 @@ function draw() {
   if (store.state.selection !== pickedBefore)
     root.querySelector('aside tr.selected, aside tr.beside, aside li.selected')?.scrollIntoView({ block: 'nearest' });
   pickedBefore = store.state.selection;
-  render(foldBar(ui), part('.fold'));
+  render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
+  render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
   render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
@@ -167,6 +178,32 @@ function animate() {
   animation = requestAnimationFrame(step);
 }
 
+/** A time within the strokes; the bend that is pressed then is picked, here and in the flat pattern. */
+function showTime(time: number, playing = false) {
+  store.dispatch({ type: 'stroke-time', time, playing });
+  const { order, selection } = store.state,
+    strokes = order.answer?.strokes ?? [],
+    bend = strokes[Math.min(Math.floor(order.time), strokes.length - 1)]?.bends[0];
+  if (bend !== undefined && bend !== selection.part) store.dispatch({ type: 'select', selection: { part: bend } });
+}
+
+const strokeSeconds = 2.6;
+function playStrokes() {
+  const { order } = store.state,
+    most = order.answer?.strokes.length ?? 0;
+  if (order.playing) return showTime(order.time);
+  showTime(order.time >= most - (1 - phases.pressed) ? 0 : order.time, true);
+  let last = performance.now();
+  const step = (now: number) => {
+    if (!store.state.order.playing) return;
+    if (!isInMachine(store.state)) return showTime(store.state.order.time);
+    showTime(store.state.order.time + (now - last) / 1000 / strokeSeconds, true);
+    last = now;
+    requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
 const views1 = ['front', 'top', 'right', 'iso'] as const;
 window.addEventListener('keydown', (e) => {
   const target = e.target as HTMLElement,
@@ -185,7 +222,8 @@ window.addEventListener('keydown', (e) => {
   if (view) ui.look(view);
   else if (key === 'f') ui.fit();
   else if (key === ' ' && !target.matches('button, summary')) {
-    animate();
+    if (isInMachine(store.state)) playStrokes();
+    else animate();
     e.preventDefault();
   } else if (key === '?') store.dispatch({ type: 'help', help: !store.state.help });
   else if (key === 'm') store.dispatch({ type: 'gizmo', gizmo: 'translate' });

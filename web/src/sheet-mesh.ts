@@ -1,5 +1,5 @@
 import { ShapeUtils, Vector2 } from 'three';
-import { transformsHolding, unit } from './folding.ts';
+import { shareOf, transformsAt, transformsHolding, unit, type Share } from './folding.ts';
 import { insideFacet } from './facet.ts';
 import { featureOfEdge } from './lines.ts';
 import type { Shape } from './types.ts';
@@ -206,13 +206,26 @@ function extent(values: number[]): number {
   return most;
 }
 
+/** How a sheet is folded and where it lies: facet `held` at a matrix, row by row. */
+export interface Pose {
+  share: Share;
+  held: number;
+  at: ArrayLike<number>;
+}
+
 /**
  * Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart; facet `held`
  * stays in place.
  */
-export function foldSheet(mesh: SheetMesh, share: number, thickness: number, held = 0): FoldedSheet {
+export const foldSheet = (mesh: SheetMesh, share: number, thickness: number, held = 0): FoldedSheet =>
+  skinsOf(mesh, transformsHolding(mesh.shape, share, held), share, thickness);
+
+/** The same in a pose of its own. */
+export const poseSheet = (mesh: SheetMesh, { share, held, at }: Pose, thickness: number): FoldedSheet =>
+  skinsOf(mesh, transformsAt(mesh.shape, share, held, at), share, thickness);
+
+function skinsOf(mesh: SheetMesh, transforms: Float64Array, share: Share, thickness: number): FoldedSheet {
   const { corners, cornerFacet, shape } = mesh;
-  const transforms = transformsHolding(shape, share, held);
   const slopes = mitreSlopes(shape, share);
   const count = cornerFacet.length,
     half = thickness / 2;
@@ -260,11 +273,11 @@ export function foldSheet(mesh: SheetMesh, share: number, thickness: number, hel
  * For each facet's hinge the step, in the facet's plane and for a unit of height, from its edge to the mitre with the
  * child.
  */
-function mitreSlopes(shape: Shape, share: number): Float64Array {
+function mitreSlopes(shape: Shape, share: Share): Float64Array {
   const out = new Float64Array(2 * shape.facet_parent.length);
   for (let f = 0; f < shape.facet_parent.length; ++f) {
     const h = shape.facet_hinge,
-      angle = share * shape.facet_angle[f]!;
+      angle = shareOf(share, f) * shape.facet_angle[f]!;
     const [ux, uy] = unit(h[4 * f + 2]! - h[4 * f]!, h[4 * f + 3]! - h[4 * f + 1]!);
     const t = Math.max(-1.5, Math.min(1.5, Math.tan(angle / 2)));
     out[2 * f] = uy * t;

@@ -4,7 +4,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { markedWith, type PickedLine } from './lines.ts';
 import { sheetMaterial } from './sheet-material.ts';
-import { foldSheet, makeSheetMesh, type SheetMesh } from './sheet-mesh.ts';
+import { foldSheet, makeSheetMesh, poseSheet, type FoldedSheet, type Pose, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec3 } from './types.ts';
 
@@ -40,6 +40,8 @@ export class SheetObject {
   private known: CornerLine[] | null = null; // made when they are asked for
   private picked: { part: number | null; edge: number | null } = { part: null, edge: null };
   private readonly rimTint = new Color();
+  private readonly hitTint = new Color();
+  private hit: number | null = null; // the part that collides
 
   constructor() {
     this.skin = new Mesh(new BufferGeometry(), sheetMaterial(false));
@@ -72,25 +74,34 @@ export class SheetObject {
   }
 
   setShare(share: number) {
-    if (!this.mesh) return;
-    const { positions, normals } = foldSheet(this.mesh, share, this.thickness, this.held);
+    if (this.mesh) this.setSkins(this.mesh, foldSheet(this.mesh, share, this.thickness, this.held));
+  }
+
+  setPose(pose: Pose) {
+    if (this.mesh) this.setSkins(this.mesh, poseSheet(this.mesh, pose, this.thickness));
+  }
+
+  private setSkins(mesh: SheetMesh, { positions, normals }: FoldedSheet) {
     const position = new BufferAttribute(positions, 3);
     this.skin.geometry.setAttribute('position', position);
     this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     this.outline.geometry.setAttribute('position', position);
     this.creases.geometry.setAttribute('position', position);
     this.forms.geometry.setAttribute('position', position);
-    setRim(this.rim.geometry, this.mesh.cuts, positions);
+    setRim(this.rim.geometry, mesh.cuts, positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
-      setTint(this.rim.geometry, this.rimTint);
+      this.tintRim();
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
     this.mark();
   }
 
-  paint(palette: Palette, selected: number | null, edge: number | null) {
+  /** `hit`: the part that collides. */
+  paint(palette: Palette, selected: number | null, edge: number | null, hit: number | null = null) {
     this.rimTint.set(palette.rim);
-    setTint(this.rim.geometry, this.rimTint);
+    this.hitTint.set(palette.hit);
+    this.hit = hit;
+    this.tintRim();
     setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
@@ -102,22 +113,37 @@ export class SheetObject {
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh,
       n = cornerFacet.length;
-    const [flange, bend, flangeUnder, bendUnder, mark] = [
+    const [flange, bend, flangeUnder, bendUnder, mark, collides] = [
       palette.flange,
       palette.bend,
       palette.flangeUnder,
       palette.bendUnder,
       palette.selected,
+      palette.hit,
     ].map((c) => new Color(c));
     for (let c = 0; c < n; ++c) {
       const part = shape.facet_part[cornerFacet[c]!]!,
         isBend = shape.parts[part]?.kind === 'bend';
-      const upper = part === selected ? mark! : isBend ? bend! : flange!;
-      const lower = part === selected ? mark! : isBend ? bendUnder! : flangeUnder!;
+      const own = part === hit ? collides! : part === selected ? mark! : null;
+      const upper = own ?? (isBend ? bend! : flange!),
+        lower = own ?? (isBend ? bendUnder! : flangeUnder!);
       color.setXYZ(c, upper.r, upper.g, upper.b);
       color.setXYZ(n + c, lower.r, lower.g, lower.b);
     }
     color.needsUpdate = true;
+  }
+
+  /** The rim has one colour, but for that of the part that collides. */
+  private tintRim() {
+    const { geometry } = this.rim;
+    setTint(geometry, this.rimTint);
+    const tint = geometry.getAttribute('tint') as BufferAttribute | undefined;
+    if (!this.mesh || this.hit === null || !tint) return;
+    const { shape, cornerFacet, cuts } = this.mesh,
+      { r, g, b } = this.hitTint;
+    for (let quad = 0; 2 * quad < cuts.length; ++quad)
+      if (shape.facet_part[cornerFacet[cuts[2 * quad]!]!] === this.hit)
+        for (let i = 6 * quad; i < 6 * quad + 6; ++i) tint.setXYZ(i, r, g, b);
   }
 
   /** The lines of what is picked: an edge, or a sharp bend, which has no facets to paint. */

@@ -13,6 +13,7 @@ import type {
   Vec2,
   Vec3,
 } from './types.ts';
+import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
@@ -20,7 +21,7 @@ export interface Input {
   spec: Spec | null;
   options: Options;
 }
-export type Tab = 'input' | 'bends' | 'findings' | 'certificate';
+export type Tab = 'input' | 'bends' | 'order' | 'findings' | 'certificate';
 export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up';
 export type GizmoMode = 'translate' | 'rotate';
@@ -38,6 +39,14 @@ export interface Selection {
   point: { curve: CurveName; index: number } | null;
   finding: number | null;
 }
+
+/** Whether the sheet is shown in the press brake, in the order that was found for it. */
+export const isInMachine = ({ tab, order, input, shape, pending }: State): boolean =>
+  tab === 'order' &&
+  (order.answer?.strokes.length ?? 0) > 0 &&
+  order.of === input &&
+  !pending &&
+  (shape?.facet_parent.length ?? 0) > 0;
 
 /** What became of a body, as far as is known: a draft says whether it is a sheet, a result says more. */
 export interface BodyStatus {
@@ -67,6 +76,7 @@ export interface State {
   known: Report | null; // the last report with a pattern
   selection: Selection;
   fold: number;
+  order: OrderState;
   pick: PickMode;
   gizmo: GizmoMode;
   plateSize: Vec2; // of the next plate that is added, in mm
@@ -86,6 +96,7 @@ export interface State {
 }
 
 export type Action =
+  | OrderAction
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
@@ -136,6 +147,7 @@ export function initialState(theme: Theme): State {
     known: null,
     selection: nothing,
     fold: 1,
+    order: noOrder,
     pick: 'none',
     gizmo: 'translate',
     plateSize: [100, 100],
@@ -221,6 +233,8 @@ export function reduce(state: State, action: Action): State {
       return { ...state, theme: action.theme };
     case 'help':
       return { ...state, help: action.help };
+    default:
+      return { ...state, order: reduceOrder(state.order, action) };
   }
 }
 
@@ -240,6 +254,7 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     input: { spec, options: body === undefined ? {} : { body } },
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
+    order: { ...noOrder, brake: state.order.brake },
   };
 }
 

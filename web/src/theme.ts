@@ -25,6 +25,11 @@ export interface Palette {
   ridge: string;
   anchor: string;
   scan: string;
+  punch: string;
+  die: string;
+  beam: string;
+  finger: string;
+  hit: string;
 }
 const names: Record<keyof Palette, string> = {
   background: '--view',
@@ -52,6 +57,11 @@ const names: Record<keyof Palette, string> = {
   ridge: '--ridge',
   anchor: '--anchor',
   scan: '--scan',
+  punch: '--punch',
+  die: '--die',
+  beam: '--beam',
+  finger: '--finger',
+  hit: '--hit',
 };
 
 export function readPalette(): Palette {

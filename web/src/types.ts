@@ -1,5 +1,9 @@
 // The types of docs/studio-api.md and of the files and reports of the program.
 
+import type { BrakeOptions, OrderedStroke } from './order-types.ts';
+
+export * from './order-types.ts';
+
 /** The name of a maker: a row of the description. */
 export type Kind = string;
 export type Vec2 = [number, number];
@@ -122,6 +126,8 @@ export interface Request {
   spec?: Spec;
   options: Options;
   chord?: number; // how far polygons may lie from curves, mm
+  brake?: BrakeOptions; // of `plan`
+  order?: OrderedStroke[];
 }
 export interface Progress {
   stage: string;

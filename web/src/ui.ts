@@ -1,5 +1,5 @@
 import type { Action, State, Theme } from './state.ts';
-import type { Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
+import type { OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
 import type { StandardView } from './folded-view.ts';
 
 /** What panels may see and do. `edit` with `live` is part of a drag, which `commit` ends. */
@@ -21,6 +21,13 @@ export interface Ui {
   look(view: StandardView): void;
   fit(): void;
   animate(): void;
+  /** Has an order of strokes checked; null: the cheapest one is looked for. */
+  askOrder(order: OrderedStroke[] | null): void;
+  cancelOrder(): void;
+  /** A stroke at its end, where what collides is seen; its bend is picked. */
+  showStroke(stroke: number): void;
+  showTime(time: number, playing?: boolean): void;
+  playStrokes(): void;
   setTheme(theme: Theme): void;
 }
 

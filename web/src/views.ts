@@ -9,8 +9,9 @@ import type { PickedLine } from './lines.ts';
 import { bendText, edgeText, pickedRow } from './picked.ts';
 import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
-import type { State } from './state.ts';
+import { isInMachine, type State } from './state.ts';
 import { findingsOf } from './panels/tables.ts';
+import { Stages } from './stage.ts';
 import { readPalette } from './theme.ts';
 import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
 import type { Ui } from './ui.ts';
@@ -25,6 +26,7 @@ export class Views {
   private palette = readPalette();
   private shown: string | null = null;
   private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
+  private stages: Stages | null = null; // of the order that is shown in the machine
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void, zoomed: () => void) {
@@ -69,6 +71,7 @@ export class Views {
     if (!state.shapeIsDraft) this.resultShown = id;
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
+    this.showMachine(state);
     this.showFlat(state);
     if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
       this.shown = id;
@@ -92,6 +95,7 @@ export class Views {
     }
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
+    if (isInMachine(state) !== isInMachine(before) || state.order !== before.order) this.showMachine(state);
     if (state.selection !== before.selection) this.folded.paint(this.palette, this.picked(state));
     const anchors = (s: State) => (s.input.spec as SlitSpec | null)?.anchors;
     if (
@@ -99,6 +103,7 @@ export class Views {
       anchors(state) !== anchors(before) ||
       state.fold !== before.fold ||
       state.gizmo !== before.gizmo ||
+      isInMachine(state) !== isInMachine(before) ||
       state.document !== before.document
     )
       this.folded.setOverlay(this.overlay(state));
@@ -111,6 +116,19 @@ export class Views {
       state.shape !== before.shape
     )
       this.showFlat(state);
+  }
+
+  /** The sheet in the machine, at the time that is looked at; else as it is folded. */
+  private showMachine(state: State) {
+    const { answer, time } = state.order,
+      { shape } = state;
+    if (!isInMachine(state) || !answer || !shape) {
+      if (this.stages) this.folded.setStage(null, null, state.fold);
+      this.stages = null;
+      return;
+    }
+    if (!this.stages?.isOf(shape, answer)) this.stages = new Stages(shape, answer);
+    this.folded.setStage(answer, this.stages.at(time), state.fold, state.order.playing);
   }
 
   fit() {
@@ -141,7 +159,7 @@ export class Views {
       numbered: this.numbered(state),
       anchor: state.selection.anchor,
       gizmo: state.gizmo,
-      handles: state.fold > 0.999,
+      handles: state.fold > 0.999 && !isInMachine(state),
       ridges: spec?.ridges ?? 10,
     };
   }

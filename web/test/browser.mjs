@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
+import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
 import * as right from './flows/right.mjs';
@@ -14,7 +15,18 @@ import * as unfold from './flows/unfold.mjs';
 
 const address = process.argv[2],
   wanted = process.argv.slice(3);
-const flows = { ...unfold, ...connect, ...transition, ...slit, ...panels, ...page, ...features, ...right, ...server };
+const flows = {
+  ...unfold,
+  ...order,
+  ...connect,
+  ...transition,
+  ...slit,
+  ...panels,
+  ...page,
+  ...features,
+  ...right,
+  ...server,
+};
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */
 async function letGo(open) {

@@ -75,7 +75,7 @@ Answer documents(DocumentStore& store, const ApiRequest& request,
   if (at.empty() && posted) return store.take(request.name, body, Origin::page);
   if (at.empty() && method == "GET") return store.list();
   if (at.size() == 1 && method == "DELETE") return store.close(at[0]);
-  if (at.size() == 2 && posted && (at[1] == "draft" || at[1] == "result"))
+  if (at.size() == 2 && posted && (at[1] == "draft" || at[1] == "result" || at[1] == "plan"))
     return store.work(at[0], {at[1], "", std::move(body)});
   if (at.size() == 2 && posted && at[1] == "open") return store.open(at[0]);
   if (at.size() == 2 && posted && at[1] == "cancel") return store.cancel(at[0]);

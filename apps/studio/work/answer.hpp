@@ -6,8 +6,8 @@
 
 namespace planish::studio {
 
-/// A task of a worker: `open` (argument: the file's name; body: its bytes), `draft`, `result` and
-/// `files` (argument: the format; body: a request as docs/studio-api.md has it).
+/// A task of a worker: `open` (argument: the file's name; body: its bytes), `draft`, `result`,
+/// `plan` and `files` (argument: the format; body: a request as docs/studio-api.md has it).
 struct Task {
   std::string verb;
   std::string argument;

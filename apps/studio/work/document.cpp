@@ -116,4 +116,26 @@ Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::strin
   return job::WrittenArtifact{artifact, name_, std::move(*bytes)};
 }
 
+Result<job::BendOrder*> Document::order_of(const Asked& asked, const Progress& progress) {
+  const std::string key = asked.key + "\n" + asked.brake;
+  if (ordered_ && ordered_->key == key) return &ordered_->order;
+  auto bending = job::read_bending(asked.brake, kBrake);
+  if (!bending) return tl::unexpected(bending.error());
+  auto made = make(asked, job::Effort::full, progress);
+  if (!made) return tl::unexpected(made.error());
+  const auto piece = shown_piece(**made, asked);
+  if (!piece) return tl::unexpected(piece.error());
+  auto order = job::BendOrder::make(**piece, std::move(*bending));
+  if (!order) return tl::unexpected(order.error());
+  ordered_.emplace(Ordered{key, std::move(*made), std::move(*order)});
+  return &ordered_->order;
+}
+
+Result<std::string> Document::plan(const Asked& asked, const Progress& progress) {
+  const auto order = order_of(asked, progress);
+  if (!order) return tl::unexpected(order.error());
+  if (asked.order.empty()) return (*order)->plan(progress);
+  return (*order)->check(asked.order, progress);
+}
+
 }  // namespace planish::studio

@@ -4,6 +4,7 @@
 #include "shape.hpp"
 
 #include <planish/job/artifact.hpp>
+#include <planish/job/bend_order.hpp>
 
 #include <filesystem>
 #include <memory>
@@ -35,6 +36,9 @@ class Document {
   Result<Shape> shape(const Asked& asked, job::Effort effort, const Progress& progress);
   Result<job::WrittenArtifact> file(const Asked& asked, const std::string& artifact,
                                     const Progress& progress);
+  /// The order in which the sheet is bent, as JSON text: the cheapest one, or the one asked for.
+  /// Errors also: those of `job::BendOrder`.
+  Result<std::string> plan(const Asked& asked, const Progress& progress);
 
  private:
   using MadePointer = std::shared_ptr<job::Made>;
@@ -44,6 +48,7 @@ class Document {
   Result<void> take_spec(const Asked& asked);
   Result<MadePointer> make(const Asked& asked, job::Effort effort, const Progress& progress);
   job::Request request_of(const Asked& asked, job::Effort effort) const;
+  Result<job::BendOrder*> order_of(const Asked& asked, const Progress& progress);
 
   const job::Catalogue* catalogue_;
   const job::Maker* maker_;
@@ -51,6 +56,13 @@ class Document {
   std::filesystem::path attachments_;
   std::unique_ptr<job::Work> work_;
   std::optional<std::pair<std::string, MadePointer>> last_;
+  /// The last sheet whose strokes were ordered, with the options of the press brake.
+  struct Ordered {
+    std::string key;
+    MadePointer made;
+    job::BendOrder order;
+  };
+  std::optional<Ordered> ordered_;
 };
 
 }  // namespace planish::studio

@@ -52,6 +52,10 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
       const auto chord = read_chord(value);
       if (!chord) return tl::unexpected(chord.error());
       asked.chord = *chord;
+    } else if (key == "brake") {
+      if (!value.is_null()) asked.brake = json_text(value);
+    } else if (key == "order") {
+      if (!value.is_null()) asked.order = json_text(value);
     } else {
       return mistake(fmt::format("a request has no key \"{}\"", key), "/" + key);
     }

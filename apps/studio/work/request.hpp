@@ -9,6 +9,7 @@
 namespace planish::studio {
 
 inline constexpr auto kOptions = "/options";  ///< where they are in a request
+inline constexpr auto kBrake = "/brake";
 
 /// A parsed request of docs/studio-api.md.
 struct Asked {
@@ -16,6 +17,8 @@ struct Asked {
   std::string spec;  ///< JSON text; empty: none
   job::Request request;
   std::optional<double> chord;  ///< how far facets may lie from curves, mm
+  std::string brake = "{}";     ///< options of the press brake, JSON text
+  std::string order;            ///< of strokes, JSON text; empty: none is given
 };
 
 /// Errors: `invalid_input` for anything that is not JSON, unknown keys, options that the maker does

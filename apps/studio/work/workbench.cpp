@@ -52,12 +52,21 @@ Answer Workbench::file(const Task& task, const Progress& progress) {
   return {200, std::string(made->artifact->media_type), std::move(made->bytes)};
 }
 
+Answer Workbench::plan(const Task& task, const Progress& progress) {
+  const auto asked = parse_asked(task.body, document_->maker());
+  if (!asked) return bad_request(asked.error());
+  auto plan = document_->plan(*asked, progress);
+  if (!plan) return failure(plan.error());
+  return {200, kJsonType, without_indents(*plan)};
+}
+
 Answer Workbench::dispatch(const Task& task, const Progress& progress) {
   if (task.verb == "open") return open(task, progress);
   if (!document_) return failure(500, "internal", "nothing is open");
   if (task.verb == "draft") return shape(task, job::Effort::draft, progress);
   if (task.verb == "result") return shape(task, job::Effort::full, progress);
   if (task.verb == "files") return file(task, progress);
+  if (task.verb == "plan") return plan(task, progress);
   return failure(500, "internal", "there is no task \"" + task.verb + "\"");
 }
 

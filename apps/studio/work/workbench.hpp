@@ -32,6 +32,7 @@ class Workbench {
   Answer open(const Task& task, const Progress& progress);
   Answer shape(const Task& task, job::Effort effort, const Progress& progress);
   Answer file(const Task& task, const Progress& progress);
+  Answer plan(const Task& task, const Progress& progress);
 
   const job::Catalogue& catalogue_;
   std::filesystem::path attachments_;

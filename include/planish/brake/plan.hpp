@@ -34,28 +34,32 @@ struct GaugeStop {
   Segment edge;           ///< the border piece that touches, in the flat pattern
 };
 
+/// Segments of a tool that stand side by side.
+struct SegmentRow {
+  double from = 0.0;             ///< along the bend line, mm, from the end of its first line
+  std::vector<double> segments;  ///< in the order in which they stand, mm
+};
+
 /// Something done at the press brake at once.
 struct Stroke {
-  std::vector<BendId> bends;                         ///< pressed together
-  std::optional<int> press_line = {};                ///< of a bend with several: which, from 0
-  bool flattening = false;                           ///< closes a hem that was bent before
-  Angle angle;                                       ///< turned by it, without springback
-  std::string punch, die;                            ///< ids
-  std::vector<double> punch_segments, die_segments;  ///< in the order in which they stand, mm
-  /// Where the rows of segments begin along the bend line, mm, from the end of its first line.
-  double punch_from = 0.0, die_from = 0.0;
-  bool reference_up = true;               ///< the side of the lying sheet that faces up
-  std::optional<FlangeId> to_gauge = {};  ///< the flange on the gauge's side of the bend
-  Vec2 gauge_direction = Vec2::UnitX();   ///< towards the gauge, in the flat pattern; unit
-  std::optional<GaugeStop> gauge = {};    ///< empty: ungauged
-  double force = 0.0;                     ///< kN
-  double clearance = 0.0;                 ///< least left over all turns, mm
+  std::vector<BendId> bends;                     ///< pressed together
+  std::optional<int> press_line = {};            ///< of a bend with several: which, from 0
+  bool flattening = false;                       ///< closes a hem that was bent before
+  Angle angle;                                   ///< turned by it, without springback
+  std::string punch, die;                        ///< ids
+  std::vector<SegmentRow> punch_rows, die_rows;  ///< as the operator sees them, from the left
+  bool reference_up = true;                      ///< the side of the lying sheet that faces up
+  std::optional<FlangeId> to_gauge = {};         ///< the flange on the gauge's side of the bend
+  Vec2 gauge_direction = Vec2::UnitX();          ///< towards the gauge, in the flat pattern; unit
+  std::optional<GaugeStop> gauge = {};           ///< empty: ungauged
+  double force = 0.0;                            ///< kN
+  double clearance = 0.0;                        ///< least left over all turns, mm
 };
 
 /// Why no reachable stage can form a bend: what the workpiece hits at best.
 struct BlockedBend {
   BendId bend;
-  std::string hits;                   ///< "punch P88", "die V16", "upper beam", "itself"; empty:
+  std::string hits = {};              ///< "punch P88", "die V16", "upper beam", "itself"; empty:
                                       ///< `why` says it
   std::optional<FlangeId> with = {};  ///< the flange that hits
   double depth = 0.0;                 ///< mm

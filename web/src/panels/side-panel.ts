@@ -3,6 +3,7 @@ import { pieceOf } from '../report.ts';
 import type { Tab } from '../state.ts';
 import { lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
+import { bendOrder } from './bend-order.ts';
 import { panels } from './kinds.ts';
 import { bendTable, certificate, findingsList, findingsOf } from './tables.ts';
 
@@ -12,6 +13,7 @@ export function sidePanel(ui: Ui): TemplateResult {
   const tabs: [Tab, string][] = [
     ['input', 'Input'],
     ['bends', 'Bends'],
+    ['order', 'Bend order'],
     ['findings', count ? `Findings ${count}` : 'Findings'],
     ['certificate', 'Certificate'],
   ];
@@ -35,6 +37,7 @@ export function sidePanel(ui: Ui): TemplateResult {
 
 function content(ui: Ui, tab: Tab) {
   if (tab === 'bends') return bendTable(ui);
+  if (tab === 'order') return bendOrder(ui);
   if (tab === 'findings') return findingsList(ui);
   if (tab === 'certificate') return certificate(ui);
   const panel = panels[ui.state.document?.kind ?? ''];

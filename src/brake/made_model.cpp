@@ -1,0 +1,74 @@
+#include "made_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace planish::brake_detail {
+namespace {
+
+/// The first option that is out of its range.
+std::optional<Error> wrong_option(const Sheet& sheet, const PlanOptions& options) {
+  const auto wrong = [](const char* name, const char* range) {
+    return Error{ErrorCode::bad_option, fmt::format("`{}` is to be {}", name, range), name};
+  };
+  const auto is_length = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!is_length(options.clearance)) return wrong("clearance", "0 or more");
+  if (options.shortfall && !is_length(*options.shortfall)) return wrong("shortfall", "0 or more");
+  if (!(options.springback.degrees() >= 0.0 && options.springback.degrees() < 45.0))
+    return wrong("springback", "at least 0 and below 45°");
+  if (!(is_length(options.tensile_strength) && options.tensile_strength > 0.0))
+    return wrong("tensile_strength", "above 0");
+  if (!is_length(options.radius_of_opening)) return wrong("radius_of_opening", "0 or more");
+  if (options.opening && !(is_length(*options.opening) && *options.opening > 0.0))
+    return wrong("opening", "above 0");
+  for (const BendId bend : options.begin_with)
+    if (!sheet.bends.has(bend)) return wrong("begin_with", "bends that the sheet has");
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string name_of(BendId bend) { return fmt::format("B{}", index_of(bend) + 1); }
+
+std::optional<Error> line_without_tool(const StrokeModel& model) {
+  for (int i = 0; i < std::ssize(model.work().lines); ++i) {
+    const FittingTools& fitting = model.fitting(i);
+    if (!fitting.punches.empty() && !fitting.dies.empty()) continue;
+    const BrakeLine& line = model.work().lines[i];
+    const std::string name = name_of(line.bends.front());
+    return Error{ErrorCode::no_tool,
+                 fmt::format("bend {} turns {:.4g}° at an inside radius of {:.4g} mm in {:.4g} mm, "
+                             "and there is {}",
+                             name, line.angle.degrees(), line.inside_radius, line.bend.thickness,
+                             fitting.why),
+                 name};
+  }
+  return std::nullopt;
+}
+
+Result<std::unique_ptr<StrokeModel>> stroke_model(const Sheet& sheet, const Layout& layout,
+                                                  const BrakeTools& tools,
+                                                  const PlanOptions& options) {
+  if (const auto right = check(tools); !right) return tl::unexpected(right.error());
+  if (const auto error = wrong_option(sheet, options)) return tl::unexpected(*error);
+  auto work = workpiece_of(sheet, layout, workpiece_options(sheet.thickness, tools, options));
+  if (!work) return tl::unexpected(work.error());
+  auto model = std::make_unique<StrokeModel>(std::move(*work), tools, options);
+  if (const auto error = line_without_tool(*model)) return tl::unexpected(*error);
+  return model;
+}
+
+LineSet lines_of(const Workpiece& work, const OrderedStroke& stroke) {
+  LineSet lines = no_lines(static_cast<int>(work.lines.size()));
+  for (int i = 0; i < std::ssize(work.lines); ++i)
+    for (const BendId bend : work.lines[i].bends)
+      if (std::ranges::find(stroke.bends, bend) != stroke.bends.end() &&
+          work.lines[i].press_line == stroke.press_line &&
+          work.lines[i].closes.has_value() == stroke.flattening)
+        insert(lines, i);
+  return lines;
+}
+
+}  // namespace planish::brake_detail

@@ -1,0 +1,231 @@
+#include "line_depth.hpp"
+#include "made_model.hpp"
+
+#include <planish/base/assert.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace planish {
+namespace {
+
+using namespace brake_detail;
+
+/// A stroke of an order with the ways in which it can be made; if there is none, with the one that
+/// comes nearest.
+struct OrderStep {
+  LineSet formed;  ///< before it
+  std::vector<StrokeChoice> ways;
+  std::optional<BlockedBend> blocked = {};
+};
+
+/// Takes the strokes of an order one after the other.
+class OrderSteps {
+ public:
+  explicit OrderSteps(StrokeModel& model)
+      : model_(model), formed_(no_lines(static_cast<int>(model.work().lines.size()))) {}
+
+  const std::vector<OrderStep>& steps() const { return steps_; }
+  const LineSet& formed() const { return formed_; }
+  /// A hem that was closed before it was bent counts as closed once it is bent.
+  LineSet standing(LineSet formed) const {
+    LineSet stage = no_lines(static_cast<int>(model_.work().lines.size()));
+    for (const int line : members(formed)) {
+      const auto& closes = model_.work().lines[line].closes;
+      if (!closes || holds(formed, *closes)) insert(stage, line);
+    }
+    return stage;
+  }
+
+  /// Presses these lines, all at once as far as they are offered together.
+  void press(LineSet lines) {
+    while (count(lines) > 0) {
+      const LineSet next = offered(lines);
+      add(next);
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        lines[i] &= ~next[i];
+    }
+  }
+
+  /// Presses what is left, first what can be made, from the outside in.
+  void press_rest(const Progress& progress) {
+    std::vector<int> rest;
+    for (int line = 0; line < std::ssize(model_.work().lines); ++line)
+      if (!holds(formed_, line)) rest.push_back(line);
+    const std::vector<int> depth = line_depths(model_.work());
+    std::ranges::stable_sort(rest, {}, [&](int line) { return depth[line]; });
+    while (!rest.empty() && !progress.should_stop()) {
+      auto next = std::ranges::find_if(rest, [&](int line) { return can_press(line); });
+      if (next == rest.end())
+        next = std::ranges::find_if(rest, [&](int line) {
+          const auto& closes = model_.work().lines[line].closes;
+          return !closes || holds(formed_, *closes);
+        });
+      LineSet alone = no_lines(static_cast<int>(model_.work().lines.size()));
+      insert(alone, *next);
+      add(alone);
+      rest.erase(next);
+    }
+  }
+
+ private:
+  /// Of these lines as many as a stroke may press together; one if it may press none.
+  LineSet offered(const LineSet& lines) {
+    LineSet best = no_lines(static_cast<int>(model_.work().lines.size()));
+    for (const StrokeChoice& choice : model_.choices(standing(formed_)))
+      if (within(choice.lines, lines) && count(choice.lines) > count(best)) best = choice.lines;
+    if (count(best) == 0) insert(best, members(lines).front());
+    return best;
+  }
+
+  std::vector<StrokeChoice> ways(const LineSet& lines) {
+    const LineSet stage = standing(formed_);
+    std::vector<StrokeChoice> ways = model_.choices(stage);
+    std::erase_if(ways, [&](const StrokeChoice& choice) {
+      return choice.lines != lines || !model_.check(stage, choice).feasible;
+    });
+    return ways;
+  }
+
+  bool can_press(int line) {
+    LineSet alone = no_lines(static_cast<int>(model_.work().lines.size()));
+    insert(alone, line);
+    return !ways(alone).empty();
+  }
+
+  void add(const LineSet& lines) {
+    OrderStep step{formed_, ways(lines)};
+    if (step.ways.empty()) {
+      const LineSet stage = standing(formed_);
+      auto nearest = model_.blocked_way(stage, lines);
+      const auto& closes = model_.work().lines[members(lines).front()].closes;
+      if (closes && !holds(stage, *closes))
+        nearest.bend = {nearest.bend.bend, {}, {}, 0.0, {}, "a hem is bent before it is closed"};
+      step.ways = {nearest.choice};
+      step.blocked = nearest.bend;
+    }
+    steps_.push_back(std::move(step));
+    formed_ = joined(std::move(formed_), lines);
+  }
+
+  StrokeModel& model_;
+  LineSet formed_;
+  std::vector<OrderStep> steps_;
+};
+
+std::string names_of(const std::vector<BendId>& bends) {
+  std::string names;
+  for (const BendId bend : bends)
+    names += (names.empty() ? "" : ", ") + name_of(bend);
+  return names;
+}
+
+/// Presses what an order says. The error says which of its strokes makes no sense.
+std::optional<Error> take(OrderSteps& steps, const Workpiece& work,
+                          const std::vector<OrderedStroke>& order, const Progress& progress) {
+  LineSet taken = no_lines(static_cast<int>(work.lines.size()));
+  for (const OrderedStroke& stroke : order) {
+    if (progress.should_stop()) return std::nullopt;
+    const LineSet lines = lines_of(work, stroke);
+    if (count(lines) == 0)
+      return Error{ErrorCode::bad_option,
+                   fmt::format("no stroke presses \"{}\" in this way", names_of(stroke.bends)),
+                   "order"};
+    if (!disjoint(taken, lines))
+      return Error{ErrorCode::bad_option,
+                   fmt::format("the order presses {} twice", names_of(stroke.bends)), "order"};
+    taken = joined(std::move(taken), lines);
+    steps.press(lines);
+  }
+  steps.press_rest(progress);
+  return std::nullopt;
+}
+
+/// Of the ways to make each step those that make the whole cheapest.
+Result<StrokeSearch> cheapest(const std::vector<OrderStep>& steps, const LineSet& all,
+                              const StrokeWeights& weights, const Progress& progress) {
+  StrokeProblem problem;
+  problem.lines = count(all);
+  problem.choices = [&](const LineSet& formed) {
+    const auto step = std::ranges::find(steps, formed, &OrderStep::formed);
+    PLANISH_ASSERT(step != steps.end());
+    return step->ways;
+  };
+  StrokeLimits limits;
+  limits.seconds = std::numeric_limits<double>::infinity();
+  limits.stages = std::numeric_limits<std::int64_t>::max();
+  return search_strokes(problem, weights, limits, progress);
+}
+
+}  // namespace
+
+struct OrderChecker::State {
+  BrakeTools tools;
+  PlanOptions options;
+  std::unique_ptr<StrokeModel> model;
+};
+
+OrderChecker::OrderChecker(std::unique_ptr<State> state) : state_(std::move(state)) {}
+OrderChecker::OrderChecker(OrderChecker&&) noexcept = default;
+OrderChecker& OrderChecker::operator=(OrderChecker&&) noexcept = default;
+OrderChecker::~OrderChecker() = default;
+
+Result<OrderChecker> OrderChecker::make(const Sheet& sheet, const Layout& layout,
+                                        const BrakeTools& tools, const PlanOptions& options) {
+  auto state = std::make_unique<State>(State{tools, options, nullptr});
+  state->options.begin_with.clear();
+  auto model = stroke_model(sheet, layout, state->tools, state->options);
+  if (!model) return tl::unexpected(model.error());
+  state->model = std::move(*model);
+  return OrderChecker(std::move(state));
+}
+
+Result<CheckedOrder> OrderChecker::check(const std::vector<OrderedStroke>& order,
+                                         const Progress& progress) {
+  StrokeModel& model = *state_->model;
+  OrderSteps steps(model);
+  if (const auto error = take(steps, model.work(), order, progress)) return tl::unexpected(*error);
+  if (progress.should_stop()) return fail(ErrorCode::cancelled, "checking the order was stopped");
+  const auto search = cheapest(steps.steps(), steps.formed(), state_->options.weights, progress);
+  if (!search) return tl::unexpected(search.error());
+  CheckedOrder checked;
+  checked.cost = search->cost;
+  checked.turn_overs = search->turn_overs;
+  checked.rotations = search->rotations;
+  checked.tool_changes = search->tool_changes;
+  checked.ungauged = search->ungauged;
+  for (std::size_t i = 0; i < search->strokes.size(); ++i) {
+    const OrderStep& step = steps.steps()[i];
+    const LineSet stage = steps.standing(step.formed);
+    checked.strokes.push_back({model.stroke(stage, search->strokes[i]), step.blocked,
+                               model.scene(stage, search->strokes[i])});
+  }
+  return checked;
+}
+
+bool CheckedOrder::feasible() const {
+  return std::ranges::none_of(strokes,
+                              [](const CheckedStroke& s) { return s.blocked.has_value(); });
+}
+
+OrderedStroke ordered(const Stroke& stroke) {
+  return {stroke.bends, stroke.press_line, stroke.flattening};
+}
+
+ToolSections tool_sections(const BrakeTools& tools) {
+  ToolSections sections;
+  for (const Punch& punch : tools.punches) {
+    sections.punches.push_back(section_of(punch).outline);
+    if (!tools.machine.upper_beam.empty())
+      sections.upper_beams.push_back(section_of(tools.machine.upper_beam, lowered(punch)).outline);
+  }
+  for (const Die& die : tools.dies)
+    sections.dies.push_back(section_of(die).outline);
+  if (!tools.machine.lower_beam.empty())
+    sections.lower_beam = section_of(tools.machine.lower_beam).outline;
+  return sections;
+}
+
+}  // namespace planish

@@ -1,0 +1,295 @@
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
+import { moved, nameOf, orderOf } from '../order-state.ts';
+import type { BrakeOptions, OrderAnswer, OrderedStroke, StrokeRow } from '../types.ts';
+import type { Ui } from '../ui.ts';
+import { clean, lengthText, unitName } from '../units.ts';
+import { choice, lengthField, numberField, section } from './fields.ts';
+import { sentence } from './message-bar.ts';
+
+/** Planning how the part is bent on a press brake, and trying other orders. */
+export function bendOrder(ui: Ui): TemplateResult {
+  const { order, input, result } = ui.state,
+    { answer } = order,
+    old = answer !== null && (order.of !== input || order.ofBrake !== order.brake);
+  return html`${brakeSection(ui)}
+    <p class="row plan">
+      <button
+        class="primary"
+        data-testid="plan"
+        ?disabled=${!result?.facet_parent.length}
+        @click=${() => ui.askOrder(null)}
+      >
+        ${answer ? 'Plan again' : 'Plan the bending'}
+      </button>
+      ${order.computing
+        ? html`<span data-testid="ordering">${order.asked ? 'Checking …' : 'Ordering the bends …'}</span
+            ><button data-testid="order-cancel" @click=${ui.cancelOrder}>Cancel</button>`
+        : nothing}
+    </p>
+    ${order.problem
+      ? html`<p class="hint bad" role="alert" data-testid="order-problem">${sentence(order.problem.message)}</p>`
+      : nothing}
+    ${old
+      ? html`<p class="hint bad" data-testid="order-old">
+          ${order.of === input ? 'Other options are set now' : 'The part has changed since'}: plan again.
+        </p>`
+      : nothing}
+    ${answer ? outcome(ui, answer, old) : html`<p class="hint">${whatItDoes}</p>`}`;
+}
+
+const whatItDoes =
+  'Finds the cheapest order in which a press brake can bend the part, and shows each stroke in the machine. ' +
+  'Strokes can then be dragged to another place: each order is checked at once.';
+
+function brakeSection(ui: Ui) {
+  const { brake } = ui.state.order,
+    set = (patch: Partial<BrakeOptions>) => ui.dispatch({ type: 'brake', brake: withoutHoles({ ...brake, ...patch }) });
+  return section(
+    'Press brake',
+    html`<div class="pick">
+        <span>Tools</span
+        ><b data-testid="tools-value">${brake.tools ? (brake.tools.name ?? 'a file') : 'common European'}</b>
+        <label class="button"
+          >File …<input
+            type="file"
+            accept=".json"
+            hidden
+            data-testid="tools-file"
+            @change=${(e: Event) => void readTools(e.target as HTMLInputElement, ui)}
+        /></label>
+        <button class="link" data-testid="tools-clear" @click=${() => set({ tools: undefined })}>Reset</button>
+      </div>
+      ${choice(
+        'Material',
+        'metal',
+        brake.metal ?? '',
+        [
+          ['', 'steel, no springback'],
+          ['steel', 'steel'],
+          ['stainless', 'stainless steel'],
+          ['aluminium', 'aluminium'],
+        ] as const,
+        (v) => set({ metal: v === '' ? undefined : v }),
+      )}
+      ${numberField({
+        label: 'Springback',
+        testid: 'springback',
+        value: brake.springback,
+        unit: '°',
+        min: 0,
+        max: 44.9,
+        placeholder: brake.metal ? 'the metal’s' : '0',
+        on: (v) => set({ springback: v ?? undefined }),
+      })}
+      ${lengthField(ui, {
+        label: 'Clearance',
+        testid: 'clearance',
+        from: 'mm',
+        value: brake.clearance,
+        min: 0,
+        placeholder: '0',
+        on: (v) => set({ clearance: v ?? undefined }),
+      })}`,
+  );
+}
+
+async function readTools(input: HTMLInputElement, ui: Ui) {
+  const file = input.files?.[0];
+  input.value = '';
+  if (!file) return;
+  const tools = { name: file.name, content: await file.text() };
+  ui.dispatch({ type: 'brake', brake: { ...ui.state.order.brake, tools } });
+}
+
+const withoutHoles = (o: BrakeOptions) =>
+  Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as BrakeOptions;
+
+function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
+  const { order } = ui.state,
+    shown = order.asked ?? orderOf(answer),
+    rows = new Map(answer.strokes.map((row) => [nameOf(row), row])),
+    blocked = answer.strokes.some((s) => s.blocked);
+  return html`<p class="order-status ${blocked ? 'bad' : 'good'}" role="status" data-testid="order-status">
+      ${statusText(answer)}
+      ${order.given && !order.computing
+        ? html`<button class="link" data-testid="order-reset" @click=${() => ui.askOrder(null)}>Cheapest order</button>`
+        : nothing}
+    </p>
+    ${answer.sentence
+      ? html`<p class="hint bad" data-testid="order-sentence">${sentence(byPlates(ui, answer.sentence))}</p>`
+      : nothing}
+    <ol
+      class="strokes ${old ? 'old' : ''} ${order.asked ? 'pending' : ''}"
+      data-testid="strokes"
+      aria-label="Strokes in order"
+    >
+      ${repeat(shown, nameOf, (stroke, i) => strokeItem(ui, shown, rows.get(nameOf(stroke)), stroke, i, answer))}
+    </ol>
+    ${answer.strokes.length > 1
+      ? html`<p class="hint">Drag a stroke to another place, or press Alt with ↑ or ↓.</p>`
+      : nothing}
+    ${answer.notes.map((n) => html`<p class="hint">${sentence(n)}</p>`)}`;
+}
+
+function statusText({ status, cost, strokes, turn_overs, rotations, tool_changes }: OrderAnswer): string {
+  const many = (n: number, what: string) => `${n} ${what}${n === 1 ? '' : 's'}`,
+    stuck = strokes.filter((s) => s.blocked).length;
+  if (!strokes.length) return status === 'infeasible' ? 'No order is possible.' : 'There is nothing to bend.';
+  if (stuck) {
+    const what = `${stuck} of ${many(strokes.length, 'stroke')} cannot be made`;
+    if (status === 'infeasible') return `No order is possible. In this one ${what}.`;
+    return status === 'gave_up' ? `No order was found. In this one ${what}.` : `In this order ${what}.`;
+  }
+  const which =
+    status === 'optimal'
+      ? 'The cheapest order'
+      : status === 'feasible'
+        ? 'Perhaps not the cheapest order'
+        : 'This order is possible';
+  const said = [many(turn_overs, 'turn-over'), many(rotations, 'rotation'), many(tool_changes, 'tool change')];
+  return `${which}: cost ${clean(cost ?? 0, 2)}, ${said.join(', ')}.`;
+}
+
+function strokeItem(
+  ui: Ui,
+  shown: OrderedStroke[],
+  row: StrokeRow | undefined,
+  stroke: OrderedStroke,
+  i: number,
+  answer: OrderAnswer,
+) {
+  const { order } = ui.state,
+    current = !order.asked && Math.min(Math.floor(order.time), answer.strokes.length - 1) === i;
+  const move = (to: number) => to >= 0 && to < shown.length && to !== i && ui.askOrder(moved(shown, i, to));
+  return html`<li
+    class="${row?.blocked ? 'blocked' : ''} ${current ? 'selected' : ''}"
+    data-testid="stroke-${i + 1}"
+    data-stroke=${nameOf(stroke)}
+    draggable="true"
+    tabindex="0"
+    aria-current=${current ? 'step' : nothing}
+    aria-keyshortcuts="Alt+ArrowUp Alt+ArrowDown"
+    @click=${() => ui.showStroke(i)}
+    @keydown=${(e: KeyboardEvent) => pressed(e, i, move, ui)}
+    @dragstart=${(e: DragEvent) => e.dataTransfer?.setData('application/x-stroke', String(i))}
+    @dragover=${(e: DragEvent) => over(e)}
+    @dragleave=${(e: DragEvent) => (e.currentTarget as HTMLElement).classList.remove('before', 'after')}
+    @drop=${(e: DragEvent) => dropped(e, i, shown, ui)}
+  >
+    <b>${i + 1}</b>
+    <span
+      >${order.asked || !row ? nothing : changes(answer.strokes[i - 1], row)}<strong>${nameOf(stroke)}</strong> ${row
+        ? strokeText(ui, row, answer)
+        : nothing}</span
+    >
+    <span class="moves">
+      <button
+        aria-label="Earlier"
+        data-testid="earlier-${i + 1}"
+        ?disabled=${i === 0}
+        @click=${stop(() => move(i - 1))}
+      >
+        ↑
+      </button>
+      <button
+        aria-label="Later"
+        data-testid="later-${i + 1}"
+        ?disabled=${i === shown.length - 1}
+        @click=${stop(() => move(i + 1))}
+      >
+        ↓
+      </button>
+    </span>
+  </li>`;
+}
+
+function strokeText(ui: Ui, row: StrokeRow, answer: OrderAnswer) {
+  const { units } = ui.state,
+    length = (v: number) => `${lengthText(v, answer.units, units)} ${unitName(units)}`;
+  const gauge = row.gauge
+    ? `${byPlates(ui, row.to_gauge ?? 'edge')} to gauge ${length(row.gauge.distance)}`
+    : row.flattening
+      ? ''
+      : 'no gauge';
+  const small = [`${row.punch} / ${row.die}`, `pattern ${row.scene.pattern_up ? 'up' : 'down'}`, gauge]
+    .filter(Boolean)
+    .join(' · ');
+  return html`${clean(row.angle, 1)}° <em>${clean(row.force, 0)} kN</em><small>${small}</small>${row.blocked
+      ? html`<small class="bad" data-testid="why-blocked">${sentence(byPlates(ui, row.blocked.sentence))}</small>`
+      : nothing}`;
+}
+
+/** Flanges of plates by the names of their plates. */
+export const byPlates = (ui: Ui, text: string) =>
+  text.replace(/\bF\d+\b/g, (name) => ui.state.shape?.parts.find((p) => p.name === name)?.plate ?? name);
+
+/** What is done before a stroke. */
+export function changesBefore(before: StrokeRow | undefined, row: StrokeRow): string[] {
+  if (!before) return [];
+  const turned = Math.hypot(
+    row.gauge_direction[0] - before.gauge_direction[0],
+    row.gauge_direction[1] - before.gauge_direction[1],
+  );
+  return [
+    ...(row.side_up !== before.side_up ? ['turn over'] : []),
+    ...(turned > 1e-3 ? ['rotate'] : []),
+    ...(row.punch !== before.punch || row.die !== before.die ? ['change tools'] : []),
+  ];
+}
+
+const changes = (before: StrokeRow | undefined, row: StrokeRow) =>
+  changesBefore(before, row).map((c) => html`<i class="change">${c}</i>`);
+
+const stop = (then: () => void) => (e: Event) => {
+  e.stopPropagation();
+  then();
+};
+
+function pressed(e: KeyboardEvent, i: number, move: (to: number) => void, ui: Ui) {
+  const item = e.currentTarget as HTMLElement,
+    step = e.key === 'ArrowUp' ? -1 : e.key === 'ArrowDown' ? 1 : 0;
+  if (e.target !== item) return;
+  if (step && e.altKey) {
+    const name = item.dataset.stroke!;
+    move(i + step);
+    requestAnimationFrame(() => requestAnimationFrame(() => focus(item, name)));
+  } else if (step) ((step < 0 ? item.previousElementSibling : item.nextElementSibling) as HTMLElement | null)?.focus();
+  else if (e.key === 'Enter') ui.showStroke(i);
+  else return;
+  e.preventDefault();
+  e.stopPropagation();
+}
+
+/** A row that was moved keeps the focus. */
+function focus(item: HTMLElement, name: string) {
+  const list = item.closest('ol') ?? document.querySelector('ol.strokes');
+  list?.querySelector<HTMLElement>(`[data-stroke="${CSS.escape(name)}"]`)?.focus();
+}
+
+const isBelow = (e: DragEvent) => {
+  const r = (e.currentTarget as HTMLElement).getBoundingClientRect();
+  return e.clientY > r.top + r.height / 2;
+};
+
+function over(e: DragEvent) {
+  if (!e.dataTransfer?.types.includes('application/x-stroke')) return;
+  e.preventDefault();
+  e.stopPropagation();
+  const { classList } = e.currentTarget as HTMLElement,
+    below = isBelow(e);
+  classList.toggle('before', !below);
+  classList.toggle('after', below);
+}
+
+function dropped(e: DragEvent, i: number, shown: OrderedStroke[], ui: Ui) {
+  const text = e.dataTransfer?.getData('application/x-stroke');
+  (e.currentTarget as HTMLElement).classList.remove('before', 'after');
+  if (!text) return;
+  e.preventDefault();
+  e.stopPropagation();
+  const from = Number(text),
+    slot = i + (isBelow(e) ? 1 : 0),
+    to = slot > from ? slot - 1 : slot;
+  if (to !== from && shown[from]) ui.askOrder(moved(shown, from, to));
+}

@@ -1,0 +1,138 @@
+import assert from 'node:assert/strict';
+import { writeFileSync } from 'node:fs';
+import { example, folder, open, rested, state } from '../driving.mjs';
+
+const web = [0, 0, 0, 60, 0, 0, 60, 80, 0, 0, 80, 0],
+  long = [-2.75, 0, 2.75, -2.75, 80, 2.75, -2.75, 80, 92.75, -2.75, 0, 92.75],
+  short = [62.75, 0, 2.75, 62.75, 80, 2.75, 62.75, 80, 32.75, 62.75, 0, 32.75];
+const corners = (all) => [0, 3, 6, 9].map((i) => all.slice(i, i + 3));
+
+/** A channel whose long leg is in the way of the punch once it stands. */
+function channel(page) {
+  const path = `${folder(page)}/channel.json`;
+  writeFileSync(
+    path,
+    JSON.stringify({
+      format: 'planish/plates',
+      version: 1,
+      thickness: 1.5,
+      defaults: { inside_radius: 2 },
+      plates: [
+        { id: 'web', outline: corners(web) },
+        { id: 'long', outline: corners(long) },
+        { id: 'short', outline: corners(short) },
+      ],
+    }),
+  );
+  return path;
+}
+
+const checked = (page) =>
+  page.waitForFunction(() => {
+    const { order } = window.planish.store.state;
+    return order.answer && !order.computing && !order.asked;
+  });
+
+async function plan(page) {
+  await page.click('[data-testid=tab-order]');
+  await page.click('[data-testid=plan]');
+  await checked(page);
+}
+
+const names = (page) =>
+  page.$$eval('[data-testid=strokes] li', (rows) => rows.map((row) => row.getAttribute('data-stroke')));
+
+/** Colour of a tool: red where it collides. */
+const toolIsRed = (page, tool) =>
+  state(
+    page,
+    `(() => { const { machine, palette } = views.folded;
+      return '#' + machine.materials[${JSON.stringify(tool)}].color.getHexString() === palette.hit; })()`,
+  );
+
+/** The plan is played, looked at stroke by stroke, and left again. */
+export async function order({ page }) {
+  await example(page, 'bracket.step');
+  await plan(page);
+  assert.match(await page.textContent('[data-testid=order-status]'), /^\s*The cheapest order: cost/);
+  const strokes = await names(page);
+  assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
+  await page.click('[data-testid=stroke-2]');
+  assert.equal(await state(page, 's.selection.part'), strokes[1], 'the bend that is pressed is picked');
+  assert.match(await page.textContent('[data-testid=stroke-shown]'), /^2 of /);
+  // the sheet lies on the die: what is lowest of it over the shoulders is at the die's top
+  await page.evaluate(() => window.planish.store.dispatch({ type: 'stroke-time', time: 0.44 }));
+  const lowest = await state(
+    page,
+    `(() => { const p = views.folded.sheet.skin.geometry.getAttribute('position'); let low = Infinity;
+      for (let i = 0; i < p.count; ++i) low = Math.min(low, p.getZ(i)); return low; })()`,
+  );
+  assert.ok(Math.abs(lowest) < 0.01, `the sheet lies on the die, not ${lowest} mm above it`);
+  await page.click('[data-testid=stroke-play]');
+  await page.waitForFunction(() => window.planish.store.state.order.time > 0.7);
+  await page.click('[data-testid=stroke-play]');
+  assert.equal(await state(page, 's.order.playing'), false);
+  await page.screenshot({ path: `${folder(page)}/stroke.png` });
+  await page.click('[data-testid=tab-bends]');
+  assert.equal(await state(page, 'views.folded.machine.group.visible'), false);
+  await page.waitForSelector('[data-testid=fold-slider]');
+  await page.click('[data-testid=tab-order]');
+  await page.fill('[data-testid=springback]', '2');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-testid=order-old]'); // of other options
+  await plan(page);
+  assert.equal(await page.locator('[data-testid=order-old]').count(), 0);
+}
+
+/** A stroke is dragged, and moved by keys: what collides is red in the list and in the picture. */
+export async function reorder({ page }) {
+  await open(page, [channel(page)]);
+  await rested(page);
+  await plan(page);
+  const [first, second] = await names(page);
+  assert.equal(await page.locator('.strokes li.blocked').count(), 0);
+  await page.dragAndDrop('[data-testid=stroke-1]', '[data-testid=stroke-2]', { targetPosition: { x: 60, y: 30 } });
+  await page.waitForFunction(() => window.planish.store.state.order.given);
+  await checked(page);
+  assert.deepEqual(await names(page), [second, first]);
+  assert.match(await page.textContent('[data-testid=order-status]'), /1 of 2 strokes cannot be made/);
+  assert.equal(await page.getAttribute('[data-testid=stroke-2]', 'class').then((c) => c.includes('blocked')), true);
+  await page.click('[data-testid=stroke-2]');
+  const blocked = await state(page, 's.order.answer.strokes[1].blocked');
+  assert.equal(await toolIsRed(page, blocked.tool), true, 'the tool that is hit is red');
+  const [tint, red] = await state(
+    page,
+    `(() => { const { sheet } = views.folded, row = s.shape.parts.findIndex((p) => p.name === '${blocked.with}'),
+        tint = sheet.skin.geometry.getAttribute('tint'),
+        c = [...sheet.mesh.cornerFacet].findIndex((f) => s.shape.facet_part[f] === row),
+        hit = views.folded.machine.materials[${JSON.stringify(blocked.tool)}].color;
+      return [[tint.getX(c), tint.getY(c), tint.getZ(c)], hit.toArray()]; })()`,
+  );
+  tint.forEach((v, i) => assert.ok(Math.abs(v - red[i]) < 1e-6, 'the flange that collides is red'));
+  await page.screenshot({ path: `${folder(page)}/collision.png` });
+  // back again by the keyboard
+  await page.focus('[data-testid=stroke-2]');
+  await page.keyboard.press('Alt+ArrowUp');
+  await page.waitForFunction(() => window.planish.store.state.order.asked === null);
+  await checked(page);
+  assert.deepEqual(await names(page), [first, second]);
+  assert.equal(await page.locator('.strokes li.blocked').count(), 0);
+  await page.waitForFunction((name) => document.activeElement?.dataset.stroke === name, first);
+  assert.equal(await toolIsRed(page, blocked.tool), false);
+}
+
+/** What cannot be planned is said, and a tools file that is none. */
+export async function unplanned({ page }) {
+  await example(page, 'bracket.step');
+  const path = `${folder(page)}/tools.json`;
+  writeFileSync(path, JSON.stringify({ format: 'planish/tools', version: 1 }));
+  await page.click('[data-testid=tab-order]');
+  await page.setInputFiles('[data-testid=tools-file]', path);
+  await page.waitForFunction(() => window.planish.store.state.order.brake.tools);
+  await page.click('[data-testid=plan]');
+  await page.waitForSelector('[data-testid=order-problem]');
+  assert.equal(await state(page, 's.shape.facet_parent.length > 0'), true, 'the part is still there');
+  await page.click('[data-testid=tools-clear]');
+  await plan(page);
+  assert.equal(await page.locator('[data-testid=order-problem]').count(), 0);
+}
