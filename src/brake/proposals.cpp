@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <set>
 
 namespace planish {
@@ -19,7 +20,17 @@ constexpr double kStepOfPunch = 10.0;   // mm
 constexpr double kOneOpening = 1e-3;    // mm
 constexpr std::size_t kMostSwaps = 28;  // of 8 bends in an order
 
+constexpr double kMostShared = 4.0;  // programs that may run on the same processor
+
 using Kind = Proposal::Kind;
+
+/// What the thread has used, so that proposals do not depend on what else the machine does.
+double processor_seconds() {
+  constexpr double kNano = 1e-9;
+  timespec used{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+  return static_cast<double>(used.tv_sec) + kNano * static_cast<double>(used.tv_nsec);
+}
 
 /// A punch whose upper half is moved up.
 Punch taller(Punch punch, double by) {
@@ -52,8 +63,8 @@ class Trying {
         plan_(plan),
         others_(trying.others),
         progress_(progress),
-        end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(trying.seconds))) {
+        end_(processor_seconds() + trying.seconds),
+        share_end_(end_) {
     auto work = work_for(options);
     if (work) work_ = std::move(*work);
     obstacles_ = std::make_shared<ToolRoom>(tools, options.clearance);
@@ -65,8 +76,8 @@ class Trying {
                                                 &Trying::try_punches, &Trying::try_taller,
                                                 &Trying::try_shorter, &Trying::try_split};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
-      const auto now = Clock::now();
-      share_end_ = now + (end_ - now) / static_cast<int>(kinds.size() - i);
+      const double now = processor_seconds();
+      share_end_ = now + (end_ - now) / static_cast<double>(kinds.size() - i);
       (this->*kinds[i])();
     }
     return std::move(found_);
@@ -79,11 +90,11 @@ class Trying {
 
   /// Whether an order is found in what is left of the share.
   bool can_bend(Workpiece work, const BrakeTools& tools, PlanOptions options) const {
-    const std::chrono::duration<double> left = share_end_ - Clock::now();
-    if (left.count() <= 0.0 || progress_.should_stop()) return false;
+    const double left = share_end_ - processor_seconds();
+    if (left <= 0.0 || progress_.should_stop()) return false;
     options.limits.first = true;
     options.limits.reasons = false;
-    options.limits.seconds = left.count();
+    options.limits.seconds = kMostShared * left;
     StrokeModel model(std::move(work), tools, options, &tools == &tools_ ? obstacles_ : nullptr);
     if (line_without_tool(model)) return false;
     const auto search = search_plan(model, options, progress_);
@@ -284,7 +295,7 @@ class Trying {
   const Plan& plan_;
   const BrakeTools* others_;
   const Progress& progress_;
-  Clock::time_point end_, share_end_;
+  double end_, share_end_;  ///< of the processor's time
   Workpiece work_;
   std::shared_ptr<ToolRoom> obstacles_;
   std::vector<Proposal> found_;

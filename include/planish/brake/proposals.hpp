@@ -9,7 +9,7 @@ namespace planish {
 /// What is tried.
 struct ProposalOptions {
   const BrakeTools* others = nullptr;  ///< tools that the shop might get; may be null
-  double seconds = 2.0;                ///< of trying, all kinds together
+  double seconds = 2.0;                ///< of the processor's time, all kinds together
 };
 
 /// Looks for changes by which an infeasible sheet can be bent: of each kind the smallest that is
