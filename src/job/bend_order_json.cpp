@@ -2,6 +2,7 @@
 
 #include "bending.hpp"
 #include "plan_report.hpp"
+#include "proposal_report.hpp"
 
 #include <fmt/format.h>
 
@@ -73,7 +74,7 @@ Json tool_json(const std::string& hits) {
 Json blocked_stroke_json(const BlockedBend& blocked, const Report& report) {
   Json json = blocked_json(blocked, report);
   json["tool"] = tool_json(blocked.hits);
-  json["sentence"] = reason_of(report, blocked);
+  json["sentence"] = blocked_sentence(blocked, report);
   return json;
 }
 

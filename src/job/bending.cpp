@@ -110,20 +110,6 @@ Result<std::vector<BendId>> bends_named(const Report& report,
   return bends;
 }
 
-std::string reason_of(const Report& report, const BlockedBend& blocked) {
-  const Units units(report.units);
-  std::string text = bend_id(report, blocked.bend);
-  if (!blocked.hits.empty()) {
-    text += blocked.with ? fmt::format(": F{} hits ", index_of(*blocked.with) + 1)
-                         : std::string(": the part hits ");
-    text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
-                        units.symbol());
-    if (blocked.at_turn) text += fmt::format(" at {:.0f}°", blocked.at_turn->degrees());
-  }
-  if (!blocked.why.empty()) text += (blocked.hits.empty() ? ": " : "; ") + blocked.why;
-  return text;
-}
-
 std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
   std::string text = "no order of strokes forms all bends with these tools";
   if (!bending.begin_with.empty())

@@ -17,8 +17,6 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending, const 
 Result<std::vector<BendId>> bends_named(const Report& report,
                                         const std::vector<std::string>& names);
 
-/// "B3: F4 hits punch P88 by 3.1 mm at 72°"
-std::string reason_of(const Report& report, const BlockedBend& blocked);
 /// Why there is no plan: no order is possible, or none was found.
 std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending);
 std::string gave_up_sentence(const Plan& plan);
