@@ -56,24 +56,21 @@ SidedObstacle ToolRoom::sided(const Seen& seen, int direction) const {
   return {&seen.mirror, &seen.plain, seen.key + 1};
 }
 
-SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction) {
-  auto at = obstacles_.find({kind, nearness, tool});
-  if (at == obstacles_.end())
-    at = obstacles_
-             .emplace(std::tuple{kind, nearness, tool},
-                      seen(kept_from(kind, tool, nearness), kind, tool))
-             .first;
+SidedObstacle ToolRoom::kept(Table& table, MakeObstacle make, const ToolKey& key, int direction) {
+  auto at = table.find(key);
+  if (at == table.end()) {
+    const auto& [kind, nearness, tool] = key;
+    at = table.emplace(key, seen((this->*make)(kind, tool, nearness), kind, tool)).first;
+  }
   return sided(at->second, direction);
 }
 
+SidedObstacle ToolRoom::obstacle(ToolKind kind, int tool, Nearness nearness, int direction) {
+  return kept(obstacles_, &ToolRoom::kept_from, {kind, nearness, tool}, direction);
+}
+
 SidedObstacle ToolRoom::body(ToolKind kind, int tool, Nearness nearness, int direction) {
-  auto at = bodies_.find({kind, nearness, tool});
-  if (at == bodies_.end())
-    at = bodies_
-             .emplace(std::tuple{kind, nearness, tool},
-                      seen(body_of(kind, tool, nearness), kind, tool))
-             .first;
-  return sided(at->second, direction);
+  return kept(bodies_, &ToolRoom::body_of, {kind, nearness, tool}, direction);
 }
 
 const Obstacle& ToolRoom::deeper(ToolKind kind, int tool, double depth) {

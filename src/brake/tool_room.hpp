@@ -47,12 +47,16 @@ class ToolRoom {
     bool symmetric = false;
     int key = 0;
   };
-  using Table = std::map<std::tuple<ToolKind, Nearness, int>, Seen>;
+  using ToolKey = std::tuple<ToolKind, Nearness, int>;
+  using Table = std::map<ToolKey, Seen>;
+  using MakeObstacle = Obstacle (ToolRoom::*)(ToolKind kind, int tool, Nearness nearness) const;
   ToolSection section(ToolKind kind, int tool) const;
   Obstacle kept_from(ToolKind kind, int tool, Nearness nearness) const;
   Obstacle body_of(ToolKind kind, int tool, Nearness nearness) const;
   Seen seen(Obstacle obstacle, ToolKind kind, int tool);
   SidedObstacle sided(const Seen& seen, int direction) const;
+  /// From a table, where it is made when it is missing.
+  SidedObstacle kept(Table& table, MakeObstacle make, const ToolKey& key, int direction);
 
   const BrakeTools& tools_;
   double clearance_;

@@ -90,6 +90,13 @@ inline bool is_hem(Angle angle) {
 Result<Workpiece> workpiece_of(const Sheet& sheet, const Layout& layout,
                                const WorkpieceOptions& options = {});
 
+/// Whether a body ends at a line.
+bool touches(const BrakeLine& line, int body);
+/// Whether a line is the given one, closes what that bends, or is closed by it.
+bool is_same(const Workpiece& work, int line, int as);
+/// Bodies that are reached from one without crossing a line.
+std::vector<bool> reached_from(const Workpiece& work, int body, int without);
+
 /// The material of a face in the pattern, without what forms fill.
 std::vector<Convex> face_material(const Sheet& sheet, const Layout& layout, FaceId face);
 

@@ -6,7 +6,6 @@
 
 #include <planish/job/bend_order.hpp>
 #include <planish/job/run.hpp>
-#include <planish/job/tools_json.hpp>
 
 #include <fmt/format.h>
 
@@ -73,7 +72,7 @@ Result<Bending> read_bending(const std::string& json, const std::string& pointer
 struct BendOrder::State {
   const Report& report;
   Bending bending;
-  const BrakeTools& tools() const { return bending.tools ? *bending.tools : default_tools(); }
+  const BrakeTools& tools() const { return tools_of(bending); }
   std::optional<OrderChecker> checker = {};
 };
 

@@ -1,6 +1,7 @@
 #include "bend_pages.hpp"
 
 #include "bend_reasons.hpp"
+#include "page_parts.hpp"
 #include "report_text.hpp"
 #include "units.hpp"
 
@@ -10,9 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <span>
 
 namespace planish::job {
@@ -21,38 +20,9 @@ namespace {
 constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0;
 constexpr double kHead = 34.0, kFlat = 104.0, kRow = 60.0;  // heights, mm
 constexpr double kChord = 0.05;                             // of curves on paper, mm
-constexpr Colour kUp{0.10, 0.35, 0.72}, kDown{0.78, 0.10, 0.12}, kGrey{0.45, 0.48, 0.52};
+constexpr Colour kUp{0.10, 0.35, 0.72}, kDown{0.78, 0.10, 0.12}, kGrey = kPageGrey;
 constexpr Colour kSheet{0.93, 0.95, 0.96}, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
-constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert{0.80, 0.25, 0.05};
-
-struct Rectangle {
-  Vec2 corner, size;
-  Vec2 middle() const { return corner + 0.5 * size; }
-};
-
-/// From a drawing with y up to a rectangle of the page.
-class Fit {
- public:
-  Fit(const Box2& drawing, const Rectangle& into, double largest_scale) : box_(drawing) {
-    const Vec2 size = drawing.hi - drawing.lo;
-    scale_ = std::min({largest_scale, into.size.x() / std::max(size.x(), kChord),
-                       into.size.y() / std::max(size.y(), kChord)});
-    origin_ = into.middle() - scale_ * Vec2(0.5 * (drawing.lo.x() + drawing.hi.x()),
-                                            -0.5 * (drawing.lo.y() + drawing.hi.y()));
-  }
-  double scale() const { return scale_; }
-  Vec2 operator()(const Vec2& p) const { return origin_ + scale_ * Vec2(p.x(), -p.y()); }
-  std::vector<Vec2> operator()(std::vector<Vec2> points) const {
-    for (Vec2& p : points)
-      p = (*this)(p);
-    return points;
-  }
-
- private:
-  Box2 box_;
-  double scale_ = 1.0;
-  Vec2 origin_;
-};
+constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert = kPageAlert;
 
 void add(Box2& box, const std::vector<Vec2>& points) {
   for (const Vec2& p : points)
@@ -105,43 +75,6 @@ std::string names_of(const Report& report, const Stroke& stroke) {
 /// The drawn side of the pattern shows the reference skin.
 bool shows_reference(const Report& report) {
   return report.layout.placement[report.layout.root].linear().determinant() > 0.0;
-}
-
-void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour) {
-  constexpr double kRadius = 2.6;
-  std::vector<Vec2> circle;
-  constexpr int kCorners = 32;
-  for (int i = 0; i < kCorners; ++i) {
-    const double turn = 2.0 * std::numbers::pi * i / kCorners;
-    circle.push_back(at + kRadius * Vec2(std::cos(turn), std::sin(turn)));
-  }
-  page.area({circle}, {.stroke = colour, .fill = Colour{1.0, 1.0, 1.0}, .width = 0.3});
-  page.text(at + Vec2(0.0, 1.15), std::to_string(stroke + 1),
-            {.size = 3.2, .bold = true, .anchor = TextAnchor::middle, .colour = colour});
-}
-
-/// A dimension: extension lines, a line with ticks, the length beside it.
-void dimension(Page& page, const Vec2& a, const Vec2& b, const Vec2& away,
-               const std::string& length) {
-  const Ink thin{.stroke = kGrey, .width = 0.15};
-  const Vec2 from = a + away, to = b + away, tick = Vec2(1.0, -1.0);
-  page.lines({{a + 0.15 * away, from + 0.15 * away},
-              {b + 0.15 * away, to + 0.15 * away},
-              {from, to},
-              {from - tick, from + tick},
-              {to - tick, to + tick}},
-             thin);
-  const bool upright = std::abs(b.x() - a.x()) < std::abs(b.y() - a.y());
-  const Vec2 beside = upright ? Vec2(-1.0, 0.0) : Vec2(0.0, -1.0);
-  constexpr double kLong = 12.0;  // mm: room for the text between the ticks
-  if (upright && (to - from).norm() < kLong) {
-    page.text(0.5 * (from + to) + Vec2(1.8, 1.1), length, {.size = 3.2});
-    return;
-  }
-  page.text(0.5 * (from + to) + beside, length,
-            {.size = 3.2,
-             .anchor = TextAnchor::middle,
-             .turned = upright ? 0.5 * std::numbers::pi : 0.0});
 }
 
 /// As exactly as a gauge is set: to 0.1 mm, or a thousandth of another unit.

@@ -1,11 +1,10 @@
 #include "bend_reasons.hpp"
 
+#include "page_parts.hpp"
 #include "proposal_report.hpp"
 
 namespace planish::job {
 namespace {
-
-constexpr Colour kObstacle{0.80, 0.25, 0.05};
 
 /// In lines of about as many letters as a page is wide.
 std::vector<std::string> wrapped(const std::string& text) {
@@ -39,7 +38,7 @@ void write_reasons(Page& page, const Report& report, const Vec2& from, double bo
     }
   };
   for (const BlockedBend& blocked : obstacles_of(report))
-    tell(blocked_sentence(blocked, report), {.size = 3.4, .colour = kObstacle});
+    tell(blocked_sentence(blocked, report), {.size = 3.4, .colour = kPageAlert});
   if (report.plan->proposals.empty()) return;
   y += kGap;
   tell("It can be bent", {.size = 3.8, .bold = true});

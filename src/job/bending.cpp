@@ -110,6 +110,10 @@ Result<std::vector<BendId>> bends_named(const Report& report,
   return bends;
 }
 
+const BrakeTools& tools_of(const Bending& bending) {
+  return bending.tools ? *bending.tools : default_tools();
+}
+
 std::string cannot_sentence(const Report& report, const Plan& plan, const Bending& bending) {
   std::string text = "no order of strokes forms all bends with these tools";
   if (!bending.begin_with.empty())
@@ -137,7 +141,7 @@ std::optional<Error> plan_strokes(Report& report, const Bending& bending,
   auto begin = bends_named(report, bending.begin_with);
   if (!begin) return begin.error();
   options.begin_with = std::move(*begin);
-  const BrakeTools& tools = bending.tools ? *bending.tools : default_tools();
+  const BrakeTools& tools = tools_of(bending);
   auto plan = plan_bending(report.sheet, report.layout, tools, options, progress);
   if (plan && plan->status == PlanStatus::infeasible && bending.ask == Bending::Ask::plan) {
     progress.at("looking for what would help", 0.97);

@@ -13,6 +13,9 @@ namespace planish::job {
 /// cannot be met.
 std::optional<Error> plan_strokes(Report& report, const Bending& bending, const Progress& progress);
 
+/// The press brake and its tools: those given, or the common ones.
+const BrakeTools& tools_of(const Bending& bending);
+
 /// The bends of these ids. Errors: `bad_option` for one that the pattern does not have.
 Result<std::vector<BendId>> bends_named(const Report& report,
                                         const std::vector<std::string>& names);

@@ -13,8 +13,6 @@
 namespace planish::job {
 namespace {
 
-std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
-
 Json id_json(const std::optional<FlangeId>& flange) {
   return flange ? Json(flange_id(*flange)) : Json(nullptr);
 }
@@ -106,6 +104,8 @@ std::string strokes_text(const Plan& plan, const Report& report, const Units& un
 }
 
 }  // namespace
+
+std::string flange_id(FlangeId flange) { return fmt::format("F{}", index_of(flange) + 1); }
 
 std::string bend_id(const Report& report, BendId bend) {
   const auto found = std::ranges::find(report.flat.bends, bend, &FlatBend::bend);

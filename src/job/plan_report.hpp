@@ -10,6 +10,8 @@
 
 namespace planish::job {
 
+/// "F3"
+std::string flange_id(FlangeId flange);
 /// "B3", as the pattern of a report calls the bend.
 std::string bend_id(const Report& report, BendId bend);
 std::vector<std::string> bend_ids(const Report& report, const std::vector<BendId>& bends);

@@ -33,7 +33,7 @@ std::string_view kind_word(Kind kind) {
 }
 
 std::string flange_name(const Proposal& proposal) {
-  return proposal.flange ? fmt::format("F{}", index_of(*proposal.flange) + 1) : std::string();
+  return proposal.flange ? flange_id(*proposal.flange) : std::string();
 }
 
 std::string with_unit(double mm, const Units& units) {
@@ -46,7 +46,7 @@ std::string blocked_sentence(const BlockedBend& blocked, const Report& report) {
   const Units units(report.units);
   std::string text = bend_id(report, blocked.bend);
   if (!blocked.hits.empty()) {
-    text += blocked.with ? fmt::format(": F{} hits ", index_of(*blocked.with) + 1)
+    text += blocked.with ? fmt::format(": {} hits ", flange_id(*blocked.with))
                          : std::string(": the part hits ");
     text += fmt::format("{} by {} {}", blocked.hits, units.short_text(blocked.depth),
                         units.symbol());
