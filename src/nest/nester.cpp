@@ -180,8 +180,39 @@ Item wall(cInt left, cInt low, cInt right, cInt high) {
   return Item(Path{{left, low}, {left, high}, {right, high}, {right, low}, {left, low}});
 }
 
+/// Whether two items cover each other, by more than the seam that rounding leaves.
+bool overlap(const Item& a, const Item& b) {
+  constexpr double kSeam = 5.0;  // units, on half the outline
+  const auto one = a.boundingBox(), other = b.boundingBox();
+  const IntPoint low(std::max(one.minCorner().X, other.minCorner().X),
+                     std::max(one.minCorner().Y, other.minCorner().Y));
+  const IntPoint high(std::min(one.maxCorner().X, other.maxCorner().X),
+                      std::min(one.maxCorner().Y, other.maxCorner().Y));
+  if (low.X >= high.X || low.Y >= high.Y) return false;
+  ClipperLib::Clipper clipper;
+  clipper.AddPath(a.transformedShape().Contour, ClipperLib::ptSubject, true);
+  clipper.AddPath(b.transformedShape().Contour, ClipperLib::ptClip, true);
+  Paths common;
+  clipper.Execute(ClipperLib::ctIntersection, common, ClipperLib::pftNonZero,
+                  ClipperLib::pftNonZero);
+  double area = 0.0;
+  for (const Path& path : common)
+    area += std::abs(ClipperLib::Area(path));
+  return area > kSeam * static_cast<double>(high.X - low.X + high.Y - low.Y);
+}
+
+constexpr double kNoPlace = std::numeric_limits<double>::max();
+
+/// A place that an item must not take.
+struct Barred {
+  IntPoint shift;
+  double rotation = 0.0;
+};
+
 /// libnest2d's placer in a room with walls: they make the places along the edge of the sheet
-/// corners of no-fit polygons. What cannot have room any more is not tried.
+/// corners of no-fit polygons. What cannot have room any more is not tried. A place is looked at
+/// before it is taken: among the holes of united no-fit polygons Clipper, rarely, leaves a needle
+/// that is none.
 class WalledPlacer : public libnest2d::NfpPlacer {
   using Base = libnest2d::NfpPlacer;
 
@@ -193,6 +224,15 @@ class WalledPlacer : public libnest2d::NfpPlacer {
     const double length = static_cast<double>(bin.width() - 4 * kWall);
     const double width = static_cast<double>(bin.height() - 4 * kWall);
     free_ = length * width;
+  }
+
+  void configure(Config config) {
+    config.object_function = [barred = barred_, score = config.object_function](const Item& item) {
+      for (const Barred& place : *barred)
+        if (is_at(item, place)) return kNoPlace;
+      return score(item);
+    };
+    Base::configure(config);
   }
 
   template <class Remaining>
@@ -220,15 +260,42 @@ class WalledPlacer : public libnest2d::NfpPlacer {
     // A shape that found no place finds none later.
     if (item.area() > free_ || std::ranges::find(without_place_, outline) != without_place_.end())
       return false;
-    if (attempt()) {
-      free_ -= item.area();
-      return true;
+    constexpr int kAttempts = 20;
+    barred_->clear();
+    for (int i = 0; i < kAttempts && attempt(); ++i) {
+      if (!lies_on_another()) {
+        free_ -= item.area();
+        return true;
+      }
+      barred_->push_back({item.translation(), angle_of(item)});
+      unpackLast();
+      item.rotation(0.0);
     }
     without_place_.push_back(outline);
     return false;
   }
 
+  static double angle_of(const Item& item) {
+    const libnest2d::Radians rotation = item.rotation();
+    return rotation;
+  }
+
+  static bool is_at(const Item& item, const Barred& place) {
+    constexpr cInt kNear = 10;
+    const IntPoint at = item.translation();
+    return angle_of(item) == place.rotation && std::abs(at.X - place.shift.X) <= kNear &&
+           std::abs(at.Y - place.shift.Y) <= kNear;
+  }
+
+  bool lies_on_another() const {
+    const auto& items = getItems();
+    const Item& last = items.back();
+    return std::any_of(items.begin(), items.end() - 1,
+                       [&](const Item& other) { return overlap(last, other); });
+  }
+
   std::shared_ptr<std::vector<Item>> walls_;
+  std::shared_ptr<std::vector<Barred>> barred_ = std::make_shared<std::vector<Barred>>();
   std::vector<Path> without_place_;
   double free_ = 0.0;
 };
@@ -249,8 +316,7 @@ libnest2d::NfpPlacer::Config placing(const Room& room) {
   config.object_function = [room](const Item& item) {
     const auto box = item.boundingBox();
     const IntPoint low = box.minCorner(), high = box.maxCorner();
-    if (low.X < 0 || low.Y < 0 || high.X > room.length || high.Y > room.width)
-      return std::numeric_limits<double>::max();
+    if (low.X < 0 || low.Y < 0 || high.X > room.length || high.Y > room.width) return kNoPlace;
     const double wide = static_cast<double>(room.width);
     return static_cast<double>(high.X) + 0.1 * static_cast<double>(high.Y) / wide;
   };
