@@ -25,9 +25,15 @@ constexpr double kFolded = 1e-8;
 /// A share of the extent too small to see.
 constexpr double kDrawn = tolerance::kFileDigits;
 
+const Gauge* stocked(const Request& request, double thickness) {
+  return request.shop ? gauge_of(*request.shop, thickness) : nullptr;
+}
+
 FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
   FlattenOptions options;
   options.allowance = ConstantK{spec.k_factor, request.allowance ? "constant" : "transition file"};
+  if (!request.allowance && stocked(request, spec.thickness))
+    options.allowance = shop_k(*request.shop, spec.thickness);
   options.curve_tolerance = kOutline;
   options.merge_tolerance = kMerged;
   return options;
@@ -84,6 +90,8 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
       return Error{ErrorCode::bad_option,
                    "a transition has no inside radius, so its K is one number: `k`", "k"};
     spec.k_factor = constant->k;
+  } else if (const Gauge* gauge = stocked(request, spec.thickness)) {
+    spec.k_factor = gauge->k_factor;
   }
   progress.at("finding the surface", 0.0);
   const bool draft = request.effort == Effort::draft;
