@@ -66,15 +66,15 @@ Result<void> Journal::add(const std::string& name, const std::string& key,
   return {};
 }
 
-Result<std::vector<Journal::Row>> Journal::parts_of(const std::string& name) {
+Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
   const auto place = places_.find(name);
-  if (place == places_.end()) return std::vector<Row>{};
+  if (place == places_.end()) return std::vector<Part>{};
   std::string line(place->second.length, '\0');
   stream_.seekg(place->second.at);
   stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
   if (!stream_) return broken(ErrorCode::cannot_read, file_);
   const Json json = Json::parse(line);
-  std::vector<Row> rows;
+  std::vector<Part> rows;
   for (const Json& part : json["parts"])
     rows.push_back({part["folder"].get<std::string>(), part["report"].dump()});
   return rows;

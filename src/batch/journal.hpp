@@ -24,11 +24,11 @@ class Journal {
   Result<void> add(const std::string& name, const std::string& key,
                    const std::vector<PartDone>& parts);
 
-  struct Row {
+  struct Part {
     std::string folder, report;  ///< JSON on one line
   };
   /// The parts of an input that it has. Error: `cannot_read`.
-  Result<std::vector<Row>> parts_of(const std::string& name);
+  Result<std::vector<Part>> parts_of(const std::string& name);
 
  private:
   struct Place {
