@@ -101,10 +101,10 @@ class Running {
       std::error_code failed;
       fs::create_directories(folder, failed);
       if (failed)
-        return Error{ErrorCode::cannot_write,
-                     fmt::format("cannot make the folder {}: {}", folder.string(),
-                                 failed.message()),
-                     folder.string()};
+        return Error{
+            ErrorCode::cannot_write,
+            fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+            folder.string()};
       for (const PartFile& file : part.files)
         if (const auto written = write_file(folder / file.name, file.bytes); !written)
           return written.error();

@@ -65,8 +65,8 @@ class Collecting {
  private:
   std::optional<Error> add_list(const fs::path& list) {
     if (++depth_ > kDeepest)
-      return Error{ErrorCode::cannot_read,
-                   fmt::format("the list {} names itself", list.string()), list.string()};
+      return Error{ErrorCode::cannot_read, fmt::format("the list {} names itself", list.string()),
+                   list.string()};
     const auto text = job::read_text(list, "list");
     if (!text) return text.error();
     std::istringstream lines(*text);
@@ -85,11 +85,12 @@ class Collecting {
     const fs::path whole = fs::weakly_canonical(folder, failed);
     const auto [end, rest] = std::ranges::mismatch(whole, out_);
     if (end == whole.end())
-      return Error{ErrorCode::bad_option,
-                   fmt::format("the results would go into {}, which is in the input folder {}: name "
-                               "a folder outside with -o",
-                               out_.string(), folder.string()),
-                   "output"};
+      return Error{
+          ErrorCode::bad_option,
+          fmt::format("the results would go into {}, which is in the input folder {}: name "
+                      "a folder outside with -o",
+                      out_.string(), folder.string()),
+          "output"};
     auto entry = fs::recursive_directory_iterator(folder, failed);
     for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
       if (is_hidden(entry->path())) {
@@ -98,7 +99,8 @@ class Collecting {
       }
       std::error_code none;
       if (entry->is_regular_file(none) && is_input(entry->path()))
-        inputs_.push_back({entry->path(), entry->path().lexically_relative(folder).generic_string()});
+        inputs_.push_back(
+            {entry->path(), entry->path().lexically_relative(folder).generic_string()});
     }
     if (!failed) return std::nullopt;
     return Error{ErrorCode::cannot_read,

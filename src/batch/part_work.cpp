@@ -76,10 +76,10 @@ std::vector<PartDone> unfolded(const FileTask& task, const job::Maker& maker,
   std::vector<PartDone> parts;
   for (std::size_t i = 0; i < reports->size(); ++i) {
     begins(static_cast<int>(i));
-    const std::string folder =
-        reports->size() == 1
-            ? task.name
-            : fmt::format("{}/{}_{}", task.name, i + 1, job::safe_name((*reports)[i].body));
+    const std::string folder = reports->size() == 1
+                                   ? task.name
+                                   : fmt::format("{}/{}_{}", task.name, i + 1,
+                                                 job::safe_name((*reports)[i].body));
     const auto made = job::made_of((*reports)[i]);
     parts.push_back(finished(*made, maker, task, request, catalogue, folder));
   }
@@ -128,8 +128,11 @@ std::vector<PartDone> work_on(const FileTask& task, const job::Catalogue& catalo
 }
 
 job::Texts texts_of(const FileTask& task) {
-  Json json{{"file", task.file}, {"name", task.name}, {"options", task.options},
-            {"formats", task.formats}, {"given_up", Json::array()}};
+  Json json{{"file", task.file},
+            {"name", task.name},
+            {"options", task.options},
+            {"formats", task.formats},
+            {"given_up", Json::array()}};
   job::Texts texts{""};
   for (const auto& [body, error] : task.given_up) {
     const job::Texts words = job::texts_of(error);
@@ -147,7 +150,9 @@ std::optional<FileTask> task_in(const job::Texts& texts) {
   if (texts.size() < kOwn) return std::nullopt;
   const Json json = Json::parse(texts[0], nullptr, false);
   if (json.is_discarded()) return std::nullopt;
-  FileTask task{.file = texts[1], .name = texts[2], .options = json["options"],
+  FileTask task{.file = texts[1],
+                .name = texts[2],
+                .options = json["options"],
                 .formats = json["formats"].get<std::vector<std::string>>()};
   auto text = texts.begin() + kOwn;
   for (const Json& one : json["given_up"]) {

@@ -12,10 +12,10 @@ namespace planish::batch {
 
 /// What is asked of a worker: everything about one input file.
 struct FileTask {
-  std::string file, name;        ///< where it lies, and what it is called
-  std::string options;           ///< a JSON object; each maker takes those of them that it has
-  std::vector<std::string> formats;      ///< artifacts, where the maker writes them
-  std::map<int, Error> given_up = {};    ///< bodies that ended a worker before, from 0
+  std::string file, name;            ///< where it lies, and what it is called
+  std::string options;               ///< a JSON object; each maker takes those of them that it has
+  std::vector<std::string> formats;  ///< artifacts, where the maker writes them
+  std::map<int, Error> given_up = {};  ///< bodies that ended a worker before, from 0
 };
 
 struct PartFile {
@@ -24,8 +24,8 @@ struct PartFile {
 
 /// One part that was made or refused.
 struct PartDone {
-  std::string folder;           ///< below that of all parts; equal for the same input always
-  std::string report;           ///< JSON on one line, without a line end
+  std::string folder;  ///< below that of all parts; equal for the same input always
+  std::string report;  ///< JSON on one line, without a line end
   std::vector<PartFile> files;
 };
 

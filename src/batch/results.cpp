@@ -21,7 +21,9 @@ namespace fs = std::filesystem;
 class Growing {
  public:
   explicit Growing(fs::path target)
-      : target_(std::move(target)), draft_(target_.string() + ".part"), stream_(draft_, std::ios::binary) {}
+      : target_(std::move(target)),
+        draft_(target_.string() + ".part"),
+        stream_(draft_, std::ios::binary) {}
 
   void add(const std::string& text) { stream_ << text; }
 

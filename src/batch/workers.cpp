@@ -32,8 +32,8 @@ tl::expected<job::Texts, ChildEnd> Worker::ask(const FileTask& task, std::option
 Result<std::vector<PartDone>> Worker::work_on(FileTask task) {
   for (;;) {
     if (!child_ || !child_->is_alive()) {
-      auto child = job::ChildProcess::program(
-          {"batch-worker", std::to_string(limits_.memory)}, std::filesystem::current_path());
+      auto child = job::ChildProcess::program({"batch-worker", std::to_string(limits_.memory)},
+                                              std::filesystem::current_path());
       if (!child) return tl::unexpected(child.error());
       child_ = std::move(*child);
     }

@@ -20,7 +20,7 @@ struct BatchOptions {
   std::vector<std::string> formats = {"dxf"};  ///< artifacts, and "json": the report
   std::string options = "{}";                  ///< JSON object, as in requests
   int workers = 1;
-  job::Limits limits;                          ///< of each input
+  job::Limits limits;  ///< of each input
   Shard shard;
 };
 
