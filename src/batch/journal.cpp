@@ -12,11 +12,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Between the head of a line, {"name": ..., "key": ...}, and its parts.
+constexpr char kBehindHead = '\t';
+
 tl::unexpected<Error> broken(ErrorCode code, const std::filesystem::path& file) {
+  const bool reads = code == ErrorCode::cannot_read;
   return fail(code,
-              fmt::format("cannot {} {}: {}", code == ErrorCode::cannot_read ? "read" : "write",
-                          file.string(), std::strerror(errno)),
+              fmt::format("cannot {} {}: {}", reads ? "read" : "write", file.string(),
+                          std::strerror(errno)),
               file.string());
+}
+
+std::string json_text(const std::string& text) { return Json(text).dump(); }
+
+/// A report is JSON already: it is put in as it is. A shape has to come out again to the byte.
+std::string part_text(const PartDone& part) {
+  Json files = Json::array();
+  for (const PartFile& file : part.files)
+    files.push_back(file.name);
+  return fmt::format(R"({{"folder":{},"files":{},"report":{},"shapes":{}}})",
+                     json_text(part.folder), files.dump(), part.report, Json(part.shapes).dump());
 }
 
 }  // namespace
@@ -30,9 +45,9 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   if (!journal.stream_) return broken(ErrorCode::cannot_write, file);
   for (std::string line; std::getline(journal.stream_, line);) {
     if (journal.stream_.eof()) break;  // cut off
-    const Json json = Json::parse(line, nullptr, false);
-    if (json.is_object() && json.contains("name") && json.contains("key"))
-      journal.places_[json["name"].get<std::string>()] = {json["key"].get<std::string>(),
+    const Json head = Json::parse(line.substr(0, line.find(kBehindHead)), nullptr, false);
+    if (head.is_object() && head.contains("name") && head.contains("key"))
+      journal.places_[head["name"].get<std::string>()] = {head["key"].get<std::string>(),
                                                           journal.end_, line.size()};
     journal.end_ += static_cast<std::streamoff>(line.size()) + 1;
   }
@@ -43,41 +58,81 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   return journal;
 }
 
-bool Journal::has(const std::string& name, const std::string& key) const {
+std::string Journal::key_of(const std::string& name) const {
   const auto place = places_.find(name);
-  return place != places_.end() && place->second.key == key;
+  return place == places_.end() ? std::string() : place->second.key;
 }
 
-Result<void> Journal::add(const std::string& name, const std::string& key,
-                          const std::vector<PartDone>& parts) {
-  // Reports are JSON already: they are put in as they are.
-  std::string line = fmt::format("{{\"name\":{},\"key\":{},\"parts\":[", Json(name).dump(),
-                                 Json(key).dump());
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    line += fmt::format("{}{{\"folder\":{},\"report\":{}}}", i == 0 ? "" : ",",
-                        Json(parts[i].folder).dump(), parts[i].report);
-  line += "]}";
+std::vector<std::string> Journal::names() const {
+  std::vector<std::string> names;
+  names.reserve(places_.size());
+  for (const auto& [name, place] : places_)
+    names.push_back(name);
+  return names;
+}
+
+Result<void> Journal::append(const std::string& name, const std::string& key,
+                             std::string_view line) {
   stream_.seekp(end_);
   stream_ << line << '\n';
   stream_.flush();
-  if (!stream_) return broken(ErrorCode::cannot_write, file_);
+  if (!stream_) {
+    const auto error = broken(ErrorCode::cannot_write, file_);
+    stream_.clear();
+    return error;
+  }
   places_[name] = {key, end_, line.size()};
   end_ += static_cast<std::streamoff>(line.size()) + 1;
   return {};
 }
 
+Result<void> Journal::add(const std::string& name, const std::string& key,
+                          const std::vector<PartDone>& parts) {
+  std::string line = fmt::format(R"({{"name":{},"key":{}}}{}[)", json_text(name), json_text(key),
+                                 kBehindHead);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    line += (i == 0 ? "" : ",") + part_text(parts[i]);
+  return append(name, key, line + "]");
+}
+
+Result<void> Journal::add_from(Journal& other, const std::string& name) {
+  const Place& place = other.places_.at(name);
+  const auto line = other.line_at(place);
+  if (!line) return tl::unexpected(line.error());
+  return append(name, place.key, *line);
+}
+
+Result<std::string> Journal::line_at(const Place& place) {
+  std::string line(place.length, '\0');
+  stream_.seekg(place.at);
+  stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
+  if (stream_) return line;
+  const auto error = broken(ErrorCode::cannot_read, file_);
+  stream_.clear();
+  return error;
+}
+
 Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
   const auto place = places_.find(name);
   if (place == places_.end()) return std::vector<Part>{};
-  std::string line(place->second.length, '\0');
-  stream_.seekg(place->second.at);
-  stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
-  if (!stream_) return broken(ErrorCode::cannot_read, file_);
-  const Json json = Json::parse(line);
-  std::vector<Part> rows;
-  for (const Json& part : json["parts"])
-    rows.push_back({part["folder"].get<std::string>(), part["report"].dump()});
-  return rows;
+  const auto line = line_at(place->second);
+  if (!line) return tl::unexpected(line.error());
+  const Json json =
+      Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1), nullptr, false);
+  if (!json.is_array())
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} is damaged at {}: remove it, and run the batch again",
+                            file_.string(), name),
+                file_.string());
+  std::vector<Part> parts;
+  for (const Json& one : json) {
+    Part& part = parts.emplace_back();
+    part.folder = one.at("folder").get<std::string>();
+    part.files = one.at("files").get<std::vector<std::string>>();
+    part.report = one.at("report").dump();
+    part.shapes = one.at("shapes").get<std::vector<std::string>>();
+  }
+  return parts;
 }
 
 }  // namespace planish::batch

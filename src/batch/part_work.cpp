@@ -1,5 +1,6 @@
 #include "part_work.hpp"
 
+#include <planish/io/flat_json.hpp>
 #include <planish/job/outputs.hpp>
 #include <planish/job/run.hpp>
 #include <planish/job/unfold.hpp>
@@ -18,8 +19,9 @@ std::string on_one_line(const std::string& json) { return Json::parse(json).dump
 
 /// The options that a maker has.
 std::string taken_by(const job::Maker& maker, const std::string& options) {
+  const Json given = Json::parse(options);
   Json taken = Json::object();
-  for (const auto& [name, value] : Json::parse(options).items())
+  for (const auto& [name, value] : given.items())
     if (maker.takes(name)) taken[name] = value;
   return taken.dump();
 }
@@ -33,13 +35,9 @@ std::string sketch_of(const job::Made& made) {
 PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task,
                   const job::Request& request, const job::Catalogue& catalogue,
                   const std::string& folder) {
-  PartDone part{.folder = folder};
+  PartDone part{.folder = folder, .report = {}};
   job::Report& report = made.report();
   report.input = task.name;
-  const auto add = [&](std::string name, std::string bytes) {
-    report.files.push_back(folder + "/" + name);
-    part.files.push_back({std::move(name), std::move(bytes)});
-  };
   for (const std::string& format : task.formats) {
     const job::Artifact* artifact = catalogue.artifact(maker, format);
     if (!artifact || artifact->role == job::Role::report || report.refusal) continue;
@@ -53,12 +51,16 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
       break;
     }
     for (job::WrittenArtifact& file : *files)
-      add(std::move(file.name), std::move(file.bytes));
+      part.files.push_back({std::move(file.name), std::move(file.bytes)});
   }
   if (report.refusal) {
-    report.files.clear();
     part.files.clear();
+    part.refusal = code_name(report.refusal->code);
   } else {
+    for (const PartFile& file : part.files)
+      report.files.push_back(folder + "/" + file.name);
+    for (int piece = 0; piece < made.pieces(); ++piece)
+      part.shapes.push_back(flat_json(made.piece(piece).flat));
     part.files.push_back({kSketch, sketch_of(made)});
   }
   const std::string json = made.json();
@@ -67,24 +69,22 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
   return part;
 }
 
-std::vector<PartDone> unfolded(const FileTask& task, const job::Maker& maker,
-                               const job::Request& request, const job::Catalogue& catalogue,
-                               const job::Parent& parent) {
-  const auto begins = [&](int body) { parent.note({fmt::format("{}", body)}); };
-  auto reports = job::unfold_all(request, parent.progress, {task.given_up, begins});
-  if (!reports) return {failed_part(task, catalogue, reports.error())};
-  std::vector<PartDone> parts;
+/// The folder of one body's part.
+std::string folder_of(const FileTask& task, const job::UnfoldReport& report) {
+  if (report.bodies_in_file == 1) return task.name;
+  return fmt::format("{}/{}_{}", task.name, report.number, job::safe_name(report.body));
+}
+
+void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
+            const job::Catalogue& catalogue, const Listener& listener) {
+  auto reports = job::unfold_all(request, listener.progress, {task.given_up, listener.begins});
+  if (!reports) return listener.done(failed_part(task, catalogue, reports.error()));
   for (std::size_t i = 0; i < reports->size(); ++i) {
-    begins(static_cast<int>(i));
-    const std::string folder = reports->size() == 1
-                                   ? task.name
-                                   : fmt::format("{}/{}_{}", task.name, i + 1,
-                                                 job::safe_name((*reports)[i].body));
+    listener.begins(static_cast<int>(i));
+    const std::string folder = folder_of(task, (*reports)[i]);
     const auto made = job::made_of((*reports)[i]);
-    parts.push_back(finished(*made, maker, task, request, catalogue, folder));
+    listener.done(finished(*made, maker, task, request, catalogue, folder));
   }
-  parent.note({});
-  return parts;
 }
 
 }  // namespace
@@ -92,19 +92,22 @@ std::vector<PartDone> unfolded(const FileTask& task, const job::Maker& maker,
 PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error) {
   job::Request request;
   request.input = task.name;
-  const job::Maker& maker = catalogue.makers.front();
-  const auto made = maker.failed(request, error);
+  const job::Maker* maker = &catalogue.makers.front();
+  if (const auto input = job::read_input_file(task.file, "input file"))
+    if (const auto found = catalogue.maker_for(input->name, input->content)) maker = *found;
+  const auto made = maker->failed(request, error);
   made->report().input = task.name;
   const std::string json = made->json();
-  PartDone part{.folder = task.name, .report = on_one_line(json)};
+  PartDone part{.folder = task.name,
+                .report = on_one_line(json),
+                .refusal = std::string(code_name(error.code))};
   if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
   return part;
 }
 
-std::vector<PartDone> work_on(const FileTask& task, const job::Catalogue& catalogue,
-                              const job::Parent& parent) {
+void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listener& listener) {
   const auto failed = [&](const Error& error) {
-    return std::vector{failed_part(task, catalogue, error)};
+    listener.done(failed_part(task, catalogue, error));
   };
   auto input = job::read_input_file(task.file, "input file");
   if (!input) return failed(input.error());
@@ -117,78 +120,12 @@ std::vector<PartDone> work_on(const FileTask& task, const job::Catalogue& catalo
   request.input = task.file;
   if (const auto entered = options->enter(request); !entered) return failed(entered.error());
   if ((*maker)->takes("body") && request.body.empty())
-    return unfolded(task, **maker, request, catalogue, parent);
-  const auto work = (*maker)->open(*input, parent.progress);
+    return unfold(task, **maker, request, catalogue, listener);
+  const auto work = (*maker)->open(*input, listener.progress);
   if (!work) return failed(work.error());
-  const auto made = (*work)->make(request, parent.progress);
+  const auto made = (*work)->make(request, listener.progress);
   if (!made) return failed(made.error());
-  std::vector<PartDone> parts;
-  parts.push_back(finished(**made, **maker, task, request, catalogue, task.name));
-  return parts;
-}
-
-job::Texts texts_of(const FileTask& task) {
-  Json json{{"file", task.file},
-            {"name", task.name},
-            {"options", task.options},
-            {"formats", task.formats},
-            {"given_up", Json::array()}};
-  job::Texts texts{""};
-  for (const auto& [body, error] : task.given_up) {
-    const job::Texts words = job::texts_of(error);
-    json["given_up"].push_back({body, words.size()});
-    texts.insert(texts.end(), words.begin(), words.end());
-  }
-  // Names of files may be any bytes.
-  texts[0] = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  texts.insert(texts.begin() + 1, {task.file, task.name});
-  return texts;
-}
-
-std::optional<FileTask> task_in(const job::Texts& texts) {
-  constexpr std::size_t kOwn = 3;
-  if (texts.size() < kOwn) return std::nullopt;
-  const Json json = Json::parse(texts[0], nullptr, false);
-  if (json.is_discarded()) return std::nullopt;
-  FileTask task{.file = texts[1],
-                .name = texts[2],
-                .options = json["options"],
-                .formats = json["formats"].get<std::vector<std::string>>()};
-  auto text = texts.begin() + kOwn;
-  for (const Json& one : json["given_up"]) {
-    const auto count = one[1].get<std::ptrdiff_t>();
-    if (texts.end() - text < count) return std::nullopt;
-    auto error = job::error_in({text, text + count});
-    if (!error) return std::nullopt;
-    task.given_up.emplace(one[0].get<int>(), std::move(*error));
-    text += count;
-  }
-  return task;
-}
-
-job::Texts texts_of(const std::vector<PartDone>& parts) {
-  job::Texts texts{"parts"};
-  for (const PartDone& part : parts) {
-    texts.insert(texts.end(), {part.folder, part.report, std::to_string(part.files.size())});
-    for (const PartFile& file : part.files)
-      texts.insert(texts.end(), {file.name, file.bytes});
-  }
-  return texts;
-}
-
-std::optional<std::vector<PartDone>> parts_in(const job::Texts& texts) {
-  if (texts.empty() || texts[0] != "parts") return std::nullopt;
-  std::vector<PartDone> parts;
-  for (std::size_t at = 1; at < texts.size();) {
-    if (texts.size() - at < 3) return std::nullopt;
-    PartDone& part = parts.emplace_back(PartDone{texts[at], texts[at + 1], {}});
-    const auto files = static_cast<std::size_t>(std::strtoull(texts[at + 2].c_str(), nullptr, 10));
-    at += 3;
-    if (files > (texts.size() - at) / 2) return std::nullopt;
-    for (std::size_t f = 0; f < files; ++f, at += 2)
-      part.files.push_back({texts[at], texts[at + 1]});
-  }
-  return parts;
+  listener.done(finished(**made, **maker, task, request, catalogue, task.name));
 }
 
 }  // namespace planish::batch

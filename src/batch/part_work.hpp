@@ -5,6 +5,7 @@
 #include <planish/job/child_process.hpp>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,22 +25,24 @@ struct PartFile {
 
 /// One part that was made or refused.
 struct PartDone {
-  std::string folder;  ///< below that of all parts; equal for the same input always
-  std::string report;  ///< JSON on one line, without a line end
-  std::vector<PartFile> files;
+  std::string folder;        ///< below that of all parts; equal for the same input always
+  std::string report;        ///< JSON on one line, without a line end
+  std::string refusal = {};  ///< the code of the reason; empty: it was made
+  std::vector<std::string> shapes = {};  ///< the pattern of each piece, as `flat_json`
+  std::vector<PartFile> files = {};
 };
 
-/// Does the task; `parent` hears the number of each body before it is worked on.
-std::vector<PartDone> work_on(const FileTask& task, const job::Catalogue& catalogue,
-                              const job::Parent& parent);
+/// Hears of each body, from 0, before it is worked on, and of each part that is done.
+struct Listener {
+  std::function<void(int body)> begins;
+  std::function<void(PartDone part)> done;
+  Progress progress;
+};
+
+/// Does the task.
+void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listener& listener);
 
 /// The one part of a file that gave nothing else.
 PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error);
-
-// As they are sent between processes; empty for texts that are none.
-job::Texts texts_of(const FileTask& task);
-std::optional<FileTask> task_in(const job::Texts& texts);
-job::Texts texts_of(const std::vector<PartDone>& parts);
-std::optional<std::vector<PartDone>> parts_in(const job::Texts& texts);
 
 }  // namespace planish::batch

@@ -20,7 +20,15 @@ class Worker {
   Result<std::vector<PartDone>> work_on(FileTask task);
 
  private:
-  tl::expected<job::Texts, job::ChildEnd> ask(const FileTask& task, std::optional<int>& body);
+  /// What came of a task before its end.
+  struct Heard {
+    std::optional<int> body;  ///< begun last
+    std::vector<PartDone> parts;
+  };
+  Result<void> begin();
+  /// How it ended if it did not end well. Each body, and the reading of the file, has the time that
+  /// the limits allow.
+  std::optional<job::ChildEnd> ask(const FileTask& task, Heard& heard);
 
   job::Limits limits_;
   const job::Catalogue& catalogue_;
