@@ -21,6 +21,7 @@ constexpr auto kBatchExamples = R"(Examples:
   planish batch @parts.txt -o flat/ --format dxf,svg    the files that a list names
   planish batch archive/ -o flat/ --jobs 8 --time-limit 30
   planish batch archive/ -o flat/ --shard 3/64          one of 64 machines
+  planish batch --merge flat/ -o flat/                  one result of those of all 64
 
 A second run does only what is missing. Exit status:
   0 done, also where parts are refused    2 wrong usage
@@ -126,19 +127,69 @@ class Telling {
   double told_ = 0.0;
 };
 
-std::string summary_text(const batch::BatchResult& result, const std::string& out) {
-  std::string text = fmt::format("{} parts of {} inputs: {} ok, {} with warnings, {} refused",
+std::string summary_text(const batch::BatchResult& result) {
+  std::string text = fmt::format("{} parts of {} inputs: {} ok, {} with warnings, {} refused\n",
                                  result.parts, result.inputs, result.ok, result.warnings,
                                  result.refused);
-  if (result.resumed > 0) text += fmt::format("; {} inputs were done before", result.resumed);
-  return text + fmt::format("\nwrote {}\n", (std::filesystem::path(out) / "index.html").string());
+  const std::size_t made = result.ok + result.warnings;
+  if (result.distinct < made)
+    text += fmt::format("{} distinct parts: the others are identical to one of them\n",
+                        result.distinct);
+  if (result.resumed > 0) text += fmt::format("{} inputs were done before\n", result.resumed);
+  if (result.left > 0)
+    text += fmt::format(
+        "{} inputs of earlier runs are not among these; their files are still there\n",
+        result.left);
+  return text + fmt::format("wrote {}\n", (result.out / "index.html").string());
+}
+
+/// What is asked for, or the reason why it cannot be.
+Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
+                                       const BatchArguments& arguments) {
+  batch::BatchOptions options;
+  options.formats = formats_of(arguments.formats);
+  options.options = job::options_json(arguments.options);
+  options.limits = arguments.limits;
+  options.workers = arguments.workers > 0
+                        ? arguments.workers
+                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (const auto error = unknown_format(options.formats, catalogue)) return tl::unexpected(*error);
+  if (!arguments.shard.empty()) {
+    const auto shard = shard_in(arguments.shard);
+    if (!shard)
+      return fail(ErrorCode::bad_option, "--shard must be like 3/64: which one, of how many",
+                  "shard");
+    options.shard = *shard;
+  }
+  job::Request tried;
+  if (const auto entered = arguments.options.enter(tried); !entered)
+    return tl::unexpected(entered.error());
+  return options;
+}
+
+Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
+                                     const BatchArguments& arguments) {
+  Telling telling(arguments);
+  const auto tell = [&](const batch::BatchProgress& at) { telling(at); };
+  if (arguments.merge) {
+    const std::vector<std::filesystem::path> folders(arguments.inputs.begin(),
+                                                     arguments.inputs.end());
+    return batch::merge_batches(folders, arguments.output, tell, interrupted);
+  }
+  const auto options = options_of(catalogue, arguments);
+  if (!options) return tl::unexpected(options.error());
+  const auto inputs = batch::inputs_of(arguments.inputs, arguments.output, catalogue);
+  if (!inputs) return tl::unexpected(inputs.error());
+  return batch::run_batch(*inputs, arguments.output, *options, catalogue, tell, interrupted);
 }
 
 }  // namespace
 
 CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments) {
   CLI::App* command = app.add_subcommand("batch", "unfold or make thousands of parts");
-  command->add_option("input", arguments.inputs, "files, folders, @lists")
+  command
+      ->add_option("input", arguments.inputs,
+                   "files, folders, @lists; with --merge folders of shards")
       ->required()
       ->check(not_empty)
       ->type_name("INPUT");
@@ -153,6 +204,9 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
       ->type_name("N")
       ->group("Running");
   add_text(*command, "--shard", arguments.shard, "I/N", "only the I-th of N shares of the inputs")
+      ->group("Running");
+  command
+      ->add_flag("--merge", arguments.merge, "make one result of those of all shards, without work")
       ->group("Running");
   add_limits(*command, arguments.limits);
   command
@@ -173,33 +227,9 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
 }
 
 int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments) {
-  batch::BatchOptions options;
-  options.formats = formats_of(arguments.formats);
-  options.options = job::options_json(arguments.options);
-  options.limits = arguments.limits;
-  options.workers = arguments.workers > 0
-                        ? arguments.workers
-                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  if (const auto error = unknown_format(options.formats, catalogue)) return complain(*error);
-  if (!arguments.shard.empty()) {
-    const auto shard = shard_in(arguments.shard);
-    if (!shard)
-      return complain(
-          {ErrorCode::bad_option, "--shard must be like 3/64: which one, of how many", "shard"});
-    options.shard = *shard;
-  }
-  job::Request tried;
-  if (const auto entered = arguments.options.enter(tried); !entered)
-    return complain(entered.error());
-  const auto inputs = batch::inputs_of(arguments.inputs, arguments.output, catalogue);
-  if (!inputs) return complain(inputs.error());
-  std::optional<Telling> telling(std::in_place, arguments);
-  const auto result = batch::run_batch(
-      *inputs, arguments.output, options, catalogue,
-      [&](const batch::BatchProgress& at) { (*telling)(at); }, interrupted);
-  telling.reset();
+  const auto result = result_of(catalogue, arguments);
   if (!result) return complain(result.error());
-  if (!arguments.quiet) fmt::print("{}", summary_text(*result, arguments.output));
+  if (!arguments.quiet) fmt::print("{}", summary_text(*result));
   return 0;
 }
 

@@ -57,7 +57,7 @@ struct BatchArguments {
   std::vector<std::string> formats;
   int workers = 0;  ///< 0: one a core
   std::string shard;
-  bool quiet = false, progress_json = false;
+  bool quiet = false, progress_json = false, merge = false;
   job::OptionValues options;
   job::Limits limits;
 };

@@ -36,6 +36,27 @@ std::string part_text(const PartDone& part) {
 
 }  // namespace
 
+void Journal::look_through() {
+  for (std::string line; std::getline(stream_, line);) {
+    if (stream_.eof()) break;  // cut off
+    const Json head = Json::parse(line.substr(0, line.find(kBehindHead)), nullptr, false);
+    if (head.is_object() && head.contains("name") && head.contains("key"))
+      places_[head["name"].get<std::string>()] = {head["key"].get<std::string>(), end_,
+                                                  line.size()};
+    end_ += static_cast<std::streamoff>(line.size()) + 1;
+  }
+  stream_.clear();
+}
+
+Result<Journal> Journal::read(const std::filesystem::path& file) {
+  Journal journal;
+  journal.file_ = file;
+  journal.stream_.open(file, std::ios::in | std::ios::binary);
+  if (!journal.stream_) return broken(ErrorCode::cannot_read, file);
+  journal.look_through();
+  return journal;
+}
+
 Result<Journal> Journal::open(const std::filesystem::path& file) {
   Journal journal;
   journal.file_ = file;
@@ -43,15 +64,7 @@ Result<Journal> Journal::open(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
   journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
   if (!journal.stream_) return broken(ErrorCode::cannot_write, file);
-  for (std::string line; std::getline(journal.stream_, line);) {
-    if (journal.stream_.eof()) break;  // cut off
-    const Json head = Json::parse(line.substr(0, line.find(kBehindHead)), nullptr, false);
-    if (head.is_object() && head.contains("name") && head.contains("key"))
-      journal.places_[head["name"].get<std::string>()] = {head["key"].get<std::string>(),
-                                                          journal.end_, line.size()};
-    journal.end_ += static_cast<std::streamoff>(line.size()) + 1;
-  }
-  journal.stream_.clear();
+  journal.look_through();
   if (const auto size = std::filesystem::file_size(file, none);
       !none && size > static_cast<std::uintmax_t>(journal.end_))
     std::filesystem::resize_file(file, static_cast<std::uintmax_t>(journal.end_), none);
@@ -117,8 +130,8 @@ Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
   if (place == places_.end()) return std::vector<Part>{};
   const auto line = line_at(place->second);
   if (!line) return tl::unexpected(line.error());
-  const Json json =
-      Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1), nullptr, false);
+  const Json json = Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1),
+                                nullptr, false);
   if (!json.is_array())
     return fail(ErrorCode::cannot_read,
                 fmt::format("{} is damaged at {}: remove it, and run the batch again",

@@ -16,7 +16,9 @@ namespace planish::batch {
 /// line unfinished, which is then dropped. Only where each line is stays in memory.
 class Journal {
  public:
-  /// Opens or begins it. Errors: `cannot_read`, `cannot_write`.
+  /// Opens it to read it alone. Error: `cannot_read`.
+  static Result<Journal> read(const std::filesystem::path& file);
+  /// Opens or begins it. Error: `cannot_write`.
   static Result<Journal> open(const std::filesystem::path& file);
 
   /// The key of an input: what it was made from and with; empty if it has none.
@@ -25,9 +27,9 @@ class Journal {
   std::vector<std::string> names() const;
 
   struct Part {
-    std::string folder, report;         ///< JSON on one line
-    std::vector<std::string> shapes;    ///< `flat_json`, one a piece
-    std::vector<std::string> files;     ///< names in the folder
+    std::string folder, report;       ///< JSON on one line
+    std::vector<std::string> shapes;  ///< `flat_json`, one a piece
+    std::vector<std::string> files;   ///< names in the folder
   };
   /// The parts of an input that it has, in the order of the file. Error: `cannot_read`.
   Result<std::vector<Part>> parts_of(const std::string& name);
@@ -45,6 +47,8 @@ class Journal {
     std::size_t length = 0;
   };
 
+  /// Finds the places in the stream.
+  void look_through();
   Result<std::string> line_at(const Place& place);
   Result<void> append(const std::string& name, const std::string& key, std::string_view line);
 

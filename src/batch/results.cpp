@@ -1,5 +1,7 @@
 #include "results.hpp"
 
+#include "identical.hpp"
+#include "page.hpp"
 #include "rows.hpp"
 
 #include <planish/io/flat_writers.hpp>
@@ -24,18 +26,29 @@ class Growing {
       : target_(std::move(target)),
         draft_(target_.string() + ".part"),
         stream_(draft_, std::ios::binary) {}
+  Growing(const Growing&) = delete;
+  Growing& operator=(const Growing&) = delete;
+  ~Growing() {
+    std::error_code none;
+    if (stream_.is_open()) fs::remove(draft_, none);
+  }
 
   void add(const std::string& text) { stream_ << text; }
 
   Result<void> finish() {
+    stream_.flush();
+    const bool whole = stream_.good();
+    const std::string why = std::strerror(errno);
     stream_.close();
     std::error_code failed;
-    if (stream_) fs::rename(draft_, target_, failed);
-    if (stream_ && !failed) return {};
-    const std::string why = failed ? failed.message() : std::strerror(errno);
-    fs::remove(draft_, failed);
-    return fail(ErrorCode::cannot_write, fmt::format("cannot write {}: {}", target_.string(), why),
-                target_.string());
+    if (whole) fs::rename(draft_, target_, failed);
+    if (whole && !failed) return {};
+    std::error_code none;
+    fs::remove(draft_, none);
+    return fail(
+        ErrorCode::cannot_write,
+        fmt::format("cannot write {}: {}", target_.string(), failed ? failed.message() : why),
+        target_.string());
   }
 
  private:
@@ -43,51 +56,89 @@ class Growing {
   std::ofstream stream_;
 };
 
-void count(BatchResult& result, const Row& row) {
-  ++result.parts;
-  if (row.status == "ok") ++result.ok;
-  if (row.status == "warning") ++result.warnings;
-  if (row.status == "refused") ++result.refused;
-}
+/// The results while they are written, part by part.
+class Writing {
+ public:
+  explicit Writing(State& state)
+      : state_(state),
+        identical_(state.journal()),
+        lines_(state.out() / "parts.jsonl"),
+        table_(state.out() / "summary.csv") {
+    result_.out = state.out();
+    table_.add(csv_titles());
+  }
 
-std::string summary_json(const BatchResult& result, const std::map<std::string, int>& reasons) {
-  Json json{{"format", "planish/batch"}, {"version", 1},
-            {"inputs", result.inputs},   {"parts", result.parts},
-            {"ok", result.ok},           {"warnings", result.warnings},
-            {"refused", result.refused}, {"reasons", Json::object()}};
-  for (const auto& [reason, number] : reasons)
-    json["reasons"][reason] = number;
-  return json.dump(2) + "\n";
-}
+  Result<void> add(const std::string& name) {
+    const auto parts = state_.journal().parts_of(name);
+    if (!parts) return tl::unexpected(parts.error());
+    ++result_.inputs;
+    for (std::size_t i = 0; i < parts->size(); ++i)
+      if (auto added = add(name, i, (*parts)[i]); !added) return added;
+    return {};
+  }
+
+  Result<BatchResult> finish() {
+    result_.distinct = identical_.count();
+    for (Growing* file : {&lines_, &table_})
+      if (auto done = file->finish(); !done) return tl::unexpected(done.error());
+    if (auto done = write_file(state_.out() / "summary.json", summary()); !done)
+      return tl::unexpected(done.error());
+    if (auto done = write_file(state_.out() / "index.html", page_.text()); !done)
+      return tl::unexpected(done.error());
+    return result_;
+  }
+
+ private:
+  Result<void> add(const std::string& name, std::size_t at, const Journal::Part& part) {
+    const auto distinct = identical_.number_of(name, at, part.shapes);
+    if (!distinct) return tl::unexpected(distinct.error());
+    lines_.add(part.report + "\n");
+    Row row = row_of(part.folder, part.report);
+    if (*distinct && **distinct == firsts_.size())
+      firsts_.push_back(part.folder);
+    else if (*distinct)
+      row.same_as = firsts_[**distinct];
+    table_.add(csv_of(row));
+    page_.add(row, *distinct);
+    count(row);
+    return {};
+  }
+
+  void count(const Row& row) {
+    ++result_.parts;
+    if (row.status == "ok") ++result_.ok;
+    if (row.status == "warning") ++result_.warnings;
+    if (row.status == "refused") ++result_.refused;
+    if (!row.reason.empty()) ++reasons_[row.reason];
+  }
+
+  std::string summary() const {
+    Json json{{"format", "planish/batch"},  {"version", 1},
+              {"inputs", result_.inputs},   {"parts", result_.parts},
+              {"ok", result_.ok},           {"warnings", result_.warnings},
+              {"refused", result_.refused}, {"distinct", result_.distinct},
+              {"reasons", Json::object()}};
+    for (const auto& [reason, number] : reasons_)
+      json["reasons"][reason] = number;
+    return json.dump(2) + "\n";
+  }
+
+  State& state_;
+  IdenticalParts identical_;
+  Growing lines_, table_;
+  Page page_;
+  std::vector<std::string> firsts_;  ///< folders of the first of identical parts
+  std::map<std::string, int> reasons_;
+  BatchResult result_;
+};
 
 }  // namespace
 
-Result<BatchResult> write_results(const std::vector<Input>& inputs, const fs::path& out,
-                                  Journal& journal) {
-  BatchResult result{.inputs = inputs.size()};
-  Growing lines(out / "parts.jsonl"), table(out / "summary.csv");
-  table.add(csv_titles());
-  std::vector<Row> rows;
-  std::map<std::string, int> reasons;
-  for (const Input& input : inputs) {
-    auto parts = journal.parts_of(input.name);
-    if (!parts) return tl::unexpected(parts.error());
-    for (const Journal::Part& part : *parts) {
-      lines.add(part.report + "\n");
-      Row row = row_of(part.folder, part.report);
-      table.add(csv_of(row));
-      count(result, row);
-      if (!row.reason.empty()) ++reasons[row.reason];
-      rows.push_back(std::move(row));
-    }
-  }
-  for (Growing* file : {&lines, &table})
-    if (auto done = file->finish(); !done) return tl::unexpected(done.error());
-  if (auto done = write_file(out / "summary.json", summary_json(result, reasons)); !done)
-    return tl::unexpected(done.error());
-  if (auto done = write_file(out / "index.html", page_of(rows)); !done)
-    return tl::unexpected(done.error());
-  return result;
+Result<BatchResult> write_results(const std::vector<std::string>& names, State& state) {
+  Writing writing(state);
+  for (const std::string& name : names)
+    if (auto added = writing.add(name); !added) return tl::unexpected(added.error());
+  return writing.finish();
 }
 
 }  // namespace planish::batch

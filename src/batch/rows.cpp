@@ -32,7 +32,8 @@ constexpr std::array kColumns{Column{"input", &Row::input},
                               Column{"mass", &Row::mass},
                               Column{"volume_ratio", &Row::volume_ratio},
                               Column{"warnings", &Row::warnings},
-                              Column{"files", &Row::files}};
+                              Column{"files", &Row::files},
+                              Column{"same_as", &Row::same_as}};
 
 /// The value at a JSON pointer as text; empty for null and where there is none.
 std::string text_at(const Json& json, const char* pointer) {
@@ -75,7 +76,9 @@ Row row_of(const std::string& folder, const std::string& report) {
           .openings = text_at(json, "/flat/openings"),
           .bends = text_at(json, "/sheet/bends"),
           .mass = text_at(json, "/sheet/mass"),
-          .volume_ratio = text_at(json, "/verification/volume_ratio")};
+          .volume_ratio = text_at(json, "/verification/volume_ratio"),
+          .warnings = {},
+          .files = {}};
   int warnings = 0;
   if (json.contains("checks") && json["checks"].is_array())
     for (const Json& finding : json["checks"])

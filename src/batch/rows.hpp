@@ -11,6 +11,7 @@ struct Row {
   std::string input, body, folder, quantity, status, reason, message, units;
   std::string thickness, length, width, area, outer_cutting, inner_cutting, openings, bends, mass;
   std::string volume_ratio, warnings, files;
+  std::string same_as = {};  ///< the folder of the first identical part; empty for the first
 };
 
 /// From a report on one line.
@@ -19,8 +20,5 @@ Row row_of(const std::string& folder, const std::string& report);
 /// The table as CSV (RFC 4180), titles first; `csv_titles` names the columns.
 std::string csv_titles();
 std::string csv_of(const Row& row);
-
-/// A page that shows the rows with their sketches, without a server; what was refused first.
-std::string page_of(const std::vector<Row>& rows);
 
 }  // namespace planish::batch

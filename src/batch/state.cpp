@@ -68,17 +68,18 @@ Result<void> State::record(const RunRecord& record) const {
   const Json json{{"shard", {record.shard.number, record.shard.of}},
                   {"inputs", record.inputs},
                   {"work", record.work},
-                  {"finished", record.finished}};
-  return write_file(out_ / kState / kRecord, json.dump() + "\n");
+                  {"finished", record.finished},
+                  {"names", record.names}};
+  return write_file(out_ / kState / kRecord,
+                    json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-fs::path State::folder_of(const std::string& part) const { return out_ / kParts / part; }
+fs::path State::folder_of(const std::string& part) const { return part_folder(out_, part); }
 
-Result<void> State::store(const std::string& name, const std::vector<PartDone>& parts) {
-  const auto before = journal_->parts_of(name);
-  if (!before) return tl::unexpected(before.error());
+Result<void> State::store(const std::vector<PartDone>& parts,
+                          const std::vector<Journal::Part>& before) const {
   std::error_code none;
-  for (const Journal::Part& part : *before)
+  for (const Journal::Part& part : before)
     for (const std::string& file : part.files)
       fs::remove(folder_of(part.folder) / file, none);
   for (const PartDone& part : parts) {
@@ -89,11 +90,13 @@ Result<void> State::store(const std::string& name, const std::vector<PartDone>& 
         return written;
   }
   // What is left empty of before.
-  for (const Journal::Part& part : *before)
+  for (const Journal::Part& part : before)
     for (fs::path folder = part.folder; !folder.empty(); folder = folder.parent_path())
       if (!fs::remove(folder_of(folder.string()), none)) break;
   return {};
 }
+
+fs::path part_folder(const fs::path& out, const std::string& part) { return out / kParts / part; }
 
 bool is_batch(const fs::path& out) {
   std::error_code none;
@@ -109,14 +112,19 @@ Result<RunRecord> read_record(const fs::path& out) {
     return RunRecord{{json.at("shard").at(0), json.at("shard").at(1)},
                      json.at("inputs"),
                      json.at("work"),
-                     json.at("finished")};
+                     json.at("finished"),
+                     json.at("names")};
   } catch (const Json::exception&) {
     return fail(ErrorCode::cannot_read,
                 fmt::format("{} is damaged: run that batch again", file.string()), file.string());
   }
 }
 
-Result<Journal> read_journal(const fs::path& out) { return Journal::open(out / kState / kJournal); }
+Result<Journal> read_journal(const fs::path& out) { return Journal::read(out / kState / kJournal); }
+
+Error interruption() {
+  return {ErrorCode::cancelled, "interrupted: run the same command again to go on", {}};
+}
 
 std::string hash_of(const std::string& text) {
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
