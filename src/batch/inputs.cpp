@@ -64,19 +64,29 @@ class Collecting {
 
  private:
   std::optional<Error> add_list(const fs::path& list) {
-    if (++depth_ > kDeepest)
+    std::error_code none;
+    const fs::path whole = fs::weakly_canonical(list, none);
+    if (std::ranges::find(lists_, whole) != lists_.end())
       return Error{ErrorCode::cannot_read, fmt::format("the list {} names itself", list.string()),
                    list.string()};
     const auto text = job::read_text(list, "list");
     if (!text) return text.error();
+    lists_.push_back(whole);
     std::istringstream lines(*text);
+    int number = 0;
     for (std::string line; std::getline(lines, line);) {
       while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
         line.pop_back();
+      ++number;
       if (line.empty() || line.starts_with('#')) continue;
-      if (auto error = add(line, list.parent_path())) return error;
+      const auto error = add(line, list.parent_path());
+      if (error && line.starts_with('@')) return error;
+      if (error)
+        return Error{error->code,
+                     fmt::format("{}, line {}: {}", list.string(), number, error->message),
+                     error->where};
     }
-    --depth_;
+    lists_.pop_back();
     return std::nullopt;
   }
 
@@ -116,11 +126,10 @@ class Collecting {
     return input && catalogue_.maker_for(input->name, input->content);
   }
 
-  static constexpr int kDeepest = 20;  // lists within lists
   fs::path out_;
   const job::Catalogue& catalogue_;
   std::vector<Input> inputs_;
-  int depth_ = 0;
+  std::vector<fs::path> lists_;  ///< being read, each named by the one before
 };
 
 }  // namespace
