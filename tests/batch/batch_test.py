@@ -117,7 +117,12 @@ class Results(BatchTest):
         self.write("in/readme.txt", "text")
         self.write("list.txt", "# parts\nin\n\nd.step\nin/b.Step\n")
         self.batch("@list.txt", "-o", "out")
-        self.assertEqual([one["input"] for one in self.reports()], ["b.Step", "d.step", "deep/a.STP"])
+        self.assertEqual([one["input"] for one in self.reports()],
+                         ["b.Step", "d.step", "deep/a.STP"])
+        self.write("in/list.txt", "../d.step\nb.Step\ndeep/a.STP\n")
+        self.batch("@in/list.txt", "-o", "other")
+        self.assertEqual([one["input"] for one in self.reports("other")],
+                         ["b.Step", "d.step", "deep/a.STP"])
 
     def test_bodies_of_an_assembly_have_folders_of_their_own(self):
         file = step_files.StepFile()
