@@ -1,12 +1,12 @@
 #include "bend_pages.hpp"
 
 #include "bend_reasons.hpp"
-#include "page_parts.hpp"
 #include "report_text.hpp"
 #include "units.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/geometry/curve.hpp>
+#include <planish/job/page_parts.hpp>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,8 @@
 #include "bend_reasons.hpp"
 
-#include "page_parts.hpp"
 #include "proposal_report.hpp"
+
+#include <planish/job/page_parts.hpp>
 
 namespace planish::job {
 namespace {

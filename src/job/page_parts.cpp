@@ -1,4 +1,4 @@
-#include "page_parts.hpp"
+#include <planish/job/page_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
