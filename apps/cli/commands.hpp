@@ -51,6 +51,22 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments);
 /// status.
 int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments);
 
+struct BatchArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::vector<std::string> formats;
+  int workers = 0;  ///< 0: one a core
+  std::string shard;
+  bool quiet = false, progress_json = false, merge = false;
+  job::OptionValues options;
+  job::Limits limits;
+};
+
+/// Defines the subcommand `batch`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments);
+/// `planish batch`; returns the exit status.
+int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments);
+
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);
 /// `planish schema`; returns the exit status.

@@ -36,6 +36,9 @@ enum class ErrorCode {
   empty_scan,       ///< a scan without points
   scan_too_large,   ///< a scan of more points than are searched
   bad_tools,        ///< tools of a press brake that cannot be as they are given
+  no_input,         ///< a batch without anything to work on
+  worker_died,      ///< the process that worked on a part of a batch ended, and why
+  time_limit,       ///< a part of a batch took longer than it may
   no_solid,         ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
   too_far_away,     ///< coordinates beyond what can be computed with
