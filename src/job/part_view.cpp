@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace planish::job {
 namespace {
@@ -151,18 +153,40 @@ void add_skin(Model& model, const Facets& facets, const std::vector<Eigen::Isome
     model.edges.push_back({in_space(edge.facet, edge.line.a), in_space(edge.facet, edge.line.b)});
 }
 
+/// Where the outline turns: at corners, not where a line runs on into an arc.
+class Corners {
+ public:
+  explicit Corners(const Facets& facets) {
+    for (const FacetEdge& edge : facets.edges)
+      arriving_[key_of(edge.line.b)] = (edge.line.b - edge.line.a).normalized();
+  }
+
+  bool turns_at_start_of(const Segment& line) const {
+    constexpr double kSmooth = 0.97;  // cosine: chords of an arc turn by up to 13° or so
+    const auto found = arriving_.find(key_of(line.a));
+    return found == arriving_.end() || found->second.dot((line.b - line.a).normalized()) < kSmooth;
+  }
+
+ private:
+  static std::pair<long long, long long> key_of(const Vec2& p) {
+    constexpr double kTenthsOfMicrometres = 1e4;
+    return {std::llround(p.x() * kTenthsOfMicrometres), std::llround(p.y() * kTenthsOfMicrometres)};
+  }
+  std::map<std::pair<long long, long long>, Vec2> arriving_;
+};
+
 /// The walls between the skins at what is cut, and their corners.
 void add_walls(Model& model, const Facets& facets, const std::vector<Eigen::Isometry3d>& motions,
                double thickness) {
-  for (std::size_t e = 0; e < facets.edges.size(); ++e) {
-    const FacetEdge& edge = facets.edges[e];
+  const Corners corners(facets);
+  for (const FacetEdge& edge : facets.edges) {
     if (facets.borders[static_cast<std::size_t>(edge.border)].feature) continue;
     const auto& motion = motions[static_cast<std::size_t>(edge.facet)];
     const Vec3 up = thickness * motion.linear().col(2);
     const Vec3 a = motion * Vec3(edge.line.a.x(), edge.line.a.y(), -0.5 * thickness);
     const Vec3 b = motion * Vec3(edge.line.b.x(), edge.line.b.y(), -0.5 * thickness);
     model.patches.push_back({a, b - a, up, {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}}});
-    if (e == 0 || facets.edges[e - 1].border != edge.border) model.edges.push_back({a, a + up});
+    if (corners.turns_at_start_of(edge.line)) model.edges.push_back({a, a + up});
   }
 }
 

@@ -1,3 +1,4 @@
+#include "drawings.hpp"
 #include "folder.hpp"
 #include "part_list.hpp"
 #include "parts_csv.hpp"
@@ -49,6 +50,13 @@ Result<DxfOptions> dxf_options(const PackOptions& options, const job::Catalogue&
   return request.dxf;
 }
 
+/// A pack is called as its folder.
+std::string title_of(const fs::path& out) {
+  const fs::path whole = fs::weakly_canonical(out);
+  const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
+  return name.empty() ? "pack" : name.string();
+}
+
 /// A pack while it is made.
 class Making {
  public:
@@ -58,6 +66,8 @@ class Making {
   Result<PackResult> run(PartList list, const DxfOptions& dxf) {
     list_ = std::move(list);
     if (auto drawn = write_patterns(dxf); !drawn) return tl::unexpected(drawn.error());
+    if (options_.drawings)
+      if (auto drawn = write_drawings(); !drawn) return tl::unexpected(drawn.error());
     if (auto added = folder_.add("parts.csv", parts_csv(list_, "")); !added)
       return tl::unexpected(added.error());
     if (auto done = folder_.finish(); !done) return tl::unexpected(done.error());
@@ -75,6 +85,22 @@ class Making {
       if (auto added = folder_.add(part.stem + ".dxf", *text); !added) return added;
     }
     return {};
+  }
+
+  Result<void> write_pages(const std::string& name, const std::vector<Page>& pages,
+                           const std::string& title) {
+    if (cancelled_()) return tl::unexpected(interruption());
+    const auto pdf = pages_pdf(pages, title);
+    if (!pdf) return tl::unexpected(pdf.error());
+    return folder_.add(name, *pdf);
+  }
+
+  Result<void> write_drawings() {
+    for (const PackPart& part : list_.parts)
+      if (auto written = write_pages(part.stem + ".pdf", drawing_of(part), part.name); !written)
+        return written;
+    const std::string title = title_of(folder_.path());
+    return write_pages("cover.pdf", cover_of(list_, title, ""), title);
   }
 
   PackResult result() const {
