@@ -2,6 +2,8 @@
 #include "folder.hpp"
 #include "part_list.hpp"
 #include "parts_csv.hpp"
+#include "rates.hpp"
+#include "zip.hpp"
 
 #include <planish/batch/inputs.hpp>
 #include <planish/io/flat_writers.hpp>
@@ -63,18 +65,29 @@ class Making {
   Making(const fs::path& out, const PackOptions& options, const std::function<bool()>& cancelled)
       : options_(options), cancelled_(cancelled), folder_(out) {}
 
-  Result<PackResult> run(PartList list, const DxfOptions& dxf) {
+  Result<PackResult> run(PartList list, const DxfOptions& dxf, const std::string& currency) {
     list_ = std::move(list);
+    currency_ = currency;
     if (auto drawn = write_patterns(dxf); !drawn) return tl::unexpected(drawn.error());
     if (options_.drawings)
       if (auto drawn = write_drawings(); !drawn) return tl::unexpected(drawn.error());
-    if (auto added = folder_.add("parts.csv", parts_csv(list_, "")); !added)
+    if (auto added = add("parts.csv", parts_csv(list_, currency_)); !added)
       return tl::unexpected(added.error());
+    if (options_.zip)
+      if (auto added = folder_.add("pack.zip", std::move(zip_).take()); !added)
+        return tl::unexpected(added.error());
     if (auto done = folder_.finish(); !done) return tl::unexpected(done.error());
     return result();
   }
 
  private:
+  /// Writes a file, and puts it in the archive.
+  Result<void> add(const std::string& name, const std::string& bytes) {
+    if (auto added = folder_.add(name, bytes); !added) return added;
+    if (options_.zip) return zip_.add(name, bytes);
+    return {};
+  }
+
   Result<void> write_patterns(const DxfOptions& dxf) {
     for (const PackPart& part : list_.parts) {
       if (cancelled_()) return tl::unexpected(interruption());
@@ -82,7 +95,7 @@ class Making {
       drawn.units = part.units;
       const auto text = dxf_text(part.flat, drawn);
       if (!text) return tl::unexpected(text.error());
-      if (auto added = folder_.add(part.stem + ".dxf", *text); !added) return added;
+      if (auto added = add(part.stem + ".dxf", *text); !added) return added;
     }
     return {};
   }
@@ -92,7 +105,7 @@ class Making {
     if (cancelled_()) return tl::unexpected(interruption());
     const auto pdf = pages_pdf(pages, title);
     if (!pdf) return tl::unexpected(pdf.error());
-    return folder_.add(name, *pdf);
+    return add(name, *pdf);
   }
 
   Result<void> write_drawings() {
@@ -100,7 +113,7 @@ class Making {
       if (auto written = write_pages(part.stem + ".pdf", drawing_of(part), part.name); !written)
         return written;
     const std::string title = title_of(folder_.path());
-    return write_pages("cover.pdf", cover_of(list_, title, ""), title);
+    return write_pages("cover.pdf", cover_of(list_, title, currency_), title);
   }
 
   PackResult result() const {
@@ -118,7 +131,9 @@ class Making {
   const PackOptions& options_;
   const std::function<bool()>& cancelled_;
   Folder folder_;
+  Zip zip_;
   PartList list_;
+  std::string currency_;
 };
 
 /// The folder of the batch that a pack is made of: one that is given, or made now.
@@ -151,13 +166,22 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
     if (!read) return tl::unexpected(read.error());
     materials = std::move(*read);
   }
+  std::optional<Rates> rates;
+  if (options.rates) {
+    auto read = Rates::parse(*options.rates);
+    if (!read) return tl::unexpected(read.error());
+    rates = std::move(*read);
+  }
   const auto dxf = dxf_options(options, catalogue);
   if (!dxf) return tl::unexpected(dxf.error());
   const auto batch = batch_of(words, out, options, catalogue, report, cancelled);
   if (!batch) return tl::unexpected(batch.error());
   auto list = part_list(*batch, materials);
   if (!list) return tl::unexpected(list.error());
-  return Making(out, options, cancelled).run(std::move(*list), *dxf);
+  if (rates)
+    if (auto applied = rates->apply(*list); !applied) return tl::unexpected(applied.error());
+  return Making(out, options, cancelled)
+      .run(std::move(*list), *dxf, rates ? rates->currency() : std::string());
 }
 
 }  // namespace planish::pack
