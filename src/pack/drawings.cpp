@@ -76,8 +76,8 @@ std::string origin_of(const PackPart& part) {
 /// Pages of a cover, filled from above.
 class Cover {
  public:
-  Cover(const PartList& list, std::string title, std::string currency)
-      : list_(list), title_(std::move(title)), currency_(std::move(currency)) {
+  Cover(const PartList& list, const StockSheets& stock, std::string title, std::string currency)
+      : list_(list), stock_(stock), title_(std::move(title)), currency_(std::move(currency)) {
     begin();
   }
 
@@ -88,6 +88,7 @@ class Cover {
       need(12.0);
       add_sums("In all", totals_of(list_, 0, list_.parts.size()));
     }
+    add_sheets();
     add_refused();
     for (std::size_t p = 0; p < pages_.size(); ++p)
       pages_[p].text({kRight, kBorder + 5.0}, fmt::format("{} / {}", p + 1, pages_.size()),
@@ -165,31 +166,50 @@ class Cover {
     top_ += 6.0;
   }
 
-  void add_refused() {
-    if (list_.refused.empty()) return;
-    constexpr double kStep = 4.4;
-    constexpr std::size_t kLetters = 115;
+  void add_title(const std::string& text, const Colour& colour) {
     need(8.0 + 2.0 * kStep);
     top_ += 3.0;
-    page().text({kBorder, top_ + 4.0}, "Refused: not in this pack",
-                {.size = 4.4, .bold = true, .colour = job::kPageAlert});
+    page().text({kBorder, top_ + 4.0}, text, {.size = 4.4, .bold = true, .colour = colour});
     top_ += 7.0;
+  }
+
+  void add_lines(const std::string& text, const Colour& colour) {
+    constexpr std::size_t kLetters = 115;
+    for (const std::string& line : job::wrapped(text, kLetters)) {
+      need(kStep);
+      page().text({kBorder, top_ + 3.0}, line, {.size = kSmallLetter + 0.3, .colour = colour});
+      top_ += kStep;
+    }
+  }
+
+  void add_sheets() {
+    if (stock_.sheets.empty() && stock_.notes.empty()) return;
+    add_title("Sheets", kBlack);
+    for (const StockSheet& sheet : stock_.sheets)
+      add_lines(fmt::format("{}: {}, {:.1f} % used", sheet.stem,
+                            counted(sheet.nested.placed.size(), "piece", "pieces"),
+                            100.0 * sheet.nested.use),
+                kBlack);
+    for (const std::string& note : stock_.notes)
+      add_lines(note, job::kPageAlert);
+  }
+
+  void add_refused() {
+    if (list_.refused.empty()) return;
+    add_title("Refused: not in this pack", job::kPageAlert);
     for (const RefusedPart& refused : list_.refused) {
       std::string text = refused.source.input;
       if (!refused.source.body.empty()) text += ": " + refused.source.body;
       if (refused.source.quantity > 1) text += fmt::format(" ×{}", refused.source.quantity);
       text += fmt::format(" – {}", refused.reason.empty() ? refused.code : refused.reason);
-      for (const std::string& line : job::wrapped(text, kLetters)) {
-        need(kStep);
-        page().text({kBorder, top_ + 3.0}, line, {.size = kSmallLetter + 0.3});
-        top_ += kStep;
-      }
+      add_lines(text, kBlack);
     }
   }
 
-  static constexpr double kRow = 19.0;
+  static constexpr double kRow = 19.0, kStep = 4.4;
 
   const PartList& list_;
+  const StockSheets& stock_;
   std::string title_, currency_;
   std::vector<Page> pages_;
   double top_ = 0.0;
@@ -212,9 +232,9 @@ std::vector<Page> drawing_of(const PackPart& part) {
   return job::part_pages(drawing);
 }
 
-std::vector<Page> cover_of(const PartList& list, const std::string& title,
+std::vector<Page> cover_of(const PartList& list, const StockSheets& stock, const std::string& title,
                            const std::string& currency) {
-  return Cover(list, title, currency).take();
+  return Cover(list, stock, title, currency).take();
 }
 
 }  // namespace planish::pack

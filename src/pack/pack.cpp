@@ -3,6 +3,7 @@
 #include "part_list.hpp"
 #include "parts_csv.hpp"
 #include "rates.hpp"
+#include "stock.hpp"
 #include "zip.hpp"
 
 #include <planish/batch/inputs.hpp>
@@ -52,25 +53,34 @@ Result<DxfOptions> dxf_options(const PackOptions& options, const job::Catalogue&
   return request.dxf;
 }
 
-/// A pack is called as its folder.
-std::string title_of(const fs::path& out) {
-  const fs::path whole = fs::weakly_canonical(out);
-  const fs::path name = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return name.empty() ? "pack" : name.string();
+/// A pack is called as what it was made of.
+std::string title_of(const std::vector<std::string>& words) {
+  if (words.size() != 1) return fmt::format("{} inputs", words.size());
+  const fs::path whole = fs::weakly_canonical(words.front());
+  return (whole.has_filename() ? whole : whole.parent_path()).stem().string();
 }
 
 /// A pack while it is made.
 class Making {
  public:
-  Making(const fs::path& out, const PackOptions& options, const std::function<bool()>& cancelled)
-      : options_(options), cancelled_(cancelled), folder_(out) {}
+  Making(const fs::path& out, const PackOptions& options, const std::function<bool()>& cancelled,
+         std::string title, std::string currency)
+      : options_(options),
+        cancelled_(cancelled),
+        folder_(out),
+        title_(std::move(title)),
+        currency_(std::move(currency)) {}
 
-  Result<PackResult> run(PartList list, const DxfOptions& dxf, const std::string& currency) {
+  Result<PackResult> run(PartList list, const DxfOptions& dxf) {
     list_ = std::move(list);
-    currency_ = currency;
     if (auto drawn = write_patterns(dxf); !drawn) return tl::unexpected(drawn.error());
     if (options_.drawings)
       if (auto drawn = write_drawings(); !drawn) return tl::unexpected(drawn.error());
+    if (options_.stock)
+      if (auto laid = write_sheets(*options_.stock, dxf); !laid)
+        return tl::unexpected(laid.error());
+    if (options_.drawings)
+      if (auto drawn = write_cover(); !drawn) return tl::unexpected(drawn.error());
     if (auto added = add("parts.csv", parts_csv(list_, currency_)); !added)
       return tl::unexpected(added.error());
     if (options_.zip)
@@ -112,8 +122,26 @@ class Making {
     for (const PackPart& part : list_.parts)
       if (auto written = write_pages(part.stem + ".pdf", drawing_of(part), part.name); !written)
         return written;
-    const std::string title = title_of(folder_.path());
-    return write_pages("cover.pdf", cover_of(list_, title, currency_), title);
+    return {};
+  }
+
+  Result<void> write_sheets(const Stock& stock, const DxfOptions& dxf) {
+    Progress progress;
+    progress.cancelled = cancelled_;
+    auto laid = lay_on_stock(list_, stock, progress);
+    if (!laid && laid.error().code == ErrorCode::cancelled) return tl::unexpected(interruption());
+    if (!laid) return tl::unexpected(laid.error());
+    stock_ = std::move(*laid);
+    for (const StockSheet& sheet : stock_.sheets) {
+      const auto text = sheet_dxf(list_, sheet, stock, dxf);
+      if (!text) return tl::unexpected(text.error());
+      if (auto added = add(fmt::format("sheets/{}.dxf", sheet.stem), *text); !added) return added;
+    }
+    return add("sheets.csv", sheets_csv(list_, stock_.sheets));
+  }
+
+  Result<void> write_cover() {
+    return write_pages("cover.pdf", cover_of(list_, stock_, title_, currency_), title_);
   }
 
   PackResult result() const {
@@ -124,6 +152,8 @@ class Making {
       result.pieces += static_cast<std::size_t>(part.quantity);
     for (const RefusedPart& refused : list_.refused)
       result.refused += static_cast<std::size_t>(refused.source.quantity);
+    result.sheets = stock_.sheets.size();
+    result.notes = stock_.notes;
     result.files = folder_.files();
     return result;
   }
@@ -133,7 +163,8 @@ class Making {
   Folder folder_;
   Zip zip_;
   PartList list_;
-  std::string currency_;
+  StockSheets stock_;
+  std::string title_, currency_;
 };
 
 /// The folder of the batch that a pack is made of: one that is given, or made now.
@@ -180,8 +211,8 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   if (!list) return tl::unexpected(list.error());
   if (rates)
     if (auto applied = rates->apply(*list); !applied) return tl::unexpected(applied.error());
-  return Making(out, options, cancelled)
-      .run(std::move(*list), *dxf, rates ? rates->currency() : std::string());
+  return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())
+      .run(std::move(*list), *dxf);
 }
 
 }  // namespace planish::pack
