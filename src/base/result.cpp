@@ -41,7 +41,7 @@ constexpr std::array kCodes{
     CodeRow{ErrorCode::bad_tools, "bad_tools", 3},
     CodeRow{ErrorCode::no_input, "no_input", 3},
     CodeRow{ErrorCode::worker_died, "worker_died", 3},
-    CodeRow{ErrorCode::time_limit, "time_limit", 3},
+    CodeRow{ErrorCode::time_limit, "time_limit", 4},
     CodeRow{ErrorCode::no_solid, "no_solid", 3},
     CodeRow{ErrorCode::shell_not_solid, "shell_not_solid", 3},
     CodeRow{ErrorCode::too_far_away, "too_far_away", 3},

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 #include <system_error>
 
@@ -37,23 +38,25 @@ class Collecting {
     if (!fs::is_regular_file(path, none))
       return Error{ErrorCode::cannot_read, fmt::format("{} is no file or folder", path.string()),
                    path.string()};
-    inputs_.push_back({path, path.filename().string()});
+    // In a list of many folders the names of files alone may be the same.
+    const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
+    const bool is_below = !beside.empty() && !below.empty() && *below.begin() != "..";
+    inputs_.push_back({path, is_below ? below.generic_string() : path.filename().string()});
     return std::nullopt;
   }
 
   Result<std::vector<Input>> finish() {
     std::ranges::sort(inputs_, {}, &Input::name);
     std::vector<Input> inputs;
+    std::set<fs::path> taken;
     for (Input& input : inputs_) {
-      if (inputs.empty() || inputs.back().name != input.name) {
-        inputs.push_back(std::move(input));
-        continue;
-      }
-      std::error_code none;
-      if (!fs::equivalent(inputs.back().file, input.file, none))
+      const bool fresh = taken.insert(fs::absolute(input.file).lexically_normal()).second;
+      if (!fresh) continue;
+      if (!inputs.empty() && inputs.back().name == input.name)
         return fail(ErrorCode::bad_option,
                     fmt::format("two inputs are called {}: {} and {}; give the folder above both",
                                 input.name, inputs.back().file.string(), input.file.string()));
+      inputs.push_back(std::move(input));
     }
     if (inputs.empty())
       return fail(ErrorCode::no_input,
@@ -64,19 +67,29 @@ class Collecting {
 
  private:
   std::optional<Error> add_list(const fs::path& list) {
-    if (++depth_ > kDeepest)
+    std::error_code none;
+    const fs::path whole = fs::weakly_canonical(list, none);
+    if (std::ranges::find(lists_, whole) != lists_.end())
       return Error{ErrorCode::cannot_read, fmt::format("the list {} names itself", list.string()),
                    list.string()};
     const auto text = job::read_text(list, "list");
     if (!text) return text.error();
+    lists_.push_back(whole);
     std::istringstream lines(*text);
+    int number = 0;
     for (std::string line; std::getline(lines, line);) {
       while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
         line.pop_back();
+      ++number;
       if (line.empty() || line.starts_with('#')) continue;
-      if (auto error = add(line, list.parent_path())) return error;
+      const auto error = add(line, list.has_parent_path() ? list.parent_path() : ".");
+      if (error && line.starts_with('@')) return error;
+      if (error)
+        return Error{error->code,
+                     fmt::format("{}, line {}: {}", list.string(), number, error->message),
+                     error->where};
     }
-    --depth_;
+    lists_.pop_back();
     return std::nullopt;
   }
 
@@ -116,11 +129,10 @@ class Collecting {
     return input && catalogue_.maker_for(input->name, input->content);
   }
 
-  static constexpr int kDeepest = 20;  // lists within lists
   fs::path out_;
   const job::Catalogue& catalogue_;
   std::vector<Input> inputs_;
-  int depth_ = 0;
+  std::vector<fs::path> lists_;  ///< being read, each named by the one before
 };
 
 }  // namespace

@@ -52,7 +52,7 @@ void Page::add(const Row& row, std::optional<std::size_t> distinct) {
                             {"folder", "parts/" + in_address(row.folder)},
                             {"status", row.status},
                             {"reason", row.reason},
-                            {"message", row.message},
+                            {"message", row.message.empty() ? row.findings : row.message},
                             {"same", distinct ? Json(*distinct) : Json(nullptr)},
                             {"quantity", number_in(row.quantity)},
                             {"thickness", number_in(row.thickness)},

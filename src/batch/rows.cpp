@@ -1,9 +1,11 @@
 #include "rows.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace planish::batch {
 namespace {
@@ -80,10 +82,15 @@ Row row_of(const std::string& folder, const std::string& report) {
           .warnings = {},
           .files = {}};
   int warnings = 0;
+  std::set<std::string> codes;
   if (json.contains("checks") && json["checks"].is_array())
     for (const Json& finding : json["checks"])
-      if (finding.value("severity", "") != "info") ++warnings;
+      if (finding.value("severity", "") != "info") {
+        ++warnings;
+        codes.insert(finding.value("code", ""));
+      }
   row.warnings = std::to_string(warnings);
+  row.findings = fmt::format("{}", fmt::join(codes, ", "));
   if (json.contains("files") && json["files"].is_array())
     for (const Json& file : json["files"])
       row.files += (row.files.empty() ? "" : ";") + file.get<std::string>();

@@ -34,6 +34,15 @@ Result<void> make_folder(const fs::path& folder) {
               folder.string());
 }
 
+/// Removes what a run that was killed was about to write.
+void remove_drafts(const fs::path& folder) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".planish-") && name.ends_with(".part")) fs::remove(entry.path(), none);
+  }
+}
+
 }  // namespace
 
 Result<State> State::open(const fs::path& out) {
@@ -85,6 +94,7 @@ Result<void> State::store(const std::vector<PartDone>& parts,
   for (const PartDone& part : parts) {
     if (part.files.empty()) continue;
     if (auto made = make_folder(folder_of(part.folder)); !made) return made;
+    remove_drafts(folder_of(part.folder));
     for (const PartFile& file : part.files)
       if (auto written = write_file(folder_of(part.folder) / file.name, file.bytes); !written)
         return written;

@@ -12,7 +12,7 @@ namespace planish::batch {
 /// A file to be worked on.
 struct Input {
   std::filesystem::path file;
-  std::string name;  ///< below the folder given, with "/"; of a file given by itself, its name
+  std::string name;  ///< below the folder given, or that of its list, with "/"; else the file's
 };
 
 /// The files that words of a command line stand for, each once, in the byte order of their names:
