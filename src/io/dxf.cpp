@@ -19,7 +19,7 @@ namespace {
 constexpr double kShortestMark = 1e-6;  // mm
 
 struct Styles {
-  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features, text, sheet;
+  EntityStyle outer, openings, bend_up, bend_down, bend_zone, features, text;
 };
 
 Styles styles_of(LayerProfile profile) {
@@ -32,8 +32,7 @@ Styles styles_of(LayerProfile profile) {
                 .bend_zone = {names.bend_zone, 8},
                 .features = {names.features, 3},
                 // Readers take every layer with BEND in its name for bend lines.
-                .text = {"TEXT", 8},
-                .sheet = {"SHEET", 8}};
+                .text = {"TEXT", 8}};
   if (names.openings == names.outer) styles.openings.color = styles.outer.color;
   return styles;
 }
@@ -43,36 +42,13 @@ struct Entity {
   std::variant<Segment, Outline, DxfText> geometry;
 };
 
-void move(std::vector<Segment>& lines, const Isometry2& motion) {
-  for (Segment& line : lines)
-    line = {motion * line.a, motion * line.b};
-}
-
-/// What is drawn of the pattern, elsewhere.
-FlatPattern moved(FlatPattern pattern, const Isometry2& motion) {
-  pattern.outer.loop = transformed(pattern.outer.loop, motion);
-  for (Contour& opening : pattern.openings)
-    opening.loop = transformed(opening.loop, motion);
-  pattern.slits = transformed(pattern.slits, motion);
-  for (FlatBend& bend : pattern.bends) {
-    move(bend.lines, motion);
-    move(bend.tangent_lines, motion);
-  }
-  for (FlatFeature& feature : pattern.features)
-    for (Loop& outline : feature.outlines)
-      outline = transformed(outline, motion);
-  return pattern;
-}
-
 /// Entities in the order of work.
 class Drawing {
  public:
-  explicit Drawing(const DxfOptions& options)
+  Drawing(const FlatPattern& pattern, const DxfOptions& options)
       : styles_(styles_of(options.profile)),
         options_(options),
-        scale_(1.0 / millimetres_in(options.units)) {}
-
-  void add(const FlatPattern& pattern) {
+        scale_(1.0 / millimetres_in(options.units)) {
     for (const FlatBend& bend : pattern.bends)
       add_text(bend);
     for (const FlatBend& bend : pattern.bends)
@@ -88,28 +64,6 @@ class Drawing {
     for (const Contour& opening : pattern.openings)
       add_outline(styles_.openings, opening.loop);
     add_outline(styles_.outer, pattern.outer.loop);
-  }
-
-  /// The name of a pattern, across the middle of the box around it.
-  void add_name(const FlatPattern& pattern, const std::string& name) {
-    constexpr double kHighest = 10.0, kWide = 0.9, kShare = 0.8;  // mm; a letter, by its height
-    const Box2 box = bounds(pattern.outer.loop);
-    if (name.empty() || box.empty()) return;
-    const bool upright = box.size().y() > box.size().x();
-    const Vec2 room = upright ? Vec2(box.size().y(), box.size().x()) : box.size();
-    const double height = std::min(
-        {kHighest, kShare * room.y(),
-         kShare * room.x() / (kWide * static_cast<double>(name.size()))});
-    entities_.push_back({styles_.text, DxfText{0.5 * (box.lo + box.hi) * scale_, height * scale_,
-                                               Angle::degrees(upright ? 90.0 : 0.0), name}});
-  }
-
-  void add_sheet(const Vec2& size) {
-    const Vec2 corners[] = {{0, 0}, {size.x(), 0}, size, {0, size.y()}};
-    Loop outline;
-    for (int i = 0; i < 4; ++i)
-      outline.emplace_back(Segment{corners[i], corners[(i + 1) % 4]});
-    add_outline(styles_.sheet, outline);
   }
 
   const std::vector<Entity>& entities() const { return entities_; }
@@ -241,17 +195,18 @@ Result<void> checked(const DxfOptions& options) {
   return {};
 }
 
-Result<void> checked(const FlatPattern& pattern) {
-  if (auto sound = check(pattern); !sound) return sound;
+}  // namespace
+
+Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options) {
+  if (auto good = checked(options); !good) return tl::unexpected(good.error());
+  if (auto sound = check(pattern); !sound) return tl::unexpected(sound.error());
   if (pattern.outer.loop.empty())
     return fail(ErrorCode::invalid_sheet, "The pattern has no outer contour.");
-  return {};
-}
-
-Result<std::string> text_of(const Drawing& drawing, const DxfOptions& options) {
+  const Drawing drawing(pattern, options);
   if (drawing.has_empty_outline()) {
     return fail(ErrorCode::internal, "the pattern has a contour without extent");
   }
+
   DL_Dxf dxf;
   // dxflib learns the version only on opening a file; an empty name opens none.
   const std::unique_ptr<DL_WriterA> unused(dxf.out("", dxflib_version(options.version)));
@@ -261,30 +216,6 @@ Result<std::string> text_of(const Drawing& drawing, const DxfOptions& options) {
     write(writer, entity, millimetres_in(options.units));
   write_epilog(dxf, writer);
   return writer.text();
-}
-
-}  // namespace
-
-Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options) {
-  if (auto good = checked(options); !good) return tl::unexpected(good.error());
-  if (auto sound = checked(pattern); !sound) return tl::unexpected(sound.error());
-  Drawing drawing(options);
-  drawing.add(pattern);
-  return text_of(drawing, options);
-}
-
-Result<std::string> dxf_sheet_text(const std::vector<LaidPattern>& patterns, const Vec2& sheet,
-                                   const DxfOptions& options) {
-  if (auto good = checked(options); !good) return tl::unexpected(good.error());
-  Drawing drawing(options);
-  drawing.add_sheet(sheet);
-  for (const LaidPattern& laid : patterns) {
-    if (auto sound = checked(*laid.flat); !sound) return tl::unexpected(sound.error());
-    const FlatPattern there = moved(*laid.flat, laid.placement);
-    drawing.add_name(there, laid.name);
-    drawing.add(there);
-  }
-  return text_of(drawing, options);
 }
 
 }  // namespace planish

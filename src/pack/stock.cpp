@@ -44,14 +44,14 @@ Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
 
 Result<std::string> sheet_dxf(const PartList& list, const StockSheet& sheet, const Stock& stock,
                               const DxfOptions& options) {
-  std::vector<LaidPattern> patterns;
+  SheetDrawing drawing{stock.length, stock.width, {}};
   DxfOptions drawn = options;
   for (const Placed& placed : sheet.nested.placed) {
     const PackPart& part = list.parts[static_cast<std::size_t>(placed.part)];
     drawn.units = part.units;
-    patterns.push_back({&part.flat, placed.placement, part.name});
+    drawing.parts.push_back({&part.flat, placed.placement, part.name});
   }
-  return dxf_sheet_text(patterns, {stock.length, stock.width}, drawn);
+  return sheet_dxf_text(drawing, drawn);
 }
 
 std::string sheets_csv(const PartList& list, const std::vector<StockSheet>& sheets) {

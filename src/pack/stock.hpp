@@ -27,7 +27,7 @@ struct StockSheets {
 Result<StockSheets> lay_on_stock(const PartList& list, const Stock& stock,
                                  const Progress& progress);
 
-/// The drawing of a sheet. Errors: those of `dxf_sheet_text`.
+/// The drawing of a sheet. Errors: those of `sheet_dxf_text`.
 Result<std::string> sheet_dxf(const PartList& list, const StockSheet& sheet, const Stock& stock,
                               const DxfOptions& options);
 

@@ -392,46 +392,5 @@ TEST(Dxf, RefusesAnUnsoundPattern) {
   }
 }
 
-TEST(DxfOfASheet, HoldsEachPatternWhereItLies) {
-  const FlatPattern part = bracket();
-  Isometry2 turned = Isometry2::Identity();
-  turned.translate(Vec2(400, 50));
-  turned.rotate(Eigen::Rotation2Dd(0.5 * kPi));
-  const auto text = dxf_sheet_text({{&part, Isometry2::Identity(), "bracket"}, {&part, turned, ""}},
-                                   {500, 300});
-  ASSERT_TRUE(text) << text.error().message;
-  EXPECT_THAT(kinds_and_layers(*text),
-              ElementsAre("LWPOLYLINE SHEET", "TEXT TEXT", "LINE BEND_UP", "LINE BEND_DOWN",
-                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES",
-                          "LWPOLYLINE OUTER_PROFILE", "LINE BEND_UP", "LINE BEND_DOWN",
-                          "CIRCLE INTERIOR_PROFILES", "LWPOLYLINE INTERIOR_PROFILES",
-                          "LWPOLYLINE OUTER_PROFILE"));
-  // The hole at (20, 50), a quarter turn on: (−50, 20) from where the corner lies.
-  const auto circles = of_type(*text, "CIRCLE");
-  EXPECT_NEAR(std::stod(value_of(circles[1], 10)), 400.0 - 50.0, 1e-9);
-  EXPECT_NEAR(std::stod(value_of(circles[1], 20)), 50.0 + 20.0, 1e-9);
-  // Bends keep their way, from (60, 0) to (60, 100).
-  const auto lines = of_type(*text, "LINE");
-  EXPECT_NEAR(std::stod(value_of(lines[2], 10)), 400.0, 1e-9);
-  EXPECT_NEAR(std::stod(value_of(lines[2], 11)), 300.0, 1e-9);
-  EXPECT_NEAR(std::stod(value_of(lines[2], 20)), 110.0, 1e-9);
-  const auto sheet = of_type(*text, "LWPOLYLINE").front();
-  EXPECT_THAT(values_of(sheet, 10), ElementsAre("0.0", "500.0", "500.0", "0.0"));
-}
-
-TEST(DxfOfASheet, OfOnePatternInItsPlaceIsThePattern) {
-  const FlatPattern part = bracket_with_petal();
-  const auto laid = dxf_sheet_text({{&part, Isometry2::Identity(), ""}}, {200, 100});
-  const auto alone = dxf_text(part);
-  ASSERT_TRUE(laid && alone);
-  auto rest = entities(*laid);
-  rest.erase(rest.begin());
-  const auto expected = entities(*alone);
-  ASSERT_EQ(rest.size(), expected.size());
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    for (const int code : {0, 8, 10, 20, 40, 42})
-      EXPECT_EQ(values_of(rest[i], code), values_of(expected[i], code));
-}
-
 }  // namespace
 }  // namespace planish

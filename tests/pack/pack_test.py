@@ -283,7 +283,7 @@ class Sheets(PackTest):
             # Flat patterns of angles are rectangles along the sheet, so their boxes are exact.
             lines = space.query('LINE[layer=="BEND_UP"]')
             self.assertEqual(len(lines), len(boxes))
-            self.assertEqual(len(space.query("TEXT")), len(boxes))
+            self.assertEqual(len(space.query('TEXT[layer=="PART_NAMES"]')), len(boxes))
             for line in lines:
                 middle = (line.dxf.start + line.dxf.end) / 2
                 inside = [box for box in boxes

@@ -46,19 +46,6 @@ struct DxfOptions {
 /// empty, has no extent or is not finite).
 Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options = {});
 
-/// A pattern as it lies among others.
-struct LaidPattern {
-  const FlatPattern* flat = nullptr;
-  Isometry2 placement = Isometry2::Identity();  ///< no reflection
-  std::string name;                             ///< written on it; empty: nothing
-};
-
-/// Patterns laid on a sheet of stock, as one DXF: those of `dxf_text`, one after the other, with
-/// their names on the layer TEXT, and the outline of the sheet, its corner at the origin, on the
-/// layer SHEET (colour 8): neither is cut. `sheet` in mm. Errors: those of `dxf_text`.
-Result<std::string> dxf_sheet_text(const std::vector<LaidPattern>& patterns, const Vec2& sheet,
-                                   const DxfOptions& options = {});
-
 struct SvgOptions {
   double margin = 5.0;  ///< mm
   bool labels = true;   ///< bend ids and angles beside the bend lines
