@@ -30,6 +30,7 @@ install(FILES
   "${PROJECT_BINARY_DIR}/planishConfig.cmake"
   "${PROJECT_BINARY_DIR}/planishConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindDxflib.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/FindNest2d.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/FindOcct.cmake"
   DESTINATION "${planish_cmake_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -11,7 +11,8 @@ set -euo pipefail
 build=(
   g++ cmake ninja-build ccache
   libexpected-dev libfmt-dev libeigen3-dev libgeos-dev libdxflib-dev nlohmann-json3-dev libcli11-dev
-  libceres-dev libnanoflann-dev libccd-dev libxxhash-dev libcairo2-dev fonts-dejavu-core
+  libceres-dev libnanoflann-dev libccd-dev libxxhash-dev zlib1g-dev libcairo2-dev fonts-dejavu-core
+  libnest2d-dev libpolyclipping-dev libboost-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
   libcpp-httplib-dev pkg-config

@@ -1,5 +1,6 @@
 #include "apart.hpp"
 #include "commands.hpp"
+#include "many_parts.hpp"
 #include "option_parts.hpp"
 #include "terminal.hpp"
 
@@ -7,11 +8,8 @@
 #include <planish/job/run.hpp>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <set>
-#include <thread>
 
 namespace planish::cli {
 namespace {
@@ -28,22 +26,6 @@ A second run does only what is missing. Exit status:
   1 internal error, or interrupted        3 there is nothing to work on, or files cannot be written
 
 More in docs/batch.md.)";
-
-/// Options of making parts: those that say how each is made and written.
-bool is_of_parts(const job::Option& option) {
-  static const std::set<std::string_view> kOfOne{"body", "piece", "root", "up", "bend_k"};
-  return option.on_command_line && !kOfOne.contains(option.name) && option.group != "Order";
-}
-
-void add_one(CLI::App& app, const job::Option& option, job::OptionValues& values) {
-  const std::string said(option.description);
-  if (option.kind == job::OptionKind::flag)
-    app.add_flag_callback(
-           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
-        ->group(std::string(option.group));
-  else
-    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
-}
 
 std::vector<std::string> formats_of(const std::vector<std::string>& given) {
   std::vector<std::string> formats;
@@ -86,47 +68,6 @@ std::optional<batch::Shard> shard_in(const std::string& text) {
   return batch::Shard{static_cast<int>(*number), static_cast<int>(*of)};
 }
 
-std::string duration_text(double seconds) {
-  const auto whole = static_cast<long long>(seconds);
-  if (whole < 60) return fmt::format("{} s", whole);
-  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
-  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
-}
-
-/// Tells how far a batch is: on a line of the terminal, or as lines of JSON.
-class Telling {
- public:
-  explicit Telling(const BatchArguments& arguments)
-      : json_(arguments.progress_json),
-        line_(!arguments.quiet && !json_ && isatty(STDERR_FILENO) != 0) {}
-  ~Telling() {
-    if (line_) fmt::print(stderr, "\r\x1b[K");
-  }
-  Telling(const Telling&) = delete;
-  Telling& operator=(const Telling&) = delete;
-
-  void operator()(const batch::BatchProgress& at) {
-    const double fresh = static_cast<double>(at.done - at.resumed);
-    const double rate = at.seconds > 0.0 ? fresh / at.seconds : 0.0;
-    const double left = rate > 0.0 ? static_cast<double>(at.all - at.done) / rate : 0.0;
-    if (json_)
-      fmt::print(stderr,
-                 "{{\"done\":{},\"all\":{},\"resumed\":{},\"refused\":{},\"rate\":{:.3f},"
-                 "\"remaining\":{:.1f}}}\n",
-                 at.done, at.all, at.resumed, at.refused, rate, left);
-    if (line_ && at.seconds - told_ > kOften) {
-      told_ = at.seconds;
-      fmt::print(stderr, "\r\x1b[K{} of {}, {:.1f} a second, {} left, {} refused", at.done, at.all,
-                 rate, duration_text(left), at.refused);
-    }
-  }
-
- private:
-  static constexpr double kOften = 0.2;  // seconds
-  bool json_, line_;
-  double told_ = 0.0;
-};
-
 std::string summary_text(const batch::BatchResult& result) {
   std::string text = fmt::format("{} parts of {} inputs: {} ok, {} with warnings, {} refused\n",
                                  result.parts, result.inputs, result.ok, result.warnings,
@@ -149,10 +90,8 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
   batch::BatchOptions options;
   options.formats = formats_of(arguments.formats);
   options.options = job::options_json(arguments.options);
-  options.limits = arguments.limits;
-  options.workers = arguments.workers > 0
-                        ? arguments.workers
-                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options.limits = arguments.how.limits;
+  options.workers = workers_of(arguments.how);
   if (const auto error = unknown_format(options.formats, catalogue)) return tl::unexpected(*error);
   if (!arguments.shard.empty()) {
     const auto shard = shard_in(arguments.shard);
@@ -169,7 +108,7 @@ Result<batch::BatchOptions> options_of(const job::Catalogue& catalogue,
 
 Result<batch::BatchResult> result_of(const job::Catalogue& catalogue,
                                      const BatchArguments& arguments) {
-  Telling telling(arguments);
+  Telling telling(arguments.how);
   const auto tell = [&](const batch::BatchProgress& at) { telling(at); };
   if (arguments.merge) {
     const std::vector<std::filesystem::path> folders(arguments.inputs.begin(),
@@ -199,29 +138,12 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
   add_repeatable(*command, "--format", arguments.formats,
                  "of the files, separated by commas: dxf, svg, step, json, …; default dxf")
       ->group("Output");
-  command->add_option("--jobs", arguments.workers, "processes at a time; default one a core")
-      ->check(CLI::Range(1, 4096))
-      ->type_name("N")
-      ->group("Running");
   add_text(*command, "--shard", arguments.shard, "I/N", "only the I-th of N shares of the inputs")
       ->group("Running");
   command
       ->add_flag("--merge", arguments.merge, "make one result of those of all shards, without work")
       ->group("Running");
-  add_limits(*command, arguments.limits);
-  command
-      ->add_option_function<std::string>(
-          "--progress", [&arguments](const std::string&) { arguments.progress_json = true; },
-          "json: a line of JSON on standard error for each input done")
-      ->check(CLI::IsMember({"json"}))
-      ->type_name("json")
-      ->group("Running");
-  for (const job::Option& option : job::options())
-    if (is_of_parts(option) && std::ranges::any_of(catalogue.makers, [&](const job::Maker& maker) {
-          return maker.takes(option.name);
-        }))
-      add_one(*command, option, arguments.options);
-  command->add_flag("-q,--quiet", arguments.quiet, "no progress and no summary")->group("Output");
+  add_many_parts(*command, catalogue, arguments.how, arguments.options);
   command->footer(kBatchExamples);
   return command;
 }
@@ -229,7 +151,7 @@ CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArgumen
 int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments) {
   const auto result = result_of(catalogue, arguments);
   if (!result) return complain(result.error());
-  if (!arguments.quiet) fmt::print("{}", summary_text(*result));
+  if (!arguments.how.quiet) fmt::print("{}", summary_text(*result));
   return 0;
 }
 

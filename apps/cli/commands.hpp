@@ -1,9 +1,11 @@
 #pragma once
 
 #include "arguments.hpp"
+#include "many_parts.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace planish::cli {
@@ -55,17 +57,32 @@ struct BatchArguments {
   std::vector<std::string> inputs;
   std::string output;
   std::vector<std::string> formats;
-  int workers = 0;  ///< 0: one a core
   std::string shard;
-  bool quiet = false, progress_json = false, merge = false;
+  bool merge = false;
   job::OptionValues options;
-  job::Limits limits;
+  ManyParts how;
 };
 
 /// Defines the subcommand `batch`; parsing fills `arguments`, which must outlive `app`.
 CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments);
 /// `planish batch`; returns the exit status.
 int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments);
+
+struct PackArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string materials, rates;  ///< files; empty: none
+  std::string stock;             ///< "3000x1500"; empty: parts are not laid on sheets
+  std::optional<double> gap;     ///< mm
+  bool grain = false, zip = false, no_plan = false, no_drawings = false;
+  ManyParts how;
+  job::OptionValues options;
+};
+
+/// Defines the subcommand `pack`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments);
+/// `planish pack`; returns the exit status.
+int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments);
 
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);

@@ -28,6 +28,7 @@ constexpr auto kExamples = R"(Examples:
   planish slit chair.json                    bends the strips of a slit sheet
   planish bend part.step                     finds the order of bends on a press brake
   planish batch archive/ -o flat/            thousands of files, with summary and page
+  planish pack assembly.step -o shop/        what goes to the shop, in one folder
   planish info part.step                     what is in the file
   planish plates part.step -o plates.json    its flanges as plates, for connect
   planish studio part.step                   all of it in a browser, to see and to change
@@ -51,6 +52,7 @@ struct OtherArguments {
   InfoArguments info;
   BendArguments bend;
   BatchArguments batch;
+  PackArguments pack;
   PlatesArguments plates;
   std::string schema;
   StudioArguments studio;
@@ -81,6 +83,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   OtherArguments others;
   const CLI::App* bend = add_bend(app, others.bend);
   const CLI::App* batch = add_batch(app, catalogue, others.batch);
+  const CLI::App* pack = add_pack(app, catalogue, others.pack);
   const CLI::App* info = add_info(app, others.info);
   const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
@@ -96,6 +99,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
     if (command->parsed()) return run_maker(catalogue, *arguments);
   if (bend->parsed()) return run_bend(catalogue, others.bend);
   if (batch->parsed()) return run_batch(catalogue, others.batch);
+  if (pack->parsed()) return run_pack(catalogue, others.pack);
   if (info->parsed()) return run_info(others.info);
   if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);

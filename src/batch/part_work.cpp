@@ -1,7 +1,9 @@
 #include "part_work.hpp"
 
+#include <planish/batch/parts.hpp>
 #include <planish/io/flat_json.hpp>
 #include <planish/job/outputs.hpp>
+#include <planish/job/part_view.hpp>
 #include <planish/job/run.hpp>
 #include <planish/job/unfold.hpp>
 
@@ -29,6 +31,16 @@ std::string taken_by(const job::Maker& maker, const std::string& options) {
 /// A drawing of the pattern for a page of many.
 std::string sketch_of(const job::Made& made) {
   return svg_text(made.piece(0).flat, {.labels = false, .names = false, .legend = false});
+}
+
+/// The folded pieces, for those who draw them.
+void add_views(PartDone& part, const job::Made& made) {
+  for (int piece = 0; piece < made.pieces(); ++piece) {
+    const job::Report& report = made.piece(piece);
+    if (report.sheet.faces.empty()) continue;
+    part.files.push_back({view_name(static_cast<std::size_t>(piece)),
+                          job::view_json(job::isometric_view(report.sheet, report.layout))});
+  }
 }
 
 /// Makes the files and the report of what was made.
@@ -62,6 +74,7 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
     for (int piece = 0; piece < made.pieces(); ++piece)
       part.shapes.push_back(flat_json(made.piece(piece).flat));
     part.files.push_back({kSketch, sketch_of(made)});
+    if (std::ranges::count(task.formats, kViews)) add_views(part, made);
   }
   const std::string json = made.json();
   if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
@@ -88,6 +101,8 @@ void unfold(const FileTask& task, const job::Maker& maker, const job::Request& r
 }
 
 }  // namespace
+
+std::string view_name(std::size_t piece) { return fmt::format("view-{}.json", piece + 1); }
 
 PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error) {
   job::Request request;

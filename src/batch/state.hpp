@@ -3,6 +3,7 @@
 #include "journal.hpp"
 
 #include <planish/batch/batch.hpp>
+#include <planish/batch/parts.hpp>
 
 #include <filesystem>
 #include <string>
@@ -46,8 +47,6 @@ class State {
 
 /// Where the files of a part are.
 std::filesystem::path part_folder(const std::filesystem::path& out, const std::string& part);
-/// Whether a folder holds the results of a batch.
-bool is_batch(const std::filesystem::path& out);
 /// What was recorded there. Error: `cannot_read`.
 Result<RunRecord> read_record(const std::filesystem::path& out);
 /// The journal there. Error: `cannot_read`.

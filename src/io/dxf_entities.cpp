@@ -1,5 +1,8 @@
 #include "dxf_writer.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -140,13 +143,33 @@ void write(DxfWriter& w, const EntityStyle& style, const Loop& chain) {
   }
 }
 
+/// UTF-8 as ASCII: what lies beyond as \U+XXXX, control characters as spaces.
+std::string without_others(const std::string& text) {
+  std::string written;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i]);
+    const int more = lead < 0xC0 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+    unsigned code = more == 0 ? lead : lead & (0x3Fu >> more);
+    for (int k = 1; k <= more && i + k < text.size(); ++k)
+      code = code << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3Fu);
+    i += static_cast<std::size_t>(more) + 1;
+    if (code < 0x20 || code == 0x7F) {
+      written += ' ';
+    } else {
+      written += code < 0x7F ? std::string(1, static_cast<char>(code))
+                             : fmt::format("\\U+{:04X}", std::min(code, 0xFFFFu));
+    }
+  }
+  return written;
+}
+
 std::string in_dxf(std::string text) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kSigns{
       {{"°", "%%d"}, {"×", "x"}, {"…", "-"}}};
   for (const auto& [sign, written] : kSigns)
     for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign))
       text.replace(at, sign.size(), written);
-  return text;
+  return without_others(text);
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ void write_layers(DL_Dxf& dxf, DxfWriter& w, const std::vector<EntityStyle>& lay
   dxf.writeLayer(w, DL_LayerData("0", 0), DL_Attributes("", 7, kDefaultWidth, "CONTINUOUS", 1.0));
   for (const EntityStyle& layer : layers) {
     const char* linetype = layer.dashed ? "DASHED" : "CONTINUOUS";
-    dxf.writeLayer(w, DL_LayerData(layer.layer, 0),
+    dxf.writeLayer(w, DL_LayerData(layer.layer, 0, layer.off),
                    DL_Attributes("", layer.color, kDefaultWidth, linetype, 1.0));
   }
   w.tableEnd();

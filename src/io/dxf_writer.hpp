@@ -35,6 +35,7 @@ struct EntityStyle {
   std::string layer;
   int color = 7;
   bool dashed = false;
+  bool off = false;  ///< the layer is not shown until somebody switches it on
 };
 
 /// The DASHED linetype, mm: a dash and a gap.
@@ -54,7 +55,7 @@ void write_epilog(DL_Dxf& dxf, DxfWriter& writer);
 void write_line(DxfWriter& writer, const EntityStyle& style, const Segment& line,
                 double dash_scale);
 /// A line of text, its middle `at`, turned counter-clockwise; "°" and "×" are written as DXF and
-/// its fonts have them.
+/// its fonts have them, other characters beyond ASCII as \U+XXXX.
 struct DxfText {
   Vec2 at;
   double height = 0.0;  ///< of capitals

@@ -6,7 +6,7 @@
 
 #include <planish/base/tolerance.hpp>
 #include <planish/geometry/fit.hpp>
-#include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/moved_pattern.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -230,6 +230,11 @@ Result<FlatPattern> flatten(const Sheet& sheet, const FlattenOptions& options) {
   auto flat = flat_sheet(sheet, options);
   if (!flat) return tl::unexpected(flat.error());
   return std::move(flat->pattern);
+}
+
+FlatPattern transformed(FlatPattern pattern, const Isometry2& motion) {
+  transform(pattern, motion);
+  return pattern;
 }
 
 }  // namespace planish

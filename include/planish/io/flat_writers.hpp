@@ -46,6 +46,25 @@ struct DxfOptions {
 /// empty, has no extent or is not finite).
 Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& options = {});
 
+/// A pattern on a sheet, from its coordinates to the sheet's.
+struct PlacedPattern {
+  const FlatPattern* flat = nullptr;
+  Isometry2 placement = Isometry2::Identity();
+  std::string name;
+};
+
+/// A sheet to be cut, its corner at the origin, x along its length; mm.
+struct SheetDrawing {
+  double length = 0.0, width = 0.0;
+  std::vector<PlacedPattern> parts;
+};
+
+/// DXF text of a sheet with parts: each as `dxf_text` writes it, moved. First come the sheet's
+/// edge, a closed polyline on the layer SHEET, colour 9, and the names of the parts, a TEXT within
+/// each, on the layer PART_NAMES, which is off, colour 8. Neither is to be cut. Errors: those of
+/// `dxf_text`.
+Result<std::string> sheet_dxf_text(const SheetDrawing& sheet, const DxfOptions& options = {});
+
 struct SvgOptions {
   double margin = 5.0;  ///< mm
   bool labels = true;   ///< bend ids and angles beside the bend lines
