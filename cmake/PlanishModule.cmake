@@ -34,6 +34,7 @@ set(PLANISH_WALLED_LIBS
   Nest2d::nest2d=libnest2d/libnest2d.hpp,libnest2d/nester.hpp,polyclipping/clipper.hpp
   Cairo::headers=cairo/cairo.h,cairo/cairo-pdf.h
   Httplib::httplib=httplib.h
+  ZLIB::ZLIB=zlib.h
   Cbc::Cbc=coin/Cbc_C_Interface.h)
 
 # Hides the headers of every walled library that is not among the given ones from `target`.

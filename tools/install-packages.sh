@@ -11,7 +11,7 @@ set -euo pipefail
 build=(
   g++ cmake ninja-build ccache
   libexpected-dev libfmt-dev libeigen3-dev libgeos-dev libdxflib-dev nlohmann-json3-dev libcli11-dev
-  libceres-dev libnanoflann-dev libccd-dev libcairo2-dev fonts-dejavu-core
+  libceres-dev libnanoflann-dev libccd-dev libxxhash-dev zlib1g-dev libcairo2-dev fonts-dejavu-core
   libnest2d-dev libpolyclipping-dev libboost-dev
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
@@ -20,7 +20,7 @@ build=(
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
-  python3-jsonschema clang-format)
+  python3-jsonschema clang-format slurmctld slurmd slurm-client munge)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "arguments.hpp"
+#include "many_parts.hpp"
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace planish::cli {
@@ -50,6 +52,37 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments);
 /// `planish bend`, of whatever a maker of the catalogue makes of the input; returns the exit
 /// status.
 int run_bend(const job::Catalogue& catalogue, const BendArguments& arguments);
+
+struct BatchArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::vector<std::string> formats;
+  std::string shard;
+  bool merge = false;
+  job::OptionValues options;
+  ManyParts how;
+};
+
+/// Defines the subcommand `batch`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_batch(CLI::App& app, const job::Catalogue& catalogue, BatchArguments& arguments);
+/// `planish batch`; returns the exit status.
+int run_batch(const job::Catalogue& catalogue, const BatchArguments& arguments);
+
+struct PackArguments {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string materials, rates;  ///< files; empty: none
+  std::string stock;             ///< "3000x1500"; empty: parts are not laid on sheets
+  std::optional<double> gap;     ///< mm
+  bool grain = false, zip = false, no_plan = false, no_drawings = false;
+  ManyParts how;
+  job::OptionValues options;
+};
+
+/// Defines the subcommand `pack`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments);
+/// `planish pack`; returns the exit status.
+int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments);
 
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);

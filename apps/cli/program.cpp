@@ -5,11 +5,13 @@
 #include "terminal.hpp"
 #include "usage.hpp"
 
+#include <planish/batch/batch.hpp>
 #include <planish/job/printable.hpp>
 
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <list>
 
@@ -25,6 +27,8 @@ constexpr auto kExamples = R"(Examples:
   planish transition spec.json               joins two profiles, and lays the net
   planish slit chair.json                    bends the strips of a slit sheet
   planish bend part.step                     finds the order of bends on a press brake
+  planish batch archive/ -o flat/            thousands of files, with summary and page
+  planish pack assembly.step -o shop/        what goes to the shop, in one folder
   planish info part.step                     what is in the file
   planish plates part.step -o plates.json    its flanges as plates, for connect
   planish studio part.step                   all of it in a browser, to see and to change
@@ -47,6 +51,8 @@ int flushed(int status) {
 struct OtherArguments {
   InfoArguments info;
   BendArguments bend;
+  BatchArguments batch;
+  PackArguments pack;
   PlatesArguments plates;
   std::string schema;
   StudioArguments studio;
@@ -76,6 +82,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   }
   OtherArguments others;
   const CLI::App* bend = add_bend(app, others.bend);
+  const CLI::App* batch = add_batch(app, catalogue, others.batch);
+  const CLI::App* pack = add_pack(app, catalogue, others.pack);
   const CLI::App* info = add_info(app, others.info);
   const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
@@ -90,6 +98,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   for (const auto& [command, arguments] : commands)
     if (command->parsed()) return run_maker(catalogue, *arguments);
   if (bend->parsed()) return run_bend(catalogue, others.bend);
+  if (batch->parsed()) return run_batch(catalogue, others.batch);
+  if (pack->parsed()) return run_pack(catalogue, others.pack);
   if (info->parsed()) return run_info(others.info);
   if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);
@@ -102,6 +112,9 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
 
 int run_program(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   try {
+    // What `planish batch` starts: batch-worker MEMORY PARENT.
+    if (argc == 4 && std::string_view(argv[1]) == "batch-worker")
+      return batch::run_batch_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
     return flushed(run(argc, argv, catalogue));
   } catch (const std::exception& defect) {
     return complain({ErrorCode::internal, defect.what(), {}});

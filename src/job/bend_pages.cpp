@@ -1,12 +1,12 @@
 #include "bend_pages.hpp"
 
 #include "bend_reasons.hpp"
-#include "page_parts.hpp"
 #include "report_text.hpp"
 #include "units.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/geometry/curve.hpp>
+#include <planish/job/page_parts.hpp>
 
 #include <fmt/format.h>
 
@@ -19,23 +19,13 @@ namespace {
 
 constexpr double kWidth = 210.0, kHeight = 297.0, kMargin = 12.0;
 constexpr double kHead = 34.0, kFlat = 104.0, kRow = 60.0;  // heights, mm
-constexpr double kChord = 0.05;                             // of curves on paper, mm
-constexpr Colour kUp{0.10, 0.35, 0.72}, kDown{0.78, 0.10, 0.12}, kGrey = kPageGrey;
-constexpr Colour kSheet{0.93, 0.95, 0.96}, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
+constexpr Colour kUp = kPageUp, kDown = kPageDown, kGrey = kPageGrey;
+constexpr Colour kSheet = kPageSheet, kSteel{0.80, 0.83, 0.86}, kPart{0.16, 0.42, 0.75};
 constexpr Colour kBefore{0.78, 0.86, 0.95}, kAlert = kPageAlert;
 
 void add(Box2& box, const std::vector<Vec2>& points) {
   for (const Vec2& p : points)
     box.add(p);
-}
-
-/// The rings of the pattern, outer first, to be drawn at a scale.
-std::vector<std::vector<Vec2>> rings_of(const FlatPattern& flat, double scale) {
-  const double chord = kChord / scale;
-  std::vector<std::vector<Vec2>> rings{sampled(flat.outer.loop, chord)};
-  for (const Contour& opening : flat.openings)
-    rings.push_back(sampled(opening.loop, chord));
-  return rings;
 }
 
 const FlatBend& bend_of(const Report& report, BendId id) {
@@ -128,10 +118,9 @@ std::string title_of(const Report& report) {
 void head(Page& page, const Report& report, const Bending& bending, std::size_t at,
           std::size_t of) {
   const double right = kWidth - kMargin;
-  constexpr double kLargest = 6.5, kWide = 0.62, kRoom = 150.0;  // mm; a letter, by its size
+  constexpr double kLargest = 6.5, kRoom = 150.0;  // mm
   const std::string title = title_of(report);
-  const double size = std::min(
-      kLargest, kRoom / (kWide * static_cast<double>(std::max<std::size_t>(1, title.size()))));
+  const double size = fitting_size(title, kRoom, kLargest);
   page.text({kMargin, kMargin + 5.0}, title, {.size = size, .bold = true});
   page.text({right, kMargin + 5.0}, fmt::format("bend plan {} / {}", at, of),
             {.size = 3.5, .anchor = TextAnchor::end, .colour = kGrey});

@@ -1,24 +1,13 @@
 #include "bend_reasons.hpp"
 
-#include "page_parts.hpp"
 #include "proposal_report.hpp"
+
+#include <planish/job/page_parts.hpp>
 
 namespace planish::job {
 namespace {
 
-/// In lines of about as many letters as a page is wide.
-std::vector<std::string> wrapped(const std::string& text) {
-  constexpr std::size_t kLetters = 100;
-  std::vector<std::string> lines(1);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    if (!lines.back().empty() && lines.back().size() + word.size() > kLetters) lines.emplace_back();
-    lines.back() += (lines.back().empty() ? "" : " ") + word;
-    at = end + 1;
-  }
-  return lines;
-}
+constexpr std::size_t kReasonLetters = 100;  // about as many as a page is wide
 
 }  // namespace
 
@@ -31,7 +20,7 @@ void write_reasons(Page& page, const Report& report, const Vec2& from, double bo
   constexpr double kSpacing = 1.5, kGap = 3.0;
   double y = from.y();
   const auto tell = [&](const std::string& text, const TextStyle& style) {
-    for (const std::string& line : wrapped(text)) {
+    for (const std::string& line : wrapped(text, kReasonLetters)) {
       if (y > bottom) return;
       page.text({from.x(), y}, line, style);
       y += kSpacing * style.size;

@@ -39,9 +39,11 @@ ChildEnd end_of(const siginfo_t& info, const std::string& said) {
     end.reason = fmt::format("exit status {}", info.si_status);
     return end;
   }
-  // Nobody else ends it so: the system does where its own memory runs short.
-  if (info.si_status == SIGKILL) end.cause = Cause::out_of_memory;
-  end.reason = small_letters(strsignal(info.si_status));
+  const int signal = info.si_status;
+  end.from_outside = signal == SIGKILL || signal == SIGTERM || signal == SIGHUP;
+  // Mostly it is the system that ends it so, where its own memory runs short.
+  if (signal == SIGKILL) end.cause = Cause::out_of_memory;
+  end.reason = small_letters(strsignal(signal));
   return end;
 }
 

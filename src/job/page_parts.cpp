@@ -1,4 +1,4 @@
-#include "page_parts.hpp"
+#include <planish/job/page_parts.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,32 @@ Fit::Fit(const Box2& drawing, const Rectangle& into, double largest_scale) {
                      into.size.y() / std::max(size.y(), kSmallest)});
   origin_ = into.middle() - scale_ * Vec2(0.5 * (drawing.lo.x() + drawing.hi.x()),
                                           -0.5 * (drawing.lo.y() + drawing.hi.y()));
+}
+
+std::vector<std::vector<Vec2>> rings_of(const FlatPattern& flat, double scale) {
+  constexpr double kOnPaper = 0.05;  // mm: of curves from their chords
+  std::vector<std::vector<Vec2>> rings{sampled(flat.outer.loop, kOnPaper / scale)};
+  for (const Contour& opening : flat.openings)
+    rings.push_back(sampled(opening.loop, kOnPaper / scale));
+  return rings;
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t letters) {
+  std::vector<std::string> lines(1);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!lines.back().empty() && lines.back().size() + word.size() > letters) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  return lines;
+}
+
+double fitting_size(const std::string& text, double room, double largest) {
+  constexpr double kWide = 0.62;  // of a letter, by its size
+  return std::min(largest,
+                  room / (kWide * static_cast<double>(std::max<std::size_t>(1, text.size()))));
 }
 
 void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour) {

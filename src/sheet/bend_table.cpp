@@ -1,8 +1,8 @@
 #include "bend_table_columns.hpp"
-#include "csv.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/sheet/allowance.hpp>
+#include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "csv.hpp"
-
 #include <planish/base/result.hpp>
+#include <planish/sheet/csv.hpp>
 
 #include <array>
 #include <optional>

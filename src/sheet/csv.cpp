@@ -1,10 +1,10 @@
-#include "csv.hpp"
+#include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace planish::sheet_detail {
+namespace planish {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -152,4 +152,4 @@ Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::strin
   return CsvReader(text, separator, name).records();
 }
 
-}  // namespace planish::sheet_detail
+}  // namespace planish

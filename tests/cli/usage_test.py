@@ -68,13 +68,13 @@ class WrongUsage(CliTest):
                  "`unfold` has no option --flat; connect, transition and slit have it"),
                 (["unfold", "part.step", "--flat=x.dxf"], "`unfold` has no option --flat; connect"),
                 (["connect", "p.json", "--bend-k", "B1=0.4"], "`connect` has no option --bend-k; unfold and bend have it"),
-                (["slit", "s.json", "--k", "0.4"], "`slit` has no option --k; unfold, connect, transition and bend have it"),
+                (["slit", "s.json", "--k", "0.4"], "`slit` has no option --k; unfold, connect, transition, bend and batch have it"),
                 (["unfold", "part.step", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
                 (["unfold", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
                 (["--k", "0.4", "unfold", "part.step"], "`planish` has no option --k; unfold, "),
                 (["unfold", "part.step", "other.step"], "`unfold` takes one FILE: leave \"other.step\" out"),
                 (["fold", "part.step", "--k", "1"],
-                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, info, plates, schema and studio")):
+                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, batch, info, plates, schema and studio")):
             self.assertIn(words, self.wrong(*arguments))
 
     def test_an_option_takes_one_value(self):

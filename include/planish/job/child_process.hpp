@@ -42,8 +42,10 @@ struct ChildEnd {
   Cause cause = Cause::crashed;
   std::string reason = {};  ///< "segmentation fault", "assertion failed: …"; empty: the cause says
                             ///< it
-  std::string stage = {};  ///< the one that it told last; empty: none
-  std::string said = {};   ///< the end of what it printed as errors
+  std::string stage = {};     ///< the one that it told last; empty: none
+  std::string said = {};      ///< the end of what it printed as errors
+  bool from_outside = false;  ///< by a signal that no program sends itself: another one, somebody,
+                              ///< or the system, where its memory runs short
 };
 
 /// The error that stands for it: `crashed`, `out_of_time`, `out_of_memory` or `cancelled`. `input`

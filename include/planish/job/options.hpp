@@ -75,6 +75,7 @@ class OptionValues {
   /// The text of a word, face, name or path; empty if not given.
   std::string text(std::string_view name) const;
   std::optional<double> number(std::string_view name) const;
+  std::span<const std::pair<const Option*, OptionValue>> all() const { return values_; }
 
   /// Checks options that are each valid but may contradict one another. Errors: `bad_option`,
   /// option names in backquotes; `where` is the name of one.

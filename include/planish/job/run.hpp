@@ -47,4 +47,7 @@ enum class OptionFiles { path_or_content, content };
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
                                   const std::string& pointer);
 
+/// The JSON object from which `read_options` gives these values again.
+std::string options_json(const OptionValues& values);
+
 }  // namespace planish::job

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace planish::sheet_detail {
+namespace planish {
 
 /// One record of a CSV text: trimmed fields without their quotes, and the line it begins on.
 struct CsvRecord {
@@ -20,4 +20,4 @@ struct CsvRecord {
 /// semicolon if it has one, else a tab, else a comma. Errors: `invalid_input` with name:line.
 Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::string& name);
 
-}  // namespace planish::sheet_detail
+}  // namespace planish

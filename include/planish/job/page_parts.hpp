@@ -2,12 +2,15 @@
 
 #include <planish/geometry/curve.hpp>
 #include <planish/io/pages.hpp>
+#include <planish/sheet/flat_pattern.hpp>
 
 #include <string>
 #include <vector>
 
 namespace planish::job {
 
+inline constexpr Colour kPageUp{0.10, 0.35, 0.72}, kPageDown{0.78, 0.10, 0.12};
+inline constexpr Colour kPageSheet{0.93, 0.95, 0.96};
 inline constexpr Colour kPageGrey{0.45, 0.48, 0.52};
 /// What is in the way, or is to be noticed.
 inline constexpr Colour kPageAlert{0.80, 0.25, 0.05};
@@ -34,6 +37,15 @@ class Fit {
   double scale_ = 1.0;
   Vec2 origin_;
 };
+
+/// The rings of a pattern, outer first, to be drawn at a scale.
+std::vector<std::vector<Vec2>> rings_of(const FlatPattern& flat, double scale);
+
+/// Lines of at most that many letters, parted at blanks.
+std::vector<std::string> wrapped(const std::string& text, std::size_t letters);
+
+/// The size at which a line of text is no wider than the room for it, mm; at most `largest`.
+double fitting_size(const std::string& text, double room, double largest);
 
 /// The number of a stroke, from 0, in a circle: counted from 1 as people do.
 void number(Page& page, const Vec2& at, std::size_t stroke, const Colour& colour);

@@ -1,0 +1,92 @@
+#include "many_parts.hpp"
+
+#include "apart.hpp"
+#include "option_parts.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <set>
+#include <thread>
+
+namespace planish::cli {
+namespace {
+
+constexpr double kOften = 0.2;  // seconds between lines on a terminal
+
+/// Options of making parts: those that say how each is made and written.
+bool is_of_parts(const job::Option& option) {
+  static const std::set<std::string_view> kOfOne{"body", "piece", "root", "up", "bend_k"};
+  return option.on_command_line && !kOfOne.contains(option.name) && option.group != "Order";
+}
+
+void add_option_of_parts(CLI::App& app, const job::Option& option, job::OptionValues& values) {
+  const std::string said(option.description);
+  if (option.kind == job::OptionKind::flag)
+    app.add_flag_callback(
+           flag_of(option.name), [&values, &option] { values.set(option, true); }, said)
+        ->group(std::string(option.group));
+  else
+    add_option(app, option, said, type_name(option), values)->group(std::string(option.group));
+}
+
+std::string duration_text(double seconds) {
+  const auto whole = static_cast<long long>(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+}  // namespace
+
+void add_many_parts(CLI::App& app, const job::Catalogue& catalogue, ManyParts& how,
+                    job::OptionValues& values) {
+  app.add_option("--jobs", how.workers, "processes at a time; default one a core")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N")
+      ->group("Running");
+  add_limits(app, how.limits);
+  app.add_option_function<std::string>(
+         "--progress", [&how](const std::string&) { how.progress_json = true; },
+         "json: a line of JSON on standard error for each input done")
+      ->check(CLI::IsMember({"json"}))
+      ->type_name("json")
+      ->group("Running");
+  for (const job::Option& option : job::options())
+    if (is_of_parts(option) && std::ranges::any_of(catalogue.makers, [&](const job::Maker& maker) {
+          return maker.takes(option.name);
+        }))
+      add_option_of_parts(app, option, values);
+  app.add_flag("-q,--quiet", how.quiet, "no progress and no summary")->group("Output");
+}
+
+int workers_of(const ManyParts& how) {
+  if (how.workers > 0) return how.workers;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+Telling::Telling(const ManyParts& how)
+    : json_(how.progress_json), line_(!how.quiet && !json_ && isatty(STDERR_FILENO) != 0) {}
+
+Telling::~Telling() {
+  if (line_) fmt::print(stderr, "\r\x1b[K");
+}
+
+void Telling::operator()(const batch::BatchProgress& at) {
+  const double fresh = static_cast<double>(at.done - at.resumed);
+  const double rate = at.seconds > 0.0 ? fresh / at.seconds : 0.0;
+  const double left = rate > 0.0 ? static_cast<double>(at.all - at.done) / rate : 0.0;
+  if (json_)
+    fmt::print(stderr,
+               "{{\"done\":{},\"all\":{},\"resumed\":{},\"refused\":{},\"rate\":{:.3f},"
+               "\"remaining\":{:.1f}}}\n",
+               at.done, at.all, at.resumed, at.refused, rate, left);
+  if (line_ && at.seconds - told_ > kOften) {
+    told_ = at.seconds;
+    fmt::print(stderr, "\r\x1b[K{} of {}, {:.1f} a second, {} left, {} refused", at.done, at.all,
+               rate, duration_text(left), at.refused);
+  }
+}
+
+}  // namespace planish::cli

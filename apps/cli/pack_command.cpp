@@ -1,0 +1,138 @@
+#include "apart.hpp"
+#include "commands.hpp"
+#include "option_parts.hpp"
+#include "terminal.hpp"
+
+#include <planish/job/run.hpp>
+#include <planish/job/text_file.hpp>
+#include <planish/pack/pack.hpp>
+
+#include <fmt/format.h>
+
+namespace planish::cli {
+namespace {
+
+constexpr auto kPackExamples = R"(Examples:
+  planish pack chair.step -o shop/                      every body of an assembly
+  planish pack parts/ -o shop/ --materials steel.csv --density 7.85 --zip
+  planish pack flat/ -o shop/                           the results of a batch
+  planish pack chair.step -o shop/ --nest 3000x1500 --gap 5 --grain
+  planish pack chair.step -o shop/ --rates rates.json
+
+Exit status: as of batch, 0 also where parts are refused: the list and the cover name them.
+More in docs/pack.md.)";
+
+Result<std::optional<pack::GivenFile>> given(const std::string& file, const std::string& kind) {
+  if (file.empty()) return std::nullopt;
+  auto text = job::read_text(file, kind);
+  if (!text) return tl::unexpected(text.error());
+  return pack::GivenFile{std::filesystem::path(file).filename().string(), std::move(*text)};
+}
+
+/// "3000x1500"
+std::optional<pack::Stock> stock_in(const std::string& text) {
+  const auto by = text.find_first_of("xX");
+  if (by == std::string::npos) return std::nullopt;
+  const auto length = job::parse_number(text.substr(0, by)),
+             width = job::parse_number(text.substr(by + 1));
+  if (!length || !width || *length <= 0.0 || *width <= 0.0) return std::nullopt;
+  return pack::Stock{*length, *width};
+}
+
+Result<pack::PackOptions> options_of_pack(const PackArguments& arguments) {
+  pack::PackOptions options;
+  options.options = job::options_json(arguments.options);
+  options.workers = workers_of(arguments.how);
+  options.limits = arguments.how.limits;
+  options.plan = !arguments.no_plan;
+  options.drawings = !arguments.no_drawings;
+  options.zip = arguments.zip;
+  auto materials = given(arguments.materials, "list of materials");
+  if (!materials) return tl::unexpected(materials.error());
+  auto rates = given(arguments.rates, "rates file");
+  if (!rates) return tl::unexpected(rates.error());
+  options.materials = std::move(*materials);
+  options.rates = std::move(*rates);
+  if (!arguments.stock.empty()) {
+    options.stock = stock_in(arguments.stock);
+    if (!options.stock)
+      return fail(ErrorCode::bad_option,
+                  fmt::format("--nest must be like 3000x1500, length and width of a sheet in mm, "
+                              "not \"{}\"",
+                              arguments.stock),
+                  "nest");
+    options.stock->gap = arguments.gap.value_or(options.stock->gap);
+    options.stock->grain = arguments.grain;
+  } else if (arguments.gap || arguments.grain) {
+    return fail(ErrorCode::bad_option, "--gap and --grain belong to --nest, which is not given",
+                "nest");
+  }
+  job::Request tried;
+  if (const auto entered = arguments.options.enter(tried); !entered)
+    return tl::unexpected(entered.error());
+  return options;
+}
+
+std::string summary_text(const pack::PackResult& result, const std::string& out) {
+  std::string text = fmt::format("{} distinct parts in {} groups, {} pieces; {} bodies refused\n",
+                                 result.parts, result.groups, result.pieces, result.refused);
+  if (result.sheets > 0) text += fmt::format("{} sheets\n", result.sheets);
+  for (const std::string& note : result.notes)
+    text += note + "\n";
+  return text + fmt::format("wrote {} files to {}\n", result.files.size(), out);
+}
+
+}  // namespace
+
+CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments& arguments) {
+  CLI::App* command = app.add_subcommand("pack", "make what goes to the shop, in one folder");
+  command
+      ->add_option("input", arguments.inputs, "files, folders, @lists, or the results of a batch")
+      ->required()
+      ->check(not_empty)
+      ->type_name("INPUT");
+  add_text(*command, "-o,--output", arguments.output, "FOLDER/", "of the pack")
+      ->required()
+      ->group("Output");
+  command->add_flag("--zip", arguments.zip, "also write the pack as one file, pack.zip")
+      ->group("Output");
+  command->add_flag("--no-drawings", arguments.no_drawings, "no PDF of each part, and no cover")
+      ->group("Output");
+  add_text(*command, "--materials", arguments.materials, "FILE.csv",
+           "materials and densities by names of parts")
+      ->group("Shop");
+  add_text(*command, "--rates", arguments.rates, "FILE.json",
+           "what the shop asks for cutting, bending and material")
+      ->group("Shop");
+  add_text(*command, "--nest", arguments.stock, "LENGTHxWIDTH",
+           "lay the parts of each group on sheets of that size, in mm")
+      ->group("Shop");
+  command->add_option("--gap", arguments.gap, "between parts on a sheet, in mm; default 5")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N")
+      ->group("Shop");
+  command->add_flag("--grain", arguments.grain, "lay parts along the grain of the sheet only")
+      ->group("Shop");
+  command
+      ->add_flag("--no-plan", arguments.no_plan,
+                 "do not find out whether a press brake can bend each part")
+      ->group("Shop");
+  add_many_parts(*command, catalogue, arguments.how, arguments.options);
+  command->footer(kPackExamples);
+  return command;
+}
+
+int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments) {
+  const auto options = options_of_pack(arguments);
+  if (!options) return complain(options.error());
+  std::optional<Telling> telling(std::in_place, arguments.how);
+  const auto result = pack::make_pack(
+      arguments.inputs, arguments.output, *options, catalogue,
+      [&](const batch::BatchProgress& at) { (*telling)(at); }, interrupted);
+  telling.reset();
+  if (!result) return complain(result.error());
+  if (!arguments.how.quiet) fmt::print("{}", summary_text(*result, arguments.output));
+  return 0;
+}
+
+}  // namespace planish::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace planish::batch {
+
+/// Among the formats of a batch: the isometric view of each piece, as `job::view_json`, in a file
+/// of this name beside the others.
+inline constexpr auto kViews = "views";
+std::string view_name(std::size_t piece);
+
+/// A part of a finished batch.
+struct BatchPart {
+  std::string folder;               ///< of the part, below that of all parts
+  std::string report;               ///< JSON on one line
+  std::vector<std::string> shapes;  ///< the pattern of each piece, as `flat_json`; none: refused
+  std::filesystem::path files;      ///< the folder where its files are
+};
+
+/// Whether a folder holds the results of a batch.
+bool is_batch(const std::filesystem::path& out);
+
+/// Goes through the parts of a finished batch, in the byte order of their inputs, until `take`
+/// gives an error. Errors: `cannot_read` (also of a batch that is not finished), those of `take`.
+Result<void> for_each_part(const std::filesystem::path& out,
+                           const std::function<Result<void>(BatchPart)>& take);
+
+}  // namespace planish::batch

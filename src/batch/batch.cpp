@@ -1,0 +1,232 @@
+#include "results.hpp"
+#include "state.hpp"
+#include "workers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <mutex>
+#include <thread>
+
+namespace planish::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What an input is, all of it.
+struct Content {
+  std::string hash;   ///< of the file
+  std::string named;  ///< of the file and those that it names
+};
+
+Content content_of(const Input& input, const job::Catalogue& catalogue) {
+  const auto file = job::read_input_file(input.file, "input file");
+  if (!file) return {hash_of(file.error().message), {}};
+  const std::string hash = hash_of(file->content);
+  std::string named = hash;
+  const auto maker = catalogue.maker_for(file->name, file->content);
+  if (maker && (*maker)->named_files && file->folder)
+    for (const job::NamedFile& one : (*maker)->named_files(file->content)) {
+      const auto other = job::read_input_file(*file->folder / one.file, "file");
+      named += hash_of(other ? other->content : other.error().message);
+    }
+  return {hash, named};
+}
+
+/// Whether an input falls to this shard. The hash is even, so shards are of about the same size.
+bool falls_to(const Shard& shard, const std::string& hash) {
+  constexpr std::size_t kDigits = 15;
+  constexpr int kHexadecimal = 16;
+  std::uint64_t number = 0;
+  std::from_chars(hash.data(), hash.data() + kDigits, number, kHexadecimal);
+  return static_cast<int>(number % static_cast<std::uint64_t>(shard.of)) + 1 == shard.number;
+}
+
+/// Whether another try may go better, and with which limits.
+std::string tried_with(const std::vector<PartDone>& parts, const job::Limits& limits) {
+  const auto ended_by = [&](ErrorCode code) {
+    return std::ranges::any_of(
+        parts, [&](const PartDone& part) { return part.refusal == code_name(code); });
+  };
+  if (ended_by(ErrorCode::worker_died)) return "lost";
+  if (ended_by(ErrorCode::time_limit) || ended_by(ErrorCode::out_of_memory))
+    return fmt::format("{} ms, {} bytes", limits.time.count(), limits.memory);
+  return {};
+}
+
+/// A batch under way.
+class Running {
+ public:
+  Running(const std::vector<Input>& inputs, State& state, const BatchOptions& options,
+          const job::Catalogue& catalogue, const std::function<void(const BatchProgress&)>& report,
+          const std::function<bool()>& cancelled)
+      : inputs_(inputs),
+        mine_(inputs.size(), 0),
+        state_(state),
+        options_(options),
+        catalogue_(catalogue),
+        report_(report),
+        cancelled_(cancelled) {
+    progress_.all = inputs.size();
+  }
+
+  std::optional<Error> run() {
+    std::vector<std::thread> threads;
+    const auto count = std::min<std::size_t>(static_cast<std::size_t>(options_.workers),
+                                             inputs_.size());
+    for (std::size_t i = 0; i < count; ++i)
+      threads.emplace_back([this] { work(); });
+    for (std::thread& thread : threads)
+      thread.join();
+    return error_;
+  }
+
+  const BatchProgress& progress() const { return progress_; }
+
+  /// The names of the inputs of this shard, in order.
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < inputs_.size(); ++i)
+      if (mine_[i]) names.push_back(inputs_[i].name);
+    return names;
+  }
+
+ private:
+  bool ends() {
+    const std::scoped_lock lock(mutex_);
+    return error_.has_value();
+  }
+
+  void work() {
+    Worker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
+    for (;;) {
+      const std::size_t at = next_++;
+      if (at >= inputs_.size() || ends()) return;
+      if (cancelled_()) return stop(interruption());
+      if (auto error = work_on(at, worker)) return stop(std::move(*error));
+    }
+  }
+
+  std::optional<Error> work_on(std::size_t at, Worker& worker) {
+    const Input& input = inputs_[at];
+    const Content content = content_of(input, catalogue_);
+    if (!falls_to(options_.shard, content.hash)) {
+      skip();
+      return std::nullopt;
+    }
+    mine_[at] = 1;
+    const std::string key = hash_of(fmt::format("{}\n{}\n{}\n{}", content.named, PLANISH_VERSION,
+                                                options_.options,
+                                                fmt::join(options_.formats, ",")));
+    if (known(input, key)) return std::nullopt;
+    const auto parts = worker.work_on(
+        {input.file.string(), input.name, options_.options, options_.formats});
+    if (!parts && parts.error().code == ErrorCode::cancelled) return interruption();
+    if (!parts) return parts.error();
+    return enter(input, key, *parts);
+  }
+
+  bool known(const Input& input, const std::string& key) {
+    const std::scoped_lock lock(mutex_);
+    const std::string before = state_.journal().key_of(input.name);
+    const bool same = before == key || before == key + tried_with_these();
+    if (!same) return false;
+    ++progress_.resumed;
+    tell();
+    return true;
+  }
+
+  /// The end of the key of an input that these limits were too small for.
+  std::string tried_with_these() const {
+    PartDone late;
+    late.refusal = code_name(ErrorCode::time_limit);
+    return tried_with({late}, options_.limits);
+  }
+
+  std::optional<Error> enter(const Input& input, const std::string& key,
+                             const std::vector<PartDone>& parts) {
+    std::unique_lock lock(mutex_);
+    const auto before = state_.journal().parts_of(input.name);
+    if (!before) return before.error();
+    lock.unlock();
+    if (auto stored = state_.store(parts, *before); !stored) return stored.error();
+    lock.lock();
+    if (auto added = state_.journal().add(input.name, key + tried_with(parts, options_.limits),
+                                          parts);
+        !added)
+      return added.error();
+    progress_.refused += static_cast<std::size_t>(
+        std::ranges::count_if(parts, [](const PartDone& part) { return !part.refusal.empty(); }));
+    tell();
+    return std::nullopt;
+  }
+
+  void skip() {
+    const std::scoped_lock lock(mutex_);
+    --progress_.all;
+  }
+
+  void tell() {
+    ++progress_.done;
+    progress_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (report_) report_(progress_);
+  }
+
+  void stop(Error error) {
+    const std::scoped_lock lock(mutex_);
+    if (!error_) error_ = std::move(error);
+  }
+
+  using Clock = std::chrono::steady_clock;
+
+  const std::vector<Input>& inputs_;
+  std::vector<char> mine_;  ///< of this shard; each is written by one thread
+  State& state_;
+  const BatchOptions& options_;
+  const job::Catalogue& catalogue_;
+  const std::function<void(const BatchProgress&)>& report_;
+  const std::function<bool()>& cancelled_;
+  Clock::time_point start_ = Clock::now();
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  BatchProgress progress_;
+  std::optional<Error> error_;
+};
+
+RunRecord record_of(const std::vector<Input>& inputs, const BatchOptions& options) {
+  std::string work = fmt::format("{}\n{}\n{}\n", PLANISH_VERSION, options.options,
+                                 fmt::join(options.formats, ","));
+  for (const Input& input : inputs)
+    work += input.name + '\n';
+  return {options.shard, inputs.size(), hash_of(work), false};
+}
+
+}  // namespace
+
+Result<BatchResult> run_batch(const std::vector<Input>& inputs, const fs::path& out,
+                              const BatchOptions& options, const job::Catalogue& catalogue,
+                              const std::function<void(const BatchProgress&)>& report,
+                              const std::function<bool()>& cancelled) {
+  const Shard& shard = options.shard;
+  auto state = State::open(
+      shard.of == 1 ? out : out / fmt::format("shard-{}-of-{}", shard.number, shard.of));
+  if (!state) return tl::unexpected(state.error());
+  RunRecord record = record_of(inputs, options);
+  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  Running running(inputs, *state, options, catalogue, report, cancelled);
+  if (auto error = running.run()) return tl::unexpected(std::move(*error));
+  const std::vector<std::string> names = running.names();
+  auto result = write_results(names, *state);
+  if (!result) return result;
+  record.finished = true;
+  record.names = names;
+  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  result->resumed = running.progress().resumed;
+  result->left = state->journal().names().size() - names.size();
+  return result;
+}
+
+}  // namespace planish::batch

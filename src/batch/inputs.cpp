@@ -1,0 +1,148 @@
+#include <planish/batch/inputs.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
+#include <system_error>
+
+namespace planish::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string lower_suffix(const fs::path& file) {
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
+}
+
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+/// Collects the inputs of one command line.
+class Collecting {
+ public:
+  Collecting(const fs::path& out, const job::Catalogue& catalogue)
+      : out_(fs::weakly_canonical(out)), catalogue_(catalogue) {}
+
+  /// The reason why a word cannot be taken.
+  std::optional<Error> add(const std::string& word, const fs::path& beside) {
+    if (word.starts_with('@')) return add_list(beside / word.substr(1));
+    const fs::path path = beside / word;
+    std::error_code none;
+    if (fs::is_directory(path, none)) return add_folder(path);
+    if (!fs::is_regular_file(path, none))
+      return Error{ErrorCode::cannot_read, fmt::format("{} is no file or folder", path.string()),
+                   path.string()};
+    // In a list of many folders the names of files alone may be the same.
+    const fs::path below = path.lexically_normal().lexically_relative(beside.lexically_normal());
+    const bool is_below = !beside.empty() && !below.empty() && *below.begin() != "..";
+    inputs_.push_back({path, is_below ? below.generic_string() : path.filename().string()});
+    return std::nullopt;
+  }
+
+  Result<std::vector<Input>> finish() {
+    std::ranges::sort(inputs_, {}, &Input::name);
+    std::vector<Input> inputs;
+    std::set<fs::path> taken;
+    for (Input& input : inputs_) {
+      const bool fresh = taken.insert(fs::absolute(input.file).lexically_normal()).second;
+      if (!fresh) continue;
+      if (!inputs.empty() && inputs.back().name == input.name)
+        return fail(ErrorCode::bad_option,
+                    fmt::format("two inputs are called {}: {} and {}; give the folder above both",
+                                input.name, inputs.back().file.string(), input.file.string()));
+      inputs.push_back(std::move(input));
+    }
+    if (inputs.empty())
+      return fail(ErrorCode::no_input,
+                  "there is nothing to work on: no file ends in .step or .stp or is a JSON file "
+                  "that planish reads");
+    return inputs;
+  }
+
+ private:
+  std::optional<Error> add_list(const fs::path& list) {
+    std::error_code none;
+    const fs::path whole = fs::weakly_canonical(list, none);
+    if (std::ranges::find(lists_, whole) != lists_.end())
+      return Error{ErrorCode::cannot_read, fmt::format("the list {} names itself", list.string()),
+                   list.string()};
+    const auto text = job::read_text(list, "list");
+    if (!text) return text.error();
+    lists_.push_back(whole);
+    std::istringstream lines(*text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back())))
+        line.pop_back();
+      ++number;
+      if (line.empty() || line.starts_with('#')) continue;
+      const auto error = add(line, list.has_parent_path() ? list.parent_path() : ".");
+      if (error && line.starts_with('@')) return error;
+      if (error)
+        return Error{error->code,
+                     fmt::format("{}, line {}: {}", list.string(), number, error->message),
+                     error->where};
+    }
+    lists_.pop_back();
+    return std::nullopt;
+  }
+
+  std::optional<Error> add_folder(const fs::path& folder) {
+    std::error_code failed;
+    const fs::path whole = fs::weakly_canonical(folder, failed);
+    const auto [end, rest] = std::ranges::mismatch(whole, out_);
+    if (end == whole.end())
+      return Error{
+          ErrorCode::bad_option,
+          fmt::format("the results would go into {}, which is in the input folder {}: name "
+                      "a folder outside with -o",
+                      out_.string(), folder.string()),
+          "output"};
+    auto entry = fs::recursive_directory_iterator(folder, failed);
+    for (; !failed && entry != fs::recursive_directory_iterator(); entry.increment(failed)) {
+      if (is_hidden(entry->path())) {
+        entry.disable_recursion_pending();
+        continue;
+      }
+      std::error_code none;
+      if (entry->is_regular_file(none) && is_input(entry->path()))
+        inputs_.push_back(
+            {entry->path(), entry->path().lexically_relative(folder).generic_string()});
+    }
+    if (!failed) return std::nullopt;
+    return Error{ErrorCode::cannot_read,
+                 fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
+                 folder.string()};
+  }
+
+  bool is_input(const fs::path& file) const {
+    const std::string suffix = lower_suffix(file);
+    if (suffix == ".step" || suffix == ".stp") return true;
+    if (suffix != ".json") return false;
+    const auto input = job::read_input_file(file, "input file");
+    return input && catalogue_.maker_for(input->name, input->content);
+  }
+
+  fs::path out_;
+  const job::Catalogue& catalogue_;
+  std::vector<Input> inputs_;
+  std::vector<fs::path> lists_;  ///< being read, each named by the one before
+};
+
+}  // namespace
+
+Result<std::vector<Input>> inputs_of(const std::vector<std::string>& words, const fs::path& out,
+                                     const job::Catalogue& catalogue) {
+  Collecting collecting(out, catalogue);
+  for (const std::string& word : words)
+    if (auto error = collecting.add(word, {})) return tl::unexpected(std::move(*error));
+  return collecting.finish();
+}
+
+}  // namespace planish::batch

@@ -1,0 +1,151 @@
+#include "journal.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace planish::batch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Between the head of a line, {"name": ..., "key": ...}, and its parts.
+constexpr char kBehindHead = '\t';
+
+tl::unexpected<Error> broken(ErrorCode code, const std::filesystem::path& file) {
+  const bool reads = code == ErrorCode::cannot_read;
+  return fail(code,
+              fmt::format("cannot {} {}: {}", reads ? "read" : "write", file.string(),
+                          std::strerror(errno)),
+              file.string());
+}
+
+std::string json_text(const std::string& text) { return Json(text).dump(); }
+
+/// A report is JSON already: it is put in as it is. A shape has to come out again to the byte.
+std::string part_text(const PartDone& part) {
+  Json files = Json::array();
+  for (const PartFile& file : part.files)
+    files.push_back(file.name);
+  return fmt::format(R"({{"folder":{},"files":{},"report":{},"shapes":{}}})",
+                     json_text(part.folder), files.dump(), part.report, Json(part.shapes).dump());
+}
+
+}  // namespace
+
+void Journal::look_through() {
+  for (std::string line; std::getline(stream_, line);) {
+    if (stream_.eof()) break;  // cut off
+    const Json head = Json::parse(line.substr(0, line.find(kBehindHead)), nullptr, false);
+    if (head.is_object() && head.contains("name") && head.contains("key"))
+      places_[head["name"].get<std::string>()] = {head["key"].get<std::string>(), end_,
+                                                  line.size()};
+    end_ += static_cast<std::streamoff>(line.size()) + 1;
+  }
+  stream_.clear();
+}
+
+Result<Journal> Journal::read(const std::filesystem::path& file) {
+  Journal journal;
+  journal.file_ = file;
+  journal.stream_.open(file, std::ios::in | std::ios::binary);
+  if (!journal.stream_) return broken(ErrorCode::cannot_read, file);
+  journal.look_through();
+  return journal;
+}
+
+Result<Journal> Journal::open(const std::filesystem::path& file) {
+  Journal journal;
+  journal.file_ = file;
+  std::error_code none;
+  if (!std::filesystem::exists(file, none)) std::ofstream(file, std::ios::binary);
+  journal.stream_.open(file, std::ios::in | std::ios::out | std::ios::binary);
+  if (!journal.stream_) return broken(ErrorCode::cannot_write, file);
+  journal.look_through();
+  if (const auto size = std::filesystem::file_size(file, none);
+      !none && size > static_cast<std::uintmax_t>(journal.end_))
+    std::filesystem::resize_file(file, static_cast<std::uintmax_t>(journal.end_), none);
+  return journal;
+}
+
+std::string Journal::key_of(const std::string& name) const {
+  const auto place = places_.find(name);
+  return place == places_.end() ? std::string() : place->second.key;
+}
+
+std::vector<std::string> Journal::names() const {
+  std::vector<std::string> names;
+  names.reserve(places_.size());
+  for (const auto& [name, place] : places_)
+    names.push_back(name);
+  return names;
+}
+
+Result<void> Journal::append(const std::string& name, const std::string& key,
+                             std::string_view line) {
+  stream_.seekp(end_);
+  stream_ << line << '\n';
+  stream_.flush();
+  if (!stream_) {
+    const auto error = broken(ErrorCode::cannot_write, file_);
+    stream_.clear();
+    return error;
+  }
+  places_[name] = {key, end_, line.size()};
+  end_ += static_cast<std::streamoff>(line.size()) + 1;
+  return {};
+}
+
+Result<void> Journal::add(const std::string& name, const std::string& key,
+                          const std::vector<PartDone>& parts) {
+  std::string line = fmt::format(R"({{"name":{},"key":{}}}{}[)", json_text(name), json_text(key),
+                                 kBehindHead);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    line += (i == 0 ? "" : ",") + part_text(parts[i]);
+  return append(name, key, line + "]");
+}
+
+Result<void> Journal::add_from(Journal& other, const std::string& name) {
+  const Place& place = other.places_.at(name);
+  const auto line = other.line_at(place);
+  if (!line) return tl::unexpected(line.error());
+  return append(name, place.key, *line);
+}
+
+Result<std::string> Journal::line_at(const Place& place) {
+  std::string line(place.length, '\0');
+  stream_.seekg(place.at);
+  stream_.read(line.data(), static_cast<std::streamsize>(line.size()));
+  if (stream_) return line;
+  const auto error = broken(ErrorCode::cannot_read, file_);
+  stream_.clear();
+  return error;
+}
+
+Result<std::vector<Journal::Part>> Journal::parts_of(const std::string& name) {
+  const auto place = places_.find(name);
+  if (place == places_.end()) return std::vector<Part>{};
+  const auto line = line_at(place->second);
+  if (!line) return tl::unexpected(line.error());
+  const Json json = Json::parse(std::string_view(*line).substr(line->find(kBehindHead) + 1),
+                                nullptr, false);
+  if (!json.is_array())
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} is damaged at {}: remove it, and run the batch again",
+                            file_.string(), name),
+                file_.string());
+  std::vector<Part> parts;
+  for (const Json& one : json) {
+    Part& part = parts.emplace_back();
+    part.folder = one.at("folder").get<std::string>();
+    part.files = one.at("files").get<std::vector<std::string>>();
+    part.report = one.at("report").dump();
+    part.shapes = one.at("shapes").get<std::vector<std::string>>();
+  }
+  return parts;
+}
+
+}  // namespace planish::batch

@@ -1,0 +1,184 @@
+#include "results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+namespace planish::batch {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_shard(const fs::path& folder) {
+  return folder.filename().string().starts_with("shard-") && is_batch(folder);
+}
+
+/// The folders of results that are meant: the shards in each, or else itself.
+Result<std::vector<fs::path>> batches_in(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> batches;
+  for (const fs::path& folder : folders) {
+    std::error_code failed;
+    const std::size_t before = batches.size();
+    auto entry = fs::directory_iterator(folder, failed);
+    for (; !failed && entry != fs::directory_iterator(); entry.increment(failed))
+      if (is_shard(entry->path())) batches.push_back(entry->path());
+    if (failed)
+      return fail(ErrorCode::cannot_read,
+                  fmt::format("cannot read the folder {}: {}", folder.string(), failed.message()),
+                  folder.string());
+    if (batches.size() > before) continue;
+    if (!is_batch(folder))
+      return fail(
+          ErrorCode::cannot_read,
+          fmt::format("{} holds no results of planish batch, nor shards of them", folder.string()),
+          folder.string());
+    batches.push_back(folder);
+  }
+  std::ranges::sort(batches);
+  const auto [first, last] = std::ranges::unique(batches);
+  batches.erase(first, last);
+  return batches;
+}
+
+std::string shard_text(const Shard& shard) { return fmt::format("{}/{}", shard.number, shard.of); }
+
+struct Batch {
+  fs::path folder;
+  RunRecord record;
+};
+
+/// These, if they are all shards of one batch.
+Result<std::vector<Batch>> all_shards(const std::vector<fs::path>& folders) {
+  std::vector<Batch> batches;
+  std::set<int> numbers;
+  for (const fs::path& folder : folders) {
+    auto record = read_record(folder);
+    if (!record) return tl::unexpected(record.error());
+    const auto refused = [&](const std::string& why) {
+      return fail(ErrorCode::cannot_read, fmt::format("{} {}", folder.string(), why),
+                  folder.string());
+    };
+    const std::string shard = shard_text(record->shard);
+    if (!record->finished)
+      return refused(fmt::format("is not finished: run --shard {} again, then merge", shard));
+    const RunRecord& first = batches.empty() ? *record : batches.front().record;
+    if (record->shard.of != first.shard.of || record->work != first.work)
+      return refused(fmt::format(
+          "and {} are not of one batch: shards have the same inputs, options, number of "
+          "shards and version of planish",
+          folders.front().string()));
+    if (!numbers.insert(record->shard.number).second)
+      return refused(fmt::format("is shard {} for the second time", shard));
+    batches.push_back({folder, std::move(*record)});
+  }
+  const int count = batches.front().record.shard.of;
+  for (int i = 1; i <= count; ++i)
+    if (!numbers.contains(i))
+      return fail(
+          ErrorCode::cannot_read,
+          fmt::format("shard {0} is missing: run --shard {0}, then merge", shard_text({i, count})));
+  return batches;
+}
+
+/// Puts a part's files of one batch in place in another.
+Result<void> take_over(const Journal::Part& part, const fs::path& from, const fs::path& to) {
+  const auto failed = [&](const fs::path& what, const std::error_code& why) {
+    return fail(ErrorCode::cannot_write,
+                fmt::format("cannot write {}: {}", what.string(), why.message()), what.string());
+  };
+  std::error_code error;
+  if (!part.files.empty()) fs::create_directories(to, error);
+  if (error) return failed(to, error);
+  for (const std::string& file : part.files) {
+    std::error_code none;
+    fs::remove(to / file, none);
+    fs::create_hard_link(from / file, to / file, error);
+    if (error) fs::copy_file(from / file, to / file, error);
+    if (error) return failed(to / file, error);
+  }
+  return {};
+}
+
+/// Takes batches into another one.
+class Merging {
+ public:
+  Merging(State& state, const std::vector<Batch>& batches,
+          const std::function<void(const BatchProgress&)>& report,
+          const std::function<bool()>& cancelled)
+      : state_(state), batches_(batches), report_(report), cancelled_(cancelled) {
+    for (const Batch& batch : batches)
+      progress_.all += batch.record.names.size();
+  }
+
+  std::optional<Error> run() {
+    for (const Batch& batch : batches_) {
+      auto journal = read_journal(batch.folder);
+      if (!journal) return journal.error();
+      for (const std::string& name : batch.record.names)
+        if (auto error = add(batch.folder, *journal, name)) return error;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  std::optional<Error> add(const fs::path& folder, Journal& journal, const std::string& name) {
+    if (cancelled_()) return interruption();
+    const auto parts = journal.parts_of(name);
+    if (!parts) return parts.error();
+    for (const Journal::Part& part : *parts)
+      if (auto taken = take_over(part, part_folder(folder, part.folder),
+                                 state_.folder_of(part.folder));
+          !taken)
+        return taken.error();
+    if (state_.journal().key_of(name) != journal.key_of(name))
+      if (auto added = state_.journal().add_from(journal, name); !added) return added.error();
+    ++progress_.done;
+    progress_.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (report_) report_(progress_);
+    return std::nullopt;
+  }
+
+  using Clock = std::chrono::steady_clock;
+  State& state_;
+  const std::vector<Batch>& batches_;
+  const std::function<void(const BatchProgress&)>& report_;
+  const std::function<bool()>& cancelled_;
+  Clock::time_point start_ = Clock::now();
+  BatchProgress progress_;
+};
+
+}  // namespace
+
+Result<BatchResult> merge_batches(const std::vector<fs::path>& folders, const fs::path& out,
+                                  const std::function<void(const BatchProgress&)>& report,
+                                  const std::function<bool()>& cancelled) {
+  const auto found = batches_in(folders);
+  if (!found) return tl::unexpected(found.error());
+  for (const fs::path& folder : *found)
+    if (std::error_code none; fs::equivalent(folder, out, none))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("{} is to be merged: name another folder with -o", out.string()),
+                  "output");
+  const auto batches = all_shards(*found);
+  if (!batches) return tl::unexpected(batches.error());
+  auto state = State::open(out);
+  if (!state) return tl::unexpected(state.error());
+  RunRecord record{
+      .shard = {}, .inputs = batches->front().record.inputs, .work = batches->front().record.work};
+  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  Merging merging(*state, *batches, report, cancelled);
+  if (auto error = merging.run()) return tl::unexpected(std::move(*error));
+  for (const Batch& batch : *batches)
+    record.names.insert(record.names.end(), batch.record.names.begin(), batch.record.names.end());
+  std::ranges::sort(record.names);
+  auto result = write_results(record.names, *state);
+  if (!result) return result;
+  record.finished = true;
+  if (auto written = state->record(record); !written) return tl::unexpected(written.error());
+  result->left = state->journal().names().size() - record.names.size();
+  return result;
+}
+
+}  // namespace planish::batch

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "rows.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::batch {
+
+/// The page of a batch: its parts with their sketches, shown without a server. Of more parts than a
+/// browser shows well it has the refused ones first, then those with warnings, and says so.
+class Page {
+ public:
+  /// `distinct`: the number of the distinct part that it is one of.
+  void add(const Row& row, std::optional<std::size_t> distinct);
+  std::string text() const;
+
+ private:
+  std::size_t all_ = 0;
+  std::vector<std::string> refused_, warnings_, ok_;  ///< JSON objects
+  std::vector<std::size_t> copies_;                   ///< of each distinct part
+};
+
+}  // namespace planish::batch

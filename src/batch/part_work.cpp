@@ -1,0 +1,146 @@
+#include "part_work.hpp"
+
+#include <planish/batch/parts.hpp>
+#include <planish/io/flat_json.hpp>
+#include <planish/job/outputs.hpp>
+#include <planish/job/part_view.hpp>
+#include <planish/job/run.hpp>
+#include <planish/job/unfold.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace planish::batch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr auto kSketch = "sketch.svg";
+
+std::string on_one_line(const std::string& json) { return Json::parse(json).dump(); }
+
+/// The options that a maker has.
+std::string taken_by(const job::Maker& maker, const std::string& options) {
+  const Json given = Json::parse(options);
+  Json taken = Json::object();
+  for (const auto& [name, value] : given.items())
+    if (maker.takes(name)) taken[name] = value;
+  return taken.dump();
+}
+
+/// A drawing of the pattern for a page of many.
+std::string sketch_of(const job::Made& made) {
+  return svg_text(made.piece(0).flat, {.labels = false, .names = false, .legend = false});
+}
+
+/// The folded pieces, for those who draw them.
+void add_views(PartDone& part, const job::Made& made) {
+  for (int piece = 0; piece < made.pieces(); ++piece) {
+    const job::Report& report = made.piece(piece);
+    if (report.sheet.faces.empty()) continue;
+    part.files.push_back({view_name(static_cast<std::size_t>(piece)),
+                          job::view_json(job::isometric_view(report.sheet, report.layout))});
+  }
+}
+
+/// Makes the files and the report of what was made.
+PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task,
+                  const job::Request& request, const job::Catalogue& catalogue,
+                  const std::string& folder) {
+  PartDone part{.folder = folder, .report = {}};
+  job::Report& report = made.report();
+  report.input = task.name;
+  for (const std::string& format : task.formats) {
+    const job::Artifact* artifact = catalogue.artifact(maker, format);
+    if (!artifact || artifact->role == job::Role::report || report.refusal) continue;
+    auto files = job::write(*artifact, made, request, job::safe_name(report.body));
+    if (!files && artifact->may_be_missing(files.error())) {
+      job::note_missing(report, *artifact, files.error());
+      continue;
+    }
+    if (!files) {
+      report.refusal = files.error();
+      break;
+    }
+    for (job::WrittenArtifact& file : *files)
+      part.files.push_back({std::move(file.name), std::move(file.bytes)});
+  }
+  if (report.refusal) {
+    part.files.clear();
+    part.refusal = code_name(report.refusal->code);
+  } else {
+    for (const PartFile& file : part.files)
+      report.files.push_back(folder + "/" + file.name);
+    for (int piece = 0; piece < made.pieces(); ++piece)
+      part.shapes.push_back(flat_json(made.piece(piece).flat));
+    part.files.push_back({kSketch, sketch_of(made)});
+    if (std::ranges::count(task.formats, kViews)) add_views(part, made);
+  }
+  const std::string json = made.json();
+  if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
+  part.report = on_one_line(json);
+  return part;
+}
+
+/// The folder of one body's part.
+std::string folder_of(const FileTask& task, const job::UnfoldReport& report) {
+  if (report.bodies_in_file == 1) return task.name;
+  return fmt::format("{}/{}_{}", task.name, report.number, job::safe_name(report.body));
+}
+
+void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
+            const job::Catalogue& catalogue, const Listener& listener) {
+  auto reports = job::unfold_all(request, listener.progress, {task.given_up, listener.begins});
+  if (!reports) return listener.done(failed_part(task, catalogue, reports.error()));
+  for (std::size_t i = 0; i < reports->size(); ++i) {
+    listener.begins(static_cast<int>(i));
+    const std::string folder = folder_of(task, (*reports)[i]);
+    const auto made = job::made_of((*reports)[i]);
+    listener.done(finished(*made, maker, task, request, catalogue, folder));
+  }
+}
+
+}  // namespace
+
+std::string view_name(std::size_t piece) { return fmt::format("view-{}.json", piece + 1); }
+
+PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error) {
+  job::Request request;
+  request.input = task.name;
+  const job::Maker* maker = &catalogue.makers.front();
+  if (const auto input = job::read_input_file(task.file, "input file"))
+    if (const auto found = catalogue.maker_for(input->name, input->content)) maker = *found;
+  const auto made = maker->failed(request, error);
+  made->report().input = task.name;
+  const std::string json = made->json();
+  PartDone part{.folder = task.name,
+                .report = on_one_line(json),
+                .refusal = std::string(code_name(error.code))};
+  if (std::ranges::count(task.formats, "json")) part.files.push_back({"report.json", json});
+  return part;
+}
+
+void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listener& listener) {
+  const auto failed = [&](const Error& error) {
+    listener.done(failed_part(task, catalogue, error));
+  };
+  auto input = job::read_input_file(task.file, "input file");
+  if (!input) return failed(input.error());
+  const auto maker = catalogue.maker_for(input->name, input->content);
+  if (!maker) return failed(maker.error());
+  const auto options = job::read_options(taken_by(**maker, task.options), **maker,
+                                         job::OptionFiles::path_or_content, "");
+  if (!options) return failed(options.error());
+  job::Request request;
+  request.input = task.file;
+  if (const auto entered = options->enter(request); !entered) return failed(entered.error());
+  if ((*maker)->takes("body") && request.body.empty())
+    return unfold(task, **maker, request, catalogue, listener);
+  const auto work = (*maker)->open(*input, listener.progress);
+  if (!work) return failed(work.error());
+  const auto made = (*work)->make(request, listener.progress);
+  if (!made) return failed(made.error());
+  listener.done(finished(**made, **maker, task, request, catalogue, task.name));
+}
+
+}  // namespace planish::batch

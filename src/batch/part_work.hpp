@@ -1,0 +1,48 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/job/artifact.hpp>
+#include <planish/job/child_process.hpp>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::batch {
+
+/// What is asked of a worker: everything about one input file.
+struct FileTask {
+  std::string file, name;            ///< where it lies, and what it is called
+  std::string options;               ///< a JSON object; each maker takes those of them that it has
+  std::vector<std::string> formats;  ///< artifacts, where the maker writes them
+  std::map<int, Error> given_up = {};  ///< bodies that ended a worker before, from 0
+};
+
+struct PartFile {
+  std::string name, bytes;
+};
+
+/// One part that was made or refused.
+struct PartDone {
+  std::string folder;        ///< below that of all parts; equal for the same input always
+  std::string report;        ///< JSON on one line, without a line end
+  std::string refusal = {};  ///< the code of the reason; empty: it was made
+  std::vector<std::string> shapes = {};  ///< the pattern of each piece, as `flat_json`
+  std::vector<PartFile> files = {};
+};
+
+/// Hears of each body, from 0, before it is worked on, and of each part that is done.
+struct Listener {
+  std::function<void(int body)> begins;
+  std::function<void(PartDone part)> done;
+  Progress progress;
+};
+
+/// Does the task.
+void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listener& listener);
+
+/// The one part of a file that gave nothing else.
+PartDone failed_part(const FileTask& task, const job::Catalogue& catalogue, const Error& error);
+
+}  // namespace planish::batch

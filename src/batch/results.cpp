@@ -1,0 +1,144 @@
+#include "results.hpp"
+
+#include "identical.hpp"
+#include "page.hpp"
+#include "rows.hpp"
+
+#include <planish/io/flat_writers.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace planish::batch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+/// A file written piece by piece, under its name only once it is whole.
+class Growing {
+ public:
+  explicit Growing(fs::path target)
+      : target_(std::move(target)),
+        draft_(target_.string() + ".part"),
+        stream_(draft_, std::ios::binary) {}
+  Growing(const Growing&) = delete;
+  Growing& operator=(const Growing&) = delete;
+  ~Growing() {
+    std::error_code none;
+    if (stream_.is_open()) fs::remove(draft_, none);
+  }
+
+  void add(const std::string& text) { stream_ << text; }
+
+  Result<void> finish() {
+    stream_.flush();
+    const bool whole = stream_.good();
+    const std::string why = std::strerror(errno);
+    stream_.close();
+    std::error_code failed;
+    if (whole) fs::rename(draft_, target_, failed);
+    if (whole && !failed) return {};
+    std::error_code none;
+    fs::remove(draft_, none);
+    return fail(
+        ErrorCode::cannot_write,
+        fmt::format("cannot write {}: {}", target_.string(), failed ? failed.message() : why),
+        target_.string());
+  }
+
+ private:
+  fs::path target_, draft_;
+  std::ofstream stream_;
+};
+
+/// The results while they are written, part by part.
+class Writing {
+ public:
+  explicit Writing(State& state)
+      : state_(state),
+        identical_(state.journal()),
+        lines_(state.out() / "parts.jsonl"),
+        table_(state.out() / "summary.csv") {
+    result_.out = state.out();
+    table_.add(csv_titles());
+  }
+
+  Result<void> add(const std::string& name) {
+    const auto parts = state_.journal().parts_of(name);
+    if (!parts) return tl::unexpected(parts.error());
+    ++result_.inputs;
+    for (std::size_t i = 0; i < parts->size(); ++i)
+      if (auto added = add(name, i, (*parts)[i]); !added) return added;
+    return {};
+  }
+
+  Result<BatchResult> finish() {
+    result_.distinct = identical_.count();
+    for (Growing* file : {&lines_, &table_})
+      if (auto done = file->finish(); !done) return tl::unexpected(done.error());
+    if (auto done = write_file(state_.out() / "summary.json", summary()); !done)
+      return tl::unexpected(done.error());
+    if (auto done = write_file(state_.out() / "index.html", page_.text()); !done)
+      return tl::unexpected(done.error());
+    return result_;
+  }
+
+ private:
+  Result<void> add(const std::string& name, std::size_t at, const Journal::Part& part) {
+    const auto distinct = identical_.number_of(name, at, part.shapes);
+    if (!distinct) return tl::unexpected(distinct.error());
+    lines_.add(part.report + "\n");
+    Row row = row_of(part.folder, part.report);
+    if (*distinct && **distinct == firsts_.size())
+      firsts_.push_back(part.folder);
+    else if (*distinct)
+      row.same_as = firsts_[**distinct];
+    table_.add(csv_of(row));
+    page_.add(row, *distinct);
+    count(row);
+    return {};
+  }
+
+  void count(const Row& row) {
+    ++result_.parts;
+    if (row.status == "ok") ++result_.ok;
+    if (row.status == "warning") ++result_.warnings;
+    if (row.status == "refused") ++result_.refused;
+    if (!row.reason.empty()) ++reasons_[row.reason];
+  }
+
+  std::string summary() const {
+    Json json{{"format", "planish/batch"},  {"version", 1},
+              {"inputs", result_.inputs},   {"parts", result_.parts},
+              {"ok", result_.ok},           {"warnings", result_.warnings},
+              {"refused", result_.refused}, {"distinct", result_.distinct},
+              {"reasons", Json::object()}};
+    for (const auto& [reason, number] : reasons_)
+      json["reasons"][reason] = number;
+    return json.dump(2) + "\n";
+  }
+
+  State& state_;
+  IdenticalParts identical_;
+  Growing lines_, table_;
+  Page page_;
+  std::vector<std::string> firsts_;  ///< folders of the first of identical parts
+  std::map<std::string, int> reasons_;
+  BatchResult result_;
+};
+
+}  // namespace
+
+Result<BatchResult> write_results(const std::vector<std::string>& names, State& state) {
+  Writing writing(state);
+  for (const std::string& name : names)
+    if (auto added = writing.add(name); !added) return tl::unexpected(added.error());
+  return writing.finish();
+}
+
+}  // namespace planish::batch

@@ -1,0 +1,144 @@
+#include "state.hpp"
+
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <utility>
+
+namespace planish::batch {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr auto kState = ".planish-batch";
+constexpr auto kParts = "parts";
+constexpr auto kJournal = "journal.jsonl";
+constexpr auto kRecord = "run.json";
+constexpr auto kLock = "lock";
+
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!failed) return {};
+  return fail(ErrorCode::cannot_write,
+              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+              folder.string());
+}
+
+/// Removes what a run that was killed was about to write.
+void remove_drafts(const fs::path& folder) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".planish-") && name.ends_with(".part")) fs::remove(entry.path(), none);
+  }
+}
+
+}  // namespace
+
+Result<State> State::open(const fs::path& out) {
+  if (auto made = make_folder(out / kState); !made) return tl::unexpected(made.error());
+  State state;
+  state.out_ = out;
+  constexpr auto kForAll = 0666;
+  state.lock_ = ::open((out / kState / kLock).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, kForAll);
+  // File systems that know no locks are taken as they are.
+  if (state.lock_ >= 0 && flock(state.lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return fail(ErrorCode::cannot_write,
+                fmt::format("another batch is writing to {}: wait until it is done, or name "
+                            "another folder with -o",
+                            out.string()),
+                out.string());
+  auto journal = Journal::open(out / kState / kJournal);
+  if (!journal) return tl::unexpected(journal.error());
+  state.journal_ = std::make_unique<Journal>(std::move(*journal));
+  return state;
+}
+
+State::State(State&& other) noexcept
+    : out_(std::move(other.out_)),
+      lock_(std::exchange(other.lock_, -1)),
+      journal_(std::move(other.journal_)) {}
+
+State::~State() {
+  if (lock_ >= 0) close(lock_);
+}
+
+Result<void> State::record(const RunRecord& record) const {
+  const Json json{{"shard", {record.shard.number, record.shard.of}},
+                  {"inputs", record.inputs},
+                  {"work", record.work},
+                  {"finished", record.finished},
+                  {"names", record.names}};
+  return write_file(out_ / kState / kRecord,
+                    json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+fs::path State::folder_of(const std::string& part) const { return part_folder(out_, part); }
+
+Result<void> State::store(const std::vector<PartDone>& parts,
+                          const std::vector<Journal::Part>& before) const {
+  std::error_code none;
+  for (const Journal::Part& part : before)
+    for (const std::string& file : part.files)
+      fs::remove(folder_of(part.folder) / file, none);
+  for (const PartDone& part : parts) {
+    if (part.files.empty()) continue;
+    if (auto made = make_folder(folder_of(part.folder)); !made) return made;
+    remove_drafts(folder_of(part.folder));
+    for (const PartFile& file : part.files)
+      if (auto written = write_file(folder_of(part.folder) / file.name, file.bytes); !written)
+        return written;
+  }
+  // What is left empty of before.
+  for (const Journal::Part& part : before)
+    for (fs::path folder = part.folder; !folder.empty(); folder = folder.parent_path())
+      if (!fs::remove(folder_of(folder.string()), none)) break;
+  return {};
+}
+
+fs::path part_folder(const fs::path& out, const std::string& part) { return out / kParts / part; }
+
+bool is_batch(const fs::path& out) {
+  std::error_code none;
+  return fs::is_regular_file(out / kState / kJournal, none);
+}
+
+Result<RunRecord> read_record(const fs::path& out) {
+  const fs::path file = out / kState / kRecord;
+  const auto text = job::read_text(file, "record of a batch");
+  if (!text) return tl::unexpected(text.error());
+  const Json json = Json::parse(*text, nullptr, false);
+  try {
+    return RunRecord{{json.at("shard").at(0), json.at("shard").at(1)},
+                     json.at("inputs"),
+                     json.at("work"),
+                     json.at("finished"),
+                     json.at("names")};
+  } catch (const Json::exception&) {
+    return fail(ErrorCode::cannot_read,
+                fmt::format("{} is damaged: run that batch again", file.string()), file.string());
+  }
+}
+
+Result<Journal> read_journal(const fs::path& out) { return Journal::read(out / kState / kJournal); }
+
+Error interruption() {
+  return {ErrorCode::cancelled, "interrupted: run the same command again to go on", {}};
+}
+
+std::string hash_of(const std::string& text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace planish::batch

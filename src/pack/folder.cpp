@@ -1,0 +1,76 @@
+#include "folder.hpp"
+
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/text_file.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace planish::pack {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<void> make(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!failed) return {};
+  return fail(ErrorCode::cannot_write,
+              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+              folder.string());
+}
+
+std::string lines_of(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names)
+    text += name + '\n';
+  return text;
+}
+
+}  // namespace
+
+fs::path Folder::record_file() const { return out_ / ".planish-pack" / "files"; }
+
+Result<void> Folder::begin() {
+  if (auto made = make(record_file().parent_path()); !made) return made;
+  if (const auto text = job::read_text(record_file(), "record of a pack")) {
+    std::istringstream lines(*text);
+    for (std::string line; std::getline(lines, line);)
+      known_.insert(line);
+  }
+  record_.open(record_file(), std::ios::app | std::ios::binary);
+  return {};
+}
+
+Result<void> Folder::add(const std::string& name, const std::string& bytes) {
+  if (!record_.is_open())
+    if (auto begun = begin(); !begun) return begun;
+  const fs::path target = out_ / name;
+  if (auto made = make(target.parent_path()); !made) return made;
+  if (known_.insert(name).second) record_ << name << '\n' << std::flush;
+  if (!record_)
+    return fail(ErrorCode::cannot_write, fmt::format("cannot write {}", record_file().string()),
+                record_file().string());
+  if (auto written = write_file(target, bytes); !written) return written;
+  files_.emplace_back(name);
+  return {};
+}
+
+Result<void> Folder::finish() {
+  std::set<std::string> now;
+  for (const fs::path& file : files_)
+    now.insert(file.string());
+  std::error_code none;
+  for (const std::string& name : known_) {
+    const fs::path relative(name);
+    const bool outside = relative.is_absolute() || std::ranges::count(relative, "..") > 0;
+    if (!outside && !now.contains(name)) fs::remove(out_ / relative, none);
+  }
+  record_.close();
+  return write_file(record_file(), lines_of(now));
+}
+
+}  // namespace planish::pack

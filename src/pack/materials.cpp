@@ -1,0 +1,102 @@
+#include "materials.hpp"
+
+#include <planish/job/options.hpp>
+#include <planish/sheet/csv.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace planish::pack {
+namespace {
+
+tl::unexpected<Error> wrong(const GivenFile& file, int line, const std::string& what) {
+  const std::string where = fmt::format("{}:{}", file.name, line);
+  return fail(ErrorCode::invalid_input, fmt::format("{}: {}", where, what), where);
+}
+
+/// Where each column stands; -1: it is not there.
+struct MaterialColumns {
+  int part = -1, material = -1, density = -1;
+};
+
+Result<MaterialColumns> columns_of(const GivenFile& file, const CsvRecord& head) {
+  MaterialColumns columns;
+  for (int i = 0; i < std::ssize(head.fields); ++i) {
+    const std::string title = lower_case(head.fields[static_cast<std::size_t>(i)]);
+    if (title == "part" || title == "name") columns.part = i;
+    if (title == "material") columns.material = i;
+    if (title.starts_with("density")) columns.density = i;
+  }
+  if (columns.part < 0 || columns.material < 0)
+    return wrong(file, head.line,
+                 "the first row of the materials must name the columns part and material, and "
+                 "may name density");
+  return columns;
+}
+
+}  // namespace
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+bool fits(const std::string& pattern, const std::string& name) {
+  const std::string wanted = lower_case(pattern), given = lower_case(name);
+  std::size_t w = 0, g = 0, star = std::string::npos, behind = 0;
+  while (g < given.size()) {
+    if (w < wanted.size() && wanted[w] == '*') {
+      star = w++;
+      behind = g;
+    } else if (w < wanted.size() && (wanted[w] == '?' || wanted[w] == given[g])) {
+      ++w;
+      ++g;
+    } else if (star != std::string::npos) {
+      w = star + 1;
+      g = ++behind;
+    } else {
+      return false;
+    }
+  }
+  return wanted.find_first_not_of('*', w) == std::string::npos;
+}
+
+Result<Materials> Materials::parse(const GivenFile& file) {
+  const auto records = split_csv(file.text, file.name);
+  if (!records) return tl::unexpected(records.error());
+  if (records->empty()) return wrong(file, 1, "the list of materials is empty");
+  const auto columns = columns_of(file, records->front());
+  if (!columns) return tl::unexpected(columns.error());
+  Materials materials;
+  for (std::size_t i = 1; i < records->size(); ++i) {
+    const CsvRecord& record = (*records)[i];
+    const auto field = [&](int column) {
+      return column >= 0 && column < std::ssize(record.fields)
+                 ? record.fields[static_cast<std::size_t>(column)]
+                 : std::string();
+    };
+    Row row{field(columns->part), field(columns->material), {}};
+    if (row.pattern.empty() || row.material.empty())
+      return wrong(file, record.line, "each row needs a part and a material");
+    if (const std::string density = field(columns->density); !density.empty()) {
+      row.density = job::parse_number(density);
+      if (!row.density || *row.density <= 0.0)
+        return wrong(
+            file, record.line,
+            fmt::format("the density must be a number above 0, in kg/dm³, not \"{}\"", density));
+    }
+    materials.rows_.push_back(std::move(row));
+  }
+  return materials;
+}
+
+const Materials::Row* Materials::find(const std::string& part) const {
+  const auto row = std::ranges::find_if(rows_,
+                                        [&](const Row& one) { return fits(one.pattern, part); });
+  return row == rows_.end() ? nullptr : &*row;
+}
+
+}  // namespace planish::pack

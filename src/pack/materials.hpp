@@ -1,0 +1,42 @@
+#pragma once
+
+#include <planish/base/result.hpp>
+#include <planish/pack/pack.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::pack {
+
+/// What a part is called whose material nobody says.
+inline constexpr auto kUnknown = "unknown";
+
+/// The material of parts by their names, the first row that fits.
+class Materials {
+ public:
+  struct Row {
+    std::string pattern;  ///< of a name: * stands for any letters, ? for one; any case
+    std::string material;
+    std::optional<double> density;  ///< kg/dm³
+  };
+
+  Materials() = default;
+  /// Reads CSV with the columns `part`, `material` and, if wanted, `density`. Errors:
+  /// `invalid_input`, `where` is name:line.
+  static Result<Materials> parse(const GivenFile& file);
+
+  /// Null if no row fits.
+  const Row* find(const std::string& part) const;
+
+ private:
+  std::vector<Row> rows_;
+};
+
+/// ASCII letters alone.
+std::string lower_case(std::string text);
+
+/// Whether a name is like a pattern, in any case of ASCII letters.
+bool fits(const std::string& pattern, const std::string& name);
+
+}  // namespace planish::pack

@@ -1,0 +1,218 @@
+#include "drawings.hpp"
+#include "folder.hpp"
+#include "part_list.hpp"
+#include "parts_csv.hpp"
+#include "rates.hpp"
+#include "stock.hpp"
+#include "zip.hpp"
+
+#include <planish/batch/inputs.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/run.hpp>
+#include <planish/pack/pack.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace planish::pack {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Where the batch behind a pack is kept.
+constexpr auto kBatch = ".planish-pack";
+/// What the order of one part's bends may be looked for; what takes longer is for `planish bend`.
+constexpr double kSearchTime = 1.0;  // seconds
+
+Error interruption() {
+  return {ErrorCode::cancelled, "interrupted: run the same command again to go on", {}};
+}
+
+/// The options of the batch: whether parts can be bent is looked for, not how.
+std::string batch_options(const PackOptions& options) {
+  Json json = Json::parse(options.options);
+  if (options.plan) {
+    json["check_bending"] = true;
+    json["search_time"] = kSearchTime;
+  }
+  return json.dump();
+}
+
+/// How patterns are drawn, from options that a batch and its makers have checked.
+Result<DxfOptions> dxf_options(const PackOptions& options, const job::Catalogue& catalogue) {
+  const job::Maker& maker = catalogue.makers.front();
+  Json drawn = Json::object();
+  const Json given = Json::parse(options.options);
+  for (const auto& [name, value] : given.items())
+    if (maker.takes(name)) drawn[name] = value;
+  const auto values = job::read_options(drawn.dump(), maker, job::OptionFiles::path_or_content, "");
+  if (!values) return tl::unexpected(values.error());
+  job::Request request;
+  if (const auto entered = values->enter(request); !entered) return tl::unexpected(entered.error());
+  return request.dxf;
+}
+
+/// A pack is called as what it was made of.
+std::string title_of(const std::vector<std::string>& words) {
+  if (words.size() != 1) return fmt::format("{} inputs", words.size());
+  const fs::path whole = fs::weakly_canonical(words.front());
+  return (whole.has_filename() ? whole : whole.parent_path()).stem().string();
+}
+
+/// A pack while it is made.
+class Making {
+ public:
+  Making(const fs::path& out, const PackOptions& options, const std::function<bool()>& cancelled,
+         std::string title, std::string currency)
+      : options_(options),
+        cancelled_(cancelled),
+        folder_(out),
+        title_(std::move(title)),
+        currency_(std::move(currency)) {}
+
+  Result<PackResult> run(PartList list, const DxfOptions& dxf) {
+    list_ = std::move(list);
+    if (auto drawn = write_patterns(dxf); !drawn) return tl::unexpected(drawn.error());
+    if (options_.drawings)
+      if (auto drawn = write_drawings(); !drawn) return tl::unexpected(drawn.error());
+    if (options_.stock)
+      if (auto laid = write_sheets(*options_.stock, dxf); !laid)
+        return tl::unexpected(laid.error());
+    if (options_.drawings)
+      if (auto drawn = write_cover(); !drawn) return tl::unexpected(drawn.error());
+    if (auto added = add("parts.csv", parts_csv(list_, currency_)); !added)
+      return tl::unexpected(added.error());
+    if (options_.zip)
+      if (auto added = folder_.add("pack.zip", std::move(zip_).take()); !added)
+        return tl::unexpected(added.error());
+    if (auto done = folder_.finish(); !done) return tl::unexpected(done.error());
+    return result();
+  }
+
+ private:
+  /// Writes a file, and puts it in the archive.
+  Result<void> add(const std::string& name, const std::string& bytes) {
+    if (auto added = folder_.add(name, bytes); !added) return added;
+    if (options_.zip) return zip_.add(name, bytes);
+    return {};
+  }
+
+  Result<void> write_patterns(const DxfOptions& dxf) {
+    for (const PackPart& part : list_.parts) {
+      if (cancelled_()) return tl::unexpected(interruption());
+      DxfOptions drawn = dxf;
+      drawn.units = part.units;
+      const auto text = dxf_text(part.flat, drawn);
+      if (!text) return tl::unexpected(text.error());
+      if (auto added = add(part.stem + ".dxf", *text); !added) return added;
+    }
+    return {};
+  }
+
+  Result<void> write_pages(const std::string& name, const std::vector<Page>& pages,
+                           const std::string& title) {
+    if (cancelled_()) return tl::unexpected(interruption());
+    const auto pdf = pages_pdf(pages, title);
+    if (!pdf) return tl::unexpected(pdf.error());
+    return add(name, *pdf);
+  }
+
+  Result<void> write_drawings() {
+    for (const PackPart& part : list_.parts)
+      if (auto written = write_pages(part.stem + ".pdf", drawing_of(part), part.name); !written)
+        return written;
+    return {};
+  }
+
+  Result<void> write_sheets(const Stock& stock, const DxfOptions& dxf) {
+    Progress progress;
+    progress.cancelled = cancelled_;
+    auto laid = lay_on_stock(list_, stock, progress);
+    if (!laid && laid.error().code == ErrorCode::cancelled) return tl::unexpected(interruption());
+    if (!laid) return tl::unexpected(laid.error());
+    stock_ = std::move(*laid);
+    for (const StockSheet& sheet : stock_.sheets) {
+      const auto text = sheet_dxf(list_, sheet, stock, dxf);
+      if (!text) return tl::unexpected(text.error());
+      if (auto added = add(fmt::format("sheets/{}.dxf", sheet.stem), *text); !added) return added;
+    }
+    return add("sheets.csv", sheets_csv(list_, stock_.sheets));
+  }
+
+  Result<void> write_cover() {
+    return write_pages("cover.pdf", cover_of(list_, stock_, title_, currency_), title_);
+  }
+
+  PackResult result() const {
+    PackResult result;
+    result.parts = list_.parts.size();
+    result.groups = list_.groups.size();
+    for (const PackPart& part : list_.parts)
+      result.pieces += static_cast<std::size_t>(part.quantity);
+    for (const RefusedPart& refused : list_.refused)
+      result.refused += static_cast<std::size_t>(refused.source.quantity);
+    result.sheets = stock_.sheets.size();
+    result.notes = stock_.notes;
+    result.files = folder_.files();
+    return result;
+  }
+
+  const PackOptions& options_;
+  const std::function<bool()>& cancelled_;
+  Folder folder_;
+  Zip zip_;
+  PartList list_;
+  StockSheets stock_;
+  std::string title_, currency_;
+};
+
+/// The folder of the batch that a pack is made of: one that is given, or made now.
+Result<fs::path> batch_of(const std::vector<std::string>& words, const fs::path& out,
+                          const PackOptions& options, const job::Catalogue& catalogue,
+                          const std::function<void(const batch::BatchProgress&)>& report,
+                          const std::function<bool()>& cancelled) {
+  if (words.size() == 1 && batch::is_batch(words.front())) return fs::path(words.front());
+  const auto inputs = batch::inputs_of(words, out, catalogue);
+  if (!inputs) return tl::unexpected(inputs.error());
+  batch::BatchOptions asked;
+  asked.formats = {batch::kViews};
+  asked.options = batch_options(options);
+  asked.workers = options.workers;
+  asked.limits = options.limits;
+  const auto done = batch::run_batch(*inputs, out / kBatch, asked, catalogue, report, cancelled);
+  if (!done) return tl::unexpected(done.error());
+  return out / kBatch;
+}
+
+}  // namespace
+
+Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::path& out,
+                             const PackOptions& options, const job::Catalogue& catalogue,
+                             const std::function<void(const batch::BatchProgress&)>& report,
+                             const std::function<bool()>& cancelled) {
+  Materials materials;
+  if (options.materials) {
+    auto read = Materials::parse(*options.materials);
+    if (!read) return tl::unexpected(read.error());
+    materials = std::move(*read);
+  }
+  std::optional<Rates> rates;
+  if (options.rates) {
+    auto read = Rates::parse(*options.rates);
+    if (!read) return tl::unexpected(read.error());
+    rates = std::move(*read);
+  }
+  const auto dxf = dxf_options(options, catalogue);
+  if (!dxf) return tl::unexpected(dxf.error());
+  const auto batch = batch_of(words, out, options, catalogue, report, cancelled);
+  if (!batch) return tl::unexpected(batch.error());
+  auto list = part_list(*batch, materials);
+  if (!list) return tl::unexpected(list.error());
+  if (rates)
+    if (auto applied = rates->apply(*list); !applied) return tl::unexpected(applied.error());
+  return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())
+      .run(std::move(*list), *dxf);
+}
+
+}  // namespace planish::pack

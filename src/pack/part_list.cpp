@@ -1,0 +1,222 @@
+#include "part_list.hpp"
+
+#include <planish/io/flat_json.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/outputs.hpp>
+#include <planish/job/text_file.hpp>
+#include <planish/sheet/same_part.hpp>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <tuple>
+
+namespace planish::pack {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The text at a JSON pointer; empty for null and where there is none.
+std::string said_at(const Json& json, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  return json.contains(at) && json[at].is_string() ? json[at].get<std::string>() : std::string();
+}
+
+std::optional<double> number_at(const Json& json, const char* pointer) {
+  const Json::json_pointer at(pointer);
+  if (!json.contains(at) || !json[at].is_number()) return std::nullopt;
+  return json[at].get<double>();
+}
+
+LengthUnit units_of(const Json& report) {
+  const std::string name = said_at(report, "/units");
+  if (name == "inch") return LengthUnit::inch;
+  return name == "m" ? LengthUnit::m : LengthUnit::mm;
+}
+
+/// Whether it can be bent, as far as its report says.
+std::string plan_of(const Json& report, const FlatPattern& flat) {
+  if (flat.bends.empty()) return "nothing to bend";
+  for (const Json& finding : report.value("checks", Json::array())) {
+    if (said_at(finding, "/code") == "cannot_bend") return "cannot be bent";
+    if (said_at(finding, "/code") == "no_plan") return "no order found";
+  }
+  return has_order(flat) ? "can be bent" : "not planned";
+}
+
+std::vector<std::string> warnings_of(const Json& report) {
+  std::vector<std::string> warnings;
+  for (const Json& finding : report.value("checks", Json::array()))
+    if (said_at(finding, "/severity") != "info") warnings.push_back(said_at(finding, "/message"));
+  return warnings;
+}
+
+/// kg; `alone`: it is the whole part.
+std::optional<double> mass_of(const Json& report, const FlatPattern& flat,
+                              const Materials::Row* material, bool alone) {
+  constexpr double kCubicDecimetre = 1e6;  // mm³
+  const auto said = number_at(report, "/sheet/mass");
+  if (!material || !material->density) return alone ? said : std::nullopt;
+  const double unit = millimetres_in(units_of(report));
+  const auto volume = number_at(report, "/sheet/volume");
+  const double mm3 = alone && volume && *volume > 0.0 ? *volume * unit * unit * unit
+                                                      : flat.area * flat.thickness;
+  return *material->density * mm3 / kCubicDecimetre;
+}
+
+void measure(PackPart& part) {
+  const FlatPattern& flat = part.flat;
+  part.size = blank_size(flat);
+  part.cut_length = flat.perimeter;
+  part.pierces = 1 + flat.openings.size() + flat.slits.size();
+  for (const FlatBend& bend : flat.bends)
+    part.bend_length += bend.length;
+}
+
+/// Parts of one material, identical ones found.
+class OfMaterial {
+ public:
+  explicit OfMaterial(const std::vector<PackPart>& all)
+      : all_(all), groups_([this](std::size_t group) { return all_[parts_[group]].flat; }) {}
+  OfMaterial(const OfMaterial&) = delete;
+  OfMaterial& operator=(const OfMaterial&) = delete;
+
+  /// The part in the list that equals it; the list's size if it is new there.
+  std::size_t place_of(const PackPart& part) {
+    const std::size_t group = groups_.add(part.flat);
+    if (group == parts_.size()) parts_.push_back(all_.size());
+    return parts_[group];
+  }
+
+ private:
+  const std::vector<PackPart>& all_;
+  std::vector<std::size_t> parts_;  ///< by group
+  PartGroups groups_;
+};
+
+class Collecting {
+ public:
+  explicit Collecting(const Materials& materials) : materials_(materials) {}
+
+  Result<void> add(const batch::BatchPart& from) {
+    const Json report = Json::parse(from.report);
+    const PartSource source{said_at(report, "/input"), name_of(report),
+                            static_cast<int>(number_at(report, "/quantity").value_or(1.0))};
+    if (from.shapes.empty()) {
+      list_.refused.push_back(
+          {source, said_at(report, "/reason/code"), said_at(report, "/reason/message")});
+      return {};
+    }
+    for (std::size_t piece = 0; piece < from.shapes.size(); ++piece)
+      if (auto added = add_piece(from, report, source, piece); !added) return added;
+    return {};
+  }
+
+  PartList finish() && {
+    std::ranges::stable_sort(list_.parts, {}, [](const PackPart& part) {
+      return std::tuple(part.material == kUnknown, part.material, rounded(part.flat.thickness),
+                        part.name);
+    });
+    name_files();
+    for (std::size_t i = 0; i < list_.parts.size(); ++i) {
+      const PackPart& part = list_.parts[i];
+      if (list_.groups.empty() || list_.groups.back().material != part.material ||
+          list_.groups.back().thickness != rounded(part.flat.thickness))
+        list_.groups.push_back({part.material, rounded(part.flat.thickness), i, i});
+      list_.groups.back().end = i + 1;
+    }
+    return std::move(list_);
+  }
+
+ private:
+  /// Of a body its own name, of a file without one the file's.
+  static std::string name_of(const Json& report) {
+    const std::string body = said_at(report, "/body");
+    if (!body.empty()) return body;
+    return std::filesystem::path(said_at(report, "/input")).stem().string();
+  }
+
+  /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
+  static double rounded(double thickness) {
+    constexpr double kThousandths = 1000.0;
+    return std::round(thickness * kThousandths) / kThousandths;
+  }
+
+  Result<void> add_piece(const batch::BatchPart& from, const Json& report, const PartSource& source,
+                         std::size_t piece) {
+    auto flat = read_flat_json(from.shapes[piece]);
+    if (!flat)
+      return fail(ErrorCode::cannot_read,
+                  fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
+    const bool alone = from.shapes.size() == 1;
+    PackPart part;
+    part.name = alone ? source.body : fmt::format("{}-{}", source.body, piece + 1);
+    const Materials::Row* row = materials_.find(source.body);
+    part.material = row ? row->material : said_at(report, "/material");
+    if (part.material.empty()) part.material = kUnknown;
+    part.flat = std::move(*flat);
+    OfMaterial& same = of(part.material);
+    const std::size_t at = same.place_of(part);
+    if (at == list_.parts.size()) {
+      describe(part, from, report, row, piece);
+      list_.parts.push_back(std::move(part));
+    }
+    PackPart& kept = list_.parts[at];
+    kept.quantity += source.quantity;
+    kept.sources.push_back(source);
+    return {};
+  }
+
+  static void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
+                       const Materials::Row* row, std::size_t piece) {
+    part.units = units_of(report);
+    part.plan = plan_of(report, part.flat);
+    part.warnings = warnings_of(report);
+    for (const Json& note : report.value("notes", Json::array()))
+      if (note.is_string()) part.notes.push_back(note.get<std::string>());
+    part.mass = mass_of(report, part.flat, row, from.shapes.size() == 1);
+    measure(part);
+    if (const auto text = job::read_text(from.files / batch::view_name(piece), "view"))
+      if (auto view = job::read_view_json(*text)) part.view = std::move(*view);
+  }
+
+  OfMaterial& of(const std::string& material) {
+    auto& found = by_material_[material];
+    if (!found) found = std::make_unique<OfMaterial>(list_.parts);
+    return *found;
+  }
+
+  /// Parts of one name, material and thickness are counted.
+  void name_files() {
+    std::set<std::string> taken;
+    for (PackPart& part : list_.parts) {
+      const std::string name = job::safe_name(part.name);
+      const std::string kind = fmt::format("_{}_{:g}mm", job::safe_name(part.material),
+                                           rounded(part.flat.thickness));
+      std::string stem = name + kind;
+      for (int number = 2; !taken.insert(lower_case(stem)).second; ++number)
+        stem = fmt::format("{}-{}{}", name, number, kind);
+      part.stem = fmt::format("{}_x{}", stem, part.quantity);
+    }
+  }
+
+  const Materials& materials_;
+  PartList list_;
+  std::map<std::string, std::unique_ptr<OfMaterial>> by_material_;
+};
+
+}  // namespace
+
+Result<PartList> part_list(const std::filesystem::path& batch, const Materials& materials) {
+  Collecting collecting(materials);
+  const auto taken = batch::for_each_part(
+      batch, [&](const batch::BatchPart& part) { return collecting.add(part); });
+  if (!taken) return tl::unexpected(taken.error());
+  return std::move(collecting).finish();
+}
+
+}  // namespace planish::pack

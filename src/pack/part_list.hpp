@@ -1,0 +1,69 @@
+#pragma once
+
+#include "materials.hpp"
+
+#include <planish/batch/parts.hpp>
+#include <planish/io/flat_writers.hpp>
+#include <planish/job/part_view.hpp>
+#include <planish/sheet/flat_pattern.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace planish::pack {
+
+/// Where a part came from.
+struct PartSource {
+  std::string input;  ///< name of the file
+  std::string body;
+  int quantity = 1;
+};
+
+/// One part to be made, as often as its quantity says. Lengths in mm.
+struct PackPart {
+  std::string name;  ///< as its body is called
+  /// Of its files, "<part>_<material>_<t>mm_x<quantity>"; no two are the same, in any case.
+  std::string stem;
+  std::string material = kUnknown;
+  FlatPattern flat;
+  LengthUnit units = LengthUnit::mm;
+  int quantity = 0;
+  std::vector<PartSource> sources;
+  Vec2 size = Vec2::Zero();         ///< smallest rectangle around it, longer side first
+  double cut_length = 0.0;          ///< of all contours and slits
+  std::size_t pierces = 0;          ///< contours and slits
+  double bend_length = 0.0;         ///< of all bends
+  std::optional<double> mass = {};  ///< kg, of one
+  std::string plan;                 ///< whether it can be bent, in a few words
+  std::vector<std::string> warnings;
+  std::vector<std::string> notes;
+  std::optional<job::PartView> view = {};
+  std::optional<double> cost = {};  ///< of all, in the currency of the rates
+};
+
+/// A body of which no part was made.
+struct RefusedPart {
+  PartSource source;
+  std::string code, reason;
+};
+
+/// Parts of one material and thickness: positions in the list.
+struct PartGroup {
+  std::string material;
+  double thickness = 0.0;
+  std::size_t first = 0, end = 0;
+};
+
+/// What a pack holds: parts by material, thickness and name.
+struct PartList {
+  std::vector<PackPart> parts;
+  std::vector<PartGroup> groups;
+  std::vector<RefusedPart> refused;
+};
+
+/// Merges identical parts of one material and puts all in order. Errors: `cannot_read` (a batch
+/// that is damaged).
+Result<PartList> part_list(const std::filesystem::path& batch, const Materials& materials);
+
+}  // namespace planish::pack

@@ -1,0 +1,122 @@
+#include "rates.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace planish::pack {
+namespace {
+
+using RatesJson = nlohmann::ordered_json;
+
+struct RateKey {
+  std::string_view name;
+  double Rates::Row::*value;
+};
+constexpr std::array kRateKeys{
+    RateKey{"cut", &Rates::Row::cut},   RateKey{"pierce", &Rates::Row::pierce},
+    RateKey{"bend", &Rates::Row::bend}, RateKey{"setup", &Rates::Row::setup},
+    RateKey{"kg", &Rates::Row::kg},     RateKey{"area", &Rates::Row::area}};
+
+/// A key as part of a JSON pointer.
+std::string in_pointer(const std::string& key) {
+  std::string escaped;
+  for (const char c : key)
+    escaped += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  return escaped;
+}
+
+tl::unexpected<Error> wrong_rates(const GivenFile& file, const std::string& pointer,
+                                  const std::string& what) {
+  return fail(ErrorCode::invalid_input, fmt::format("{}{}: {}", file.name, pointer, what),
+              file.name + pointer);
+}
+
+Result<Rates::Row> rates_row(const GivenFile& file, const std::string& pointer,
+                             const RatesJson& json) {
+  if (!json.is_object()) return wrong_rates(file, pointer, "the rates of a material are an object");
+  Rates::Row row;
+  for (const auto& [key, value] : json.items()) {
+    const std::string at = pointer + "/" + in_pointer(key);
+    const auto found = std::ranges::find(kRateKeys, key, &RateKey::name);
+    if (found == kRateKeys.end()) {
+      std::vector<std::string_view> known;
+      for (const RateKey& one : kRateKeys)
+        known.push_back(one.name);
+      return wrong_rates(file, at,
+                         fmt::format("unknown key; the rates are {}", fmt::join(known, ", ")));
+    }
+    if (!value.is_number() || !(value.get<double>() >= 0.0))
+      return wrong_rates(file, at, "a rate is a number of at least 0");
+    row.*(found->value) = value.get<double>();
+  }
+  return row;
+}
+
+double cost_of(const PackPart& part, const Rates::Row& rates) {
+  const double each = rates.cut * part.cut_length +
+                      rates.pierce * static_cast<double>(part.pierces) +
+                      rates.bend * static_cast<double>(part.flat.bends.size()) +
+                      rates.kg * part.mass.value_or(0.0) +
+                      rates.area * part.size.x() * part.size.y();
+  return rates.setup + each * part.quantity;
+}
+
+}  // namespace
+
+Result<Rates> Rates::parse(const GivenFile& file) {
+  const RatesJson json = RatesJson::parse(file.text, nullptr, false);
+  if (!json.is_object()) return wrong_rates(file, "", "the rates file is no JSON object");
+  Rates rates;
+  rates.name_ = file.name;
+  for (const auto& [key, value] : json.items()) {
+    const std::string at = "/" + in_pointer(key);
+    if (key == "format" || key == "version") {
+      const bool fits = key == "format" ? value == "planish/rates" : value == 1;
+      if (!fits)
+        return wrong_rates(file, at, R"(a rates file has "format": "planish/rates", "version": 1)");
+    } else if (key == "currency" && value.is_string()) {
+      rates.currency_ = value.get<std::string>();
+    } else if (key == "materials" && value.is_object()) {
+      for (const auto& [material, row] : value.items()) {
+        auto read = rates_row(file, at + "/" + in_pointer(material), row);
+        if (!read) return tl::unexpected(read.error());
+        rates.rows_.emplace(material, *read);
+      }
+    } else {
+      return wrong_rates(file, at,
+                         "unknown key or wrong type; the keys are format, version, currency (a "
+                         "text) and materials (an object)");
+    }
+  }
+  if (rates.rows_.empty()) return wrong_rates(file, "/materials", "there are no rates");
+  return rates;
+}
+
+Result<void> Rates::apply(PartList& list) const {
+  for (PackPart& part : list.parts) {
+    const auto row = rows_.find(part.material);
+    if (row == rows_.end()) {
+      std::vector<std::string> known;
+      for (const auto& [material, rates] : rows_)
+        known.push_back(material);
+      return fail(ErrorCode::bad_option,
+                  fmt::format("{} has no rates for the material \"{}\" of {}; it has {}", name_,
+                              part.material, part.name, fmt::join(known, ", ")),
+                  "rates");
+    }
+    if (row->second.kg > 0.0 && !part.mass)
+      return fail(ErrorCode::bad_option,
+                  fmt::format("the mass of {} is not known, and {} asks for its kg: give the "
+                              "density of {} by --materials or --density",
+                              part.name, name_, part.material),
+                  "rates");
+    part.cost = cost_of(part, row->second);
+  }
+  return {};
+}
+
+}  // namespace planish::pack

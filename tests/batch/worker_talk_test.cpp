@@ -1,0 +1,78 @@
+// What a batch and its workers tell each other arrives as it was sent, or not at all.
+
+#include "worker_talk.hpp"
+
+#include <gtest/gtest.h>
+
+namespace planish::batch {
+namespace {
+
+TEST(WorkerTalk, ATaskArrives) {
+  const FileTask task{.file = "/a/\xff.step",
+                      .name = "b\n.step",
+                      .options = R"({"k":0.4})",
+                      .formats = {"dxf", "json"},
+                      .given_up = {{3, {ErrorCode::time_limit, "too long", "b"}},
+                                   {7, {ErrorCode::worker_died, "", ""}}}};
+  const auto read = task_in(texts_of(task));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->file, task.file);
+  EXPECT_EQ(read->name, task.name);
+  EXPECT_EQ(read->options, task.options);
+  EXPECT_EQ(read->formats, task.formats);
+  ASSERT_EQ(read->given_up.size(), 2U);
+  EXPECT_EQ(read->given_up.at(3).code, ErrorCode::time_limit);
+  EXPECT_EQ(read->given_up.at(3).message, "too long");
+  EXPECT_EQ(read->given_up.at(7).code, ErrorCode::worker_died);
+}
+
+TEST(WorkerTalk, APartArrives) {
+  const PartDone part{.folder = "f",
+                      .report = "{}",
+                      .refusal = "overlap",
+                      .shapes = {"s", "t"},
+                      .files = {{"a.dxf", std::string("\0\n", 2)}, {"b", ""}}};
+  const auto read = part_in(texts_of(part));
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->folder, part.folder);
+  EXPECT_EQ(read->report, part.report);
+  EXPECT_EQ(read->refusal, part.refusal);
+  EXPECT_EQ(read->shapes, part.shapes);
+  ASSERT_EQ(read->files.size(), 2U);
+  EXPECT_EQ(read->files[0].bytes, part.files[0].bytes);
+  EXPECT_EQ(read->files[1].name, "b");
+}
+
+TEST(WorkerTalk, ABodyIsNoPart) {
+  EXPECT_EQ(body_in(beginning(12)), 12);
+  EXPECT_FALSE(part_in(beginning(12)));
+  EXPECT_FALSE(body_in(texts_of(PartDone{.folder = "f", .report = "{}"})));
+}
+
+// Cut off anywhere, it is either nothing or a shorter list, and is never read past its end.
+TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
+  const job::Texts task = texts_of(FileTask{.file = "a",
+                                            .name = "b",
+                                            .options = "{}",
+                                            .formats = {"dxf"},
+                                            .given_up = {{3, {ErrorCode::overlap, "m", "w"}}}});
+  for (std::size_t length = 0; length < task.size(); ++length) {
+    const auto read = task_in({task.begin(), task.begin() + static_cast<std::ptrdiff_t>(length)});
+    EXPECT_EQ(read.has_value(), length == 4) << length;
+  }
+  const job::Texts part = texts_of(PartDone{.folder = "f",
+                                            .report = "{}",
+                                            .refusal = {},
+                                            .shapes = {"s", "t"},
+                                            .files = {{"a", "b"}, {"c", "d"}}});
+  for (std::size_t length = 0; length < part.size(); ++length) {
+    const auto read = part_in({part.begin(), part.begin() + static_cast<std::ptrdiff_t>(length)});
+    EXPECT_EQ(read.has_value(), length == 7 || length == 9) << length;
+  }
+  EXPECT_FALSE(part_in({"part", "f", "{}", "", "-1"}));
+  EXPECT_FALSE(part_in({"part", "f", "{}", "", "999999999999"}));
+  EXPECT_FALSE(task_in({"a", "b", "{}", "{"}));
+}
+
+}  // namespace
+}  // namespace planish::batch
