@@ -212,7 +212,9 @@ Result<void> OptionValues::enter(Request& request) const {
       if (auto done = enter_one(option, value, request); !done) return done;
     }
   if (!request.shop) return {};
-  if (!request.shop->material) return tl::unexpected(without_material(request.shop->shop, {}));
+  // `planish bend --material steel` takes a word that it knows for the metal.
+  if (!request.shop->material && !take_material(request, text("metal")))
+    return tl::unexpected(without_material(request.shop->shop, {}));
   request.shop->gauge_limits = !given("rules") && !given("process");
   return {};
 }
