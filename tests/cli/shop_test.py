@@ -40,7 +40,7 @@ class Shop(CliTest):
         report = self.report(shop())
         self.assertAlmostEqual(report["flat"]["size"][0], flat_length(0.3), places=6)
         self.assertEqual(report["sheet"]["k_source"], "shop S, steel 2 mm: K")
-        self.assertAlmostEqual(report["flat"]["mass"], 8e-6 * report["sheet"]["volume"], places=9)
+        self.assertAlmostEqual(report["sheet"]["mass"], 8e-6 * report["sheet"]["volume"], places=9)
         self.assertEqual(report["status"], "ok")
 
     def test_turns_a_deduction_into_the_flat_length(self):
@@ -53,7 +53,7 @@ class Shop(CliTest):
     def test_gives_way_to_k_given_beside_it(self):
         report = self.report(shop(), "--k", "0.5", "--density", "1")
         self.assertAlmostEqual(report["flat"]["size"][0], flat_length(0.5), places=6)
-        self.assertAlmostEqual(report["flat"]["mass"], 1e-6 * report["sheet"]["volume"], places=9)
+        self.assertAlmostEqual(report["sheet"]["mass"], 1e-6 * report["sheet"]["volume"], places=9)
 
     def test_says_that_a_thickness_is_not_stocked(self):
         report = self.report(shop(gauge={"thickness": 1.5}))
@@ -133,7 +133,7 @@ class Shop(CliTest):
 
     def test_says_what_is_wrong_with_a_profile(self):
         self.angle()
-        for text, words in (("{", "shop.json:1:2"), ("", "empty"),
+        for text, words in (("{", "shop.json:1:1"), ("", "empty"),
                             (shop(gauge={"k": 3}), "shop.json/materials/0/gauges/0/k"),
                             (shop(gauge={"colour": 3}), "shop.json/materials/0/gauges/0/colour"),
                             (shop(gauge={"k": None, "deduction": 30}), "K is from 0 to 1")):

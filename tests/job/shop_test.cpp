@@ -115,7 +115,7 @@ TEST(ParseShop, SaysWhatIsWrongAndWhere) {
   const struct {
     std::string json, where, message;
   } rows[] = {
-      {"{", "shop.json:1:2", "is not JSON"},
+      {"{", "shop.json:1:1", "is not JSON"},
       {R"({"materials": []})", "/materials", "a list of 1 to 1000 materials"},
       {profile(R"({"thickness": 0, "inside_radius": 2, "k": 0.4})"), "/gauges/0/thickness",
        "above 0"},
