@@ -133,7 +133,7 @@ class Shop(CliTest):
 
     def test_says_what_is_wrong_with_a_profile(self):
         self.angle()
-        for text, words in (("{", "shop.json:1:1"), ("", "empty"),
+        for text, words in (("{", "shop.json:1:1"), ("", "is not JSON"),
                             (shop(gauge={"k": 3}), "shop.json/materials/0/gauges/0/k"),
                             (shop(gauge={"colour": 3}), "shop.json/materials/0/gauges/0/colour"),
                             (shop(gauge={"k": None, "deduction": 30}), "K is from 0 to 1")):
