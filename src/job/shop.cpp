@@ -16,7 +16,7 @@ bool same_word(const std::string& a, const std::string& b) {
   return std::ranges::equal(a, b, {}, lower, lower);
 }
 
-void choose_material(Request& to, std::size_t material) {
+void choose_material(Request& to, int material) {
   to.shop->material = material;
   const ShopMaterial& chosen = to.shop->chosen();
   if (chosen.density) to.density = chosen.density;
@@ -128,7 +128,7 @@ std::vector<Finding> limit_findings(const Report& report, const ShopChoice& choi
 }  // namespace
 
 const ShopMaterial& ShopChoice::chosen() const {
-  PLANISH_ASSERT(material && *material < shop.materials.size());
+  PLANISH_ASSERT(material && *material < std::ssize(shop.materials));
   return shop.materials[*material];
 }
 
@@ -167,7 +167,7 @@ bool take_material(Request& to, const std::string& name) {
   const auto found = std::ranges::find_if(
       materials, [&](const ShopMaterial& material) { return same_word(material.name, name); });
   if (found == materials.end()) return false;
-  choose_material(to, static_cast<std::size_t>(found - materials.begin()));
+  choose_material(to, static_cast<int>(found - materials.begin()));
   return true;
 }
 

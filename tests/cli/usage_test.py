@@ -68,7 +68,7 @@ class WrongUsage(CliTest):
                  "`unfold` has no option --flat; connect, transition and slit have it"),
                 (["unfold", "part.step", "--flat=x.dxf"], "`unfold` has no option --flat; connect"),
                 (["connect", "p.json", "--bend-k", "B1=0.4"], "`connect` has no option --bend-k; unfold and bend have it"),
-                (["slit", "s.json", "--k", "0.4"], "`slit` has no option --k; unfold, connect, transition, bend and batch have it"),
+                (["slit", "s.json", "--k", "0.4"], "`slit` has no option --k; unfold, connect, transition, bend, batch and pack have it"),
                 (["unfold", "part.step", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
                 (["unfold", "--frobnicate"], "`unfold` has no option --frobnicate (see"),
                 (["--k", "0.4", "unfold", "part.step"], "`planish` has no option --k; unfold, "),

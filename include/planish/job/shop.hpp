@@ -53,8 +53,8 @@ struct Shop {
 /// A shop, and the material in which it makes a part.
 struct ShopChoice {
   Shop shop;
-  std::optional<std::size_t> material;  ///< its place in `shop.materials`
-  bool gauge_limits = true;             ///< whether the gauge's smallest flange and opening hold
+  std::optional<int> material;  ///< its place in `shop.materials`
+  bool gauge_limits = true;     ///< whether the gauge's smallest flange and opening hold
 
   const ShopMaterial& chosen() const;  ///< requires a material
 };
