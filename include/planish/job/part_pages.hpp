@@ -18,7 +18,7 @@ struct PartDrawing {
   std::vector<std::pair<std::string, std::string>> facts;  ///< name and value
   const FlatPattern* flat = nullptr;
   const PartView* view = nullptr;  ///< null: the folded part is not drawn
-  std::vector<std::string> warnings, notes;
+  std::vector<std::string> warnings = {}, notes = {};
   LengthUnit units = LengthUnit::mm;
 };
 
