@@ -156,7 +156,7 @@ def merge():
             texts.append(line.replace(json.dumps(old), json.dumps(name)).replace(f"{old}/", f"{name}/"))
             names.append(name)
             (folder / "parts" / name).mkdir(parents=True)
-            for file in (source / "parts" / old).iterdir():
+            for file in (source / "parts" / old).glob("*"):
                 os.link(file, folder / "parts" / name / file.name)
         text = "\n".join(texts) + "\n"
         bytes_of_all += len(text)

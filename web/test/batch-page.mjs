@@ -1,5 +1,5 @@
-// The page of a batch in a browser, opened as a file: node test/batch-page.mjs INDEX.HTML PICTURES. Says what it saw as a
-// line of JSON, and keeps screenshots in PICTURES.
+// The page of a batch in a browser, opened as a file: node test/batch-page.mjs INDEX.HTML PICTURES. Says what it saw
+// as a line of JSON, and keeps screenshots in PICTURES.
 import { pathToFileURL } from 'node:url';
 import { launch } from './launch.mjs';
 

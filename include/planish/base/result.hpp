@@ -38,7 +38,6 @@ enum class ErrorCode {
   bad_tools,        ///< tools of a press brake that cannot be as they are given
   no_input,         ///< a batch without anything to work on
   worker_died,      ///< the process that worked on a part of a batch ended, and why
-  time_limit,       ///< a part of a batch took longer than it may
   no_solid,         ///< the file holds no solid body (wires, points, nothing)
   shell_not_solid,  ///< the file holds surfaces or open shells only
   too_far_away,     ///< coordinates beyond what can be computed with
@@ -72,6 +71,7 @@ enum class ErrorCode {
   cannot_bend,        ///< no order of strokes forms all bends with these tools
   unsupported_shape,  ///< a shape that is a sheet, but which Planish cannot unfold yet
   out_of_time,        ///< the time allowed has passed
+  time_limit,         ///< a part of a batch took longer than it may
   out_of_memory,      ///< the memory allowed does not suffice
   // Others.
   invalid_sheet,  ///< a sheet that breaks a rule of `check`: a defect of its maker (exit status 1)
