@@ -1,3 +1,5 @@
+#include "part_drawing.hpp"
+
 #include <planish/brep/step.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/io/mesh_writers.hpp>
@@ -57,6 +59,9 @@ const std::vector<Artifact>& artifacts() {
        write_svg},
       {"flat.step", Role::flat, Source::pattern, ".step", "_flat.step", "model/step",
        "STEP, flat solid", write_flat_step},
+      {"pdf", Role::flat, Source::pattern, ".pdf", ".pdf", "application/pdf",
+       "PDF, drawing of the part",
+       [](const Made& made, int piece, const Request&) { return part_drawing(made, piece); }},
       {"step", Role::folded, Source::folded_solid, ".step", ".step", "model/step", "STEP, folded",
        write_folded_step},
       {"stl", Role::folded, Source::folded_mesh, ".stl", ".stl", "model/stl", "STL, folded",

@@ -43,8 +43,7 @@ class Raster {
     const Vec2 size = box.size() / cell_;
     width_ = static_cast<int>(size.x()) + 1;
     height_ = static_cast<int>(size.y()) + 1;
-    near_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
-                 -std::numeric_limits<double>::infinity());
+    near_.setConstant(width_, height_, -std::numeric_limits<double>::infinity());
   }
 
   double cell() const { return cell_; }
@@ -58,13 +57,12 @@ class Raster {
     const Eigen::Matrix2d back = to_paper.inverse();
     const Vec2 slope(back.col(0).dot(Vec2(patch.u.z(), patch.v.z())),
                      back.col(1).dot(Vec2(patch.u.z(), patch.v.z())));
-    std::vector<std::vector<double>> crossed(static_cast<std::size_t>(height_));
+    std::map<int, std::vector<double>> crossed;
     for (const auto& ring : patch.rings)
       for (std::size_t i = 0; i < ring.size(); ++i)
         cross(crossed, in_cells(patch.at(ring[i])),
               in_cells(patch.at(ring[(i + 1) % ring.size()])));
-    for (int row = 0; row < height_; ++row) {
-      auto& xs = crossed[static_cast<std::size_t>(row)];
+    for (auto& [row, xs] : crossed) {
       std::ranges::sort(xs);
       for (std::size_t i = 0; i + 1 < xs.size(); i += 2)
         for (int x = first_in(xs[i]); x <= first_in(xs[i + 1]) - 1; ++x) {
@@ -96,31 +94,25 @@ class Raster {
     return static_cast<int>(std::clamp(std::ceil(x - 0.5), 0.0, static_cast<double>(width_)));
   }
 
-  void cross(std::vector<std::vector<double>>& crossed, const Vec2& a, const Vec2& b) const {
+  void cross(std::map<int, std::vector<double>>& crossed, const Vec2& a, const Vec2& b) const {
     const auto [low, high] = std::minmax(a.y(), b.y());
     const int from = std::max(0, static_cast<int>(std::ceil(low - 0.5)));
     const int to = std::min(height_, static_cast<int>(std::ceil(high - 0.5)));
     for (int row = from; row < to; ++row)
-      crossed[static_cast<std::size_t>(row)].push_back(
-          a.x() + (row + 0.5 - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+      crossed[row].push_back(a.x() + (row + 0.5 - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
   }
 
-  void put(int x, int y, double depth) {
-    double& cell = near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                         static_cast<std::size_t>(x)];
-    cell = std::max(cell, depth);
-  }
+  void put(int x, int y, double depth) { near_(x, y) = std::max(near_(x, y), depth); }
   double near(int x, int y) const {
     if (x < 0 || y < 0 || x >= width_ || y >= height_)
       return -std::numeric_limits<double>::infinity();
-    return near_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                 static_cast<std::size_t>(x)];
+    return near_(x, y);
   }
 
   Vec2 low_;
   double cell_;
   int width_ = 0, height_ = 0;
-  std::vector<double> near_;
+  Eigen::ArrayXXd near_;  ///< by column and row of the raster
 };
 
 /// The folded sheet as plane pieces and the lines between them.

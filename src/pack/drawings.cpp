@@ -112,8 +112,11 @@ class Cover {
 
   void add(const PartGroup& group) {
     need(8.0 + kRow);
-    page().text({kBorder, top_ + 4.0}, fmt::format("{}, {:g} mm", group.material, group.thickness),
-                {.size = 4.4, .bold = true});
+    page().text(
+        {kBorder, top_ + 4.0},
+        fmt::format("{}, {:g} mm", group.material == kUnknown ? "material unknown" : group.material,
+                    group.thickness),
+        {.size = 4.4, .bold = true});
     top_ += 7.0;
     for (std::size_t i = group.first; i < group.end; ++i)
       add(list_.parts[i]);
@@ -129,7 +132,7 @@ class Cover {
       job::draw_view(page(), *part.view, corner, {kPicture, kHigh});
     job::draw_flat(page(), part.flat, corner + Vec2(kPicture + 2.0, 0.0), {kPicture, kHigh});
     const double x = kBorder + 2.0 * kPicture + 7.0;
-    const double room = kRight - x - 18.0;
+    const double room = kRight - x - 26.0;
     page().text({kRight, top_ + 6.0}, fmt::format("{}×", part.quantity),
                 {.size = 5.0, .bold = true, .anchor = TextAnchor::end});
     page().text({x, top_ + 4.5}, part.stem,

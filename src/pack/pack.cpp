@@ -209,6 +209,9 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
   if (!batch) return tl::unexpected(batch.error());
   auto list = part_list(*batch, materials);
   if (!list) return tl::unexpected(list.error());
+  const bool planned = options.plan && *batch == out / kBatch;
+  for (PackPart& part : list->parts)
+    if (planned && part.plan == kNotPlanned) part.plan = kNoStroke;
   if (rates)
     if (auto applied = rates->apply(*list); !applied) return tl::unexpected(applied.error());
   return Making(out, options, cancelled, title_of(words), rates ? rates->currency() : std::string())

@@ -45,7 +45,7 @@ std::string plan_of(const Json& report, const FlatPattern& flat) {
     if (said_at(finding, "/code") == "cannot_bend") return "cannot be bent";
     if (said_at(finding, "/code") == "no_plan") return "no order found";
   }
-  return has_order(flat) ? "can be bent" : "not planned";
+  return has_order(flat) ? "can be bent" : kNotPlanned;
 }
 
 std::vector<std::string> warnings_of(const Json& report) {

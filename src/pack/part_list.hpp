@@ -42,6 +42,10 @@ struct PackPart {
   std::optional<double> cost = {};  ///< of all, in the currency of the rates
 };
 
+/// `PackPart::plan` of a part whose report says nothing of a press brake, and of one that was
+/// planned and has no bend that a stroke forms: it is rolled, or bent otherwise.
+inline constexpr auto kNotPlanned = "not planned", kNoStroke = "takes no stroke";
+
 /// A body of which no part was made.
 struct RefusedPart {
   PartSource source;

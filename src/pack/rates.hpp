@@ -6,7 +6,7 @@
 
 namespace planish::pack {
 
-/// What a shop asks, in its own currency (formats.md#rates).
+/// What a shop asks, in its own currency (formats.md#pack).
 class Rates {
  public:
   /// Of one material.

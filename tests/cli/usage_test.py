@@ -74,7 +74,7 @@ class WrongUsage(CliTest):
                 (["--k", "0.4", "unfold", "part.step"], "`planish` has no option --k; unfold, "),
                 (["unfold", "part.step", "other.step"], "`unfold` takes one FILE: leave \"other.step\" out"),
                 (["fold", "part.step", "--k", "1"],
-                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, batch, info, plates, schema and studio")):
+                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, batch, pack, info, plates, schema and studio")):
             self.assertIn(words, self.wrong(*arguments))
 
     def test_an_option_takes_one_value(self):
@@ -94,7 +94,7 @@ class WrongUsage(CliTest):
 
     def test_formats_are_named_once_and_none_is_empty(self):
         for text in ("dxf,", ",dxf", "dxf,,svg"):
-            self.assertIn(f"--format: must be one of dxf, svg, step, not \"\", in \"{text}\"",
+            self.assertIn(f"--format: must be one of dxf, svg, step, pdf, not \"\", in \"{text}\"",
                           self.wrong("unfold", "part.step", "--format", text))
         for formats in (["dxf,dxf"], ["dxf", "--format", "svg,dxf"]):
             self.assertIn("--format names dxf twice", self.wrong("unfold", "part.step", "--format", *formats))
@@ -126,7 +126,7 @@ class WrongUsage(CliTest):
     def test_words_that_are_none_of_those_allowed(self):
         for option, value in (("--profile", "autocad"), ("--splines", "lines"), ("--units", "cm"),
                               ("--bend-marks", "dots"), ("--root", "biggest"), ("--root", "0"),
-                              ("--up", "down"), ("--format", "pdf"), ("--body", "")):
+                              ("--up", "down"), ("--format", "dwg"), ("--body", "")):
             sentence = self.wrong("unfold", "part.step", option, value)
             self.assertIn(option, sentence)
 
@@ -143,7 +143,7 @@ class WrongUsage(CliTest):
         self.wrong("unfold", "-", "--k-table", "-", "-o", "a.dxf")
 
     def test_outputs_whose_format_is_not_known(self):
-        for name in ("a.pdf", "a", "-", ""):
+        for name in ("a.dwg", "a", "-", ""):
             self.wrong("unfold", "part.step", "-o", name)
 
     def test_standard_input_needs_a_name_for_the_output(self):

@@ -40,6 +40,9 @@ class PackTest(planish_cli.CliTest):
         self.assertRegex(done.stderr, r"^planish: [^\n]+\n$")
         return done.stderr
 
+    def named(self, file, **sizes):
+        self.write(file, step_files.angle(**sizes))
+
     def table(self, out="out", name="parts.csv"):
         return list(csv.DictReader(io.StringIO((self.dir / out / name).read_text())))
 
@@ -73,16 +76,16 @@ class Parts(PackTest):
 
     def test_patterns_are_those_of_unfold(self):
         self.angle("bracket.step")
-        self.pack("bracket.step", "-o", "out", "--dxf-layers", "inventor", "--units", "inch")
-        self.run_cli("unfold", "bracket.step", "-o", "alone.dxf", "-q", "--dxf-layers", "inventor",
+        self.run_cli("unfold", "bracket.step", "-o", "alone.dxf", "-q", "--profile", "inventor",
                      "--units", "inch", "--check-bending")
+        self.pack("bracket.step", "-o", "out", "--profile", "inventor", "--units", "inch")
         self.assertEqual((self.dir / "out" / "angle_unknown_2mm_x1.dxf").read_bytes(),
                          (self.dir / "alone.dxf").read_bytes())
 
     def test_identical_parts_are_merged_with_their_quantities(self):
         (self.dir / "in").mkdir()
         self.write("in/a.step", step_files.two_angles_and_a_block())
-        self.angle("in/b.step", name="other name")
+        self.named("in/b.step", name="other name")
         self.angle("in/c.step", leg=50.01)
         self.pack("in", "-o", "out")
         rows = {row["file"]: row for row in self.parts()}
@@ -103,7 +106,7 @@ class Parts(PackTest):
     def test_parts_of_one_name_are_numbered(self):
         (self.dir / "in").mkdir()
         for i, leg in enumerate((50.0, 60.0, 70.0)):
-            self.angle(f"in/{i}.step", leg=leg, name="Angle" if i else "angle")
+            self.named(f"in/{i}.step", leg=leg, name="Angle" if i else "angle")
         self.pack("in", "-o", "out", "--no-drawings")
         names = sorted(path.name.lower() for path in (self.dir / "out").glob("*.dxf"))
         self.assertEqual(names, ["angle-2_unknown_2mm_x1.dxf", "angle-3_unknown_2mm_x1.dxf",
@@ -132,9 +135,9 @@ class Parts(PackTest):
 
     def test_materials_come_from_a_list(self):
         (self.dir / "in").mkdir()
-        self.angle("in/a.step", name="Left leg")
-        self.angle("in/b.step", name="right LEG")
-        self.angle("in/c.step", name="seat")
+        self.named("in/a.step", name="Left leg")
+        self.named("in/b.step", name="right LEG")
+        self.named("in/c.step", name="seat")
         self.write("materials.csv", "part;material;density\n*leg;S235;7.85\nseat?;oak;\n")
         self.pack("in", "-o", "out", "--materials", "materials.csv")
         rows = {row["material"]: row for row in self.parts()}
@@ -150,7 +153,8 @@ class Parts(PackTest):
     def test_a_finished_batch_is_packed_as_it_is(self):
         (self.dir / "in").mkdir()
         self.angle("in/a.step")
-        self.run_cli("batch", "in", "-o", "flat", "-q", "--check-bending")
+        subprocess.run([CLI, "batch", "in", "-o", "flat", "-q", "--check-bending"], cwd=self.dir,
+                       check=True, timeout=SECONDS)
         self.pack("flat", "-o", "out")
         self.pack("in", "-o", "direct")
         self.assertEqual((self.dir / "out" / "parts.csv").read_bytes(),
@@ -269,7 +273,7 @@ class Sheets(PackTest):
     def test_hold_every_piece_once_and_apart(self):
         (self.dir / "in").mkdir()
         for i in range(12):
-            self.angle(f"in/{i:02}.step", leg=50.0 + i % 3, name=f"angle {i % 3}")
+            self.named(f"in/{i:02}.step", leg=50.0 + i % 3, name=f"angle {i % 3}")
         self.pack("in", "-o", "out", "--nest", "400x300", "--gap", "6")
         pieces = 0
         for path in sorted((self.dir / "out" / "sheets").glob("*.dxf")):

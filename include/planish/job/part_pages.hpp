@@ -14,11 +14,11 @@ namespace planish::job {
 
 /// What a drawing of a part shows.
 struct PartDrawing {
-  std::string title, subtitle;
-  std::vector<std::pair<std::string, std::string>> facts;  ///< name and value
+  std::string title = {}, subtitle = {};
+  std::vector<std::pair<std::string, std::string>> facts = {};  ///< name and value
   const FlatPattern* flat = nullptr;
   const PartView* view = nullptr;  ///< null: the folded part is not drawn
-  std::vector<std::string> warnings, notes;
+  std::vector<std::string> warnings = {}, notes = {};
   LengthUnit units = LengthUnit::mm;
 };
 
