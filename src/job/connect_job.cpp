@@ -2,6 +2,7 @@
 #include "folded.hpp"
 #include "from_file.hpp"
 #include "made_report.hpp"
+#include "shop_checks.hpp"
 
 #include <planish/job/connect.hpp>
 
@@ -36,6 +37,7 @@ JoinOptions joining_of(const PlatesFile& file, const Request& request) {
 
 std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const Request& request,
                           const Progress& progress) {
+  if (auto wrong = unchosen(request)) return wrong;
   const AllowanceRule allowance = allowance_of(file, request);
   progress.at("joining the plates", 0.0);
   auto connection = planish::connect(with_options(file, joining_of(file, request)),

@@ -98,11 +98,6 @@ Result<OptionValue> read_file(const Option& option, const std::string& path) {
 }
 
 Error without_material(const Shop& shop, const std::string& name) {
-  if (name.empty())
-    return {ErrorCode::bad_option,
-            fmt::format("the shop profile has the materials {}: choose one with `material`",
-                        material_names(shop)),
-            "material"};
   return {
       ErrorCode::bad_option,
       fmt::format("the shop profile has no material \"{}\" and there is no such file: it has {}",
@@ -213,8 +208,9 @@ Result<void> OptionValues::enter(Request& request) const {
     }
   if (!request.shop) return {};
   // `planish bend --material steel` takes a word that it knows for the metal.
-  if (!request.shop->material && !take_material(request, text("metal")))
-    return tl::unexpected(without_material(request.shop->shop, {}));
+  if (!request.shop->material) take_material(request, text("metal"));
+  request.shop->density_given = given("density");
+  request.shop->strength_given = given("metal");
   request.shop->gauge_limits = !given("rules") && !given("process");
   return {};
 }

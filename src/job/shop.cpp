@@ -19,8 +19,9 @@ bool same_word(const std::string& a, const std::string& b) {
 void choose_material(Request& to, int material) {
   to.shop->material = material;
   const ShopMaterial& chosen = to.shop->chosen();
-  if (chosen.density) to.density = chosen.density;
-  if (chosen.tensile_strength) to.bending.plan.tensile_strength = *chosen.tensile_strength;
+  if (chosen.density && !to.shop->density_given) to.density = chosen.density;
+  if (chosen.tensile_strength && !to.shop->strength_given)
+    to.bending.plan.tensile_strength = *chosen.tensile_strength;
 }
 
 std::string in_mm(double length) { return fmt::format("{:.4g} mm", length); }
@@ -169,6 +170,22 @@ bool take_material(Request& to, const std::string& name) {
   if (found == materials.end()) return false;
   choose_material(to, static_cast<int>(found - materials.begin()));
   return true;
+}
+
+std::optional<Error> unchosen(const Request& request, const std::string& material) {
+  if (!request.shop || request.shop->material) return std::nullopt;
+  const std::string known = material_names(request.shop->shop);
+  const std::string
+      sentence = material.empty()
+                     ? fmt::format(
+                           "the shop profile has the materials {}: choose one with `material`",
+                           known)
+                     : fmt::format(
+                           "the part is of {}, which the shop profile does not have; it has {}: "
+                           "choose "
+                           "one with `material`",
+                           material, known);
+  return Error{ErrorCode::bad_option, sentence, "material"};
 }
 
 std::string material_names(const Shop& shop) {

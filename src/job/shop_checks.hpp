@@ -4,6 +4,7 @@
 #include <planish/job/request.hpp>
 #include <planish/job/shop.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ void take_shop(Request& to, Shop shop);
 /// Puts the material of that name, upper or lower case, into a request with a shop. False where the
 /// shop has none of that name.
 bool take_material(Request& to, const std::string& name);
+
+/// What is wrong with a request whose shop has several materials and none is chosen; `material`:
+/// what the part's file says.
+std::optional<Error> unchosen(const Request& request, const std::string& material = {});
 
 /// "mild steel, stainless"
 std::string material_names(const Shop& shop);

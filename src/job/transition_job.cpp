@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "shop_checks.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition.hpp>
@@ -84,6 +85,7 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
                           const Request& request, const Progress& progress) {
   TransitionSpec& spec = report.spec;
   spec = file.spec;
+  if (auto wrong = unchosen(request)) return wrong;
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (!constant)

@@ -7,6 +7,7 @@ import pathlib
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import step_files  # noqa: E402
 from planish_cli import SOURCE, CliTest, main  # noqa: E402
 
 EXAMPLE = SOURCE / "examples" / "shop" / "example.json"
@@ -130,6 +131,36 @@ class Shop(CliTest):
         self.assertIn('no material "brass"', error)
         self.run_cli("unfold", "part.step", "--shop", EXAMPLE, "--material", "Mild steel", "--json", "report.json")
         self.assertAlmostEqual(self.json("report.json")["flat"]["size"][0], 100 - 3.84, places=6)
+
+    def part_of(self, material):
+        """The angle as a STEP file that names its material, of 2680 kg/m³."""
+        file = step_files.StepFile()
+        shell = file.prism(*step_files.angle_profile(50.0, 2.0, 2.0), 60.0)
+        file.material(file.product("angle", shell)[0], material, 2680.0)
+        self.write("part.step", file.text())
+
+    def test_takes_the_material_that_the_file_names(self):
+        self.part_of("Aluminium 5754")
+        self.run_cli("unfold", "part.step", "--shop", EXAMPLE, "--json", "report.json")
+        report = self.json("report.json")
+        self.assertAlmostEqual(report["flat"]["size"][0], flat_length(0.42), places=6)
+        self.assertAlmostEqual(report["sheet"]["mass"], 2.67e-6 * report["sheet"]["volume"], places=9)
+        # What is chosen outweighs what the file says.
+        self.run_cli("unfold", "part.step", "--shop", EXAMPLE, "--material", "mild steel", "--density", "7",
+                     "--json", "report.json")
+        report = self.json("report.json")
+        self.assertAlmostEqual(report["flat"]["size"][0], 100 - 3.84, places=6)
+        self.assertAlmostEqual(report["sheet"]["mass"], 7e-6 * report["sheet"]["volume"], places=9)
+        self.part_of("brass")
+        error = self.refused("unfold", "part.step", "--shop", EXAMPLE, status=2)
+        self.assertIn("the part is of brass, which the shop profile does not have; it has mild steel, aluminium 5754",
+                      error)
+
+    def test_gives_way_to_density_where_the_file_names_the_material(self):
+        self.part_of("Mild Steel")
+        self.run_cli("unfold", "part.step", "--shop", EXAMPLE, "--density", "7", "--json", "report.json")
+        report = self.json("report.json")
+        self.assertAlmostEqual(report["sheet"]["mass"], 7e-6 * report["sheet"]["volume"], places=9)
 
     def test_says_what_is_wrong_with_a_profile(self):
         self.angle()

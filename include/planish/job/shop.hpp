@@ -55,6 +55,7 @@ struct ShopChoice {
   Shop shop;
   std::optional<int> material;  ///< its place in `shop.materials`
   bool gauge_limits = true;     ///< whether the gauge's smallest flange and opening hold
+  bool density_given = false, strength_given = false;  ///< by options, which win
 
   const ShopMaterial& chosen() const;  ///< requires a material
 };
