@@ -56,15 +56,28 @@ std::vector<std::string> warnings_of(const Json& report) {
 }
 
 /// kg; `alone`: it is the whole part.
+constexpr double kCubicDecimetre = 1e6;  // mm³
+
+/// Whether a report's mass is that of the material in the file, of which the part is not to be.
+bool is_of_another_material(double mass, double mm3, const Json& report,
+                            const Materials::Row& material) {
+  constexpr double kSame = 1e-9;
+  const auto density = number_at(report, "/density");
+  return density && material.material != said_at(report, "/material") &&
+         std::abs(mass - *density * mm3 / kCubicDecimetre) <= kSame * mass;
+}
+
 std::optional<double> mass_of(const Json& report, const FlatPattern& flat,
                               const Materials::Row* material, bool alone) {
-  constexpr double kCubicDecimetre = 1e6;  // mm³
-  const auto said = number_at(report, "/sheet/mass");
-  if (!material || !material->density) return alone ? said : std::nullopt;
   const double unit = millimetres_in(units_of(report));
   const auto volume = number_at(report, "/sheet/volume");
   const double mm3 = alone && volume && *volume > 0.0 ? *volume * unit * unit * unit
                                                       : flat.area * flat.thickness;
+  const auto said = number_at(report, "/sheet/mass");
+  if (!material || !material->density) {
+    const bool wrong = said && material && is_of_another_material(*said, mm3, report, *material);
+    return alone && !wrong ? said : std::nullopt;
+  }
   return *material->density * mm3 / kCubicDecimetre;
 }
 
@@ -140,6 +153,11 @@ class Collecting {
     return std::filesystem::path(said_at(report, "/input")).stem().string();
   }
 
+  /// What the only part of a file is called: bodies of such files have any names.
+  static std::string stem_of(const PartSource& source) {
+    return std::filesystem::path(source.input).stem().string();
+  }
+
   /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
   static double rounded(double thickness) {
     constexpr double kThousandths = 1000.0;
@@ -154,8 +172,10 @@ class Collecting {
                   fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
     const bool alone = from.shapes.size() == 1;
     PackPart part;
-    part.name = alone ? source.body : fmt::format("{}-{}", source.body, piece + 1);
-    const Materials::Row* row = materials_.find(source.body);
+    const std::string name = from.folder == source.input ? stem_of(source) : source.body;
+    part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
+    const Materials::Row* row = materials_.find({name, source.body, stem_of(source)},
+                                                said_at(report, "/colour"));
     part.material = row ? row->material : said_at(report, "/material");
     if (part.material.empty()) part.material = kUnknown;
     part.flat = std::move(*flat);
