@@ -55,6 +55,7 @@ void Page::add(const Row& row, std::optional<std::size_t> distinct) {
                             {"message", row.message.empty() ? row.findings : row.message},
                             {"same", distinct ? Json(*distinct) : Json(nullptr)},
                             {"quantity", number_in(row.quantity)},
+                            {"material", row.material},
                             {"thickness", number_in(row.thickness)},
                             {"length", number_in(row.length)},
                             {"width", number_in(row.width)},

@@ -35,7 +35,8 @@ constexpr std::array kColumns{Column{"input", &Row::input},
                               Column{"volume_ratio", &Row::volume_ratio},
                               Column{"warnings", &Row::warnings},
                               Column{"files", &Row::files},
-                              Column{"same_as", &Row::same_as}};
+                              Column{"same_as", &Row::same_as},
+                              Column{"material", &Row::material}};
 
 /// The value at a JSON pointer as text; empty for null and where there is none.
 std::string text_at(const Json& json, const char* pointer) {
@@ -80,7 +81,8 @@ Row row_of(const std::string& folder, const std::string& report) {
           .mass = text_at(json, "/sheet/mass"),
           .volume_ratio = text_at(json, "/verification/volume_ratio"),
           .warnings = {},
-          .files = {}};
+          .files = {},
+          .material = text_at(json, "/material")};
   int warnings = 0;
   std::set<std::string> codes;
   if (json.contains("checks") && json["checks"].is_array())

@@ -10,7 +10,7 @@ namespace planish::batch {
 struct Row {
   std::string input, body, folder, quantity, status, reason, message, units;
   std::string thickness, length, width, area, outer_cutting, inner_cutting, openings, bends, mass;
-  std::string volume_ratio, warnings, files;
+  std::string volume_ratio, warnings, files, material;
   std::string findings = {};  ///< codes of warnings and errors, each once
   std::string same_as = {};   ///< the folder of the first identical part; empty for the first
 };

@@ -23,6 +23,9 @@ Body::Body(std::shared_ptr<const Shape> shape) : shape_(std::move(shape)) {
 
 const std::string& Body::name() const { return shape_->name; }
 int Body::quantity() const { return shape_->quantity; }
+const std::string& Body::material() const { return shape_->material; }
+std::optional<double> Body::density() const { return shape_->density; }
+const std::string& Body::colour() const { return shape_->colour; }
 int Body::face_count() const { return shape_->faces; }
 
 double Body::volume() const {

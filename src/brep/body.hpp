@@ -12,6 +12,8 @@ struct Body::Shape {
   std::string name;
   int quantity = 1;
   int faces = 0;
+  std::string material = {}, colour = {};
+  std::optional<double> density = {};
 };
 
 }  // namespace planish

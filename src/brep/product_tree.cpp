@@ -2,6 +2,7 @@
 
 #include "coordinate_bound.hpp"
 #include "mend_where_needed.hpp"
+#include "step_text.hpp"
 
 #include <IFSelect_WorkLibrary.hxx>
 #include <Interface_HGraph.hxx>
@@ -18,7 +19,6 @@
 #include <StepShape_ShapeRepresentation.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_AsciiString.hxx>
-#include <TCollection_ExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_MapOfShape.hxx>
@@ -66,25 +66,11 @@ double millimetres_in(const std::string& unit) {
 
 TopoDS_Shape unplaced(const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location()); }
 
-/// As UTF-8, with the bytes that are none replaced.
-std::string utf8(const Handle(TCollection_HAsciiString) & text) {
-  const TCollection_ExtendedString wide(text->ToCString(), true);
-  std::string name(static_cast<size_t>(wide.LengthOfCString()), '\0');
-  Standard_PCharacter raw = name.data();
-  wide.ToUTF8CString(raw);
-  return name;
-}
-
-bool says_something(const Handle(TCollection_HAsciiString) & text) {
-  return !text.IsNull() && text->UsefullLength() > 0;
-}
-
 std::string name_of(const Handle(StepBasic_ProductDefinition) & definition) {
   if (definition->Formation().IsNull() || definition->Formation()->OfProduct().IsNull()) return {};
   const Handle(StepBasic_Product) product = definition->Formation()->OfProduct();
-  if (says_something(product->Name())) return utf8(product->Name());
-  if (says_something(product->Id())) return utf8(product->Id());
-  return {};
+  const std::string name = step_text(product->Name());
+  return name.empty() ? step_text(product->Id()) : name;
 }
 
 /// The kind of shape, for bodies that belong to no product.
@@ -149,6 +135,7 @@ class Content {
     if (!scope.More() || reader_.NbShapes() == 0) return false;
     collect_products();
     collect_references();
+    colours_ = shape_colours(reader_.WS());
     return true;
   }
 
@@ -181,6 +168,15 @@ class Content {
     return known != nullptr ? *known : kind_name(shape);
   }
 
+  StepMaterial material(const TopoDS_Shape& product) const {
+    const StepMaterial* known = materials_.Seek(product);
+    return known != nullptr ? *known : StepMaterial{};
+  }
+
+  std::string colour(const TopoDS_Shape& solid, const TopoDS_Shape& product) const {
+    return colour_of(unplaced(solid), product, colours_);
+  }
+
   /// The file that stands for an empty shape.
   std::optional<std::string> reference(const TopoDS_Shape& shape) const {
     const std::string* known = references_.Seek(shape);
@@ -195,6 +191,7 @@ class Content {
 
   void collect_products() {
     const Handle(Interface_InterfaceModel) model = reader_.Model();
+    const auto materials = step_materials(reader_.WS());
     for (int i = 1; i <= model->NbEntities(); ++i) {
       const Handle(Standard_Transient) entity = model->Value(i);
       const auto product = Handle(StepBasic_ProductDefinition)::DownCast(entity);
@@ -204,7 +201,10 @@ class Content {
       const TopoDS_Shape shape = TransferBRep::ShapeResult(process(), entity);
       if (shape.IsNull()) continue;
       parts_.Add(shape);
-      if (!product.IsNull()) names_.Bind(shape, name_of(product));
+      if (product.IsNull()) continue;
+      names_.Bind(shape, name_of(product));
+      if (const auto known = materials.find(product.get()); known != materials.end())
+        materials_.Bind(shape, known->second);
     }
   }
 
@@ -232,6 +232,8 @@ class Content {
   TopTools_MapOfShape parts_;        // shapes of products and representations
   ByShape<std::string> names_;       // of products
   ByShape<std::string> references_;  // to other files
+  ByShape<StepMaterial> materials_;  // of products
+  ShapeColours colours_;
 };
 
 /// Walks down the assemblies of a file, and of those that it refers to.
@@ -278,12 +280,15 @@ class Walk {
     if (const auto file = content_.reference(definition))
       add_file(folder_ / *file, here, name);
     else
-      add_bodies(definition.Moved(here), name);
+      add_bodies(definition, here, name);
   }
 
-  void add_bodies(const TopoDS_Shape& shape, const std::string& name) {
+  void add_bodies(const TopoDS_Shape& definition, const TopLoc_Location& place,
+                  const std::string& name) {
+    const TopoDS_Shape shape = definition.Moved(place);
     for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
-      tree_.solids.push_back({TopoDS::Solid(solids.Current()), name});
+      tree_.solids.push_back({TopoDS::Solid(solids.Current()), name, content_.material(definition),
+                              content_.colour(solids.Current(), definition)});
     for (TopExp_Explorer shells(shape, TopAbs_SHELL, TopAbs_SOLID); shells.More(); shells.Next())
       ++tree_.surface_bodies;
     for (TopExp_Explorer faces(shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "step_materials.hpp"
+
 #include <planish/base/progress.hpp>
 #include <planish/base/result.hpp>
 
@@ -17,7 +19,9 @@ namespace planish::brep {
 /// though it may be the same shape.
 struct PlacedSolid {
   TopoDS_Solid solid;
-  std::string name;  ///< of its product; empty where that has none
+  std::string name;       ///< of its product; empty where that has none
+  StepMaterial material;  ///< of its product
+  std::string colour;     ///< "#rrggbb"; empty where it has none, or several
 };
 
 /// What a STEP file holds, product by product down the tree of its assemblies.

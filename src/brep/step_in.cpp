@@ -39,7 +39,9 @@ class BodyCollector {
       }
       TopTools_IndexedMapOfShape faces;
       TopExp::MapShapes(one.solid, TopAbs_FACE, faces);
-      rows_.push_back({{one.solid, one.name, 1, faces.Extent()}, {}});
+      rows_.push_back({{one.solid, one.name, 1, faces.Extent(), one.material.name, one.colour,
+                        one.material.density},
+                       {}});
     }
   }
 
@@ -69,7 +71,8 @@ class BodyCollector {
       progress.at("comparing bodies", std::lerp(kTranslated, 1.0, share));
       row.fingerprint = brep::fingerprint_of(row.shape.solid);
       const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Row& known) {
-        return brep::identical(known.fingerprint, row.fingerprint);
+        return known.shape.material == row.shape.material &&
+               brep::identical(known.fingerprint, row.fingerprint);
       });
       if (same == distinct.end())
         distinct.push_back(std::move(row));

@@ -56,6 +56,9 @@ BodyInfo body_info(const Body& body, int number) {
   info.faces = body.face_count();
   info.size = body.size();
   info.volume = body.volume();
+  info.material = body.material();
+  info.colour = body.colour();
+  info.density = body.density();
   return info;
 }
 

@@ -41,6 +41,9 @@ Json body_json(const BodyInfo& body, const Units& units) {
   json["faces"] = body.faces;
   json["size"] = size_json(body.size, units);
   json["volume"] = number_json(units.volume(body.volume));
+  if (!body.material.empty()) json["material"] = body.material;
+  if (body.density) json["density"] = number_json(*body.density);
+  if (!body.colour.empty()) json["colour"] = body.colour;
   if (body.sheet) json["sheet"] = sheet_json(*body.sheet, units);
   return json;
 }
@@ -62,18 +65,29 @@ std::string sheet_text(const SheetInfo& sheet, const Units& units) {
 
 std::string body_table(const InfoReport& report, const Units& units) {
   using Align = Table::Align;
-  Table table({{"no", Align::right},
-               {"body"},
-               {"quantity", Align::right},
-               {"faces", Align::right},
-               {"size", Align::right},
-               {"volume", Align::right}});
+  const auto any = [&](std::string BodyInfo::*text) {
+    return std::ranges::any_of(report.bodies,
+                               [&](const BodyInfo& body) { return !(body.*text).empty(); });
+  };
+  const bool materials = any(&BodyInfo::material), colours = any(&BodyInfo::colour);
+  std::vector<Table::Column> columns{{"no", Align::right},       {"body"},
+                                     {"quantity", Align::right}, {"faces", Align::right},
+                                     {"size", Align::right},     {"volume", Align::right}};
+  if (materials) columns.push_back({"material"});
+  if (colours) columns.push_back({"colour"});
+  Table table(columns);
   for (const BodyInfo& body : report.bodies) {
-    table.add({fmt::format("{}", body.number), body.name, fmt::format("{}", body.quantity),
-               fmt::format("{}", body.faces),
-               fmt::format("{} × {} × {}", units.length_text(body.size.x()),
-                           units.length_text(body.size.y()), units.length_text(body.size.z())),
-               fmt::format("{:.6g}", units.volume(body.volume))});
+    std::vector<std::string> cells{
+        fmt::format("{}", body.number),
+        body.name,
+        fmt::format("{}", body.quantity),
+        fmt::format("{}", body.faces),
+        fmt::format("{} × {} × {}", units.length_text(body.size.x()),
+                    units.length_text(body.size.y()), units.length_text(body.size.z())),
+        fmt::format("{:.6g}", units.volume(body.volume))};
+    if (materials) cells.push_back(body.material);
+    if (colours) cells.push_back(body.colour);
+    table.add(cells);
   }
   return table.text("  ");
 }

@@ -61,7 +61,7 @@ void take_pattern(Report& report, FlatSheet flat, const SheetToLay& given,
   report.flat = std::move(flat.pattern);
   report.layout = std::move(flat.layout);
   report.size = blank_size(report.flat);
-  report.mass = mass_of(report, given.checks.density);
+  report.mass = mass_of(report, given.checks.density ? given.checks.density : report.density);
   summarize_k(report.summary, report.flat, options.allowance);
 }
 

@@ -176,13 +176,17 @@ Json report_value(const UnfoldReport& report) {
   json["body"] = report.body;
   json["body_number"] = report.number;
   json["quantity"] = report.quantity;
+  if (!report.material.empty()) json["material"] = report.material;
+  if (report.density) json["density"] = number_json(*report.density);
+  if (!report.colour.empty()) json["colour"] = report.colour;
   finish_report(json, report);
   return json;
 }
 
 ReportDetails unfold_report_details() {
   return {{optional("body", any_text()), optional("body_number", whole(1)),
-           optional("quantity", whole(1))},
+           optional("quantity", whole(1)), optional("material", any_text()),
+           optional("density", measured_number()), optional("colour", any_text())},
           {}};
 }
 

@@ -149,7 +149,9 @@ Schema info_schema() {
   const Schema body = object(
       {required("number", whole(1)), required("name", any_text()), required("quantity", whole(1)),
        required("faces", whole()), required("size", report_space_point()),
-       required("volume", volume().or_null()), optional("sheet", info_sheet_schema())});
+       required("volume", volume().or_null()), optional("material", any_text()),
+       optional("density", measured_number()), optional("colour", any_text()),
+       optional("sheet", info_sheet_schema())});
   std::vector<Field> fields = written_header("planish/info");
   append(fields,
          {required("command", words({"info"})), required("input", any_text()),

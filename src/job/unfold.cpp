@@ -55,6 +55,9 @@ UnfoldReport refused(const Body& body, const Request& request, const Error& erro
   UnfoldReport report = failed_unfold(request, error);
   report.body = body.name();
   report.quantity = body.quantity();
+  report.material = body.material();
+  report.colour = body.colour();
+  report.density = body.density();
   return report;
 }
 

@@ -11,6 +11,9 @@ UnfoldReport begun(const Body& body, const Request& request) {
   UnfoldReport report;
   report.body = body.name();
   report.quantity = body.quantity();
+  report.material = body.material();
+  report.colour = body.colour();
+  report.density = body.density();
   report.units = request.units.value_or(LengthUnit::mm);
   return report;
 }

@@ -169,6 +169,30 @@ class StepFile:
         definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
         of = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
         self.add(f"SHAPE_DEFINITION_REPRESENTATION({of},{shape})")
+        return definition, item
+
+
+    def material(self, definition, name, density, exponent=-3):
+        """What a product is made of, as CAD systems write it: a name and kg/m³."""
+        kilogram = self.add("(MASS_UNIT()NAMED_UNIT(*)SI_UNIT(.KILO.,.GRAM.))")
+        metre = self.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT($,.METRE.))")
+        unit = self.add(f"DERIVED_UNIT(({self.add(f'DERIVED_UNIT_ELEMENT({kilogram},1.)')},"
+                        f"{self.add(f'DERIVED_UNIT_ELEMENT({metre},{exponent}.)')}))")
+        for kind, item in (("material name", f"DESCRIPTIVE_REPRESENTATION_ITEM('{name}','{name}')"),
+                           ("density", "MEASURE_REPRESENTATION_ITEM('density measure',"
+                                       f"POSITIVE_RATIO_MEASURE({density:.6f}),{unit})")):
+            of = self.add(f"PROPERTY_DEFINITION('material property','{kind}',{definition})")
+            shape = self.add(f"REPRESENTATION('{kind}',({self.add(item)}),{self.context})")
+            self.add(f"PROPERTY_DEFINITION_REPRESENTATION({of},{shape})")
+
+    def colour(self, item, red, green, blue):
+        """The colour of a solid or face; shares of one."""
+        rgb = self.add(f"COLOUR_RGB('',{red:.9f},{green:.9f},{blue:.9f})")
+        fill = self.add(f"FILL_AREA_STYLE('',({self.add(f'FILL_AREA_STYLE_COLOUR({chr(39)*2},{rgb})')}))")
+        side = self.add(f"SURFACE_SIDE_STYLE('',({self.add(f'SURFACE_STYLE_FILL_AREA({fill})')}))")
+        style = self.add(f"PRESENTATION_STYLE_ASSIGNMENT(({self.add(f'SURFACE_STYLE_USAGE(.BOTH.,{side})')}))")
+        styled = self.add(f"STYLED_ITEM('color',({style}),{item})")
+        self.add(f"MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION('',({styled}),{self.context})")
 
 
 def angle_profile(leg, thickness, radius):

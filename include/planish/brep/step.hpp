@@ -23,6 +23,9 @@ class Body {
   const std::string& name() const;  ///< STEP product name, or "body-<n>"
   int quantity() const;             ///< number of identical bodies in the file (not mirrored)
   int face_count() const;
+  const std::string& material() const;    ///< as the file spells it; empty: it does not say
+  std::optional<double> density() const;  ///< kg/dm³, as the file says
+  const std::string& colour() const;      ///< "#rrggbb"; empty: it has none, or several
   double volume() const;  ///< mm³
   Vec3 size() const;      ///< extents along x, y, z, mm
 

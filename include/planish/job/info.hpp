@@ -42,8 +42,10 @@ struct BodyInfo {
   int number = 0;
   std::string name;
   int quantity = 1, faces = 0;
-  Vec3 size = Vec3::Zero();  ///< mm
-  double volume = 0.0;       ///< mm³
+  Vec3 size = Vec3::Zero();       ///< mm
+  double volume = 0.0;            ///< mm³
+  std::string material, colour;   ///< as the file says; empty: it does not say
+  std::optional<double> density;  ///< kg/dm³, likewise
   std::optional<SheetInfo> sheet;
 };
 

@@ -29,6 +29,8 @@ enum class Status { ok, warning, refused };
 struct Report {
   std::string input;
   std::string body;  ///< name of the part: of the body in its file, or of its input file
+  std::string material, colour;   ///< "S235", "#rrggbb" as its file says; empty: it does not say
+  std::optional<double> density;  ///< kg/dm³, likewise
   std::optional<Error> refusal;
   SheetSummary summary;
   Sheet sheet;  ///< the faces and bends that `flat` refers to; no faces if it was not known
