@@ -26,6 +26,9 @@ class Materials {
   /// `invalid_input`, `where` is name:line.
   static Result<Materials> parse(const GivenFile& file);
 
+  /// Density of all parts whose row says none, kg/dm³: it goes before that of a STEP file.
+  std::optional<double> density_of_all = {};
+
   /// Null if no row fits.
   const Row* find(const std::string& part) const;
 
