@@ -27,6 +27,9 @@ class Materials {
   /// Errors: `invalid_input`, `where` is name:line.
   static Result<Materials> parse(const GivenFile& file);
 
+  /// Density of all parts whose row says none, kg/dm³: it goes before that of a STEP file.
+  std::optional<double> density_of_all = {};
+
   /// Null if no row fits.
   const Row* find(const std::vector<std::string>& names, const std::string& colour) const;
 

@@ -56,28 +56,21 @@ std::vector<std::string> warnings_of(const Json& report) {
 }
 
 /// kg; `alone`: it is the whole part.
-constexpr double kCubicDecimetre = 1e6;  // mm³
-
-/// Whether a report's mass is that of the material in the file, of which the part is not to be.
-bool is_of_another_material(double mass, double mm3, const Json& report,
-                            const Materials::Row& material) {
-  constexpr double kSame = 1e-9;
-  const auto density = number_at(report, "/density");
-  return density && material.material != said_at(report, "/material") &&
-         std::abs(mass - *density * mm3 / kCubicDecimetre) <= kSame * mass;
-}
-
 std::optional<double> mass_of(const Json& report, const FlatPattern& flat,
-                              const Materials::Row* material, bool alone) {
+                              const Materials::Row* material,
+                              const std::optional<double>& density_of_all, bool alone) {
+  constexpr double kCubicDecimetre = 1e6;  // mm³
+  const auto said = number_at(report, "/sheet/mass");
+  if (!material || !material->density) {
+    // A density of the file is that of the file's material.
+    const bool of_another = material && !density_of_all && number_at(report, "/density") &&
+                            material->material != said_at(report, "/material");
+    return alone && !of_another ? said : std::nullopt;
+  }
   const double unit = millimetres_in(units_of(report));
   const auto volume = number_at(report, "/sheet/volume");
   const double mm3 = alone && volume && *volume > 0.0 ? *volume * unit * unit * unit
                                                       : flat.area * flat.thickness;
-  const auto said = number_at(report, "/sheet/mass");
-  if (!material || !material->density) {
-    const bool wrong = said && material && is_of_another_material(*said, mm3, report, *material);
-    return alone && !wrong ? said : std::nullopt;
-  }
   return *material->density * mm3 / kCubicDecimetre;
 }
 
@@ -191,14 +184,14 @@ class Collecting {
     return {};
   }
 
-  static void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
-                       const Materials::Row* row, std::size_t piece) {
+  void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
+                const Materials::Row* row, std::size_t piece) const {
     part.units = units_of(report);
     part.plan = plan_of(report, part.flat);
     part.warnings = warnings_of(report);
     for (const Json& note : report.value("notes", Json::array()))
       if (note.is_string()) part.notes.push_back(note.get<std::string>());
-    part.mass = mass_of(report, part.flat, row, from.shapes.size() == 1);
+    part.mass = mass_of(report, part.flat, row, materials_.density_of_all, from.shapes.size() == 1);
     measure(part);
     if (const auto text = job::read_text(from.files / batch::view_name(piece), "view"))
       if (auto view = job::read_view_json(*text)) part.view = std::move(*view);
