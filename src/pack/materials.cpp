@@ -88,6 +88,8 @@ Result<Materials> Materials::parse(const GivenFile& file) {
     Row row{field(columns->part), field(columns->material), {}, lower_case(field(columns->colour))};
     if ((row.pattern.empty() && row.colour.empty()) || row.material.empty())
       return wrong(file, record.line, "each row needs a part or a colour, and a material");
+    // A row that begins with # is a comment, so it may be left out.
+    if (!row.colour.empty() && row.colour.front() != '#') row.colour.insert(0, 1, '#');
     if (!row.colour.empty() && !is_colour(row.colour))
       return wrong(file, record.line,
                    fmt::format("a colour is written like #c0c0c0, not \"{}\"", row.colour));

@@ -146,7 +146,12 @@ class Collecting {
     return std::filesystem::path(said_at(report, "/input")).stem().string();
   }
 
-  /// What the only part of a file is called: bodies of such files have any names.
+  /// Names that programs give to bodies of which they know none.
+  static bool says_nothing(const std::string& body) {
+    static const std::set<std::string> kKinds{"SOLID", "COMPOUND", "COMPSOLID", "SHELL", "body-1"};
+    return kKinds.contains(body) || body.starts_with("Open CASCADE STEP translator");
+  }
+
   static std::string stem_of(const PartSource& source) {
     return std::filesystem::path(source.input).stem().string();
   }
@@ -165,7 +170,9 @@ class Collecting {
                   fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
     const bool alone = from.shapes.size() == 1;
     PackPart part;
-    const std::string name = from.folder == source.input ? stem_of(source) : source.body;
+    const std::string name = from.folder == source.input && says_nothing(source.body)
+                                 ? stem_of(source)
+                                 : source.body;
     part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
     const Materials::Row* row = materials_.find({name, source.body, stem_of(source)},
                                                 said_at(report, "/colour"));

@@ -39,7 +39,7 @@ TEST(Materials, MayLeavePartsOut) {
 
 TEST(Materials, MayBeSaidByColour) {
   const auto materials = Materials::parse(
-      {"m.csv", "colour,material,part\n#FF8000,brass,\n#c0c0c0,DC01,leg*\n,S235,leg*\n"});
+      {"m.csv", "colour,material,part\nFF8000,brass,\n\"#c0c0c0\",DC01,leg*\n,S235,leg*\n"});
   ASSERT_TRUE(materials) << materials.error().message;
   EXPECT_EQ(materials->find({"seat"}, "#ff8000")->material, "brass");
   EXPECT_EQ(materials->find({"seat", "leg 1"}, "#c0c0c0")->material, "DC01");

@@ -355,8 +355,8 @@ class BadInputs(PackTest):
                                                                status=2))
         self.assertIn("--nest", self.sentence("part.step", "-o", "out", "--gap", "5", status=2))
         self.sentence("part.step", "-o", "out", "--rates", "none.json", status=3)
-        for text, what in [("", "empty"), ("a,b\n", "columns part and material"),
-                           ("part,material\nx,\n", "needs a part and a material"),
+        for text, what in [("", "empty"), ("a,b\n", "columns part (or colour) and"),
+                           ("part,material\nx,\n", "needs a part or a colour, and a material"),
                            ("part,material,density\nx,S235,heavy\n", "density")]:
             self.write("materials.csv", text)
             self.assertIn(what, self.sentence("part.step", "-o", "out", "--materials",
