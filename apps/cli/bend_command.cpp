@@ -38,7 +38,7 @@ constexpr auto kGraceForOthers = std::chrono::minutes(2);  // reading, unfolding
 bool is_of_sheet(const job::Option& option) {
   return option.on_command_line && option.name != "material" &&
          (option.group == "Input" || option.group == "Bends" || option.group == "Joining" ||
-          option.name == "units");
+          option.group == "Shop" || option.name == "units");
 }
 
 /// A word for a metal, or a file that K comes from.

@@ -17,12 +17,13 @@ constexpr double kLetterWidth = 0.9;
 
 }  // namespace
 
-DxfStyles styles_of(LayerProfile profile) {
-  const LayerNames names = layer_names(profile);
+DxfStyles styles_of(const DxfOptions& options) {
+  const LayerNames names = options.layers.value_or(layer_names(options.profile));
+  const bool dashed = options.bend_linetype == BendLinetype::dashed;
   DxfStyles styles{.outer = {names.outer, 7},
                    .openings = {names.openings, 4},
-                   .bend_up = {names.bend_up, 5, true},
-                   .bend_down = {names.bend_down, 1, true},
+                   .bend_up = {names.bend_up, 5, dashed},
+                   .bend_down = {names.bend_down, 1, dashed},
                    // Not dashed: some shops bend along every dashed line.
                    .bend_zone = {names.bend_zone, 8},
                    .features = {names.features, 3},
@@ -33,9 +34,7 @@ DxfStyles styles_of(LayerProfile profile) {
 }
 
 Drawing::Drawing(const DxfOptions& options)
-    : styles_(styles_of(options.profile)),
-      options_(options),
-      scale_(1.0 / millimetres_in(options.units)) {}
+    : styles_(styles_of(options)), options_(options), scale_(1.0 / millimetres_in(options.units)) {}
 
 void Drawing::add(const FlatPattern& pattern) {
   for (const FlatBend& bend : pattern.bends)

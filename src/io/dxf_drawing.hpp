@@ -13,7 +13,7 @@ namespace planish::io_detail {
 struct DxfStyles {
   EntityStyle outer, openings, bend_up, bend_down, bend_zone, features, text;
 };
-DxfStyles styles_of(LayerProfile profile);
+DxfStyles styles_of(const DxfOptions& options);
 
 struct DxfEntity {
   EntityStyle style;

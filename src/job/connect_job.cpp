@@ -2,6 +2,7 @@
 #include "folded.hpp"
 #include "from_file.hpp"
 #include "made_report.hpp"
+#include "shop_checks.hpp"
 
 #include <planish/job/connect.hpp>
 
@@ -25,12 +26,22 @@ Progress first_part(const Progress& whole) {
   return part;
 }
 
+/// What a shop bends the plates to holds as if it were given.
+JoinOptions joining_of(const PlatesFile& file, const Request& request) {
+  JoinOptions join = request.join;
+  if (join.inside_radius || !request.shop) return join;
+  if (const Gauge* gauge = gauge_of(*request.shop, file.structure.thickness))
+    join.inside_radius = gauge->inside_radius;
+  return join;
+}
+
 std::optional<Error> fill(ConnectReport& report, const PlatesFile& file, const Request& request,
                           const Progress& progress) {
+  if (auto wrong = unchosen(request)) return wrong;
   const AllowanceRule allowance = allowance_of(file, request);
   progress.at("joining the plates", 0.0);
-  auto connection = planish::connect(with_options(file, request.join), options_for(allowance),
-                                     first_part(progress));
+  auto connection = planish::connect(with_options(file, joining_of(file, request)),
+                                     options_for(allowance), first_part(progress));
   if (!connection) return placed(connection.error(), place_name(request.input.string()));
   return finish(report, std::move(*connection), allowance, request, progress);
 }

@@ -32,6 +32,8 @@ std::optional<Error> finish(ConnectReport& report, Connection connection,
 
 AllowanceRule allowance_of(const PlatesFile& file, const Request& request) {
   if (request.allowance) return *request.allowance;
+  if (request.shop && gauge_of(*request.shop, file.structure.thickness))
+    return shop_k(*request.shop, file.structure.thickness);
   if (file.k_factor) return ConstantK{*file.k_factor, "plates file"};
   return ConstantK{};
 }

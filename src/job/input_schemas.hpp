@@ -11,5 +11,6 @@ const Schema& slits_schema();
 const Schema& rules_schema();
 const Schema& material_schema();
 const Schema& tools_schema();
+const Schema& shop_schema();
 
 }  // namespace planish::job

@@ -3,6 +3,7 @@
 #include "bending.hpp"
 #include "reliefs.hpp"
 #include "self_intersections.hpp"
+#include "shop_checks.hpp"
 #include "verdict.hpp"
 
 #include <planish/base/tolerance.hpp>
@@ -140,9 +141,13 @@ std::optional<Error> inspect_pattern(Report& report, const SheetToLay& given) {
     }
   }
   if (given.folded) append(report.findings, self_intersections(report, *given.folded));
+  const std::optional<ShopChoice>& shop = given.checks.shop;
   if (given.checks.rules.enabled) {
-    append(report.findings, check_rules(given.sheet, report.flat, given.checks.rules));
+    const Rules& usual = given.checks.rules;
+    const Rules rules = shop ? rules_with_gauge(usual, *shop, given.sheet.thickness) : usual;
+    append(report.findings, check_rules(given.sheet, report.flat, rules));
   }
+  if (shop) append(report.findings, shop_findings(report, *shop));
   return std::nullopt;
 }
 

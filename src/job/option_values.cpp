@@ -1,3 +1,5 @@
+#include "shop_checks.hpp"
+
 #include <planish/job/options.hpp>
 #include <planish/job/text_file.hpp>
 
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 
 namespace planish::job {
 namespace {
@@ -94,8 +97,34 @@ Result<OptionValue> read_file(const Option& option, const std::string& path) {
   return OptionValue(OptionFile{path, std::move(*text)});
 }
 
+Error without_material(const Shop& shop, const std::string& name) {
+  return {
+      ErrorCode::bad_option,
+      fmt::format("the shop profile has no material \"{}\" and there is no such file: it has {}",
+                  name, material_names(shop)),
+      "material"};
+}
+
+constexpr auto kOneK =
+    "`k`, `k_table`, `din6935` and `material` each say where K comes from: give only one of them";
+
+/// `material` beside a shop: one of the shop's, or a file.
+Result<bool> enter_shop_material(const std::string& name, Request& request) {
+  if (take_material(request, name)) return true;
+  std::error_code ignored;
+  if (!std::filesystem::exists(name, ignored))
+    return tl::unexpected(without_material(request.shop->shop, name));
+  if (request.allowance) return fail(ErrorCode::bad_option, kOneK, "material");
+  return false;
+}
+
 Result<void> enter_one(const Option& option, const OptionValue& value, Request& request) {
   const auto* path = std::get_if<std::string>(&value);
+  if (option.name == "material" && path && request.shop) {
+    const auto done = enter_shop_material(*path, request);
+    if (!done) return tl::unexpected(done.error());
+    if (*done) return {};
+  }
   if (option.kind == OptionKind::file && path) {
     const auto content = read_file(option, *path);
     if (!content) return tl::unexpected(content.error());
@@ -151,15 +180,13 @@ std::optional<double> OptionValues::number(std::string_view name) const {
 }
 
 Result<void> OptionValues::check_together() const {
-  const int k_rules = given("k") + given("k_table") + given("din6935") + given("material");
+  const int k_rules = given("k") + given("k_table") + given("din6935") +
+                      (given("material") && !given("shop"));
   const char* last_k_rule = given("material")  ? "material"
                             : given("din6935") ? "din6935"
                                                : "k_table";
   for (const Contradiction& one : {
-           Contradiction{k_rules > 1,
-                         "`k`, `k_table`, `din6935` and `material` each say where K comes from: "
-                         "give only one of them",
-                         last_k_rule},
+           Contradiction{k_rules > 1, kOneK, last_k_rule},
            {given("no_rules") && given("rules"), "`rules` and `no_rules` contradict each other",
             "no_rules"},
            {given("r12") && text("splines") == "keep",
@@ -179,6 +206,12 @@ Result<void> OptionValues::enter(Request& request) const {
       if (given != &option) continue;
       if (auto done = enter_one(option, value, request); !done) return done;
     }
+  if (!request.shop) return {};
+  // `planish bend --material steel` takes a word that it knows for the metal.
+  if (!request.shop->material) take_material(request, text("metal"));
+  request.shop->density_given = given("density");
+  request.shop->strength_given = given("metal");
+  request.shop->gauge_limits = !given("rules") && !given("process");
   return {};
 }
 

@@ -1,4 +1,5 @@
 #include "bending_options.hpp"
+#include "shop_checks.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/job/material_json.hpp>
@@ -26,6 +27,13 @@ Done set_k_table(Request& to, const OptionValue& value) {
   return {};
 }
 
+Done set_shop(Request& to, const OptionValue& value) {
+  auto shop = parse_shop(file_of(value).text, file_of(value).name);
+  if (!shop) return tl::unexpected(shop.error());
+  take_shop(to, std::move(*shop));
+  return {};
+}
+
 Done set_material(Request& to, const OptionValue& value) {
   auto material = parse_material(file_of(value).text, file_of(value).name);
   if (!material) return tl::unexpected(material.error());
@@ -47,6 +55,7 @@ Done set_rules(Request& to, const OptionValue& value) {
 
 Done set_profile(Request& to, const OptionValue& value) {
   const std::string& word = text_of(value);
+  to.dxf.layers.reset();
   to.dxf.profile = word == "inventor"    ? LayerProfile::inventor
                    : word == "onshape"   ? LayerProfile::onshape
                    : word == "solidedge" ? LayerProfile::solid_edge
@@ -76,6 +85,21 @@ Done set_units(Request& to, const OptionValue& value) {
              : text_of(value) == "m"  ? LengthUnit::m
                                       : LengthUnit::mm;
   return {};
+}
+
+// Before all others, which take the place of what it says.
+const std::vector<Option>& shop_options() {
+  static const std::vector<Option> table{
+      {.name = "shop",
+       .kind = OptionKind::file,
+       .group = "Shop",
+       .description = "shop profile: stocked materials with radius and K, layers, limits, tools; "
+                      "options given beside it take the place of what it says",
+       .file_type = "FILE.json",
+       .file_kind = "shop profile",
+       .set = set_shop},
+  };
+  return table;
 }
 
 const std::vector<Option>& bend_options() {
@@ -109,7 +133,8 @@ const std::vector<Option>& bend_options() {
       {.name = "material",
        .kind = OptionKind::file,
        .group = "Bends",
-       .description = "K from the material's stress-strain curves, for each inside radius",
+       .description = "K from the material's stress-strain curves, for each inside radius; with "
+                      "`shop`, the name of a material that it has",
        .file_type = "FILE.json",
        .file_kind = "material file",
        .set = set_material},
@@ -396,8 +421,8 @@ std::span<const Option> options() {
   static const std::vector<Option> all = [] {
     std::vector<Option> joined;
     for (const auto* group :
-         {&general_options(), &bend_options(), &join_options(), &form_options(), &relief_options(),
-          &dxf_options(), &check_options(), &bending_options()})
+         {&general_options(), &shop_options(), &bend_options(), &join_options(), &form_options(),
+          &relief_options(), &dxf_options(), &check_options(), &bending_options()})
       joined.insert(joined.end(), group->begin(), group->end());
     return joined;
   }();

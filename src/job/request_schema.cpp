@@ -12,6 +12,7 @@ namespace {
 Schema file_schema(const Option& option, OptionFiles files) {
   const Schema content = option.name == "rules"      ? rules_schema()
                          : option.name == "material" ? material_schema()
+                         : option.name == "shop"     ? shop_schema()
                                                      : text();
   const Schema given = object(
       {optional("name", text().said("for messages and reports")), required("content", content)});

@@ -16,6 +16,7 @@ std::optional<Schema> schema_named(const std::string& name, const Catalogue& cat
   if (name == "rules") return rules_schema();
   if (name == "material") return material_schema();
   if (name == "tools") return tools_schema();
+  if (name == "shop") return shop_schema();
   if (name == "request") return request_schema(catalogue);
   if (name == "report") return report_schema(catalogue);
   if (name == "summary") return summary_schema(catalogue);
@@ -29,7 +30,8 @@ std::vector<std::string> schema_names(const Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const Maker& maker : catalogue.makers)
     if (maker.schema) names.push_back(maker.schema_name());
-  for (const char* name : {"rules", "material", "tools", "request", "report", "summary", "info"})
+  for (const char* name :
+       {"rules", "material", "tools", "shop", "request", "report", "summary", "info"})
     names.emplace_back(name);
   return names;
 }

@@ -100,7 +100,9 @@ Result<std::vector<std::pair<BendId, double>>> single_bends(const Sheet& sheet,
 Result<FlattenOptions> flatten_options(const Sheet& sheet, const Request& request) {
   FlattenOptions options;
   options.extruded = request.extruded;
-  options.allowance = request.allowance.value_or(ConstantK{});
+  options.allowance = request.allowance ? *request.allowance
+                      : request.shop    ? shop_k(*request.shop, sheet.thickness)
+                                        : ConstantK{};
   const auto bend_k = single_bends(sheet, request);
   if (!bend_k) return tl::unexpected(bend_k.error());
   options.bend_k = *bend_k;

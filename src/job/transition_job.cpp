@@ -2,6 +2,7 @@
 #include "from_file.hpp"
 #include "lay_flat.hpp"
 #include "made_report.hpp"
+#include "shop_checks.hpp"
 
 #include <planish/base/tolerance.hpp>
 #include <planish/job/transition.hpp>
@@ -25,9 +26,15 @@ constexpr double kFolded = 1e-8;
 /// A share of the extent too small to see.
 constexpr double kDrawn = tolerance::kFileDigits;
 
+const Gauge* stocked(const Request& request, double thickness) {
+  return request.shop ? gauge_of(*request.shop, thickness) : nullptr;
+}
+
 FlattenOptions options_of(const TransitionSpec& spec, const Request& request) {
   FlattenOptions options;
   options.allowance = ConstantK{spec.k_factor, request.allowance ? "constant" : "transition file"};
+  if (!request.allowance && stocked(request, spec.thickness))
+    options.allowance = shop_k(*request.shop, spec.thickness);
   options.curve_tolerance = kOutline;
   options.merge_tolerance = kMerged;
   return options;
@@ -78,12 +85,15 @@ std::optional<Error> fill(TransitionReport& report, const TransitionFile& file,
                           const Request& request, const Progress& progress) {
   TransitionSpec& spec = report.spec;
   spec = file.spec;
+  if (auto wrong = unchosen(request)) return wrong;
   if (request.allowance) {
     const auto* constant = std::get_if<ConstantK>(&*request.allowance);
     if (!constant)
       return Error{ErrorCode::bad_option,
                    "a transition has no inside radius, so its K is one number: `k`", "k"};
     spec.k_factor = constant->k;
+  } else if (const Gauge* gauge = stocked(request, spec.thickness)) {
+    spec.k_factor = gauge->k_factor;
   }
   progress.at("finding the surface", 0.0);
   const bool draft = request.effort == Effort::draft;

@@ -76,6 +76,7 @@ Maker transition_maker() {
       .sources = {Source::pattern, Source::folded_solid, Source::folded_mesh},
       .options = with_bending_options({{"units", "that of the transition file"},
                                        {"piece"},
+                                       {"material"},
                                        {"k", "that of the transition file, or 0.5"},
                                        {"process"},
                                        {"rules"},

@@ -1,4 +1,5 @@
 #include "lay_flat.hpp"
+#include "shop_checks.hpp"
 #include "sides.hpp"
 
 #include <planish/brep/step.hpp>
@@ -23,11 +24,14 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   if (!found) return found.error();
   report.summary = summary_of(found->sheet);
   report.notes = found->notes;
-  const auto options = flatten_options(found->sheet, request);
+  // Of a shop's materials that which the file names, unless one was chosen.
+  Request mine = request;
+  if (mine.shop && !mine.shop->material) take_material(mine, body.material());
+  if (auto wrong = unchosen(mine, body.material())) return wrong;
+  const auto options = flatten_options(found->sheet, mine);
   if (!options) return options.error();
   return lay_flat(
-      report,
-      {found->sheet, found->distance, request, FoldedBody{body, found->sheet}, request.relief},
+      report, {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief},
       *options, progress);
 }
 

@@ -135,7 +135,7 @@ Fit fit(const Loop& contour, const SheetSize& sheet, bool grain) {
 
 Isometry2 motion_of(const Position& position, const SheetSize& sheet) {
   constexpr std::array<std::array<double, 2>, 4> kTurns{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  const auto& [cosine, sine] = kTurns[static_cast<std::size_t>(position.quarter_turns)];
+  const auto& [cosine, sine] = kTurns[position.quarter_turns];
   Isometry2 motion = Isometry2::Identity();
   motion.linear() << cosine, -sine, sine, cosine;
   const Vec2 shift(static_cast<double>(position.shift.X - kEase),
@@ -184,7 +184,7 @@ Sheets members(const Sheets& laid, const std::vector<Block>& blocks) {
     if (sheet.empty()) continue;
     sheets.emplace_back();
     for (const Position& position : sheet)
-      for (const Position& member : blocks[static_cast<std::size_t>(position.shape)].members)
+      for (const Position& member : blocks[position.shape].members)
         sheets.back().push_back(within(position, member));
     std::ranges::stable_sort(sheets.back(), {}, &Position::shape);
   }
@@ -199,10 +199,10 @@ Result<void> verified(const Sheets& sheets, const Job& job) {
   for (const std::vector<Position>& sheet : sheets) {
     std::vector<Polygon> outlines;
     for (const Position& position : sheet) {
-      --missing[static_cast<std::size_t>(position.shape)];
+      --missing[position.shape];
       const Isometry2 motion = motion_of(position, {});
       Polygon outline;
-      for (const auto& p : job.shapes[static_cast<std::size_t>(position.shape)].outline)
+      for (const auto& p : job.shapes[position.shape].outline)
         outline.outer.push_back(motion *
                                 (Vec2(static_cast<double>(p.X), static_cast<double>(p.Y)) * kUnit));
       outlines.push_back(std::move(outline));
@@ -239,10 +239,10 @@ Result<Nesting> nest(const std::vector<NestPart>& parts, const NestOptions& opti
   for (const std::vector<Position>& sheet : sheets) {
     NestedSheet& nested = nesting.sheets.emplace_back();
     for (const Position& position : sheet) {
-      const auto shape = static_cast<std::size_t>(position.shape);
-      const auto part = static_cast<std::size_t>(job.part_of[shape]);
+      const int shape = position.shape;
+      const int part = job.part_of[shape];
       nested.placed.push_back(
-          {job.part_of[shape], copies[part]++, motion_of(position, size) * job.motions[shape]});
+          {part, copies[part]++, motion_of(position, size) * job.motions[shape]});
       nested.use += material(*parts[part].flat) / (size.length * size.width);
     }
   }

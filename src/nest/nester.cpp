@@ -349,7 +349,7 @@ std::vector<std::vector<Position>> lay_out(const std::vector<Shape>& shapes, con
     if (items[i].binId() < 0) continue;
     const libnest2d::Radians rotation = items[i].rotation();
     const double turns = double(rotation) / (0.5 * std::numbers::pi);
-    laid[static_cast<std::size_t>(items[i].binId())].push_back(
+    laid[items[i].binId()].push_back(
         {shape_of[i], static_cast<int>(std::lround(turns)) % 4, items[i].translation()});
   }
   return laid;

@@ -44,7 +44,7 @@ class Printed(SchemaTest):
             jsonschema.Draft202012Validator.check_schema(self.schema(name))
 
     def test_a_name_that_there_is_not_names_those_that_there_are(self):
-        self.assertIn("plates, transition, slits, rules, material, tools, request, report", self.refused("schema", "plate", status=2))
+        self.assertIn("plates, transition, slits, rules, material, tools, shop, request, report", self.refused("schema", "plate", status=2))
 
 
 class Inputs(SchemaTest):

@@ -146,7 +146,7 @@ TEST(JsonReadingDeathTest, ReadsNoKeyThatTheSchemaDoesNotDescribe) {
 
 TEST(Schemas, AreNamedForWhatTheyDescribe) {
   EXPECT_THAT(schema_names(), ElementsAre("plates", "transition", "slits", "rules", "material",
-                                          "tools", "request", "report", "summary", "info"));
+                                          "tools", "shop", "request", "report", "summary", "info"));
   for (const std::string& name : schema_names())
     EXPECT_EQ(Json::parse(schema_text(name))["$id"], name + ".json");
   EXPECT_EQ(schema_text("plate"), "");

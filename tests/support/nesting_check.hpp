@@ -102,7 +102,7 @@ inline void expect_sound(const Nesting& nesting, const std::vector<NestPart>& pa
     EXPECT_FALSE(sheet.placed.empty());
     for (const Placed& placed : sheet.placed) {
       ASSERT_TRUE(seen.emplace(placed.part, placed.copy).second) << "placed twice";
-      const FlatPattern& flat = *parts[static_cast<std::size_t>(placed.part)].flat;
+      const FlatPattern& flat = *parts[placed.part].flat;
       const auto motion = placed.placement.linear();
       EXPECT_NEAR(motion.determinant(), 1.0, 1e-12);
       EXPECT_NEAR((motion.transpose() * motion - Eigen::Matrix2d::Identity()).norm(), 0.0, 1e-12);

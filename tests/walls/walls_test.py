@@ -24,8 +24,8 @@ MODULES = {
     "nest": {"base", "geometry", "sheet"},
     "io": {"base", "geometry", "sheet"},
     "brep": {"base", "geometry", "sheet"},
-    "job": {"base", "geometry", "sheet", "collision", "inspect", "connect", "transition", "slit", "nest",
-            "io", "brep"},
+    "job": {"base", "geometry", "sheet", "collision", "inspect", "connect", "transition", "slit", "io",
+            "brep"},
 }
 LIBRARIES = {
     "Eigen/Core": {"geometry", "sheet", "collision", "inspect", "connect", "transition", "slit",

@@ -4,6 +4,7 @@
 #include <planish/sheet/flat_pattern.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,16 @@ enum class DxfVersion { r2000, r12 };
 enum class Splines { arcs, keep };
 enum class BendMarks { lines, ticks };
 
+/// Layer names of a profile. `bend_zone` is empty where the profile has none. Inventor names a
+/// layer for formed features; the other profiles get a similar one, with neither BEND nor TANGENT
+/// in its name, because readers look for these words.
+struct LayerNames {
+  std::string outer, openings, bend_up, bend_down, bend_zone, features;
+};
+LayerNames layer_names(LayerProfile profile);
+
+enum class BendLinetype { dashed, continuous };
+
 struct DxfOptions {
   LayerProfile profile = LayerProfile::standard;
   DxfVersion version = DxfVersion::r2000;
@@ -28,10 +39,12 @@ struct DxfOptions {
   double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line's length
   bool tangent_lines = false;  ///< ignored where the profile has no layer for them
   bool bend_text = false;      ///< number, direction, angle and radius beside each bend line
+  std::optional<LayerNames> layers = {};  ///< in place of the profile's
+  BendLinetype bend_linetype = BendLinetype::dashed;
 };
 
 /// DXF text of a flat pattern by the rules of shop-floor.md#dxf: one closed polyline (or circle)
-/// per contour; bend lines with layer, colour and DASHED linetype; units in the header.
+/// per contour; bend lines with layer, colour and linetype; units in the header.
 ///
 /// Entities come in the order of work: bend lines, tangent lines, formed features, slits (a LINE
 /// each, on the layer of openings), openings, outer contour. With `keep`, a contour that holds a
@@ -94,13 +107,5 @@ Result<void> write_files(const std::vector<OutputFile>& files);
 /// `cannot_write` where `write_file` would fail for what can be known beforehand: the target is a
 /// folder or write-protected, or its folder is missing or write-protected.
 Result<void> check_writable(const std::filesystem::path& target);
-
-/// Layer names of a profile. `bend_zone` is empty where the profile has none. Inventor names a
-/// layer for formed features; the other profiles get a similar one, with neither BEND nor TANGENT
-/// in its name, because readers look for these words.
-struct LayerNames {
-  std::string outer, openings, bend_up, bend_down, bend_zone, features;
-};
-LayerNames layer_names(LayerProfile profile);
 
 }  // namespace planish
