@@ -8,6 +8,7 @@
 #include <atomic>
 #include <charconv>
 #include <chrono>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
@@ -16,30 +17,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What an input is, all of it.
-struct Content {
-  std::string hash;   ///< of the file
-  std::string named;  ///< of the file and those that it names
-};
-
-Content content_of(const Input& input, const job::Catalogue& catalogue) {
+/// Hash of an input and of the files that it names.
+std::string content_hash(const Input& input, const job::Catalogue& catalogue) {
   const auto file = job::read_input_file(input.file, "input file");
-  if (!file) return {hash_of(file.error().message), {}};
-  const std::string hash = hash_of(file->content);
-  std::string named = hash;
+  if (!file) return hash_of(file.error().message);
+  std::string hash = hash_of(file->content);
   const auto maker = catalogue.maker_for(file->name, file->content);
   if (maker && (*maker)->named_files && file->folder)
     for (const job::NamedFile& one : (*maker)->named_files(file->content)) {
       const auto other = job::read_input_file(*file->folder / one.file, "file");
-      named += hash_of(other ? other->content : other.error().message);
+      hash += hash_of(other ? other->content : other.error().message);
     }
-  return {hash, named};
+  return hash;
+}
+
+/// The size, the beginning and the end of a file: enough to deal files out evenly, without every
+/// machine reading all of them.
+std::string sample_of(const fs::path& file) {
+  constexpr std::streamoff kEnd = 4096;  // bytes
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) return {};
+  const auto size = static_cast<std::streamoff>(stream.tellg());
+  std::string sample(static_cast<std::size_t>(std::min(size, 2 * kEnd)), '\0');
+  const std::streamoff head = std::min(size, kEnd), tail = std::ssize(sample) - head;
+  stream.seekg(0);
+  stream.read(sample.data(), head);
+  stream.seekg(size - tail);
+  stream.read(sample.data() + head, tail);
+  return fmt::format("{}\n{}", size, sample);
 }
 
 /// Whether an input falls to this shard. The hash is even, so shards are of about the same size.
-bool falls_to(const Shard& shard, const std::string& hash) {
+bool falls_to(const Shard& shard, const Input& input) {
+  if (shard.of == 1) return true;
   constexpr std::size_t kDigits = 15;
   constexpr int kHexadecimal = 16;
+  const std::string hash = hash_of(sample_of(input.file));
   std::uint64_t number = 0;
   std::from_chars(hash.data(), hash.data() + kDigits, number, kHexadecimal);
   return static_cast<int>(number % static_cast<std::uint64_t>(shard.of)) + 1 == shard.number;
@@ -112,14 +125,13 @@ class Running {
 
   std::optional<Error> work_on(std::size_t at, Worker& worker) {
     const Input& input = inputs_[at];
-    const Content content = content_of(input, catalogue_);
-    if (!falls_to(options_.shard, content.hash)) {
+    if (!falls_to(options_.shard, input)) {
       skip();
       return std::nullopt;
     }
     mine_[at] = 1;
-    const std::string key = hash_of(fmt::format("{}\n{}\n{}\n{}", content.named, PLANISH_VERSION,
-                                                options_.options,
+    const std::string key = hash_of(fmt::format("{}\n{}\n{}\n{}", content_hash(input, catalogue_),
+                                                PLANISH_VERSION, options_.options,
                                                 fmt::join(options_.formats, ",")));
     if (known(input, key)) return std::nullopt;
     const auto parts = worker.work_on(

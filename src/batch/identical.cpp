@@ -1,5 +1,7 @@
 #include "identical.hpp"
 
+#include "state.hpp"
+
 #include <planish/io/flat_json.hpp>
 
 #include <algorithm>
@@ -17,16 +19,26 @@ FlatPattern IdenticalParts::pattern_of(const Place& place) {
   return pattern ? *pattern : FlatPattern{};
 }
 
+// Most identical parts are the same to the last bit, which needs no geometry to be seen.
+Result<std::size_t> IdenticalParts::group_of(const std::string& shape, const Place& place) {
+  const std::string hash = hash_of(shape);
+  if (const auto known = texts_.find(hash); known != texts_.end()) return known->second;
+  const auto pattern = read_flat_json(shape);
+  if (!pattern) return fail(ErrorCode::cannot_read, pattern.error().message, place.input);
+  const std::size_t group = pieces_.add(*pattern);
+  if (group == firsts_.size()) firsts_.push_back(place);
+  texts_.emplace(hash, group);
+  return group;
+}
+
 Result<std::optional<std::size_t>> IdenticalParts::number_of(
     const std::string& input, std::size_t part, const std::vector<std::string>& shapes) {
   if (shapes.empty()) return std::nullopt;
   std::vector<std::size_t> groups;
   for (std::size_t piece = 0; piece < shapes.size(); ++piece) {
-    const auto pattern = read_flat_json(shapes[piece]);
-    if (!pattern) return fail(ErrorCode::cannot_read, pattern.error().message, input);
-    const std::size_t group = pieces_.add(*pattern);
-    if (group == firsts_.size()) firsts_.push_back({input, part, piece});
-    groups.push_back(group);
+    const auto group = group_of(shapes[piece], {input, part, piece});
+    if (!group) return tl::unexpected(group.error());
+    groups.push_back(*group);
   }
   std::ranges::sort(groups);
   return parts_.try_emplace(groups, parts_.size()).first->second;

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace planish::batch {
@@ -34,10 +35,12 @@ class IdenticalParts {
     std::size_t part = 0, piece = 0;
   };
   FlatPattern pattern_of(const Place& place);
+  Result<std::size_t> group_of(const std::string& shape, const Place& place);
 
   Journal& journal_;
   PartGroups pieces_;
   std::vector<Place> firsts_;                              ///< by group of pieces
+  std::unordered_map<std::string, std::size_t> texts_;     ///< groups by hash of the piece's text
   std::map<std::vector<std::size_t>, std::size_t> parts_;  ///< by the groups of their pieces
 };
 

@@ -84,16 +84,23 @@ std::vector<std::string> Journal::names() const {
   return names;
 }
 
+tl::unexpected<Error> Journal::unwritten() {
+  const auto error = broken(ErrorCode::cannot_write, file_);
+  stream_.clear();
+  return error;
+}
+
+Result<void> Journal::flush() {
+  stream_.flush();
+  if (!stream_) return unwritten();
+  return {};
+}
+
 Result<void> Journal::append(const std::string& name, const std::string& key,
                              std::string_view line) {
   stream_.seekp(end_);
   stream_ << line << '\n';
-  stream_.flush();
-  if (!stream_) {
-    const auto error = broken(ErrorCode::cannot_write, file_);
-    stream_.clear();
-    return error;
-  }
+  if (!stream_) return unwritten();
   places_[name] = {key, end_, line.size()};
   end_ += static_cast<std::streamoff>(line.size()) + 1;
   return {};
@@ -105,7 +112,8 @@ Result<void> Journal::add(const std::string& name, const std::string& key,
                                  kBehindHead);
   for (std::size_t i = 0; i < parts.size(); ++i)
     line += (i == 0 ? "" : ",") + part_text(parts[i]);
-  return append(name, key, line + "]");
+  if (auto added = append(name, key, line + "]"); !added) return added;
+  return flush();
 }
 
 Result<void> Journal::add_from(Journal& other, const std::string& name) {

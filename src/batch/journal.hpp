@@ -37,8 +37,11 @@ class Journal {
   /// Adds what was made of an input. Error: `cannot_write`.
   Result<void> add(const std::string& name, const std::string& key,
                    const std::vector<PartDone>& parts);
-  /// Adds what another one holds of a name. Errors: `cannot_read`, `cannot_write`.
+  /// Adds what another one holds of a name; on the disk once it is flushed. Errors: `cannot_read`,
+  /// `cannot_write`.
   Result<void> add_from(Journal& other, const std::string& name);
+  /// Error: `cannot_write`.
+  Result<void> flush();
 
  private:
   struct Place {
@@ -50,6 +53,7 @@ class Journal {
   /// Finds the places in the stream.
   void look_through();
   Result<std::string> line_at(const Place& place);
+  tl::unexpected<Error> unwritten();
   Result<void> append(const std::string& name, const std::string& key, std::string_view line);
 
   std::filesystem::path file_;

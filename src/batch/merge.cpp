@@ -118,6 +118,7 @@ class Merging {
       if (!journal) return journal.error();
       for (const std::string& name : batch.record.names)
         if (auto error = add(batch.folder, *journal, name)) return error;
+      if (auto flushed = state_.journal().flush(); !flushed) return flushed.error();
     }
     return std::nullopt;
   }

@@ -46,14 +46,14 @@ void add_views(PartDone& part, const job::Made& made) {
 /// Makes the files and the report of what was made.
 PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task,
                   const job::Request& request, const job::Catalogue& catalogue,
-                  const std::string& folder) {
+                  const std::string& folder, const std::string& stem) {
   PartDone part{.folder = folder, .report = {}};
   job::Report& report = made.report();
   report.input = task.name;
   for (const std::string& format : task.formats) {
     const job::Artifact* artifact = catalogue.artifact(maker, format);
     if (!artifact || artifact->role == job::Role::report || report.refusal) continue;
-    auto files = job::write(*artifact, made, request, job::safe_name(report.body));
+    auto files = job::write(*artifact, made, request, stem);
     if (!files && artifact->may_be_missing(files.error())) {
       job::note_missing(report, *artifact, files.error());
       continue;
@@ -82,10 +82,9 @@ PartDone finished(job::Made& made, const job::Maker& maker, const FileTask& task
   return part;
 }
 
-/// The folder of one body's part.
-std::string folder_of(const FileTask& task, const job::UnfoldReport& report) {
-  if (report.bodies_in_file == 1) return task.name;
-  return fmt::format("{}/{}_{}", task.name, report.number, job::safe_name(report.body));
+/// What the files of the only part of an input are called: bodies of such files have any names.
+std::string stem_of(const FileTask& task) {
+  return job::safe_name(std::filesystem::path(task.name).stem().string());
 }
 
 void unfold(const FileTask& task, const job::Maker& maker, const job::Request& request,
@@ -94,9 +93,13 @@ void unfold(const FileTask& task, const job::Maker& maker, const job::Request& r
   if (!reports) return listener.done(failed_part(task, catalogue, reports.error()));
   for (std::size_t i = 0; i < reports->size(); ++i) {
     listener.begins(static_cast<int>(i));
-    const std::string folder = folder_of(task, (*reports)[i]);
-    const auto made = job::made_of((*reports)[i]);
-    listener.done(finished(*made, maker, task, request, catalogue, folder));
+    const job::UnfoldReport& report = (*reports)[i];
+    const bool alone = report.bodies_in_file == 1;
+    const std::string stem = alone ? stem_of(task) : job::safe_name(report.body);
+    const std::string folder = alone ? task.name
+                                     : fmt::format("{}/{}_{}", task.name, report.number, stem);
+    const auto made = job::made_of(report);
+    listener.done(finished(*made, maker, task, request, catalogue, folder, stem));
   }
 }
 
@@ -140,7 +143,7 @@ void work_on(const FileTask& task, const job::Catalogue& catalogue, const Listen
   if (!work) return failed(work.error());
   const auto made = (*work)->make(request, listener.progress);
   if (!made) return failed(made.error());
-  listener.done(finished(**made, **maker, task, request, catalogue, task.name));
+  listener.done(finished(**made, **maker, task, request, catalogue, task.name, stem_of(task)));
 }
 
 }  // namespace planish::batch

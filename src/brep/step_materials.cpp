@@ -33,18 +33,20 @@
 namespace planish::brep {
 namespace {
 
-/// Powers of ten; none for prefixes that nobody weighs or measures with.
+constexpr double kKilo = 1e3, kDeci = 1e-1, kCenti = 1e-2, kMilli = 1e-3;
+
+/// What a prefix stands for; none for those that nobody weighs or measures with.
 std::optional<double> factor_of(const StepBasic_SiUnit& unit) {
   if (!unit.HasPrefix()) return 1.0;
   switch (unit.Prefix()) {
     case StepBasic_spKilo:
-      return 1e3;
+      return kKilo;
     case StepBasic_spDeci:
-      return 1e-1;
+      return kDeci;
     case StepBasic_spCenti:
-      return 1e-2;
+      return kCenti;
     case StepBasic_spMilli:
-      return 1e-3;
+      return kMilli;
     default:
       return std::nullopt;
   }
@@ -64,7 +66,7 @@ std::optional<DensityUnit> density_unit(const StepBasic_DerivedUnit& unit) {
     const auto factor = factor_of(*si);
     if (!factor) return std::nullopt;
     if (si->Name() == StepBasic_sunGram && element->Exponent() == 1.0)
-      mass = *factor / 1e3;  // kg
+      mass = *factor / kKilo;
     else if (si->Name() == StepBasic_sunMetre && std::abs(element->Exponent()) == 3.0)
       volume = std::pow(*factor * 10.0, 3.0);  // dm³
     else

@@ -18,7 +18,7 @@ tl::unexpected<Error> wrong(const GivenFile& file, int line, const std::string& 
 
 /// Where each column stands; -1: it is not there.
 struct MaterialColumns {
-  int part = -1, material = -1, density = -1;
+  int part = -1, material = -1, density = -1, colour = -1;
 };
 
 Result<MaterialColumns> columns_of(const GivenFile& file, const CsvRecord& head) {
@@ -28,12 +28,19 @@ Result<MaterialColumns> columns_of(const GivenFile& file, const CsvRecord& head)
     if (title == "part" || title == "name") columns.part = i;
     if (title == "material") columns.material = i;
     if (title.starts_with("density")) columns.density = i;
+    if (title == "colour" || title == "color") columns.colour = i;
   }
-  if (columns.part < 0 || columns.material < 0)
+  if ((columns.part < 0 && columns.colour < 0) || columns.material < 0)
     return wrong(file, head.line,
-                 "the first row of the materials must name the columns part and material, and "
-                 "may name density");
+                 "the first row of the materials must name the columns part (or colour) and "
+                 "material, and may name density");
   return columns;
+}
+
+bool is_colour(const std::string& text) {
+  constexpr std::size_t kLength = 7;
+  return text.size() == kLength && text[0] == '#' &&
+         text.find_first_not_of("0123456789abcdef", 1) == std::string::npos;
 }
 
 }  // namespace
@@ -78,9 +85,14 @@ Result<Materials> Materials::parse(const GivenFile& file) {
                  ? record.fields[static_cast<std::size_t>(column)]
                  : std::string();
     };
-    Row row{field(columns->part), field(columns->material), {}};
-    if (row.pattern.empty() || row.material.empty())
-      return wrong(file, record.line, "each row needs a part and a material");
+    Row row{field(columns->part), field(columns->material), {}, lower_case(field(columns->colour))};
+    if ((row.pattern.empty() && row.colour.empty()) || row.material.empty())
+      return wrong(file, record.line, "each row needs a part or a colour, and a material");
+    // A row that begins with # is a comment, so it may be left out.
+    if (!row.colour.empty() && row.colour.front() != '#') row.colour.insert(0, 1, '#');
+    if (!row.colour.empty() && !is_colour(row.colour))
+      return wrong(file, record.line,
+                   fmt::format("a colour is written like #c0c0c0, not \"{}\"", row.colour));
     if (const std::string density = field(columns->density); !density.empty()) {
       row.density = job::parse_number(density);
       if (!row.density || *row.density <= 0.0)
@@ -93,9 +105,14 @@ Result<Materials> Materials::parse(const GivenFile& file) {
   return materials;
 }
 
-const Materials::Row* Materials::find(const std::string& part) const {
-  const auto row = std::ranges::find_if(rows_,
-                                        [&](const Row& one) { return fits(one.pattern, part); });
+const Materials::Row* Materials::find(const std::vector<std::string>& names,
+                                      const std::string& colour) const {
+  const auto row = std::ranges::find_if(rows_, [&](const Row& one) {
+    const bool named = one.pattern.empty() || std::ranges::any_of(names, [&](const auto& name) {
+                         return fits(one.pattern, name);
+                       });
+    return named && (one.colour.empty() || one.colour == colour);
+  });
   return row == rows_.end() ? nullptr : &*row;
 }
 

@@ -197,6 +197,8 @@ Result<PackResult> make_pack(const std::vector<std::string>& words, const fs::pa
     if (!read) return tl::unexpected(read.error());
     materials = std::move(*read);
   }
+  if (const Json given = Json::parse(options.options); given.contains("density"))
+    materials.density_of_all = given["density"].get<double>();
   std::optional<Rates> rates;
   if (options.rates) {
     auto read = Rates::parse(*options.rates);

@@ -57,10 +57,16 @@ std::vector<std::string> warnings_of(const Json& report) {
 
 /// kg; `alone`: it is the whole part.
 std::optional<double> mass_of(const Json& report, const FlatPattern& flat,
-                              const Materials::Row* material, bool alone) {
+                              const Materials::Row* material,
+                              const std::optional<double>& density_of_all, bool alone) {
   constexpr double kCubicDecimetre = 1e6;  // mm³
   const auto said = number_at(report, "/sheet/mass");
-  if (!material || !material->density) return alone ? said : std::nullopt;
+  if (!material || !material->density) {
+    // A density of the file is that of the file's material.
+    const bool of_another = material && !density_of_all && number_at(report, "/density") &&
+                            material->material != said_at(report, "/material");
+    return alone && !of_another ? said : std::nullopt;
+  }
   const double unit = millimetres_in(units_of(report));
   const auto volume = number_at(report, "/sheet/volume");
   const double mm3 = alone && volume && *volume > 0.0 ? *volume * unit * unit * unit
@@ -140,6 +146,16 @@ class Collecting {
     return std::filesystem::path(said_at(report, "/input")).stem().string();
   }
 
+  /// Names that programs give to bodies of which they know none.
+  static bool says_nothing(const std::string& body) {
+    static const std::set<std::string> kKinds{"SOLID", "COMPOUND", "COMPSOLID", "SHELL", "body-1"};
+    return kKinds.contains(body) || body.starts_with("Open CASCADE STEP translator");
+  }
+
+  static std::string stem_of(const PartSource& source) {
+    return std::filesystem::path(source.input).stem().string();
+  }
+
   /// Thicknesses that are the same to a thousandth of a millimetre are in one group.
   static double rounded(double thickness) {
     constexpr double kThousandths = 1000.0;
@@ -154,8 +170,12 @@ class Collecting {
                   fmt::format("{}: {}; run the batch again", from.folder, flat.error().message));
     const bool alone = from.shapes.size() == 1;
     PackPart part;
-    part.name = alone ? source.body : fmt::format("{}-{}", source.body, piece + 1);
-    const Materials::Row* row = materials_.find(source.body);
+    const std::string name = from.folder == source.input && says_nothing(source.body)
+                                 ? stem_of(source)
+                                 : source.body;
+    part.name = alone ? name : fmt::format("{}-{}", name, piece + 1);
+    const Materials::Row* row = materials_.find({name, source.body, stem_of(source)},
+                                                said_at(report, "/colour"));
     part.material = row ? row->material : said_at(report, "/material");
     if (part.material.empty()) part.material = kUnknown;
     part.flat = std::move(*flat);
@@ -171,14 +191,14 @@ class Collecting {
     return {};
   }
 
-  static void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
-                       const Materials::Row* row, std::size_t piece) {
+  void describe(PackPart& part, const batch::BatchPart& from, const Json& report,
+                const Materials::Row* row, std::size_t piece) const {
     part.units = units_of(report);
     part.plan = plan_of(report, part.flat);
     part.warnings = warnings_of(report);
     for (const Json& note : report.value("notes", Json::array()))
       if (note.is_string()) part.notes.push_back(note.get<std::string>());
-    part.mass = mass_of(report, part.flat, row, from.shapes.size() == 1);
+    part.mass = mass_of(report, part.flat, row, materials_.density_of_all, from.shapes.size() == 1);
     measure(part);
     if (const auto text = job::read_text(from.files / batch::view_name(piece), "view"))
       if (auto view = job::read_view_json(*text)) part.view = std::move(*view);

@@ -16,9 +16,10 @@ constexpr double kSameAngle = 0.01 * pi / 180.0;
 /// On splines and between curves of different kinds.
 constexpr int kComparedPoints = 7;
 
+/// The sweep of a circle that was put together from arcs may lack a rounding.
 bool is_circle(const Loop& loop) {
   const auto* arc = loop.size() == 1 ? std::get_if<Arc>(&loop.front()) : nullptr;
-  return arc && std::abs(arc->sweep) >= 2.0 * pi;
+  return arc && std::abs(arc->sweep) >= 2.0 * pi - tolerance::kComputed;
 }
 
 /// Integral of f(p, dp/dt) along a curve; exact for splines where it is of degree 15 at most.

@@ -208,7 +208,7 @@ class Resumed(BatchTest):
         self.write("in/angle-001.step", step_files.block())
         self.assertEqual(self.resumed("--format", "dxf,svg"), 1)
         self.assertEqual(list((self.dir / "out" / "parts").rglob("*.dxf")),
-                         [self.dir / "out" / "parts" / "angle-000.step" / "angle.dxf"])
+                         [self.dir / "out" / "parts" / "angle-000.step" / "angle-000.dxf"])
         self.assertFalse((self.dir / "out" / "parts" / "angle-001.step").exists())
 
     def test_interrupted_and_resumed_gives_the_same_bytes(self):

@@ -153,7 +153,7 @@ TEST(NewMaker, IsACommand) {
   const std::string disc = folder.write("disc.json", kDisc);
   EXPECT_EQ(run_program({"disc", disc, "--quiet"}), 0);
   EXPECT_THAT(folder.read("disc.dxf"), HasSubstr("CIRCLE"));
-  EXPECT_EQ(run_program({"disc", disc, "--flat", folder.path("disc.pdf")}), 2);
+  EXPECT_EQ(run_program({"disc", disc, "--flat", folder.path("disc.dwg")}), 2);
   EXPECT_EQ(run_program({"disc", disc, "--mould", folder.path("mould.stl")}), 2);
   EXPECT_EQ(run_program({"disc", folder.path("none.json")}), 3);
   EXPECT_EQ(run_program({"disc", "--help"}), 0);

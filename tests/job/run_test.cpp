@@ -137,7 +137,7 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   EXPECT_THAT(refused(asked).message, HasSubstr("`k`, `k_table`, `din6935` and `material`"));
   asked["options"] = json::object();
   asked["artifacts"] = {"mould.stl"};
-  EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, step, stl"));
+  EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, pdf, step, stl"));
   EXPECT_EQ(run("[]").error().code, ErrorCode::invalid_input);
 }
 

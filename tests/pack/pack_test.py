@@ -150,6 +150,33 @@ class Parts(PackTest):
                          ["S235", "unknown", ""])
         self.assertEqual(self.table()[-1]["mass"], "")
 
+    def test_materials_of_step_files_hold_where_the_list_says_none(self):
+        file = step_files.StepFile()
+        definition, _ = file.product("angle", file.prism(*step_files.angle_profile(50.0, 2.0, 2.0), DEPTH))
+        file.material(definition, "AlMg3", 2660.0)
+        self.write("part.step", file.text())
+        volume = (2 * (50.0 - 4.0) + math.pi / 2 * 3.0) * THICKNESS * DEPTH
+
+        def packed(table, *options):
+            self.write("materials.csv", "part,material,density\n" + table)
+            self.pack("part.step", "-o", "out", "--materials", "materials.csv", "--no-drawings",
+                      *options)
+            (row,) = self.parts()
+            return row["material"], float(row["mass"]) if row["mass"] else None
+
+        for table, options, material, density in [
+                ("leg,S235,7.85\n", [], "AlMg3", 2.66), ("angle,S235,7.85\n", [], "S235", 7.85),
+                ("angle,S235,\n", [], "S235", None), ("angle,AlMg3,\n", [], "AlMg3", 2.66),
+                ("angle,S235,\n", ["--density", "8"], "S235", 8.0),
+                ("angle,S235,7.85\n", ["--density", "8"], "S235", 7.85)]:
+            with self.subTest(table, options=options):
+                name, mass = packed(table, *options)
+                self.assertEqual(name, material)
+                if density is None:
+                    self.assertIsNone(mass)
+                else:
+                    self.assertAlmostEqual(mass, density * 1e-6 * volume, 3)
+
     def test_a_finished_batch_is_packed_as_it_is(self):
         (self.dir / "in").mkdir()
         self.angle("in/a.step")
@@ -328,8 +355,8 @@ class BadInputs(PackTest):
                                                                status=2))
         self.assertIn("--nest", self.sentence("part.step", "-o", "out", "--gap", "5", status=2))
         self.sentence("part.step", "-o", "out", "--rates", "none.json", status=3)
-        for text, what in [("", "empty"), ("a,b\n", "columns part and material"),
-                           ("part,material\nx,\n", "needs a part and a material"),
+        for text, what in [("", "empty"), ("a,b\n", "columns part (or colour) and"),
+                           ("part,material\nx,\n", "needs a part or a colour, and a material"),
                            ("part,material,density\nx,S235,heavy\n", "density")]:
             self.write("materials.csv", text)
             self.assertIn(what, self.sentence("part.step", "-o", "out", "--materials",

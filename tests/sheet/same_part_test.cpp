@@ -192,6 +192,14 @@ TEST(SamePart, OfARoundBlank) {
   EXPECT_FALSE(is_same_part(drilled({0, 90, 200}), drilled({0, 90, 180})));
 }
 
+TEST(SamePart, WhereItsCirclesBeginAndEnd) {
+  // Put together from arcs a circle may lack a rounding of its full turn.
+  const auto turned_hole = [](double start, double lacking) {
+    return plate(rectangle(100, 40), {{Arc{{20, 10}, 3.0, start, lacking - 2.0 * pi}}});
+  };
+  EXPECT_TRUE(is_same_part(turned_hole(0.0, 0.0), turned_hole(1.0, 4e-15)));
+}
+
 TEST(SamePart, DiffersInWhatIsDoneToIt) {
   const FlatPattern part = flat(z_profile());
   const auto changed = [&](auto change) {

@@ -26,8 +26,8 @@ class Body {
   const std::string& material() const;    ///< as the file spells it; empty: it does not say
   std::optional<double> density() const;  ///< kg/dm³, as the file says
   const std::string& colour() const;      ///< "#rrggbb"; empty: it has none, or several
-  double volume() const;  ///< mm³
-  Vec3 size() const;      ///< extents along x, y, z, mm
+  double volume() const;                  ///< mm³
+  Vec3 size() const;                      ///< extents along x, y, z, mm
 
  private:
   std::shared_ptr<const Shape> shape_;
