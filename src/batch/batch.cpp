@@ -2,7 +2,11 @@
 #include "state.hpp"
 #include "workers.hpp"
 
+#include <planish/job/options.hpp>
+#include <planish/job/text_file.hpp>
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -29,6 +33,22 @@ std::string content_hash(const Input& input, const job::Catalogue& catalogue) {
       hash += hash_of(other ? other->content : other.error().message);
     }
   return hash;
+}
+
+/// All that parts are made with: version, formats, options, and the files that options name.
+std::string settings_of(const BatchOptions& options) {
+  std::string settings = fmt::format("{}\n{}\n{}\n", PLANISH_VERSION, options.options,
+                                     fmt::join(options.formats, ","));
+  const auto given = nlohmann::json::parse(options.options);
+  for (const job::Option& option : job::options()) {
+    const auto value = given.find(option.name);
+    if (option.kind != job::OptionKind::file || value == given.end() || !value->is_string())
+      continue;
+    // What is no file is a word, such as a material of the shop.
+    if (const auto file = job::read_text(value->get<std::string>(), "file"))
+      settings += hash_of(*file) + '\n';
+  }
+  return settings;
 }
 
 /// The size, the beginning and the end of a file: enough to deal files out evenly, without every
@@ -130,9 +150,7 @@ class Running {
       return std::nullopt;
     }
     mine_[at] = 1;
-    const std::string key = hash_of(fmt::format("{}\n{}\n{}\n{}", content_hash(input, catalogue_),
-                                                PLANISH_VERSION, options_.options,
-                                                fmt::join(options_.formats, ",")));
+    const std::string key = hash_of(content_hash(input, catalogue_) + "\n" + settings_);
     if (known(input, key)) return std::nullopt;
     const auto parts = worker.work_on(
         {input.file.string(), input.name, options_.options, options_.formats});
@@ -198,6 +216,7 @@ class Running {
   std::vector<char> mine_;  ///< of this shard; each is written by one thread
   State& state_;
   const BatchOptions& options_;
+  const std::string settings_ = settings_of(options_);
   const job::Catalogue& catalogue_;
   const std::function<void(const BatchProgress&)>& report_;
   const std::function<bool()>& cancelled_;
@@ -209,8 +228,7 @@ class Running {
 };
 
 RunRecord record_of(const std::vector<Input>& inputs, const BatchOptions& options) {
-  std::string work = fmt::format("{}\n{}\n{}\n", PLANISH_VERSION, options.options,
-                                 fmt::join(options.formats, ","));
+  std::string work = settings_of(options);
   for (const Input& input : inputs)
     work += input.name + '\n';
   return {options.shard, inputs.size(), hash_of(work), false};

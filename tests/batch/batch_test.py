@@ -202,6 +202,15 @@ class Resumed(BatchTest):
         self.assertAlmostEqual(self.reports()[2]["flat"]["size"][0], flat_length(90.0), 6)
         self.assertEqual(self.resumed("--k", "0.3"), 0)
 
+    def test_a_file_that_an_option_names_counts_by_its_content(self):
+        self.angles(3)
+        self.write("k.csv", "r/t,k\n1,0.4\n")
+        self.assertEqual(self.resumed("--k-table", "k.csv"), 0)
+        self.assertEqual(self.resumed("--k-table", "k.csv"), 3)
+        self.write("k.csv", "r/t,k\n1,0.3\n")
+        self.assertEqual(self.resumed("--k-table", "k.csv"), 0)
+        self.assertAlmostEqual(self.reports()[0]["flat"]["size"][0], flat_length(40.0, k=0.3), 6)
+
     def test_a_part_that_is_refused_now_leaves_no_drawing_of_before(self):
         self.angles(2)
         self.resumed("--format", "dxf,svg")
