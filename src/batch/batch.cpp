@@ -13,6 +13,7 @@
 #include <charconv>
 #include <chrono>
 #include <fstream>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -104,12 +105,19 @@ class Running {
         report_(report),
         cancelled_(cancelled) {
     progress_.all = inputs.size();
+    // A few assemblies are shared among the workers by their bodies.
+    const auto workers = static_cast<std::size_t>(options.workers);
+    const auto shares = inputs.size() < workers ? (workers + inputs.size() - 1) / inputs.size() : 1;
+    for (std::size_t input = 0; input < inputs.size(); ++input)
+      for (std::size_t share = 1; share <= shares; ++share)
+        tasks_.push_back({input, {static_cast<int>(share), static_cast<int>(shares)}});
+    gathered_.resize(inputs.size(), {shares, {}});
   }
 
   std::optional<Error> run() {
     std::vector<std::thread> threads;
     const auto count = std::min<std::size_t>(static_cast<std::size_t>(options_.workers),
-                                             inputs_.size());
+                                             tasks_.size());
     for (std::size_t i = 0; i < count; ++i)
       threads.emplace_back([this] { work(); });
     for (std::thread& thread : threads)
@@ -128,6 +136,17 @@ class Running {
   }
 
  private:
+  /// What a worker does at a time.
+  struct Task {
+    std::size_t input;
+    BodyShare share;
+  };
+  /// What the shares of an input gave so far.
+  struct Gathered {
+    std::size_t left;
+    std::vector<PartDone> parts;
+  };
+
   bool ends() {
     const std::scoped_lock lock(mutex_);
     return error_.has_value();
@@ -137,36 +156,59 @@ class Running {
     Worker worker(options_.limits, catalogue_, [this] { return cancelled_() || ends(); });
     for (;;) {
       const std::size_t at = next_++;
-      if (at >= inputs_.size() || ends()) return;
+      if (at >= tasks_.size() || ends()) return;
       if (cancelled_()) return stop(interruption());
-      if (auto error = work_on(at, worker)) return stop(std::move(*error));
+      if (auto error = work_on(tasks_[at], worker)) return stop(std::move(*error));
     }
   }
 
-  std::optional<Error> work_on(std::size_t at, Worker& worker) {
-    const Input& input = inputs_[at];
+  std::optional<Error> work_on(const Task& task, Worker& worker) {
+    const Input& input = inputs_[task.input];
+    const bool first = task.share.number == 1;
     if (!falls_to(options_.shard, input)) {
-      skip();
+      if (first) skip();
       return std::nullopt;
     }
-    mine_[at] = 1;
+    if (first) mine_[task.input] = 1;
     const std::string key = hash_of(content_hash(input, catalogue_) + "\n" + settings_);
-    if (known(input, key)) return std::nullopt;
-    const auto parts = worker.work_on(
-        {input.file.string(), input.name, options_.options, options_.formats});
+    if (is_known(input, key)) {
+      if (first) resume();
+      return std::nullopt;
+    }
+    auto parts = worker.work_on({.file = input.file.string(),
+                                 .name = input.name,
+                                 .options = options_.options,
+                                 .formats = options_.formats,
+                                 .share = task.share});
     if (!parts && parts.error().code == ErrorCode::cancelled) return interruption();
     if (!parts) return parts.error();
-    return enter(input, key, *parts);
+    const auto all = gathered(task.input, std::move(*parts));
+    return all ? enter(input, key, *all) : std::nullopt;
   }
 
-  bool known(const Input& input, const std::string& key) {
+  /// All parts of an input, in their order, once the last of its shares is done.
+  std::optional<std::vector<PartDone>> gathered(std::size_t input, std::vector<PartDone> parts) {
+    const std::scoped_lock lock(mutex_);
+    Gathered& all = gathered_[input];
+    std::ranges::move(parts, std::back_inserter(all.parts));
+    if (--all.left > 0) return std::nullopt;
+    std::ranges::stable_sort(all.parts, {}, &PartDone::body);
+    // A file that cannot be read is one part, whichever share says so.
+    const auto [first, last] = std::ranges::unique(all.parts, {}, &PartDone::folder);
+    all.parts.erase(first, last);
+    return std::move(all.parts);
+  }
+
+  bool is_known(const Input& input, const std::string& key) {
     const std::scoped_lock lock(mutex_);
     const std::string before = state_.journal().key_of(input.name);
-    const bool same = before == key || before == key + tried_with_these();
-    if (!same) return false;
+    return before == key || before == key + tried_with_these();
+  }
+
+  void resume() {
+    const std::scoped_lock lock(mutex_);
     ++progress_.resumed;
     tell();
-    return true;
   }
 
   /// The end of the key of an input that these limits were too small for.
@@ -221,6 +263,8 @@ class Running {
   const std::function<void(const BatchProgress&)>& report_;
   const std::function<bool()>& cancelled_;
   Clock::time_point start_ = Clock::now();
+  std::vector<Task> tasks_;
+  std::vector<Gathered> gathered_;  ///< by input
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   BatchProgress progress_;

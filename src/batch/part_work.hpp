@@ -11,12 +11,19 @@
 
 namespace planish::batch {
 
+/// One of `of` shares of the bodies of a file, counted from 1; other inputs are one body.
+struct BodyShare {
+  int number = 1, of = 1;
+  bool holds(int body) const { return body % of + 1 == number; }
+};
+
 /// What is asked of a worker: everything about one input file.
 struct FileTask {
   std::string file, name;            ///< where it lies, and what it is called
   std::string options;               ///< a JSON object; each maker takes those of them that it has
   std::vector<std::string> formats;  ///< artifacts, where the maker writes them
   std::map<int, Error> given_up = {};  ///< bodies that ended a worker before, from 0
+  BodyShare share = {};
 };
 
 struct PartFile {
@@ -30,6 +37,7 @@ struct PartDone {
   std::string refusal = {};  ///< the code of the reason; empty: it was made
   std::vector<std::string> shapes = {};  ///< the pattern of each piece, as `flat_json`
   std::vector<PartFile> files = {};
+  int body = 0;  ///< of its file, from 0
 };
 
 /// Hears of each body, from 0, before it is worked on, and of each part that is done.

@@ -34,7 +34,12 @@ class Reading {
 }  // namespace
 
 job::Texts texts_of(const FileTask& task) {
-  job::Texts texts{task.file, task.name, task.options, Json(task.formats).dump()};
+  job::Texts texts{task.file,
+                   task.name,
+                   task.options,
+                   Json(task.formats).dump(),
+                   std::to_string(task.share.number),
+                   std::to_string(task.share.of)};
   for (const auto& [body, error] : task.given_up) {
     const job::Texts words = job::texts_of(error);
     texts.insert(texts.end(), {std::to_string(body), std::to_string(words.size())});
@@ -44,7 +49,7 @@ job::Texts texts_of(const FileTask& task) {
 }
 
 std::optional<FileTask> task_in(const job::Texts& texts) {
-  constexpr std::ptrdiff_t kOwn = 4;
+  constexpr std::ptrdiff_t kOwn = 6;
   Reading reading(texts);
   if (!reading.has(kOwn)) return std::nullopt;
   FileTask task{
@@ -52,6 +57,9 @@ std::optional<FileTask> task_in(const job::Texts& texts) {
   const Json formats = Json::parse(reading.next(), nullptr, false);
   if (!formats.is_array()) return std::nullopt;
   task.formats = formats.get<std::vector<std::string>>();
+  task.share.number = static_cast<int>(reading.count());
+  task.share.of = static_cast<int>(reading.count());
+  if (task.share.of < 1) return std::nullopt;
   while (!reading.at_end()) {
     if (!reading.has(2)) return std::nullopt;
     const auto body = static_cast<int>(reading.count());
@@ -65,7 +73,11 @@ std::optional<FileTask> task_in(const job::Texts& texts) {
 }
 
 job::Texts texts_of(const PartDone& part) {
-  job::Texts texts{kPart, part.folder, part.report, part.refusal,
+  job::Texts texts{kPart,
+                   part.folder,
+                   part.report,
+                   part.refusal,
+                   std::to_string(part.body),
                    std::to_string(part.shapes.size())};
   texts.insert(texts.end(), part.shapes.begin(), part.shapes.end());
   for (const PartFile& file : part.files)
@@ -74,10 +86,11 @@ job::Texts texts_of(const PartDone& part) {
 }
 
 std::optional<PartDone> part_in(const job::Texts& texts) {
-  constexpr std::ptrdiff_t kOwn = 5;
+  constexpr std::ptrdiff_t kOwn = 6;
   Reading reading(texts);
   if (!reading.has(kOwn) || reading.next() != kPart) return std::nullopt;
   PartDone part{.folder = reading.next(), .report = reading.next(), .refusal = reading.next()};
+  part.body = static_cast<int>(reading.count());
   const auto shapes = reading.count();
   if (shapes < 0 || !reading.has(shapes)) return std::nullopt;
   part.shapes = reading.next(shapes);

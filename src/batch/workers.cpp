@@ -15,6 +15,8 @@ namespace {
 
 using job::ChildEnd;
 
+const job::Texts kDone{"done"};
+
 /// What a report says of a part whose worker was lost.
 Error error_of_part(const ChildEnd& end, const std::string& input, const job::Limits& limits) {
   if (end.from_outside)
@@ -44,7 +46,7 @@ std::optional<ChildEnd> Worker::ask(const FileTask& task, Heard& heard) {
   const auto late = [&] { return Clock::now() > until; };
   parent.progress.cancelled = [&] { return cancelled_() || late(); };
   const auto answer = child_->ask(texts_of(task), std::chrono::hours(24 * 365), parent);
-  if (answer && !heard.parts.empty()) return std::nullopt;
+  if (answer && *answer == kDone) return std::nullopt;
   if (answer) return ChildEnd{ChildEnd::Cause::crashed, job::kDamagedAnswer};
   ChildEnd end = answer.error();
   if (end.cause == ChildEnd::Cause::cancelled && !cancelled_())
@@ -88,7 +90,7 @@ int run_batch_worker(const std::string& parent, std::uint64_t memory,
             {.begins = [&](int body) { asking.note(beginning(body)); },
              .done = [&](PartDone part) { asking.note(texts_of(part)); },
              .progress = asking.progress});
-    return job::Texts{"done"};
+    return kDone;
   };
   return job::answer_parent(parent, answering, {}, memory);
 }

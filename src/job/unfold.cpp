@@ -96,6 +96,7 @@ Result<std::vector<UnfoldReport>> unfold_all(const Request& request, const Progr
   for (int i = 0; i < count; ++i) {
     const Body& body = read->file.bodies[i];
     if (progress.should_stop()) return fail(ErrorCode::cancelled, "cancelled");
+    if (all.wanted && !all.wanted(i)) continue;
     if (all.begins) all.begins(i);
     const auto given_up = all.given_up.find(i);
     auto report = given_up != all.given_up.end()

@@ -137,6 +137,19 @@ class Results(BatchTest):
             self.assertEqual(folder.parent.name, "three.step")
             self.assertTrue((self.dir / "out" / "parts" / folder / "sketch.svg").is_file())
 
+    def test_an_assembly_is_shared_among_the_workers(self):
+        file = step_files.StepFile()
+        for i in range(9):
+            shell = file.prism(*step_files.angle_profile(40.0 + i, 2.0, 2.0), 30.0, at=(100.0 * i, 0.0, 0.0))
+            file.product(f"leg {i}", shell)
+        self.write("nine.step", file.text())
+        self.write("broken.step", file.text()[:3000])
+        for jobs in (1, 4, 7):
+            self.batch("nine.step", "broken.step", "-o", f"out-{jobs}", "--jobs", jobs)
+        self.assertEqual([one.get("body_number") for one in self.reports("out-4")][1:], list(range(1, 10)))
+        self.assert_same_result("out-1", "out-4")
+        self.assert_same_result("out-1", "out-7")
+
     def test_progress_as_json(self):
         self.angles(4)
         said = self.batch("in", "-o", "out", "--progress", "json").stderr.splitlines()

@@ -13,13 +13,16 @@ TEST(WorkerTalk, ATaskArrives) {
                       .options = R"({"k":0.4})",
                       .formats = {"dxf", "json"},
                       .given_up = {{3, {ErrorCode::time_limit, "too long", "b"}},
-                                   {7, {ErrorCode::worker_died, "", ""}}}};
+                                   {7, {ErrorCode::worker_died, "", ""}}},
+                      .share = {2, 3}};
   const auto read = task_in(texts_of(task));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->file, task.file);
   EXPECT_EQ(read->name, task.name);
   EXPECT_EQ(read->options, task.options);
   EXPECT_EQ(read->formats, task.formats);
+  EXPECT_EQ(read->share.number, 2);
+  EXPECT_EQ(read->share.of, 3);
   ASSERT_EQ(read->given_up.size(), 2U);
   EXPECT_EQ(read->given_up.at(3).code, ErrorCode::time_limit);
   EXPECT_EQ(read->given_up.at(3).message, "too long");
@@ -31,12 +34,14 @@ TEST(WorkerTalk, APartArrives) {
                       .report = "{}",
                       .refusal = "overlap",
                       .shapes = {"s", "t"},
-                      .files = {{"a.dxf", std::string("\0\n", 2)}, {"b", ""}}};
+                      .files = {{"a.dxf", std::string("\0\n", 2)}, {"b", ""}},
+                      .body = 4};
   const auto read = part_in(texts_of(part));
   ASSERT_TRUE(read);
   EXPECT_EQ(read->folder, part.folder);
   EXPECT_EQ(read->report, part.report);
   EXPECT_EQ(read->refusal, part.refusal);
+  EXPECT_EQ(read->body, 4);
   EXPECT_EQ(read->shapes, part.shapes);
   ASSERT_EQ(read->files.size(), 2U);
   EXPECT_EQ(read->files[0].bytes, part.files[0].bytes);
@@ -58,7 +63,7 @@ TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
                                             .given_up = {{3, {ErrorCode::overlap, "m", "w"}}}});
   for (std::size_t length = 0; length < task.size(); ++length) {
     const auto read = task_in({task.begin(), task.begin() + static_cast<std::ptrdiff_t>(length)});
-    EXPECT_EQ(read.has_value(), length == 4) << length;
+    EXPECT_EQ(read.has_value(), length == 6) << length;
   }
   const job::Texts part = texts_of(PartDone{.folder = "f",
                                             .report = "{}",
@@ -67,11 +72,12 @@ TEST(WorkerTalk, WhatIsCutOffIsNotRead) {
                                             .files = {{"a", "b"}, {"c", "d"}}});
   for (std::size_t length = 0; length < part.size(); ++length) {
     const auto read = part_in({part.begin(), part.begin() + static_cast<std::ptrdiff_t>(length)});
-    EXPECT_EQ(read.has_value(), length == 7 || length == 9) << length;
+    EXPECT_EQ(read.has_value(), length == 8 || length == 10) << length;
   }
-  EXPECT_FALSE(part_in({"part", "f", "{}", "", "-1"}));
-  EXPECT_FALSE(part_in({"part", "f", "{}", "", "999999999999"}));
-  EXPECT_FALSE(task_in({"a", "b", "{}", "{"}));
+  EXPECT_FALSE(part_in({"part", "f", "{}", "", "0", "-1"}));
+  EXPECT_FALSE(part_in({"part", "f", "{}", "", "0", "999999999999"}));
+  EXPECT_FALSE(task_in({"a", "b", "{}", "{", "1", "1"}));
+  EXPECT_FALSE(task_in({"a", "b", "{}", "[]", "1", "0"}));
 }
 
 }  // namespace

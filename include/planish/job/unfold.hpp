@@ -34,8 +34,9 @@ Result<UnfoldReport> unfold(const Request& request, const Progress& progress = {
 
 /// Settings for unfolding all bodies; bodies count from 0.
 struct AllBodies {
-  std::map<int, Error> given_up;    ///< bodies to skip, each with its refusal
-  std::function<void(int)> begins;  ///< called before each body
+  std::map<int, Error> given_up;              ///< bodies to skip, each with its refusal
+  std::function<void(int)> begins;            ///< called before each body
+  std::function<bool(int)> wanted = nullptr;  ///< whether a body is to be unfolded; null: all are
 };
 
 /// Unfolds every distinct body of the file (`request.body` is ignored), in file order. If one body
