@@ -67,6 +67,22 @@ TEST(InsetTriangles, LeaveOutHolesAndWhatIsTakenAway) {
   EXPECT_NEAR(area_of(inset_triangles(plate, 0.0, strips)), 60 * 40 - 20 * 20 - 2 * 20 * 4, 1e-4);
 }
 
+// Openings with corners in line, which GEOS fails to triangulate.
+TEST(InsetTriangles, CoverAPlateWithOpeningsInLine) {
+  constexpr std::array kOpenings{std::pair{6, 0.2}, std::pair{3, 0.1}, std::pair{3, 0.1},
+                                 std::pair{4, 0.2}, std::pair{3, 0.1}, std::pair{3, 0.1},
+                                 std::pair{6, 0.4}, std::pair{3, 0.1}, std::pair{3, 0.1}};
+  Polygon plate{rectangle(-30, -30, 30, 30), {}};
+  double area = 3600.0;
+  for (int i = 0; i < 9; ++i) {
+    const auto [corners, radius] = kOpenings[i];
+    plate.holes.push_back(
+        polygon_around({20.0 * (i % 3 - 1), 20.0 * (i / 3 - 1)}, radius, corners, 0.0));
+    area -= std::abs(ring_area(plate.holes.back()));
+  }
+  EXPECT_NEAR(area_of(inset_triangles(plate, 0.0)), area, 1e-4);
+}
+
 RC_GTEST_PROP(InsetTriangles, CoverPerforatedPlatesOnce, ()) {
   // 3 × 3 cells of 20, in each a polygon that touches no other, all turned: the corners are numbers
   // without pattern, many nearly in line.
