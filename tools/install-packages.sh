@@ -20,7 +20,7 @@ build=(
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
-  python3-jsonschema clang-format slurmctld slurmd slurm-client munge)
+  python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 
