@@ -16,11 +16,13 @@ build=(
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
   libcpp-httplib-dev pkg-config
+  python3-dev python3-numpy pybind11-dev
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
-  python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge)
+  python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge
+  mypy python3-shapely)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 

@@ -44,8 +44,8 @@ double flat_area(const StepFile& file) {
 
 TEST(KernelShape, IsUnfoldedLikeTheStepFileOfIt) {
   const double area = flatten(l_bracket())->area;
-  for (const std::string& bytes : {text_of(bracket()), binary_of(bracket()),
-                                   "DBRep_DrawableShape\n\n" + text_of(bracket())}) {
+  for (const std::string& bytes :
+       {text_of(bracket()), binary_of(bracket()), "DBRep_DrawableShape\n\n" + text_of(bracket())}) {
     const auto file = read_step_text(bytes, "bracket.brep");
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->bodies.size(), 1u);
