@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Writes _makers.py of the package in FOLDER: a function for each maker, with the options that it takes."""
+"""Writes two files of the package in FOLDER: _makers.py, a function for each maker with the options that it takes, and
+_reports.py, the types of reports."""
 
 import json
+import keyword
 import pathlib
 import sys
 import textwrap
@@ -77,10 +79,76 @@ def text_of(makers):
     return "\n\n".join(parts)
 
 
+REPORTS_HEAD = '''"""Types of reports. Written by write_makers.py from their schema; what is there at run time is a Record."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from ._record import Record
+'''
+SINGULAR = {"bends": "bend", "checks": "check", "features": "feature", "labels": "label", "strokes": "stroke",
+            "patches": "patch", "press_lines": "press_line", "true_lengths": "true_length", "strips": "strip",
+            "proposals": "proposal", "pieces": "piece"}
+PLAIN = {"string": "str", "integer": "int", "number": "float", "boolean": "bool", "null": "None"}
+
+
+class Reports:
+    """Classes for the objects of a schema, each before the one that holds it."""
+
+    def __init__(self):
+        self.classes = {}
+
+    def of(self, schema, name):
+        """The type that a schema describes; objects become classes called like `name`."""
+        if "anyOf" in schema:
+            return " | ".join(dict.fromkeys(self.of(one, name) for one in schema["anyOf"]))
+        if "enum" in schema:
+            return f"Literal[{', '.join(json.dumps(word) for word in schema['enum'])}]"
+        kinds = schema.get("type", "any")
+        if isinstance(kinds, list):
+            return " | ".join(self.of({**schema, "type": kind}, name) for kind in kinds)
+        if kinds == "array":
+            return f"tuple[{self.of(schema.get('items', {}), name)}, ...]"
+        if kinds != "object":
+            return PLAIN.get(kinds, "Any")
+        if "properties" not in schema:
+            return "Record"
+        return self.add(schema, name)
+
+    def add(self, schema, name):
+        fields = {key: self.of(one, name + "".join(word.capitalize() for word in SINGULAR.get(key, key).split("_")))
+                  for key, one in schema["properties"].items()}
+        self.classes[name] = fields
+        return name
+
+    def text(self):
+        parts = [REPORTS_HEAD]
+        for name, fields in self.classes.items():
+            parts.append(f"class {name}(Record):\n" + self.fields(fields))
+        # The same for objects that are no reports themselves.
+        for name, of, left_out in (("PartKeys", "Report", ("flat",)),
+                                   ("FlatKeys", "ReportFlat", ("area", "perimeter", "openings", "bends")),
+                                   ("BendKeys", "ReportFlatBend", ("lines",))):
+            # Of what was made these are known; a part that comes with a refusal may lack them.
+            fields = {key: kind.removesuffix(" | None") if key in ("sheet", "verification") else kind
+                      for key, kind in self.classes[of].items() if key not in left_out}
+            parts.append(f"class {name}:\n" + self.fields(fields))
+        return "\n\n".join(parts)
+
+    @staticmethod
+    def fields(fields):
+        lines = [f"    {key}: {kind}" for key, kind in fields.items() if not keyword.iskeyword(key)]
+        return "\n".join(lines) + "\n"
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
     sys.path.insert(0, str(folder))
     import _planish
+    reports = Reports()
+    reports.add(json.loads(_planish.schema("report")), "Report")
+    (folder / "_reports.py").write_text(reports.text())
     (folder / "_makers.py").write_text(text_of(json.loads(_planish.catalogue())))
 
 

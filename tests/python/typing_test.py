@@ -17,6 +17,8 @@ def area(path: str) -> float:
     part: planish.Part = planish.unfold(path, k=0.44, extruded="pilot", bend_k={"B1": 0.4})
     outline: NDArray[np.float64] = part.flat.outline
     part.write("x.dxf", profile="inventor")
+    thickness: float | None = part.sheet.thickness
+    messages: list[str] = [check.message for check in part.checks]
     for bend in part.flat.bends:
         lines: NDArray[np.float64] = bend.lines
     try:
@@ -27,7 +29,8 @@ def area(path: str) -> float:
 '''
 WRONG = ["planish.unfold('x.step', k='much')", "planish.unfold('x.step', extruded='round')",
          "planish.unfold('x.step', no_such_option=1)", "planish.connect({}, k=0.4).flat.outline.nothing",
-         "x: int = planish.unfold('x.step').flat.area", "planish.unfold()"]
+         "x: int = planish.unfold('x.step').flat.area", "planish.unfold()", "planish.unfold('x.step').shet", "planish.unfold('x.step').flat.bends[0].angel",
+         "planish.bend('x.step').plan.strokes[0].punches"]
 
 
 def mypy(*arguments, folder, module="mypy"):

@@ -13,6 +13,7 @@ from . import _planish
 from ._errors import InvalidInput, Refused, error_of
 from ._inputs import Input, PathLike, options_of, request_of
 from ._record import Record
+from ._reports import BendKeys, FlatKeys, PartKeys, Report, ReportFlat, ReportFlatBend
 
 if TYPE_CHECKING:
     import numpy as np
@@ -27,18 +28,20 @@ Listener = Optional[Callable[[str, float], Any]]
 CHORD = 1e-3  # mm, between a curve and its polygon
 
 
-class Bend:
+class Bend(BendKeys):
     """A bend in the flat pattern: the keys of its report (id, angle, direction, …) and its lines."""
 
-    def __init__(self, report: Record, lines: Floats) -> None:
+    def __init__(self, report: ReportFlatBend, lines: Floats) -> None:
         self.report = report
         #: (n, 4), float64: x0, y0, x1, y1 of each stretch of material along the bend line, or of each press line.
         self.lines: Floats = lines
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("__") or name == "report":
-            raise AttributeError(name)
-        return getattr(self.report, name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("__") or name == "report":
+                raise AttributeError(name)
+            return getattr(self.report, name)
 
     def __repr__(self) -> str:
         return f"<Bend {self.report['id']} {self.report['direction']} {self.report['angle']:g}°>"
@@ -48,13 +51,13 @@ class Bend:
         return self.report.to_dict()
 
 
-class Flat:
+class Flat(FlatKeys):
     """A flat pattern, in the unit of the report. Arrays are views that keep the part alive; none can be written to.
 
     Polygons lie within `chord` mm of the curves; the first point is also the last.
     """
 
-    def __init__(self, part: Part, piece: int, report: Record, chord: float = CHORD) -> None:
+    def __init__(self, part: Part, piece: int, report: ReportFlat, chord: float = CHORD) -> None:
         self._part, self._piece, self.report, self.chord = part, piece, report, chord
         arrays = part._made.flat(piece, chord)
         #: (n, 2), float64, counter-clockwise.
@@ -74,10 +77,12 @@ class Flat:
     #: All cutting length.
     perimeter: float = property(lambda self: self.report["perimeter"])  # type: ignore[assignment]
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_") or name == "report":
-            raise AttributeError(name)
-        return getattr(self.report, name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_") or name == "report":
+                raise AttributeError(name)
+            return getattr(self.report, name)
 
     def polygons(self, chord: float) -> Flat:
         """The same with polygons within `chord` mm of the curves."""
@@ -126,7 +131,7 @@ class Mesh:
         return f"<Mesh {len(self.points)} points, {len(self.triangles)} triangles>"
 
 
-class Part:
+class Part(PartKeys):
     """What was made for a request. The keys of its report are attributes: `part.sheet.thickness`, `part.checks`.
 
     status: "ok", "warning" or "refused".
@@ -134,14 +139,14 @@ class Part:
 
     def __init__(self, made: Any) -> None:
         self._made = made
-        self._report: Record | None = None
+        self._report: Report | None = None
         self._flats: list[Flat] | None = None
 
     @property
-    def report(self) -> Record:
+    def report(self) -> Report:
         """The report, as in docs/formats.md#report."""
         if self._report is None:
-            self._report = Record(json.loads(self._made.report()))
+            self._report = Report(json.loads(self._made.report()))
         return self._report
 
     def to_dict(self) -> dict[str, Any]:
@@ -224,10 +229,12 @@ class Part:
             error.part = self
         return error
 
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return getattr(self.report, name)
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            return getattr(self.report, name)
 
     def __repr__(self) -> str:
         name = self.report.get("body") or self.report["input"]
