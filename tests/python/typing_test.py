@@ -30,7 +30,7 @@ def area(path: str) -> float:
 WRONG = ["planish.unfold('x.step', k='much')", "planish.unfold('x.step', extruded='round')",
          "planish.unfold('x.step', no_such_option=1)", "planish.connect({}, k=0.4).flat.outline.nothing",
          "x: int = planish.unfold('x.step').flat.area", "planish.unfold()", "planish.unfold('x.step').shet", "planish.unfold('x.step').flat.bends[0].angel",
-         "planish.bend('x.step').plan.strokes[0].punches"]
+         "planish.unfold('x.step').sheet.flanges.upper()"]
 
 
 def mypy(*arguments, folder, module="mypy"):
