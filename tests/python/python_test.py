@@ -353,6 +353,8 @@ class Reports(PythonTest):
     def test_a_notebook_shows_the_pattern(self):
         part = planish.unfold(BRACKET)
         self.assertEqual(ElementTree.fromstring(part._repr_svg_()).tag, "{http://www.w3.org/2000/svg}svg")
+        self.assertTrue(part._repr_svg_().startswith("<svg"), "it becomes part of a page")
+        self.assertTrue(part.artifact("svg").decode().endswith(part._repr_svg_()))
         self.assertEqual(part.flat._repr_svg_(), part._repr_svg_())
 
     def test_schemas(self):

@@ -1,5 +1,7 @@
 """Runs what docs/python.md and the README tell people to write."""
 
+import html
+import json
 import os
 import pathlib
 import re
@@ -32,6 +34,19 @@ class Tutorial(unittest.TestCase):
                          "flat", "shop"} <= files, files)
         self.assertIn("B1 up 90.0", said)
         self.assertIn("no_such_body", said)
+
+    def test_the_notebook(self):
+        cells = json.loads((SOURCE / "docs/python/notebook.ipynb").read_text())["cells"]
+        code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+        with tempfile.TemporaryDirectory(prefix="planish-") as folder:
+            (pathlib.Path(folder) / "examples").symlink_to(SOURCE / "examples")
+            done = subprocess.run(["/usr/bin/python3", "-c", "\n".join(code)], cwd=folder, text=True, check=False,
+                                  capture_output=True, timeout=300, env={**os.environ, "PYTHONPATH": str(FOLDER)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = html.unescape((SOURCE / "docs/python/notebook.html").read_text())
+        for line in done.stdout.splitlines():
+            self.assertIn(line, page, "tools/make_notebook.sh makes the page again")
+        self.assertGreaterEqual(page.count("<svg"), 3)
 
     def test_the_lines_of_the_readme(self):
         said, files = self.run_blocks("README.md")

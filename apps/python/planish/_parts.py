@@ -111,7 +111,7 @@ class Flat(FlatKeys):
         return self.report.to_dict()
 
     def _repr_svg_(self) -> str:
-        return self._part._svg(self._piece)
+        return _embedded(self._part._svg(self._piece))
 
     def __repr__(self) -> str:
         size = " × ".join(f"{length:g}" for length in self.report["size"])
@@ -219,7 +219,7 @@ class Part(PartKeys):
         return self._files("svg", {})[piece][1].decode()
 
     def _repr_svg_(self) -> str | None:
-        return self._svg(0) if self.flats else None
+        return _embedded(self._svg(0)) if self.flats else None
 
     def _refusal(self) -> Exception | None:
         if self._made.refusal is None:
@@ -270,6 +270,11 @@ def _write_all(files: list[tuple[pathlib.Path, bytes]]) -> None:
     finally:
         for draft, _ in drafts:
             draft.unlink()
+
+
+def _embedded(svg: str) -> str:
+    """The picture as a part of a page: without the declaration of XML."""
+    return svg[svg.index("<svg"):]
 
 
 def make(maker: str, given: Input, options: dict[str, Any], *, name: str | None, progress: Listener) -> Part:
