@@ -6,6 +6,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
 #include <Bnd_Box.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -30,6 +31,31 @@ std::string_view title_of(std::string_view bytes) {
   return first == std::string_view::npos ? std::string_view() : bytes.substr(first);
 }
 
+/// Behind its shapes a binary file says which of them it is about: the kernel in a byte for the
+/// orientation and two numbers for shape and location; FreeCAD in three numbers, shape, location
+/// and orientation.
+TopoDS_Shape read_binary(std::istream& stream, std::size_t size) {
+  BinTools_ShapeSet shapes;
+  shapes.Read(stream);
+  const auto left = static_cast<std::streamoff>(size) - stream.tellg();
+  TopoDS_Shape shape;
+  if (left != 3 * static_cast<std::streamoff>(sizeof(Standard_Integer))) {
+    shapes.ReadSubs(shape, stream, shapes.NbShapes());
+    return shape;
+  }
+  Standard_Integer row = 0, location = 0, orientation = 0;
+  for (Standard_Integer* number : {&row, &location, &orientation})
+    BinTools::GetInteger(stream, *number);
+  if (row < 1 || row > shapes.NbShapes() || location < 0 ||
+      location > shapes.Locations().NbLocations() || orientation < TopAbs_FORWARD ||
+      orientation > TopAbs_EXTERNAL)
+    return shape;
+  shape = shapes.Shape(row);
+  shape.Location(shapes.Locations().Location(location));
+  shape.Orientation(static_cast<TopAbs_Orientation>(orientation));
+  return shape;
+}
+
 TopoDS_Shape read_shape(const std::string& bytes) {
   TopoDS_Shape shape;
   // The kernel reads on for ever behind the end of a file that was cut short, unless that throws.
@@ -37,7 +63,7 @@ TopoDS_Shape read_shape(const std::string& bytes) {
   std::istringstream stream(bytes + "\n\n");
   stream.exceptions(std::ios::failbit | std::ios::badbit);
   if (title_of(bytes).starts_with(kBinary)) {
-    BinTools::Read(shape, stream);
+    shape = read_binary(stream, bytes.size());
   } else {
     BRep_Builder builder;
     BRepTools::Read(shape, stream, builder);

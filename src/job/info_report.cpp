@@ -119,8 +119,9 @@ std::string info_text(const InfoReport& report) {
   const auto said = [](const std::string& text) {
     return text.empty() ? "not stated" : printable(text);
   };
-  std::string text = fmt::format("{}: STEP {}, made by {}, in {}\n", printable(report.input),
-                                 said(report.schema), said(report.cad_system),
+  const bool step = !report.schema.starts_with("B-rep");
+  std::string text = fmt::format("{}: {}{}, made by {}, in {}\n", printable(report.input),
+                                 step ? "STEP " : "", said(report.schema), said(report.cad_system),
                                  said(report.file_unit));
   text += fmt::format("{}, lengths in {}\n",
                       report.bodies.size() == 1

@@ -10,6 +10,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
+#include <BinTools_ShapeSet.hxx>
 #include <TopoDS_Compound.hxx>
 #include <gp_Pln.hxx>
 #include <gp_Trsf.hxx>
@@ -34,6 +35,18 @@ std::string binary_of(const TopoDS_Shape& shape) {
   return stream.str();
 }
 
+/// As FreeCAD writes it.
+std::string freecad_binary_of(const TopoDS_Shape& shape) {
+  std::ostringstream stream;
+  BinTools_ShapeSet shapes;
+  const int row = shapes.Add(shape);
+  shapes.Write(stream);
+  BinTools::PutInteger(stream, row);
+  BinTools::PutInteger(stream, shapes.Locations().Index(shape.Location()));
+  BinTools::PutInteger(stream, shape.Orientation());
+  return stream.str();
+}
+
 TopoDS_Shape bracket() { return folded_body(l_bracket(), "bracket").value().shape().solid; }
 
 double flat_area(const StepFile& file) {
@@ -44,8 +57,11 @@ double flat_area(const StepFile& file) {
 
 TEST(KernelShape, IsUnfoldedLikeTheStepFileOfIt) {
   const double area = flatten(l_bracket())->area;
+  gp_Trsf away;
+  away.SetTranslation(gp_Vec(0, 0, 70));
   for (const std::string& bytes :
-       {text_of(bracket()), binary_of(bracket()), "DBRep_DrawableShape\n\n" + text_of(bracket())}) {
+       {text_of(bracket()), binary_of(bracket()), freecad_binary_of(bracket()),
+        freecad_binary_of(bracket().Moved(away)), "DBRep_DrawableShape\n\n" + text_of(bracket())}) {
     const auto file = read_step_text(bytes, "bracket.brep");
     ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->bodies.size(), 1u);
