@@ -10,12 +10,13 @@ import textwrap
 
 TYPES = {"flag": "bool", "number": "float", "whole": "int", "name": "int | str",
          "file": "PathLike | Mapping[str, Any]", "by_bend": "Mapping[str, float]"}
+OWN_TYPES = {"weights": "str | Mapping[str, float]", "fix": "str | Sequence[str]"}
 COLUMNS = 116
 HEAD = '''"""The makers. Written by write_makers.py from the catalogue of the library."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 from ._inputs import Input, PathLike
@@ -31,6 +32,8 @@ Raises Refused, InvalidInput, Cancelled.'''
 
 
 def type_of(option):
+    if option["name"] in OWN_TYPES:
+        return OWN_TYPES[option["name"]]
     words = ", ".join(f'"{word}"' for word in option["words"])
     if option["kind"] == "word":
         return f"Literal[{words}]"
@@ -64,14 +67,17 @@ def first_capital(text):
     return text[0].upper() + text[1:]
 
 
-def text_of(makers):
+def text_of(catalogue):
     parts = [HEAD]
+    makers = catalogue["makers"]
     for maker in makers:
         kind = INPUTS["unfold"] if maker["name"] == "unfold" else f"a {maker['input']}: {INPUTS['other']}"
         parts.append(function(maker["name"], first_capital(maker["description"]) + ".", kind, maker["options"], "Part",
                               f'make("{maker["name"]}", input, options, name=name, progress=progress)'))
     bending = {option["name"]: option for maker in makers for option in maker["options"]}
     bending.pop("check_bending", None)
+    bending |= {option["name"]: option for option in catalogue["options"]
+                if option["group"] in ("Press brake", "Order")}
     parts.append(function(
         "bend", "Find the order of strokes in which a press brake bends what a STEP file or a maker's input describes.",
         "what the makers take", list(bending.values()), "BendPlan",

@@ -18,15 +18,22 @@ struct Asked : MadeRequest {
   std::optional<InputFile> content;  ///< empty: `request.input` names a file
 };
 
+/// Options of the press brake and of the order of its strokes, which any sheet takes that is to be
+/// bent.
+bool is_of_bending(std::string_view name) {
+  const std::string_view group = option(name).group;
+  return group == "Press brake" || group == "Order";
+}
+
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
-                                     const std::string& pointer) {
+                                     const std::string& pointer, bool planned = false) {
   if (const auto wrong = first_mistake(options_schema(files), options)) {
     const std::string where = pointer + wrong->pointer;
     return fail(ErrorCode::invalid_input,
                 fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
   }
   for (const auto& [name, value] : options.items())
-    if (!maker.takes(name) && !value.is_null())
+    if (!maker.takes(name) && !value.is_null() && !(planned && is_of_bending(name)))
       return fail(ErrorCode::bad_option,
                   fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
                   pointer + "/" + name);
@@ -89,7 +96,7 @@ Result<Asked> read_request(const std::string& text, const Catalogue& catalogue) 
   if (auto read = read_input(asked, json["input"]); !read) return tl::unexpected(read.error());
   if (json.contains("options")) {
     const auto values = checked_options(json["options"], *asked.maker, OptionFiles::path_or_content,
-                                        kOptions);
+                                        kOptions, json.value("plan", false));
     if (!values) return tl::unexpected(values.error());
     if (auto entered = values->enter(asked.request); !entered)
       return tl::unexpected(at_pointer(entered.error(), kOptions));

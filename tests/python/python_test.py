@@ -93,6 +93,8 @@ class SameAsTheProgram(PythonTest):
         self.assertEqual((self.dir / "y.pdf").read_bytes(), (self.dir / "x.pdf").read_bytes())
         self.assertEqual([stroke.bends[0] for stroke in plan.plan.strokes], ["B1", "B2"])
         self.assertEqual(planish.bend(self.angle()).report.command, "bend")
+        fixed = planish.bend(BRACKET, fix=["B2", "B1"], weights={"turn_over": 10}, first=True)
+        self.assertEqual([stroke.bends[0] for stroke in fixed.plan.strokes], ["B2", "B1"])
         with self.assertRaises(planish.Refused) as caught:
             planish.bend(EXAMPLES / "connect/a_folded.json")
         self.assertEqual(caught.exception.code, "cannot_bend")
@@ -135,6 +137,7 @@ class Inputs(PythonTest):
         for given in (content, bytearray(content), memoryview(content)):
             self.assertEqual(planish.unfold(given, name="b.step").flat.area, area)
         self.assertEqual(planish.unfold(content, name="b.step").report.input, "b.step")
+        self.assertEqual(planish.unfold(content.decode()).flat.area, area)
 
     def test_dictionaries(self):
         for name, make in MAKERS.items():
@@ -278,6 +281,22 @@ class Errors(PythonTest):
             planish.connect({"format": "planish/plates"})
         with self.assertRaises(TypeError):
             planish.unfold(BRACKET, colour="red")
+
+    def test_name_what_is_wrong(self):
+        plates = json.loads((EXAMPLES / "connect/a_folded.json").read_text())
+        plates["plates"][0]["outline"][0][0] = float("nan")
+        for wrong, sentence in (
+                (lambda: planish.connect(plates), "/plates/0/outline/0/0 is nan"),
+                (lambda: planish.unfold(BRACKET, rules={"k_lo": 1}), "k_lo is not a known key"),
+                (lambda: planish.unfold(BRACKET, k_table="missing.csv"), "missing.csv"),
+                (lambda: planish.schema("nothing"), "there are .*plates"),
+                (lambda: planish.batch([], self.dir / "out"), "input is required"),
+                (lambda: planish.batch(BRACKET, self.dir / "out", formats="png"), "what can be written is"),
+                (lambda: planish.batch(BRACKET, self.dir / "out", wrong=1), "no option --wrong"),
+                (lambda: planish.pack(self.dir / "nowhere", self.dir / "out"), "no file or folder"),
+                (lambda: planish.connect(BRACKET), "it is a STEP file")):
+            with self.assertRaisesRegex(planish.InvalidInput, sentence):
+                wrong()
 
     def test_a_refusal_brings_what_is_known(self):
         with self.assertRaises(planish.Refused) as caught:

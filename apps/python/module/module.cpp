@@ -32,11 +32,19 @@ auto apart(Work work) {
   return value_of(std::move(result));
 }
 
-/// Makers and their options, of which the package's functions are made.
-std::string catalogue() {
+Json option_json(const job::Option& option, std::string_view otherwise) {
   constexpr const char* kKinds[] = {"flag", "number", "whole", "word",
                                     "face", "name",   "file",  "by_bend"};
+  return {{"name", option.name},    {"kind", kKinds[static_cast<int>(option.kind)]},
+          {"group", option.group},  {"description", option.description},
+          {"otherwise", otherwise}, {"words", option.words}};
+}
+
+/// Makers and their options, of which the package's functions are made; and all options.
+std::string catalogue() {
   Json json;
+  for (const job::Option& option : job::options())
+    json["options"].push_back(option_json(option, option.otherwise));
   for (const job::Maker& maker : job::makers()) {
     Json options = Json::array();
     for (const job::Option& option : job::options()) {
@@ -44,17 +52,12 @@ std::string catalogue() {
       std::string_view otherwise = option.otherwise;
       for (const job::OptionUse& use : maker.options)
         if (use.name == option.name && !use.otherwise.empty()) otherwise = use.otherwise;
-      options.push_back({{"name", option.name},
-                         {"kind", kKinds[static_cast<int>(option.kind)]},
-                         {"group", option.group},
-                         {"description", option.description},
-                         {"otherwise", otherwise},
-                         {"words", option.words}});
+      options.push_back(option_json(option, otherwise));
     }
-    json.push_back({{"name", maker.name},
-                    {"description", maker.description},
-                    {"input", maker.input_kind()},
-                    {"options", std::move(options)}});
+    json["makers"].push_back({{"name", maker.name},
+                              {"description", maker.description},
+                              {"input", maker.input_kind()},
+                              {"options", std::move(options)}});
   }
   return json.dump();
 }

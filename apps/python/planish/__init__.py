@@ -11,8 +11,8 @@ Lengths are mm, or what `units` says. Reports and options are those of the progr
 from ._errors import Cancelled, Error, Failed, InvalidInput, Refused
 from ._makers import bend, connect, slit, transition, unfold
 from ._parts import Bend, BendPlan, Flat, Mesh, Part
-from ._planish import schema, schema_names, version as __version__
-from ._program import batch, info, pack
+from ._planish import schema_names, version as __version__
+from ._program import batch, info, pack, schema
 from ._record import Record
 
 __all__ = ["Bend", "BendPlan", "Cancelled", "Error", "Failed", "Flat", "InvalidInput", "Mesh", "Part", "Record",

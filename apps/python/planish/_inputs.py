@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import math
 import os
 from collections.abc import Mapping
 from typing import Any, Union
@@ -22,6 +23,8 @@ def request_of(maker: str, given: Input, options: Mapping[str, Any], name: str |
     """A request as JSON, and the bytes of its input if they are not in it."""
     request: dict[str, Any] = {"maker": maker, "options": options_of(options), **rest}
     content: bytes | None = None
+    if isinstance(given, str) and "\n" in given:  # the text of a file
+        given = given.encode()
     if isinstance(given, (str, os.PathLike)):
         request["input"] = os.fspath(given)
         if not request["input"]:
@@ -44,19 +47,25 @@ def options_of(options: Mapping[str, Any]) -> dict[str, Any]:
 def _option(name: str, value: Any) -> Any:
     if isinstance(value, os.PathLike):
         return os.fspath(value)
+    if isinstance(value, Mapping) and name == "weights":
+        return ",".join(f"{word}={cost}" for word, cost in value.items())
+    if isinstance(value, (list, tuple)) and name == "fix":
+        return ",".join(value)
     if isinstance(value, Mapping) and name != "bend_k":
         return {"name": name, "content": json.dumps(_json(value)) if name == "tools" else _json(value)}
     return _json(value)
 
 
-def _json(value: Any) -> Any:
-    """The value with numbers and arrays of NumPy as plain ones."""
+def _json(value: Any, pointer: str = "") -> Any:
+    """The value with numbers and arrays of NumPy as plain ones. Raises InvalidInput for what is no number."""
     if isinstance(value, Mapping):
-        return {str(key): _json(one) for key, one in value.items()}
+        return {str(key): _json(one, f"{pointer}/{key}") for key, one in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_json(one) for one in value]
+        return [_json(one, f"{pointer}/{number}") for number, one in enumerate(value)]
     if hasattr(value, "tolist"):
-        return value.tolist()
+        return _json(value.tolist(), pointer)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InvalidInput("invalid_input", f"{pointer or 'the value'} is {value}; it must be a finite number", pointer)
     if isinstance(value, os.PathLike):
         return os.fspath(value)
     return value

@@ -34,6 +34,15 @@ def info(input: PathLike, *, body: int | str | None = None, sheets: bool = False
     return Record(json.loads(_planish.info(os.fspath(input), name, sheets, progress)))
 
 
+def schema(name: str) -> str:
+    """A JSON Schema, by its name in `schema_names()`."""
+    text = str(_planish.schema(name))
+    if not text:
+        raise InvalidInput("bad_option", f'there is no schema "{name}"; there are '
+                           + ", ".join(_planish.schema_names()), "name")
+    return text
+
+
 def program() -> str:
     """The path of `planish`: of the variable PLANISH, of this build, or of the PATH."""
     named = os.environ.get("PLANISH")
@@ -45,7 +54,7 @@ def program() -> str:
     return found
 
 
-def batch(inputs: PathLike | Iterable[PathLike], out: PathLike, *, formats: Iterable[str] = ("dxf",),
+def batch(inputs: PathLike | Iterable[PathLike], out: PathLike, *, formats: str | Iterable[str] = ("dxf",),
           jobs: int | None = None, time_limit: float | None = None, memory_limit: float | None = None,
           progress: Listener = None, **options: Any) -> Record:
     """Unfolds or makes thousands of parts, in processes of their own; returns the summary (docs/batch.md).
@@ -54,7 +63,7 @@ def batch(inputs: PathLike | Iterable[PathLike], out: PathLike, *, formats: Iter
     each part. memory_limit: MiB of each process. Options are those of the makers. What an earlier call has done is
     kept. Raises InvalidInput, Cancelled, Failed.
     """
-    words = ["--format", ",".join(formats)]
+    words = ["--format", formats if isinstance(formats, str) else ",".join(formats)]
     _run("batch", inputs, out, words, {"jobs": jobs, "time_limit": time_limit, "memory_limit": memory_limit, **options},
          progress)
     return Record(json.loads((pathlib.Path(out) / "summary.json").read_text()))
@@ -128,10 +137,10 @@ def _told(line: str) -> tuple[str, float] | None:
 def _error_in(said: str, status: int) -> Exception:
     """The exception for the last line of the program: "planish: message [code]"."""
     message, _, code = said.removeprefix("planish: ").rpartition(" [")
+    if not message and status == 2:
+        return InvalidInput("bad_option", said.removeprefix("planish: "))
     if not message:
         return Failed("internal", said or f"planish ended with status {status}")
     return error_of(code.rstrip("]"), message, "", status) if status != 1 or code == "cancelled]" else Failed(
         code.rstrip("]"), message)
 
-
-__all__ = ["InvalidInput", "batch", "info", "maker_of", "pack", "program"]
