@@ -13,4 +13,12 @@ std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending) 
       stroke_pictures(report.sheet, report.layout, tools, bending.plan, *report.plan));
 }
 
+std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending) {
+  std::vector<Page> pages;
+  for (int piece = 0; piece < made.pieces(); ++piece)
+    for (Page& page : bend_plan_pages(made.piece(piece), bending))
+      pages.push_back(std::move(page));
+  return pages;
+}
+
 }  // namespace planish::job

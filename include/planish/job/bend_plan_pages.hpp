@@ -1,6 +1,7 @@
 #pragma once
 
 #include <planish/io/pages.hpp>
+#include <planish/job/maker.hpp>
 #include <planish/job/report.hpp>
 
 #include <vector>
@@ -11,5 +12,7 @@ namespace planish::job {
 /// the bends numbered in order, then each stroke. `bending` is that of its request. A report
 /// without strokes gives the first page alone.
 std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending);
+/// Of all pieces.
+std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending);
 
 }  // namespace planish::job
