@@ -4,6 +4,7 @@
 #include "output_files.hpp"
 #include "terminal.hpp"
 
+#include <planish/job/bend.hpp>
 #include <planish/job/bend_plan_pages.hpp>
 #include <planish/job/tools_json.hpp>
 
@@ -30,16 +31,7 @@ Exit status:
 
 More in docs/bend.md.)";
 
-constexpr auto kOwnOptions = {"tools",   "springback", "clearance", "shortfall",
-                              "opening", "weights",    "fix",       "first"};
 constexpr auto kGraceForOthers = std::chrono::minutes(2);  // reading, unfolding, certifying
-
-/// Options of making the sheet: those of the makers that say how it is bent and laid flat.
-bool is_of_sheet(const job::Option& option) {
-  return option.on_command_line && option.name != "material" &&
-         (option.group == "Input" || option.group == "Bends" || option.group == "Joining" ||
-          option.group == "Shop" || option.name == "units");
-}
 
 /// A word for a metal, or a file that K comes from.
 void add_material(CLI::App& app, job::OptionValues& values) {
@@ -143,7 +135,7 @@ class Bend : public Command {
   /// An option that the maker of this input does not have.
   std::optional<Error> not_taken() const {
     for (const job::Option& option : job::options())
-      if ((is_of_sheet(option) || option.name == "material") &&
+      if ((job::is_of_sheet_to_bend(option) || option.name == "material") &&
           arguments_.options.given(option.name) && !maker_->takes(option.name))
         return bad_option(
             fmt::format("{} does not go with a {}", flag_of(option.name), maker_->input_kind()));
@@ -154,12 +146,16 @@ class Bend : public Command {
   Result<std::vector<OutputFile>> files_of(const job::Made& made,
                                            const job::Request& request) const {
     std::vector<OutputFile> files;
+    if (arguments_.outputs.empty()) return files;
+    const std::vector<Page> pages = job::bend_plan_pages(made, request.bending);
     for (const std::string& name : arguments_.outputs) {
-      const bool svg = suffix_of(name) == ".svg";
-      auto file = job::bend_plan_file(made, request.bending,
-                                      svg ? job::PageFormat::svg : job::PageFormat::pdf);
-      if (!file) return tl::unexpected(file.error());
-      files.push_back({name, std::move(*file)});
+      if (suffix_of(name) == ".svg") {
+        files.push_back({name, pages_svg(pages)});
+        continue;
+      }
+      auto pdf = pages_pdf(pages, made.report().body + ", bend plan");
+      if (!pdf) return tl::unexpected(pdf.error());
+      files.push_back({name, std::move(*pdf)});
     }
     return files;
   }
@@ -198,9 +194,9 @@ CLI::App* add_bend(CLI::App& app, BendArguments& arguments) {
            "STEP file, or any other that a sheet is made of, or - for standard input")
       ->required();
   for (const job::Option& option : job::options())
-    if (is_of_sheet(option)) add_one(*command, option, arguments.options);
+    if (job::is_of_sheet_to_bend(option)) add_one(*command, option, arguments.options);
   add_material(*command, arguments.options);
-  for (const char* name : kOwnOptions)
+  for (const std::string_view name : job::kPlanOptions)
     add_one(*command, job::option(name), arguments.options);
   add_time_limit(*command, arguments);
   command

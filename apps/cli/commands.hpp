@@ -84,6 +84,16 @@ CLI::App* add_pack(CLI::App& app, const job::Catalogue& catalogue, PackArguments
 /// `planish pack`; returns the exit status.
 int run_pack(const job::Catalogue& catalogue, const PackArguments& arguments);
 
+struct ServeArguments {
+  bool stdio = false;  ///< over standard input and output: the only way
+  ManyParts how;
+};
+
+/// Defines the subcommand `serve`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_serve(CLI::App& app, ServeArguments& arguments);
+/// `planish serve`; returns the exit status.
+int run_serve(const job::Catalogue& catalogue, const ServeArguments& arguments);
+
 /// Defines the subcommand `schema`; parsing fills `name`, which must outlive `app`.
 CLI::App* add_schema(CLI::App& app, std::string& name);
 /// `planish schema`; returns the exit status.

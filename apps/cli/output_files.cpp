@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <set>
 
 namespace planish::cli {
 
@@ -48,43 +47,11 @@ std::vector<fs::path> files_named(const std::vector<std::string>& values) {
   return files;
 }
 
-Result<void> spare_inputs(const fs::path& output, const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
-    std::error_code absent;
-    if (fs::equivalent(output, input, absent) && !absent) {
-      return tl::unexpected(bad_option(fmt::format(
-          "the output {} is the input {}, which would be lost", output.string(), input.string())));
-    }
-  }
-  return {};
-}
-
-Result<void> folder_exists(const fs::path& file) {
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  std::error_code ignored;
-  if (fs::is_directory(folder, ignored)) return {};
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot write {}: there is no folder {}", file.string(), folder.string()),
-              file.string());
-}
-
 Result<void> check_output(const fs::path& output, const std::string& input) {
   if (input != "-")
     if (auto spared = spare_inputs(output, {input}); !spared) return spared;
   if (auto exists = folder_exists(output); !exists) return exists;
   return check_writable(output);
-}
-
-Result<void> all_different(const std::vector<fs::path>& outputs) {
-  std::set<fs::path> taken;
-  for (const fs::path& path : outputs) {
-    std::error_code ignored;
-    if (!taken.insert(fs::weakly_canonical(fs::absolute(path, ignored), ignored)).second) {
-      return tl::unexpected(
-          bad_option(fmt::format("two outputs are to be written to {}", path.string())));
-    }
-  }
-  return {};
 }
 
 Result<void> check_folder(const fs::path& folder) {

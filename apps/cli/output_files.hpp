@@ -3,6 +3,7 @@
 #include <planish/base/result.hpp>
 #include <planish/io/flat_writers.hpp>
 #include <planish/job/artifact.hpp>
+#include <planish/job/output_paths.hpp>
 
 #include <filesystem>
 #include <optional>
@@ -10,6 +11,8 @@
 #include <vector>
 
 namespace planish::cli {
+
+using job::all_different, job::folder_exists, job::spare_inputs;
 
 Error bad_option(std::string message);
 
@@ -29,20 +32,9 @@ bool is_folder(const std::string& output);
 /// The files among the values of options: neither empty nor "-".
 std::vector<std::filesystem::path> files_named(const std::vector<std::string>& values);
 
-/// `bad_option` when `output` is one of `inputs`, under whatever name.
-Result<void> spare_inputs(const std::filesystem::path& output,
-                          const std::vector<std::filesystem::path>& inputs);
-
-/// `cannot_write` if the folder of the file does not exist: reported before the work rather than
-/// after it.
-Result<void> folder_exists(const std::filesystem::path& file);
-
 /// All that can be said of one output of a command with one input ("-": standard input) before any
 /// work.
 Result<void> check_output(const std::filesystem::path& output, const std::string& input);
-
-/// `bad_option` for two outputs with one name, of which only the last would remain.
-Result<void> all_different(const std::vector<std::filesystem::path>& outputs);
 
 /// `cannot_write` where a folder is not there and cannot be made, or takes no files.
 Result<void> check_folder(const std::filesystem::path& folder);

@@ -7,6 +7,7 @@
 
 #include <planish/batch/batch.hpp>
 #include <planish/job/printable.hpp>
+#include <planish/serve/serve.hpp>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,7 @@ constexpr auto kExamples = R"(Examples:
   planish pack assembly.step -o shop/        what goes to the shop, in one folder
   planish info part.step                     what is in the file
   planish plates part.step -o plates.json    its flanges as plates, for connect
+  planish serve --stdio                      all of it for other programs
   planish studio part.step                   all of it in a browser, to see and to change
 
 `planish COMMAND --help` says more, docs/cli.md all.)";
@@ -55,6 +57,7 @@ struct OtherArguments {
   PackArguments pack;
   PlatesArguments plates;
   std::string schema;
+  ServeArguments serve;
   StudioArguments studio;
 };
 
@@ -87,6 +90,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   const CLI::App* info = add_info(app, others.info);
   const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
+  const CLI::App* serve = add_serve(app, others.serve);
   const CLI::App* studio = add_studio(app, others.studio);
   try {
     app.parse(argc, argv);
@@ -103,6 +107,7 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   if (info->parsed()) return run_info(others.info);
   if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);
+  if (serve->parsed()) return run_serve(catalogue, others.serve);
   if (studio->parsed()) return run_studio(others.studio);
   fmt::print("{}", app.help());
   return 0;
@@ -112,9 +117,12 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
 
 int run_program(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   try {
-    // What `planish batch` starts: batch-worker MEMORY PARENT.
-    if (argc == 4 && std::string_view(argv[1]) == "batch-worker")
+    // What `planish batch` and `planish serve` start: batch-worker MEMORY PARENT.
+    const std::string_view worker = argc == 4 ? argv[1] : "";
+    if (worker == "batch-worker")
       return batch::run_batch_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
+    if (worker == "serve-worker")
+      return serve::run_serve_worker(argv[3], std::strtoull(argv[2], nullptr, 10), catalogue);
     return flushed(run(argc, argv, catalogue));
   } catch (const std::exception& defect) {
     return complain({ErrorCode::internal, defect.what(), {}});

@@ -65,13 +65,6 @@ void add_report(Outcome& outcome, const Arguments& arguments, std::string json,
     (arguments.json == "-" ? outcome.aside : outcome.output) = std::move(summary);
 }
 
-// net.dxf; for several pieces net-1.dxf, net-2.dxf, …
-std::filesystem::path name_of_piece(const std::filesystem::path& path, int piece, int pieces) {
-  if (pieces == 1) return path;
-  return path.parent_path() /
-         fmt::format("{}-{}{}", path.stem().string(), piece + 1, path.extension().string());
-}
-
 /// All files, those of all pieces together first, then piece by piece; or the first reason why one
 /// cannot be written. A solid or mould that cannot be made is a finding if there are other files.
 Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
@@ -91,7 +84,7 @@ Result<std::vector<OutputFile>> files_of(Made& made, const Plan& plan) {
       }
       const bool own = target.artifact->by_piece();
       files.push_back(
-          {own ? name_of_piece(target.path, piece, pieces) : target.path, std::move(*bytes)});
+          {own ? job::name_of_piece(target.path, piece, pieces) : target.path, std::move(*bytes)});
     }
   if (missing && files.empty()) return tl::unexpected(*missing);
   return files;

@@ -21,7 +21,6 @@ from typing import Any, Literal
 
 from ._inputs import Input, PathLike
 from ._parts import BendPlan, Listener, Part, make, plan
-from ._program import maker_of
 '''
 INPUTS = {
     "unfold": "a STEP or B-rep file: its path, its bytes, or a shape of FreeCAD or CadQuery",
@@ -81,7 +80,7 @@ def text_of(catalogue):
     parts.append(function(
         "bend", "Find the order of strokes in which a press brake bends what a STEP file or a maker's input describes.",
         "what the makers take", list(bending.values()), "BendPlan",
-        "plan(maker_of(input), input, options, name=name, progress=progress)"))
+        "plan(input, options, name=name, progress=progress)"))
     return "\n\n".join(parts)
 
 

@@ -69,7 +69,9 @@ bool settle_in(long parent, std::uint64_t memory) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) return false;  // it may have ended before the line above
   std::signal(SIGINT, SIG_IGN);           // the parent ends it
-  std::signal(SIGTERM, SIG_DFL);
+  // Whoever was copied may have handlers of its own, which know nothing of this process.
+  for (const int signal : {SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP})
+    std::signal(signal, SIG_DFL);
   limit(RLIMIT_CORE, 0);
   if (memory > 0) limit(RLIMIT_AS, memory);
   return true;

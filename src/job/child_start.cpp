@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,6 +76,13 @@ void take_descriptors(int errors, int socket) {
   close_range(kChildSocket + 1, ~0U, 0);
 }
 
+/// Bytes of address space that this process takes; 0 where it cannot be known.
+std::uint64_t own_address_space() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+}
+
 /// What posix_spawn is told, given back at the end.
 class SpawnPlan {
  public:
@@ -123,6 +131,8 @@ Result<std::unique_ptr<ChildProcess>> ChildProcess::copy(const Answering& answer
   if (!sockets) return tl::unexpected(sockets.error());
   auto errors = pipe_ends();
   if (!errors) return tl::unexpected(errors.error());
+  // A copy has all that this process has, however much that is: what it may take comes on top.
+  if (memory > 0) memory += own_address_space();
   const pid_t parent = getpid();
   const pid_t process = fork();
   if (process < 0) return not_started(errno);

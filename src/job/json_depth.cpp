@@ -1,4 +1,4 @@
-#include "json_depth.hpp"
+#include <planish/job/json_depth.hpp>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
 #include "json_reading.hpp"
 
-#include "json_depth.hpp"
-
 #include <planish/base/assert.hpp>
 #include <planish/base/text.hpp>
+#include <planish/job/json_depth.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

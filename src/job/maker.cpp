@@ -1,9 +1,9 @@
 #include "folded.hpp"
-#include "json_depth.hpp"
 #include "json_parts.hpp"
 
 #include <planish/base/text.hpp>
 #include <planish/job/artifact.hpp>
+#include <planish/job/json_depth.hpp>
 #include <planish/job/maker.hpp>
 #include <planish/job/text_file.hpp>
 

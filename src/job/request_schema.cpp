@@ -1,10 +1,14 @@
 #include "request_schema.hpp"
 
+#include "asked.hpp"
 #include "input_schemas.hpp"
+
+#include <planish/job/bend.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace planish::job {
 namespace {
@@ -67,6 +71,24 @@ std::vector<std::string_view> artifact_names(const Catalogue& catalogue) {
   return names;
 }
 
+Schema effort_schema() {
+  return words({"draft", "full"}).defaulting("full").said("draft: only the sheet and its pattern");
+}
+
+Schema sheets_schema() { return flag().said("of info: the sheet in each body, or why none"); }
+
+Schema options_that(OptionFiles files, const std::function<bool(const Option&)>& taken) {
+  std::vector<Field> fields;
+  for (const Option& option : options()) {
+    if (!taken(option)) continue;
+    std::string said(option.description);
+    if (!option.otherwise.empty()) said += fmt::format("; default {}", option.otherwise);
+    fields.push_back(optional(std::string(option.name),
+                              bare_schema(option, files).or_null().said(std::move(said))));
+  }
+  return object(std::move(fields));
+}
+
 OptionValue value_of(const Option& option, const Json& value) {
   switch (option.kind) {
     case OptionKind::flag:
@@ -97,22 +119,16 @@ OptionValue value_of(const Option& option, const Json& value) {
 }  // namespace
 
 Schema options_schema(OptionFiles files) {
-  std::vector<Field> fields;
-  for (const Option& option : options()) {
-    std::string said(option.description);
-    if (!option.otherwise.empty()) said += fmt::format("; default {}", option.otherwise);
-    fields.push_back(optional(std::string(option.name),
-                              bare_schema(option, files).or_null().said(std::move(said))));
-  }
-  return object(std::move(fields));
+  return options_that(files, [](const Option&) { return true; });
 }
 
 Schema request_schema(const Catalogue& catalogue) {
   std::vector<std::string_view> names;
   for (const Maker& maker : catalogue.makers)
     names.push_back(maker.name);
+  names.insert(names.end(), {kBend, kInfo});
   std::vector<Field> fields = header_fields("planish/request", 1);
-  fields.push_back(required("maker", words(names)));
+  fields.push_back(required("maker", words(names).said("or bend or info, which are none")));
   fields.push_back(required("input", input_schema()));
   fields.push_back(
       optional("options",
@@ -120,12 +136,33 @@ Schema request_schema(const Catalogue& catalogue) {
   fields.push_back(
       optional("artifacts",
                list(words(artifact_names(catalogue))).said("artifacts that the maker can write")));
-  fields.push_back(optional(
-      "effort",
-      words({"draft", "full"}).defaulting("full").said("draft: only the sheet and its pattern")));
-  fields.push_back(optional(
-      "plan", flag().defaulting(false).said("find the order of bends, as planish bend does")));
+  fields.push_back(optional("effort", effort_schema()));
+  fields.push_back(optional("sheets", sheets_schema()));
   return object(std::move(fields)).said("A request to a maker");
+}
+
+Schema request_schema(const std::string& maker, const Catalogue& catalogue) {
+  const auto taken = [&](const Option& option) {
+    if (maker == kInfo) return option.name == "body" || option.name == "units";
+    if (maker != kBend) return catalogue.maker(maker)->takes(option.name);
+    return std::ranges::any_of(
+        catalogue.makers, [&](const Maker& one) { return bending_with(one).takes(option.name); });
+  };
+  std::vector<Field> fields{required("input", input_schema()),
+                            optional("options", options_that(OptionFiles::path_or_content, taken))};
+  if (maker == kInfo) {
+    fields.push_back(optional("sheets", sheets_schema()));
+    return object(std::move(fields));
+  }
+  std::vector<std::string_view> names(std::begin(kBendArtifacts), std::end(kBendArtifacts));
+  if (maker != kBend) {
+    names.clear();
+    for (const Artifact* artifact : catalogue.written_by(*catalogue.maker(maker)))
+      names.push_back(artifact->name);
+    fields.push_back(optional("effort", effort_schema()));
+  }
+  fields.push_back(optional("artifacts", list(words(names)).said("files to make")));
+  return object(std::move(fields));
 }
 
 OptionValues values_of(const Json& options) {

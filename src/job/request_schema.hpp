@@ -13,6 +13,8 @@ namespace planish::job {
 Schema options_schema(OptionFiles files);
 /// A request to `run`.
 Schema request_schema(const Catalogue& catalogue);
+/// The same without "maker", of one maker ("bend", "info"): with its own options and artifacts.
+Schema request_schema(const std::string& maker, const Catalogue& catalogue);
 
 /// The values in a checked "options" object.
 OptionValues values_of(const Json& options);

@@ -1,3 +1,4 @@
+#include "asked.hpp"
 #include "input_schemas.hpp"
 #include "report_schema.hpp"
 #include "request_schema.hpp"
@@ -40,6 +41,36 @@ std::string schema_text(const std::string& name, const Catalogue& catalogue) {
   const auto schema = schema_named(name, catalogue);
   if (!schema) return {};
   return text_of(json_schema(*schema, "planish/" + name, name + ".json"));
+}
+
+std::string request_schema_text(const std::string& maker, const Catalogue& catalogue) {
+  if (maker != kBend && maker != kInfo && !catalogue.maker(maker)) return {};
+  return text_of(json_schema(request_schema(maker, catalogue), "planish/request of " + maker,
+                             "request-" + maker + ".json"));
+}
+
+std::string catalogue_json(const Catalogue& catalogue) {
+  Json makers = Json::array(), artifacts = Json::array();
+  for (const Maker& maker : catalogue.makers) {
+    Json row{{"name", maker.name},
+             {"description", maker.description},
+             {"input", maker.input_kind()},
+             {"artifacts", Json::array()},
+             {"options", Json::array()}};
+    if (maker.schema) row["schema"] = maker.schema_name();
+    for (const Artifact* artifact : catalogue.written_by(maker))
+      row["artifacts"].push_back(artifact->name);
+    for (const OptionUse& use : maker.options)
+      row["options"].push_back(use.name);
+    makers.push_back(std::move(row));
+  }
+  for (const Artifact& artifact : catalogue.artifacts)
+    artifacts.push_back({{"name", artifact.name},
+                         {"shows", role_name(artifact.role)},
+                         {"suffix", artifact.suffix},
+                         {"media_type", artifact.media_type},
+                         {"description", artifact.description}});
+  return text_of({{"makers", std::move(makers)}, {"artifacts", std::move(artifacts)}});
 }
 
 }  // namespace planish::job

@@ -54,12 +54,43 @@ TEST(RunApart, GivesWhatRunGives) {
     report.erase("timing");
     other.erase("timing");
     EXPECT_EQ(report, other);
+    EXPECT_EQ(apart->summary, here->summary);
     ASSERT_EQ(apart->artifacts.size(), 1u);
     EXPECT_EQ(apart->artifacts[0].artifact, here->artifacts[0].artifact);
     EXPECT_EQ(apart->artifacts[0].name, here->artifacts[0].name);
     EXPECT_EQ(apart->artifacts[0].media_type, here->artifacts[0].media_type);
     EXPECT_EQ(apart->artifacts[0].bytes, here->artifacts[0].bytes);
   }
+}
+
+TEST(RunApart, MayBeCalledWhileOthersRun) {
+  const std::string request = request_of("unfold", "bracket.step", "dxf");
+  const auto alone = run(request);
+  ASSERT_TRUE(alone);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 6; ++i)
+    threads.emplace_back([&, i] {
+      for (int round = 0; round < 3; ++round) {
+        const auto result = i % 2 == 0 ? run_apart(request) : run(request);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_EQ(result->artifacts[0].bytes, alone->artifacts[0].bytes);
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+}
+
+TEST(RunApart, HandsOnARefusal) {
+  const std::string request = R"({"maker": "bend", "input": ")" PLANISH_SOURCE_DIR
+                              R"(/examples/connect/a_folded.json", "artifacts": ["json", "svg"]})";
+  const auto here = run(request), apart = run_apart(request);
+  ASSERT_TRUE(here) << here.error().message;
+  ASSERT_TRUE(apart) << apart.error().message;
+  EXPECT_EQ(apart->status, here->status);
+  ASSERT_TRUE(apart->refusal);
+  EXPECT_EQ(apart->refusal->code, ErrorCode::cannot_bend);
+  EXPECT_EQ(apart->refusal->message, here->refusal->message);
+  EXPECT_EQ(apart->artifacts.size(), here->artifacts.size());
 }
 
 TEST(RunApart, HandsOnErrorsAndProgress) {

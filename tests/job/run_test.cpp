@@ -125,7 +125,8 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   json asked = request("fold", kPlates);
   EXPECT_EQ(refused(asked).where, "/maker");
   EXPECT_THAT(refused(asked).message,
-              HasSubstr("/maker must be one of unfold, connect, transition, slit, not \"fold\""));
+              HasSubstr("/maker must be one of unfold, connect, transition, slit, bend, info, not "
+                        "\"fold\""));
   asked = request("connect", kPlates);
   asked["options"] = {{"k", 2}};
   EXPECT_EQ(refused(asked).where, "/options/k");
@@ -139,6 +140,38 @@ TEST(Run, AnswersAWrongRequestWithThePointerAndTheRule) {
   asked["artifacts"] = {"mould.stl"};
   EXPECT_THAT(refused(asked).message, HasSubstr("it writes dxf, svg, flat.step, pdf, step, stl"));
   EXPECT_EQ(run("[]").error().code, ErrorCode::invalid_input);
+}
+
+TEST(Run, BendsAndInformsAsTheProgramDoes) {
+  json asked = request("bend", kPlates);
+  asked["options"] = {{"springback", 1.0}, {"metal", "steel"}};
+  asked["artifacts"] = {"svg", "json"};
+  const auto bent = run(asked.dump());
+  ASSERT_TRUE(bent) << bent.error().message;
+  const json report = json::parse(bent->report);
+  EXPECT_EQ(report["command"], "bend");
+  EXPECT_TRUE(report.contains("plan"));
+  ASSERT_EQ(bent->artifacts.size(), 2u);
+  EXPECT_THAT(bent->artifacts[0].bytes, HasSubstr("<svg"));
+  EXPECT_EQ(bent->artifacts[1].bytes, bent->report);
+  EXPECT_EQ(bent->refusal.has_value(), bent->status == Status::refused);
+  asked["options"] = {{"bend_marks", "ticks"}};
+  EXPECT_EQ(refused(asked).where, "/options/bend_marks");
+  EXPECT_THAT(refused(asked).message, HasSubstr("is not an option of bend"));
+  asked["options"] = json::object();
+  asked["artifacts"] = {"dxf"};
+  EXPECT_EQ(refused(asked).where, "/artifacts/0");
+  EXPECT_THAT(refused(asked).message, HasSubstr("bend cannot write \"dxf\"; it writes pdf, svg"));
+
+  asked = request("info", PLANISH_SOURCE_DIR "/examples/bracket.step");
+  asked.erase("artifacts");
+  asked["sheets"] = true;
+  const auto told = run(asked.dump());
+  ASSERT_TRUE(told) << told.error().message;
+  EXPECT_EQ(json::parse(told->report)["bodies"][0]["sheet"]["bends"], 2);
+  EXPECT_THAT(told->summary, HasSubstr("bracket"));
+  asked["options"] = {{"k", 0.4}};
+  EXPECT_EQ(refused(asked).where, "/options/k");
 }
 
 // {"a": {"a": ... 1}}

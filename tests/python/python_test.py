@@ -93,6 +93,7 @@ class SameAsTheProgram(PythonTest):
         self.assertEqual((self.dir / "y.pdf").read_bytes(), (self.dir / "x.pdf").read_bytes())
         self.assertEqual([stroke.bends[0] for stroke in plan.plan.strokes], ["B1", "B2"])
         self.assertEqual(planish.bend(self.angle()).report.command, "bend")
+        self.assertEqual(planish.bend(BRACKET.read_bytes()).plan.status, "optimal")
         fixed = planish.bend(BRACKET, fix=["B2", "B1"], weights={"turn_over": 10}, first=True)
         self.assertEqual([stroke.bends[0] for stroke in fixed.plan.strokes], ["B2", "B1"])
         with self.assertRaises(planish.Refused) as caught:

@@ -26,10 +26,12 @@ MODULES = {
     "brep": {"base", "geometry", "sheet"},
     "job": {"base", "geometry", "sheet", "collision", "inspect", "connect", "transition", "slit", "io",
             "brep"},
+    "serve": {"base", "geometry", "sheet", "collision", "inspect", "connect", "transition", "slit", "io",
+              "brep", "job"},
 }
 LIBRARIES = {
     "Eigen/Core": {"geometry", "sheet", "collision", "inspect", "connect", "transition", "slit",
-                   "nest", "io", "brep", "job"},
+                   "nest", "io", "brep", "job", "serve"},
     "geos_c.h": {"geometry"},
     "dxflib/dl_dxf.h": {"io"},
     "ceres/tiny_solver.h": {"slit"},
@@ -37,7 +39,7 @@ LIBRARIES = {
     "ccd/ccd.h": {"collision"},
     "libnest2d/libnest2d.hpp": {"nest"},
     "polyclipping/clipper.hpp": {"nest"},
-    "nlohmann/json.hpp": {"io", "job"},
+    "nlohmann/json.hpp": {"io", "job", "serve"},
     "gp_Pnt.hxx": {"brep"},
     "CLI/CLI.hpp": set(),
     "httplib.h": set(),

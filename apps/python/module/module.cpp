@@ -67,19 +67,8 @@ std::shared_ptr<Part> make(const std::string& request, const std::optional<py::b
                            py::object listener) {
   Call call(std::move(listener));
   const auto bytes = content ? std::optional(std::string(*content)) : std::nullopt;
-  return std::make_shared<Part>(call.run([&](const Progress& progress) {
-    return job::make(request, progress, job::built_in(), bytes);
-  }));
-}
-
-/// The maker that reads such an input.
-std::string maker_for(const std::string& name, const py::bytes& content) {
-  return std::string(value_of(job::built_in().maker_for(name, std::string(content)))->name);
-}
-
-std::string maker_of_file(const std::string& file) {
-  const auto input = value_of(job::read_input_file(file, "input file"));
-  return std::string(value_of(job::built_in().maker_for(input.name, input.content))->name);
+  return std::make_shared<Part>(
+      call.run([&](const Progress& progress) { return job::make(request, progress, bytes); }));
 }
 
 std::string info(const std::string& file, const std::string& body, bool sheets,
@@ -150,8 +139,6 @@ PYBIND11_MODULE(_planish, module) {
   module.def("schema_names", [] { return job::schema_names(); });
   module.def("schema", [](const std::string& name) { return job::schema_text(name); });
   module.def("make", make, py::arg("request"), py::arg("content"), py::arg("listener"));
-  module.def("maker_for", maker_for, py::arg("name"), py::arg("content"));
-  module.def("maker_of_file", maker_of_file, py::arg("file"));
   module.def("info", info, py::arg("file"), py::arg("body"), py::arg("sheets"),
              py::arg("listener"));
 

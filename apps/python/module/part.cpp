@@ -112,8 +112,9 @@ Result<std::vector<job::WrittenArtifact>> Part::write(const std::string& name,
 
 Result<std::string> Part::bend_pages(bool svg) {
   const std::lock_guard working(working_);
-  return job::bend_plan_file(*made_.made, made_.request.bending,
-                             svg ? job::PageFormat::svg : job::PageFormat::pdf);
+  const auto pages = job::bend_plan_pages(*made_.made, made_.request.bending);
+  if (svg) return pages_svg(pages);
+  return pages_pdf(pages, made_.made->report().body + ", bend plan");
 }
 
 std::vector<std::string> Part::artifacts(const job::Catalogue& catalogue) const {

@@ -18,10 +18,10 @@ Input = Union[PathLike, bytes, bytearray, memoryview, Mapping[str, Any], Any]
 _STAND_IN = "bytes"  # for content that is handed over beside the request
 
 
-def request_of(maker: str, given: Input, options: Mapping[str, Any], name: str | None = None,
-               **rest: Any) -> tuple[str, bytes | None]:
+def request_of(maker: str, given: Input, options: Mapping[str, Any], name: str | None = None
+               ) -> tuple[str, bytes | None]:
     """A request as JSON, and the bytes of its input if they are not in it."""
-    request: dict[str, Any] = {"maker": maker, "options": options_of(options), **rest}
+    request: dict[str, Any] = {"maker": maker, "options": options_of(options)}
     content: bytes | None = None
     if isinstance(given, str) and "\n" in given:  # the text of a file
         given = given.encode()

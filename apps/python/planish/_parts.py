@@ -283,9 +283,9 @@ def make(maker: str, given: Input, options: dict[str, Any], *, name: str | None,
     return _checked(Part(_planish.make(request, content, progress)))
 
 
-def plan(maker: str, given: Input, options: dict[str, Any], *, name: str | None, progress: Listener) -> BendPlan:
+def plan(given: Input, options: dict[str, Any], *, name: str | None, progress: Listener) -> BendPlan:
     """Makes a part and the order of its bends; raises what went wrong."""
-    request, content = request_of(maker, given, options, name, plan=True)
+    request, content = request_of("bend", given, options, name)
     made = BendPlan(_planish.make(request, content, progress))
     _checked(made)
     return made

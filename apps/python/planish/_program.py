@@ -12,17 +12,9 @@ from typing import Any
 
 from . import _planish
 from ._errors import Cancelled, Failed, InvalidInput, error_of
-from ._inputs import Input, PathLike, _bytes_of, _json
+from ._inputs import PathLike
 from ._parts import Listener
 from ._record import Record
-
-
-def maker_of(given: Input) -> str:
-    """The name of the maker that reads an input: "unfold", "connect", …"""
-    if isinstance(given, (str, os.PathLike)):
-        return str(_planish.maker_of_file(os.fspath(given)))
-    content = json.dumps(_json(given)).encode() if isinstance(given, Mapping) else _bytes_of(given)
-    return str(_planish.maker_for("the input", content))
 
 
 def info(input: PathLike, *, body: int | str | None = None, sheets: bool = False, progress: Listener = None) -> Record:

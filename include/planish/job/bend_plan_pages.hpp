@@ -2,6 +2,7 @@
 
 #include <planish/io/pages.hpp>
 #include <planish/job/maker.hpp>
+#include <planish/job/report.hpp>
 
 #include <vector>
 
@@ -11,9 +12,7 @@ namespace planish::job {
 /// the bends numbered in order, then each stroke. `bending` is that of its request. A report
 /// without strokes gives the first page alone.
 std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending);
-
-enum class PageFormat { pdf, svg };
-/// Those pages of all pieces, as a file. Error: `internal` (Cairo fails).
-Result<std::string> bend_plan_file(const Made& made, const Bending& bending, PageFormat format);
+/// Of all pieces.
+std::vector<Page> bend_plan_pages(const Made& made, const Bending& bending);
 
 }  // namespace planish::job

@@ -18,7 +18,8 @@ namespace planish::job {
 /// those who ask and answer.
 using Texts = std::vector<std::string>;
 
-/// Address space of a child, bytes: 4 GiB; 0, which is no limit, where sanitizers reserve more.
+/// Address space of a child, bytes (of a copy: beyond that of its parent): 4 GiB; 0, which is no
+/// limit, where sanitizers reserve more.
 std::uint64_t default_memory_limit();
 
 /// What work in a child may take.

@@ -3,6 +3,7 @@
 #include <planish/job/artifact.hpp>
 #include <planish/job/child_process.hpp>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,19 +14,19 @@ struct ArtifactFile {
   std::string artifact, name, media_type, bytes;
 };
 
-/// The result of a request: its report as JSON text and the artifacts that it asked for; none if
-/// the report has a refusal.
+/// The result of a request: its report as JSON text and as text for a terminal, and the artifacts
+/// that it asked for; if the report has a refusal, only those that show it.
 struct RunResult {
   Status status = Status::ok;
-  std::string report;
+  std::string report, summary;
+  std::optional<Error> refusal;
   std::vector<ArtifactFile> artifacts;
 };
 
-/// A request with what was made for it, kept so that more can be written of it.
+/// What was made for a request, kept so that artifacts can be written of it.
 struct MadeRequest {
   const Maker* maker = nullptr;
   Request request;
-  std::vector<const Artifact*> artifacts;  ///< that it asks for
   std::unique_ptr<Made> made;
 };
 
@@ -35,24 +36,29 @@ struct MadeRequest {
 ///
 /// `input` is the path of a file, or its content: {"name": "plates.json", "content": {...}}, where
 /// `content` is the object itself or the text of any file. Other files that it refers to are then
-/// sought in "folder", which must be given. Errors: `invalid_input` for a request that breaks its
-/// schema (`where` is the JSON pointer) or is nested more than 100 deep, `bad_option` (`where` is
-/// that of the option, "/options/bend_k/B99"), those of the maker's input.
+/// sought in "folder", which must be given. Asked in the same way: "bend", the order of bends of
+/// whatever a maker makes of the input (artifacts pdf, svg, json), and "info", what a STEP file
+/// holds, with "sheets": true the sheet in each body. From any thread, several at a time. Errors:
+/// `invalid_input` for a request that breaks its schema (`where` is the JSON pointer) or is nested
+/// more than 100 deep, `bad_option` (`where` is that of the option, "/options/bend_k/B99"), those
+/// of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
 
-/// The two halves of `run`. `bytes`, if given, stand for the content of the request's input, since
-/// JSON cannot hold any bytes. Errors: those of `run`.
+/// What `run` makes before it writes, of a maker or "bend"; `artifacts` of the request are left
+/// unwritten. `bytes`, if given, stand for the content of its input, since JSON cannot hold any
+/// bytes. From any thread. Errors: those of `run`; `bad_option` for "info".
 Result<MadeRequest> make(const std::string& request, const Progress& progress = {},
-                         const Catalogue& catalogue = built_in(),
-                         std::optional<std::string> bytes = std::nullopt);
-Result<RunResult> result_of(MadeRequest& made);
+                         std::optional<std::string> bytes = std::nullopt,
+                         const Catalogue& catalogue = built_in());
 
-/// The same in a separate process, a copy of this one (see `ChildProcess::copy` for when a copy may
-/// be made): a file that crashes the CAD kernel ends that process, not this one. Time and memory
-/// are limited; cancelling through `progress` ends the process immediately. Costs some milliseconds
-/// more. Errors beyond those of `run`: `crashed`, `out_of_time`, `out_of_memory`, each with the
-/// stage that was reached, and `internal` if the system cannot start a process.
+/// The same in a separate process, a copy of this one: a file that crashes the CAD kernel ends that
+/// process, not this one. From any thread; the copy is made when no `run` is at work (so `progress`
+/// of a `run` must not call this), and no other work with Planish or its kernel may be, see
+/// `ChildProcess::copy`. Time and memory are limited; cancelling through `progress` ends the
+/// process immediately. Costs some milliseconds more. Errors beyond those of `run`: `crashed`,
+/// `out_of_time`, `out_of_memory`, each with the stage that was reached, and `internal` if the
+/// system cannot start a process.
 Result<RunResult> run_apart(const std::string& request, const Progress& progress = {},
                             const Limits& limits = {}, const Catalogue& catalogue = built_in());
 

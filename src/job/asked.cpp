@@ -1,0 +1,185 @@
+#include "asked.hpp"
+
+#include "json_reading.hpp"
+#include "request_schema.hpp"
+
+#include <planish/base/text.hpp>
+#include <planish/job/bend.hpp>
+#include <planish/job/json_depth.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace planish::job {
+namespace {
+
+using Task = Asked::Task;
+
+constexpr auto kOptions = "/options";
+
+/// What `info` takes, as a maker.
+const Maker& info_options() {
+  static const Maker maker{.name = kInfo, .input = "STEP", .options = {{"body"}, {"units"}}};
+  return maker;
+}
+
+Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
+                                     const std::string& pointer) {
+  if (const auto wrong = first_mistake(options_schema(files), options)) {
+    const std::string where = pointer + wrong->pointer;
+    return fail(ErrorCode::invalid_input,
+                fmt::format("request: {} {}", shortened(where, 200), wrong->sentence), where);
+  }
+  for (const auto& [name, value] : options.items())
+    if (!maker.takes(name) && !value.is_null())
+      return fail(ErrorCode::bad_option,
+                  fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
+                  pointer + "/" + name);
+  return values_of(options);
+}
+
+/// Files that an input names are left unread where nobody says where they are.
+Result<void> check_folder(const Maker& maker, const InputFile& file) {
+  if (file.folder || !maker.named_files) return {};
+  const auto named = maker.named_files(file.content);
+  if (named.empty()) return {};
+  return fail(ErrorCode::invalid_input,
+              fmt::format("request: /input/folder is missing: the {} names the file {} at {}; say "
+                          "in which folder it is",
+                          maker.input_kind(), named.front().file, named.front().pointer),
+              "/input/folder");
+}
+
+void read_input(Asked& asked, const Json& input) {
+  if (input.is_string()) {
+    asked.request.input = input.get<std::string>();
+    return;
+  }
+  const Json& content = input["content"];
+  InputFile file;
+  file.name = input.value("name", std::string("input"));
+  file.content = content.is_string() ? content.get<std::string>() : content.dump();
+  if (input.contains("folder")) file.folder = input["folder"].get<std::string>();
+  asked.request.input = file.name;
+  asked.content = std::move(file);
+}
+
+/// Which maker reads the input; what is to be bent is read for that.
+Result<void> choose_maker(Asked& asked, const std::string& name, const Catalogue& catalogue) {
+  asked.task = name == kBend ? Task::bend : name == kInfo ? Task::info : Task::make;
+  if (asked.task == Task::make) asked.maker = catalogue.maker(name);
+  if (asked.task == Task::bend) {
+    if (!asked.content) {
+      auto file = read_input_file(asked.request.input, "input file");
+      if (!file) return tl::unexpected(file.error());
+      asked.content = std::move(*file);
+    }
+    const auto maker = catalogue.maker_for(asked.content->name, asked.content->content);
+    if (!maker) return tl::unexpected(maker.error());
+    asked.maker = *maker;
+  }
+  if (asked.maker && asked.content) return check_folder(*asked.maker, *asked.content);
+  return {};
+}
+
+Result<void> read_options(Asked& asked, const Json& options) {
+  const Maker maker = asked.task == Task::info   ? info_options()
+                      : asked.task == Task::bend ? bending_with(*asked.maker)
+                                                 : *asked.maker;
+  const auto values = checked_options(options, maker, OptionFiles::path_or_content, kOptions);
+  if (!values) return tl::unexpected(values.error());
+  if (auto entered = values->enter(asked.request); !entered)
+    return tl::unexpected(at_pointer(entered.error(), kOptions));
+  return {};
+}
+
+std::vector<std::string_view> names_written(const Asked& asked, const Catalogue& catalogue) {
+  if (asked.task == Task::bend) return {std::begin(kBendArtifacts), std::end(kBendArtifacts)};
+  std::vector<std::string_view> names;
+  if (asked.task == Task::make)
+    for (const Artifact* one : catalogue.written_by(*asked.maker))
+      names.push_back(one->name);
+  return names;
+}
+
+/// The artifact of that name; null if it is not written.
+const Artifact* written(const Asked& asked, const std::string& name, const Catalogue& catalogue) {
+  if (asked.task == Task::info) return nullptr;
+  if (asked.task == Task::bend &&
+      std::ranges::find(kBendArtifacts, name) == std::end(kBendArtifacts))
+    return nullptr;
+  return catalogue.artifact(*asked.maker, name);
+}
+
+Result<void> read_artifacts(Asked& asked, const Json& names, const Catalogue& catalogue) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto name = names[i].get<std::string>();
+    const Artifact* artifact = written(asked, name, catalogue);
+    if (!artifact && asked.task == Task::info)
+      return fail(ErrorCode::bad_option, "info writes no files: leave `artifacts` out",
+                  fmt::format("/artifacts/{}", i));
+    if (!artifact)
+      return fail(ErrorCode::bad_option,
+                  fmt::format("{} cannot write \"{}\"; it writes {}",
+                              asked.task == Task::bend ? kBend : asked.maker->name, shortened(name),
+                              fmt::join(names_written(asked, catalogue), ", ")),
+                  fmt::format("/artifacts/{}", i));
+    asked.artifacts.push_back(artifact);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Asked> read_asked(const std::string& text, const Catalogue& catalogue,
+                         std::optional<std::string> bytes) {
+  const Schema schema = request_schema(catalogue);
+  JsonReading reading(text, "request", {}, schema);
+  if (reading.error()) return tl::unexpected(*reading.error());
+  const Json& json = reading.document();
+  Asked asked;
+  read_input(asked, json["input"]);
+  if (bytes && asked.content) asked.content->content = std::move(*bytes);
+  if (auto chosen = choose_maker(asked, json["maker"].get<std::string>(), catalogue); !chosen)
+    return tl::unexpected(chosen.error());
+  if (json.contains("options"))
+    if (auto read = read_options(asked, json["options"]); !read)
+      return tl::unexpected(read.error());
+  if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
+  if (asked.task == Task::bend) {
+    asked.request.effort = Effort::full;
+    asked.request.bending.ask = Bending::Ask::plan;
+  }
+  asked.sheets = json.value("sheets", false);
+  if (asked.sheets && asked.task != Task::info)
+    return fail(ErrorCode::bad_option, "`sheets` is of info alone: leave it out", "/sheets");
+  if (json.contains("artifacts"))
+    if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
+      return tl::unexpected(known.error());
+  return asked;
+}
+
+Result<std::unique_ptr<Made>> make_asked(const Asked& asked, const Progress& progress) {
+  const auto work = asked.content ? asked.maker->open(*asked.content, progress)
+                                  : open_input(*asked.maker, asked.request, progress);
+  if (!work) return tl::unexpected(work.error());
+  auto made = (*work)->make(asked.request, progress);
+  if (!made) return made;
+  if (auto shown = piece_of(**made, asked.request.piece); !shown)
+    return tl::unexpected(shown.error());
+  return made;
+}
+
+Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,
+                                  const std::string& pointer) {
+  if (const auto byte = too_deep_at(json))
+    return fail(ErrorCode::invalid_input, "the options " + too_deep_sentence(json, *byte), pointer);
+  const Json options = Json::parse(json, nullptr, false);
+  if (options.is_discarded())
+    return fail(ErrorCode::invalid_input, "the options are not JSON", pointer);
+  return checked_options(options, maker, files, pointer);
+}
+
+}  // namespace planish::job

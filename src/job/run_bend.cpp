@@ -1,0 +1,44 @@
+#include "asked.hpp"
+
+#include <planish/io/pages.hpp>
+#include <planish/job/bend_plan_pages.hpp>
+
+namespace planish::job {
+namespace {
+
+Result<std::string> bytes_of(const Artifact& artifact, const Made& made,
+                             const std::vector<Page>& pages) {
+  if (artifact.name == "json") return made.json();
+  if (artifact.name == "svg") return pages_svg(pages);
+  return pages_pdf(pages, made.report().body + ", bend plan");
+}
+
+}  // namespace
+
+Result<RunResult> run_bend(const Asked& asked, const Progress& progress) {
+  const auto made = make_asked(asked, progress);
+  if (!made) return tl::unexpected(made.error());
+  Report& report = (*made)->report();
+  report.of_bending = true;
+  RunResult result;
+  // A page shows why a part cannot be bent.
+  const bool drawn = !report.refusal || report.plan;
+  std::vector<Page> pages;
+  for (const Artifact* artifact : asked.artifacts) {
+    if (!drawn && artifact->role != Role::report) continue;
+    if (pages.empty() && artifact->role != Role::report)
+      pages = bend_plan_pages(**made, asked.request.bending);
+    auto bytes = bytes_of(*artifact, **made, pages);
+    if (!bytes) return tl::unexpected(bytes.error());
+    result.artifacts.push_back({std::string(artifact->name),
+                                report.body + "_plan" + std::string(artifact->suffix),
+                                std::string(artifact->media_type), std::move(*bytes)});
+  }
+  result.status = report.status();
+  result.refusal = report.refusal;
+  result.report = (*made)->json();
+  result.summary = (*made)->text();
+  return result;
+}
+
+}  // namespace planish::job

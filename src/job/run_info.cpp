@@ -1,0 +1,33 @@
+#include "asked.hpp"
+
+#include <planish/base/progress_part.hpp>
+#include <planish/brep/step.hpp>
+#include <planish/job/info.hpp>
+
+namespace planish::job {
+namespace {
+
+constexpr double kRead = 0.7;  // share of the time
+
+Result<InfoReport> info_of_content(const InputFile& file, const InfoRequest& request,
+                                   const Progress& progress) {
+  const auto read = read_step_text(file.content, file.name, part_of(progress, 0.0, kRead));
+  if (!read) return tl::unexpected(read.error());
+  return info_of(*read, request, part_of(progress, kRead, 1.0));
+}
+
+}  // namespace
+
+Result<RunResult> run_info(const Asked& asked, const Progress& progress) {
+  const InfoRequest request{asked.request.input, asked.request.body, asked.sheets,
+                            asked.request.units.value_or(LengthUnit::mm)};
+  const auto report = asked.content ? info_of_content(*asked.content, request, progress)
+                                    : info(request, progress);
+  if (!report) return tl::unexpected(report.error());
+  RunResult result;
+  result.report = info_json(*report);
+  result.summary = info_text(*report);
+  return result;
+}
+
+}  // namespace planish::job

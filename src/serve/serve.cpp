@@ -1,0 +1,80 @@
+#include "conversation.hpp"
+
+#include <planish/serve/serve.hpp>
+
+#include <csignal>
+#include <thread>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace planish::serve {
+namespace {
+
+constexpr std::size_t kLongestMessage = std::size_t{256} << 20U;  // bytes
+constexpr std::size_t kMostWaiting = 1000;                        // requests, before more are read
+constexpr std::chrono::milliseconds kDrainPace(20);
+
+/// Waits until few enough requests are open.
+void wait_for(const Conversation& conversation, std::size_t open,
+              const std::function<bool()>& stopped) {
+  while (conversation.open() > open && !stopped())
+    std::this_thread::sleep_for(kDrainPace);
+}
+
+/// Until there is nothing more to be said.
+void converse(MessageReader& reader, MessageWriter& writer, Conversation& conversation,
+              const std::function<bool()>& stopped) {
+  while (!conversation.exit_status() && !stopped()) {
+    wait_for(conversation, kMostWaiting, stopped);
+    Incoming incoming = reader.next();
+    writer.use(reader.framing());
+    switch (incoming.kind) {
+      case Incoming::Kind::message:
+        conversation.take(incoming.text);
+        break;
+      case Incoming::Kind::too_long:
+        conversation.refuse("the message is longer than 256 MiB: give the path of the file");
+        break;
+      case Incoming::Kind::no_length:
+        conversation.refuse(
+            "the headers have no Content-Length: where the next message begins is "
+            "unknown, and so this was the last");
+        [[fallthrough]];
+      case Incoming::Kind::end_of_input:
+        return wait_for(conversation, 0, stopped);
+    }
+  }
+}
+
+}  // namespace
+
+int serve(int input, int output, const ServeOptions& options, const job::Catalogue& catalogue,
+          const std::function<bool()>& interrupted) {
+  std::signal(SIGPIPE, SIG_IGN);
+  MessageWriter writer(output);
+  const auto stopped = [&] { return interrupted() || writer.is_closed(); };
+  MessageReader reader(input, kLongestMessage, stopped);
+  Conversation conversation(writer, options, catalogue);
+  converse(reader, writer, conversation, stopped);
+  return conversation.exit_status().value_or(interrupted() ? 1 : 0);
+}
+
+int run_serve_worker(const std::string& parent, std::uint64_t memory,
+                     const job::Catalogue& catalogue) {
+  const auto answering = [&](const job::Texts& question, const job::Parent& asking) {
+    const auto task = task_in(question);
+    if (!task) return job::Texts{};
+    const auto done = work_on(*task, catalogue, asking);
+    return done ? texts_of(*done) : job::texts_of(done.error());
+  };
+  const auto give_back = [] {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
+  };
+  return job::answer_parent(parent, answering, give_back, memory);
+}
+
+}  // namespace planish::serve
