@@ -56,6 +56,8 @@ struct OtherArguments {
   PlatesArguments plates;
   std::string schema;
   StudioArguments studio;
+  std::string completion;
+  ManualArguments manual;
 };
 
 void set_up(CLI::App& app, const job::Catalogue& catalogue) {
@@ -88,6 +90,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   const CLI::App* plates = add_plates(app, others.plates);
   const CLI::App* schema = add_schema(app, others.schema);
   const CLI::App* studio = add_studio(app, others.studio);
+  const CLI::App* completion = add_completion(app, others.completion);
+  const CLI::App* manual = add_manual(app, others.manual);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -104,6 +108,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   if (plates->parsed()) return run_plates(others.plates);
   if (schema->parsed()) return run_schema(catalogue, others.schema);
   if (studio->parsed()) return run_studio(others.studio);
+  if (completion->parsed()) return run_completion(app, catalogue, others.completion);
+  if (manual->parsed()) return run_manual(app, catalogue, others.manual);
   fmt::print("{}", app.help());
   return 0;
 }
