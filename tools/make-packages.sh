@@ -32,7 +32,7 @@ read_version() {
   project=$(sed -n 's/^  VERSION \([0-9.]*\)$/\1/p' "$root/CMakeLists.txt")
   if ! "${git[@]}" rev-parse --verify --quiet HEAD >/dev/null; then
     version=$project
-    export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(stat -c %Y "$root/CHANGELOG.md")}"
+    export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(stat -c %Y "$root"/CHANGELOG.md)}"
     note="Made from the sources of $project."
     return
   fi

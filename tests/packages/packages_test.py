@@ -200,7 +200,7 @@ class Root:
         sources = [path for path in [pathlib.Path("/etc/apt/sources.list"),
                                      *sorted(pathlib.Path("/etc/apt/sources.list.d").glob("*"))]
                    if path.exists() and path.suffix in (".list", ".sources") and "debian" in path.read_text()]
-        run("mmdebstrap", "--variant=apt", *checks, "bookworm", self.path, *sources)
+        run("mmdebstrap", "--variant=apt", "--skip=cleanup/apt/lists", *checks, "bookworm", self.path, *sources)
         for name in ("resolv.conf", "hosts"):
             shutil.copy(f"/etc/{name}", self.path / "etc" / name)
 
@@ -295,7 +295,7 @@ class InBareDebian(unittest.TestCase):
                                    stdout=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
-        self.addCleanup(process.terminate)
+        self.addCleanup(process.kill)  # unshare ignores SIGTERM
         port, token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/#(\w+)\n", process.stdout.readline()).groups()
 
         def ask(method, path, body=None):
