@@ -12,7 +12,6 @@ endif()
 set(planish_cmake_dir "${CMAKE_INSTALL_LIBDIR}/cmake/planish")
 set(PLANISH_ZSH_DIR "${CMAKE_INSTALL_DATADIR}/zsh/site-functions" CACHE STRING
   "Where zsh looks for completion; Debian's is share/zsh/vendor-completions")
-set(PLANISH_PYTHON_DIR "lib/python3/dist-packages" CACHE STRING "Where Python looks for modules")
 set(PLANISH_FREECAD_DIR "${CMAKE_INSTALL_DATADIR}/freecad/Mod" CACHE STRING
   "Where FreeCAD looks for workbenches")
 
@@ -40,9 +39,7 @@ install(FILES
 # Debian has it already, and it goes into no package.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licence)
 
-# The Python module as it lies in the build tree, and the workbench for FreeCAD: each where there is one.
-install(DIRECTORY "${PROJECT_BINARY_DIR}/python/planish" DESTINATION "${PLANISH_PYTHON_DIR}"
-  COMPONENT python3-planish OPTIONAL USE_SOURCE_PERMISSIONS PATTERN "__pycache__" EXCLUDE)
+# The workbench for FreeCAD.
 if(EXISTS "${PROJECT_SOURCE_DIR}/integrations/freecad/package.xml")
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/integrations/freecad/"
     DESTINATION "${PLANISH_FREECAD_DIR}/Planish" COMPONENT freecad-planish

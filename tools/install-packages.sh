@@ -17,12 +17,14 @@ build=(
   libocct-foundation-dev libocct-modeling-data-dev libocct-modeling-algorithms-dev
   libocct-ocaf-dev libocct-data-exchange-dev
   libcpp-httplib-dev pkg-config
+  python3-dev python3-numpy pybind11-dev
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
 package=(git dpkg-dev debhelper dh-python python3)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
-  python3-jsonschema clang-format slurmctld slurmd slurm-client munge
+  python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge
+  mypy python3-shapely
   lintian mmdebstrap man-db mandoc zsh fish desktop-file-utils appstream shared-mime-info libglib2.0-bin
   librsvg2-bin)
 command -v chromium >/dev/null || test+=(chromium)

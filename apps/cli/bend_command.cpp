@@ -154,19 +154,12 @@ class Bend : public Command {
   Result<std::vector<OutputFile>> files_of(const job::Made& made,
                                            const job::Request& request) const {
     std::vector<OutputFile> files;
-    if (arguments_.outputs.empty()) return files;
-    std::vector<Page> pages;
-    for (int piece = 0; piece < made.pieces(); ++piece)
-      for (Page& page : job::bend_plan_pages(made.piece(piece), request.bending))
-        pages.push_back(std::move(page));
     for (const std::string& name : arguments_.outputs) {
-      if (suffix_of(name) == ".svg") {
-        files.push_back({name, pages_svg(pages)});
-        continue;
-      }
-      auto pdf = pages_pdf(pages, made.report().body + ", bend plan");
-      if (!pdf) return tl::unexpected(pdf.error());
-      files.push_back({name, std::move(*pdf)});
+      const bool svg = suffix_of(name) == ".svg";
+      auto file = job::bend_plan_file(made, request.bending,
+                                      svg ? job::PageFormat::svg : job::PageFormat::pdf);
+      if (!file) return tl::unexpected(file.error());
+      files.push_back({name, std::move(*file)});
     }
     return files;
   }

@@ -1,5 +1,7 @@
 #include "rows.hpp"
 
+#include <planish/sheet/csv.hpp>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -48,16 +50,6 @@ std::string text_at(const Json& json, const char* pointer) {
   return value.dump();
 }
 
-std::string csv_cell(const std::string& cell) {
-  if (cell.find_first_of(",;\"\r\n") == std::string::npos) return cell;
-  std::string quoted = "\"";
-  for (const char c : cell) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 }  // namespace
 
 Row row_of(const std::string& folder, const std::string& report) {
@@ -100,17 +92,17 @@ Row row_of(const std::string& folder, const std::string& report) {
 }
 
 std::string csv_titles() {
-  std::string line;
+  std::vector<std::string> titles;
   for (const Column& column : kColumns)
-    line += (line.empty() ? "" : ",") + std::string(column.title);
-  return line + "\n";
+    titles.emplace_back(column.title);
+  return csv_row(titles);
 }
 
 std::string csv_of(const Row& row) {
-  std::string line;
+  std::vector<std::string> cells;
   for (const Column& column : kColumns)
-    line += (&column == &kColumns.front() ? "" : ",") + csv_cell(row.*column.cell);
-  return line + "\n";
+    cells.push_back(row.*column.cell);
+  return csv_row(cells);
 }
 
 }  // namespace planish::batch

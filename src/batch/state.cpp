@@ -25,15 +25,6 @@ constexpr auto kJournal = "journal.jsonl";
 constexpr auto kRecord = "run.json";
 constexpr auto kLock = "lock";
 
-Result<void> make_folder(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (!failed) return {};
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
-              folder.string());
-}
-
 /// Removes what a run that was killed was about to write.
 void remove_drafts(const fs::path& folder) {
   std::error_code none;

@@ -52,9 +52,6 @@ Result<RunRecord> read_record(const std::filesystem::path& out);
 /// The journal there. Error: `cannot_read`.
 Result<Journal> read_journal(const std::filesystem::path& out);
 
-/// Ctrl-C.
-Error interruption();
-
 /// 32 hexadecimal digits.
 std::string hash_of(const std::string& text);
 

@@ -2,6 +2,7 @@
 
 #include "borders.hpp"
 #include "form_openings.hpp"
+#include "form_side.hpp"
 #include "form_volume.hpp"
 #include "genus.hpp"
 #include "slanted_cuts.hpp"
@@ -22,9 +23,10 @@ bool is_plane(const Recognition& of, int face) {
   return std::holds_alternative<Frame>(of.model.faces[face].surface);
 }
 
-FormedFeature feature_of(const char* kind, int solid_face, FaceId face) {
+FormedFeature feature_of(const char* kind, FormSide side, int solid_face, FaceId face) {
   FormedFeature feature;
   feature.kind = kind;
+  feature.side = side;
   feature.source_face = solid_face + 1;
   feature.face = face;
   return feature;
@@ -32,10 +34,11 @@ FormedFeature feature_of(const char* kind, int solid_face, FaceId face) {
 
 /// A feature whose borders on the reference skin are drawn and not cut.
 void add_marked(SheetBuilder& builder, const SheetMap& map, const Recognition& of, int part,
-                const char* kind, Error at_rim) {
+                const char* kind, FormSide side, Error at_rim) {
   const RimPart& row = of.rim.parts[part];
   const auto& loops = loops_here(of, row);
-  FormedFeature feature = feature_of(kind, row.faces.front(), map.face_id.at(loops.front().face));
+  FormedFeature feature = feature_of(kind, side, row.faces.front(),
+                                     map.face_id.at(loops.front().face));
   feature.at_rim = std::move(at_rim);
   if (const auto* plane = std::get_if<Frame>(&builder[feature.face].surface))
     add_form_openings(feature, *plane, of, row);
@@ -96,9 +99,10 @@ BorderLoop seen_through(const Recognition& of, const LoopRef& ref, const Frame& 
   return borders;
 }
 
-/// The face of the reference skin through which a point of a face on the other skin is seen.
+/// The face of the reference skin through which a point of a face on the other skin is seen. Boxes
+/// reach twice the distance of the skins: just that far the point would be in or out by rounding.
 std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point) {
-  const double reach = of.skins.thickness;
+  const double reach = 2.0 * of.skins.thickness;
   for (const int partner : of.skins.partners[face]) {
     const Outline& outline = of.outlines[partner];
     const bool near = ((outline.lo.array() - reach) <= point.array()).all() &&
@@ -108,15 +112,15 @@ std::optional<int> plane_over(const Recognition& of, int face, const Vec3& point
   return {};
 }
 
-/// A recess in, or a boss on, the other skin: drawn in place, seen through the sheet.
+/// A feature on the other skin: drawn in place, seen through the sheet.
 void add_far_outline(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
-                     const RimPart& part, const LoopRef& ref) {
-  if (!opening_in_plane(of, ref)) return;
+                     const char* kind, const RimPart& part, const LoopRef& ref) {
+  if (!is_plane(of, ref.face)) return;
   const Vec3 point = of.outlines[ref.face].rings[ref.loop].front();
   const auto over = plane_over(of, ref.face, point);
   if (!over) return;
   const FaceId face = map.face_id.at(*over);
-  FormedFeature feature = feature_of(part.within ? "pocket" : "formed", part.faces.front(), face);
+  FormedFeature feature = feature_of(kind, FormSide::down, part.faces.front(), face);
   feature.outlines.push_back(seen_through(of, ref, std::get<Frame>(builder[face].surface)));
   builder.add_feature(std::move(feature));
 }
@@ -151,7 +155,8 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
   const BorderLoop theirs = seen_through(of, there, frame);
   constexpr double kWider = 1.001;  // area ratio beyond the noise of drilled holes
   if (loop_area(theirs) * kWider < loop_area(cut)) cut = theirs;
-  FormedFeature feature = feature_of("countersink", part.faces.front(), first.face);
+  FormedFeature feature = feature_of("countersink", wider_side(mine, theirs, kWider),
+                                     part.faces.front(), first.face);
   for (const BorderLoop* wider : {&mine, &theirs})
     if (loop_area(*wider) > kWider * loop_area(cut)) feature.outlines.push_back(*wider);
   const bool widens = !feature.outlines.empty();
@@ -159,6 +164,7 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
     builder.add_form_volume(opening_volume(of, part, {here, there}, loop_area(cut)));
   } else if (is_slanted(mine, theirs, of.skins.thickness)) {
     feature.kind = "slanted cut";
+    feature.side = FormSide::down;
     feature.outlines.push_back(theirs);
   } else {
     return false;
@@ -171,16 +177,25 @@ bool add_opening(SheetBuilder& builder, const SheetMap& map, const Recognition& 
 void add_chamfered_rim(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
                        const LoopRef& ref) {
   const FaceId face = map.face_id.at(ref.face);
-  FormedFeature feature = feature_of("chamfer", ref.face, face);
+  FormedFeature feature = feature_of("chamfer", FormSide::up, ref.face, face);
   if (const auto* plane = std::get_if<Frame>(&builder[face].surface))
     feature.outlines.push_back(read_borders(of.model, loop_of(of, ref), *plane, 0.0, of.tolerance));
   builder.add_form_volume({});
   builder.add_feature(std::move(feature));
 }
 
+/// Chamfers along the other skin, by which the blank stays as it is.
+void add_far_chamfers(SheetBuilder& builder, const SheetMap& map, const Recognition& of,
+                      const RimPart& part) {
+  if (!part.within) return;
+  for (const LoopRef& ref : loops_there(of, part))
+    if (is_chamfered(of, ref)) add_far_outline(builder, map, of, "chamfer", part, ref);
+}
+
 /// What lies on the other skin alone may have handles of its own, which no cut of the sheet makes.
 void add_hidden_openings(SheetBuilder& builder, const SheetMap& map, const RimPart& part) {
-  FormedFeature feature = feature_of("formed", part.faces.front(), map.face_id.begin()->second);
+  FormedFeature feature = feature_of("formed", FormSide::down, part.faces.front(),
+                                     map.face_id.begin()->second);
   feature.own_openings = part.openings;
   builder.add_feature(std::move(feature));
 }
@@ -209,10 +224,10 @@ void add_contacts(SheetBuilder& builder, const SheetMap& map, const Recognition&
                            [&](int f) { return f >= 0 && of.skins.skin_of[f] == skin; });
       });
     };
-    const Skin other = of.skin == Skin::first ? Skin::second : Skin::first;
     const int cut = contours_on(of.skin);
-    if (cut == 0 || contours_on(other) > cut || part.openings <= cut) continue;
-    FormedFeature feature = feature_of("contact", part.faces.front(), map.face_id.begin()->second);
+    if (cut == 0 || contours_on(other_skin(of.skin)) > cut || part.openings <= cut) continue;
+    FormedFeature feature = feature_of("contact", FormSide::both, part.faces.front(),
+                                       map.face_id.begin()->second);
     feature.own_openings = part.openings - cut;
     builder.add_feature(std::move(feature));
   }
@@ -229,18 +244,23 @@ void add_features(SheetBuilder& builder, const SheetMap& map, const Recognition&
     if (part.within && here.size() == 1 && there.size() == 1) {
       if (add_opening(builder, map, of, part, here.front(), there.front()))
         widened.erase(here.front());
+      else
+        add_far_chamfers(builder, map, of, part);
     } else if (here.empty()) {
       if (part.within || !formed_here(of, part))
         for (const LoopRef& ref : there)
-          add_far_outline(builder, map, of, part, ref);
+          if (opening_in_plane(of, ref))
+            add_far_outline(builder, map, of, part.within ? "pocket" : "formed", part, ref);
       if (part.openings > 0) add_hidden_openings(builder, map, part);
       builder.add_form_volume(form_volume(of, part));
     } else if (!part.within) {
-      add_marked(builder, map, of, p, "formed", part.refusal);
+      add_marked(builder, map, of, p, "formed", raised_side(of, part), part.refusal);
       builder.add_form_volume(form_volume(of, part));
     } else if (there.empty() || has_several_holes(of, part)) {
-      add_marked(builder, map, of, p, "pocket", recess_at_rim(part));
+      add_marked(builder, map, of, p, "pocket", FormSide::up, recess_at_rim(part));
       builder.add_form_volume(form_volume(of, part));
+    } else {
+      add_far_chamfers(builder, map, of, part);
     }
   }
   add_contacts(builder, map, of);

@@ -134,6 +134,10 @@ Projection project(const SolidFace& face, const Outline& outline, const Vec3& p,
 
 }  // namespace
 
+double depth_below(const SolidFace& face, const Outline& outline, const Vec3& point) {
+  return project(face, outline, point, outline.u_middle).depth;
+}
+
 double ring_area(const std::vector<Vec2>& ring) {
   double sum = 0.0;
   for (size_t i = 0; i < ring.size(); ++i) {

@@ -34,6 +34,9 @@ struct Opposite {
 std::optional<Opposite> opposite(const SolidModel& model, const std::vector<Outline>& outlines,
                                  int a, int b);
 
+/// Depth of a point below a face, against its outward normal, mm. Planes and developables.
+double depth_below(const SolidFace& face, const Outline& outline, const Vec3& point);
+
 /// Outward unit normal of a plane or developable face at the point of its surface nearest to
 /// `point`.
 Vec3 outward_normal_at(const SolidFace& face, const Vec3& point);

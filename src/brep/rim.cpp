@@ -68,14 +68,6 @@ Rim with_loops(Rim rim, const SolidModel& model, const Skins& skins) {
   return rim;
 }
 
-/// Depth of a point below a skin face.
-double depth_below(const SolidFace& face, const Outline& outline, const Vec3& p) {
-  if (const auto* plane = std::get_if<Frame>(&face.surface)) return -plane->local(p).z();
-  const auto& surface = std::get<Developable>(face.surface);
-  const Vec2 uv = parameters_of(surface, p, outline.u_middle);
-  return -face.sense * (p - point_on(surface, uv)).dot(normal_on(surface, uv.x()));
-}
-
 /// Whether a point lies between the skins, seen from one of these skin faces.
 bool between(const SolidModel& model, const std::vector<Outline>& outlines, const Skins& skins,
              const std::set<int>& skin_faces, const Vec3& p) {

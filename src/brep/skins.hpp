@@ -8,6 +8,8 @@ namespace planish::brep {
 
 /// Which skin of the sheet a face belongs to.
 enum class Skin { none, first, second };
+/// The skin across the sheet. Requires one that is not `none`.
+constexpr Skin other_skin(Skin skin) { return skin == Skin::first ? Skin::second : Skin::first; }
 
 /// The two skins of a sheet in a solid.
 struct Skins {

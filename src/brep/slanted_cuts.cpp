@@ -23,34 +23,43 @@ bool is_plain_cut(const Recognition& of, const RimPart& part) {
          std::none_of(there.begin(), there.end(), in_plane);
 }
 
-/// Whether a wall reaches the other skin too.
-bool reaches_far_skin(const Recognition& of, int wall) {
-  const Skin far = of.skin == Skin::first ? Skin::second : Skin::first;
+/// Sine by which the wall at the edge of a skin face leans back from it; 0 if that is no slant, or
+/// is not known.
+double wall_slope(const Recognition& of, int skin_face, const CoEdge& use) {
+  const SolidEdge& edge = of.model.edges[use.edge];
+  const int wall = face_across(edge, skin_face);
+  if (wall < 0 || of.rim.part_of[wall] < 0) return 0.0;
+  if (std::holds_alternative<DoublyCurved>(of.model.faces[wall].surface)) return 0.0;
+  const Vec3 middle = edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2);
+  const double slope = outward_normal_at(of.model.faces[wall], middle)
+                           .dot(outward_normal_at(of.model.faces[skin_face], middle));
+  return std::abs(slope) > kSlantedWall ? slope : 0.0;
+}
+
+/// Whether a wall reaches this skin.
+bool reaches(const Recognition& of, int wall, Skin skin) {
   for (const auto& loop : of.model.faces[wall].loops)
     for (const CoEdge& use : loop)
       if (const int next = face_across(of.model.edges[use.edge], wall);
-          next >= 0 && of.skins.skin_of[next] == far)
+          next >= 0 && of.skins.skin_of[next] == skin)
         return true;
   return false;
 }
 
-bool is_slanted(const Recognition& of, int skin_face, const CoEdge& use) {
-  const SolidEdge& edge = of.model.edges[use.edge];
-  const int wall = face_across(edge, skin_face);
-  if (wall < 0 || of.rim.part_of[wall] < 0) return false;
-  if (std::holds_alternative<DoublyCurved>(of.model.faces[wall].surface)) return false;
-  const Vec3 middle = edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2);
-  const double slope = outward_normal_at(of.model.faces[wall], middle)
-                           .dot(outward_normal_at(of.model.faces[skin_face], middle));
-  return std::abs(slope) > kSlantedWall && reaches_far_skin(of, wall);
+/// The side to which a cut edge opens if it is slanted: the one from which its wall is seen.
+FormSide open_side(const Recognition& of, int skin_face, const CoEdge& use) {
+  const double slope = wall_slope(of, skin_face, use);
+  const int wall = face_across(of.model.edges[use.edge], skin_face);
+  if (slope == 0.0 || !reaches(of, wall, other_skin(of.skin))) return FormSide::both;
+  return slope > 0.0 ? FormSide::up : FormSide::down;
 }
 
 std::vector<BorderRef> slanted_borders(const SheetMap& map, const Recognition& of,
-                                       const RimPart& part) {
+                                       const RimPart& part, FormSide side) {
   std::vector<BorderRef> borders;
   for (const LoopRef& ref : loops_here(of, part))
     for (const CoEdge& use : of.model.faces[ref.face].loops[ref.loop])
-      if (is_slanted(of, ref.face, use))
+      if (open_side(of, ref.face, use) == side)
         borders.push_back(map.borders.at({ref.face, use.edge, use.forward}));
   return borders;
 }
@@ -84,19 +93,31 @@ double slanted_volume(const Recognition& of) {
 
 }  // namespace
 
+bool is_chamfered(const Recognition& of, const LoopRef& ref) {
+  const auto& loop = of.model.faces[ref.face].loops[ref.loop];
+  const Skin across = other_skin(of.skins.skin_of[ref.face]);
+  return std::any_of(loop.begin(), loop.end(), [&](const CoEdge& use) {
+    return wall_slope(of, ref.face, use) > 0.0 &&
+           !reaches(of, face_across(of.model.edges[use.edge], ref.face), across);
+  });
+}
+
 void add_slanted_cuts(SheetBuilder& builder, const SheetMap& map, const Recognition& of) {
   if (!map.widened.empty() || !of.skins.sharp.empty()) return;
   bool found = false;
   for (const RimPart& part : of.rim.parts) {
     if (!is_plain_cut(of, part)) continue;
-    FormedFeature feature;
-    feature.along = slanted_borders(map, of, part);
-    if (feature.along.empty()) continue;
-    feature.kind = "slanted cut";
-    feature.source_face = part.faces.front() + 1;
-    feature.face = feature.along.front().face;
-    builder.add_feature(std::move(feature));
-    found = true;
+    for (const FormSide side : {FormSide::up, FormSide::down}) {
+      FormedFeature feature;
+      feature.along = slanted_borders(map, of, part, side);
+      if (feature.along.empty()) continue;
+      feature.kind = "slanted cut";
+      feature.side = side;
+      feature.source_face = part.faces.front() + 1;
+      feature.face = feature.along.front().face;
+      builder.add_feature(std::move(feature));
+      found = true;
+    }
   }
   // The skins of formed sheets differ by their forms too.
   const auto& features = builder.sheet().features;

@@ -1,4 +1,5 @@
 #include "body.hpp"
+#include "brep_text.hpp"
 #include "coordinate_bound.hpp"
 #include "exchange_lock.hpp"
 #include "guarded.hpp"
@@ -85,14 +86,20 @@ class BodyCollector {
   std::vector<Row> rows_;
 };
 
+Result<brep::ProductTree> tree_in(const std::string& text, const std::string& path,
+                                  const std::string& name, const Progress& progress) {
+  if (brep::is_kernel_shape(text)) return brep::read_kernel_shape(text, name);
+  std::istringstream stream(text);
+  return brep::read_products(stream, path, name, progress);
+}
+
 /// `path` is the file's path: files that it refers to are sought beside it.
 Result<StepFile> transfer(const std::string& text, const std::string& path, const std::string& name,
                           const Progress& progress) {
   return guarded(
       [&]() -> Result<StepFile> {
         const auto lock = brep::exchange_lock();
-        std::istringstream stream(text);
-        const auto tree = brep::read_products(stream, path, name, progress);
+        const auto tree = tree_in(text, path, name, progress);
         if (!tree) return tl::unexpected(tree.error());
         StepFile file;
         file.bodies = BodyCollector(tree->solids).take(progress);
@@ -121,7 +128,8 @@ Result<StepFile> check_bodies(StepFile file, const std::string& name) {
 
 Result<StepFile> read_checked(const std::string& text, const std::string& path,
                               const std::string& name, const Progress& progress) {
-  auto header = brep::read_step_header(text, name);
+  const auto header = brep::is_kernel_shape(text) ? brep::StepHeader{"B-rep of OpenCASCADE", ""}
+                                                  : brep::read_step_header(text, name);
   if (!header) return tl::unexpected(header.error());
   auto content = transfer(text, path, name, progress);
   if (!content) return content;

@@ -90,6 +90,7 @@ FlatJson json_of(const FlatBend& bend) {
 
 FlatJson json_of(const FlatFeature& feature) {
   return {{"kind", feature.kind},
+          {"side", static_cast<int>(feature.side)},
           {"outlines", json_of(feature.outlines)},
           {"uncut_openings", feature.uncut_openings},
           {"pilots", json_of(feature.pilots)},
@@ -169,7 +170,10 @@ FlatBend bend_in(const FlatJson& json) {
 }
 
 FlatFeature feature_in(const FlatJson& json) {
+  const int side = json.at("side").get<int>();
+  require(side >= static_cast<int>(FormSide::both) && side <= static_cast<int>(FormSide::down));
   return {.kind = json.at("kind").get<std::string>(),
+          .side = static_cast<FormSide>(side),
           .outlines = rows_in(json.at("outlines"), loop_in),
           .uncut_openings = json.at("uncut_openings").get<int>(),
           .pilots = rows_in(json.at("pilots"), point_in),

@@ -33,6 +33,9 @@ double font_for(const Box2& part) {
   return std::clamp(0.07 * size.minCoeff(), 0.008 * diagonal, 0.024 * diagonal);
 }
 
+/// Of outlines on the side that faces down, in terms of those of bend lines.
+constexpr double kHiddenDashes = 0.5;
+
 double line_width(double font) { return 0.09 * font; }
 
 std::string dashes(double font) {
@@ -77,10 +80,15 @@ std::string features(const FlatPattern& pattern, double font) {
       "<g class=\"features\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\">\n", kFeatureColor,
       svg_number(0.6 * line_width(font)));
   for (const FlatFeature& feature : pattern.features) {
-    for (const Loop& outline : feature.outlines) {
-      text += fmt::format("<path d=\"{}\"><title>{}</title></path>\n", svg_path(outline),
-                          xml_escaped(feature.kind));
-    }
+    const bool hidden = feature.side == FormSide::down;
+    const std::string dashed = hidden ? fmt::format(" stroke-dasharray=\"{}\"",
+                                                    dashes(kHiddenDashes * font))
+                                      : "";
+    std::string title = xml_escaped(feature.kind);
+    if (feature.side != FormSide::both) title += fmt::format(", {}", side_name(feature.side));
+    for (const Loop& outline : feature.outlines)
+      text += fmt::format("<path d=\"{}\"{}><title>{}</title></path>\n", svg_path(outline), dashed,
+                          title);
   }
   return text + "</g>\n";
 }

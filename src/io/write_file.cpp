@@ -148,6 +148,15 @@ Result<void> write_files(const std::vector<OutputFile>& files) {
   return {};
 }
 
+Result<void> make_folder(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (!failed) return {};
+  return fail(ErrorCode::cannot_write,
+              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
+              folder.string());
+}
+
 Result<void> check_writable(const fs::path& target) {
   const auto place = place_of(target);
   if (!place) return tl::unexpected(place.error());

@@ -1,5 +1,6 @@
 #include "facts.hpp"
 #include "units.hpp"
+#include "verdict.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/job/page_parts.hpp>
@@ -16,11 +17,12 @@ namespace {
 
 constexpr double kSheetWidth = 210.0, kSheetHeight = 297.0, kEdge = 12.0;
 constexpr double kInner = kSheetWidth - 2.0 * kEdge, kBelow = kSheetHeight - kEdge;
-constexpr double kLine = 4.8;           // between lines of text, mm
-constexpr double kText = 3.2;           // of letters, mm
-constexpr double kOutlineChord = 0.05;  // of curves on paper, mm
-constexpr double kDrawnAtMost = 20.0;   // scale: what is small is drawn larger
-constexpr double kUpright = 1e-6;       // sine
+constexpr double kLine = 4.8;                 // between lines of text, mm
+constexpr double kText = 3.2;                 // of letters, mm
+constexpr double kOutlineChord = 0.05;        // of curves on paper, mm
+constexpr double kDrawnAtMost = 20.0;         // scale: what is small is drawn larger
+constexpr double kUpright = 1e-6;             // sine
+const std::vector<double> kHidden{1.2, 0.6};  // dashes of outlines on the side that faces down
 
 Box2 box_of(const std::vector<std::vector<Vec2>>& lines) {
   Box2 box;
@@ -42,7 +44,10 @@ Fit drawn_flat(Page& page, const FlatPattern& flat, const Rectangle& into) {
     page.lines({fit(sampled(slit, chord))}, {.width = 0.3});
   for (const FlatFeature& feature : flat.features)
     for (const Loop& outline : feature.outlines)
-      page.area({fit(sampled(outline, chord))}, {.stroke = kPageGrey, .width = 0.15});
+      page.area({fit(sampled(outline, chord))},
+                {.stroke = kPageGrey,
+                 .width = 0.15,
+                 .dashes = feature.side == FormSide::down ? kHidden : std::vector<double>()});
   for (const FlatBend& bend : flat.bends)
     for (const Segment& line : bend.lines)
       page.line(fit(line.a), fit(line.b),
@@ -242,6 +247,8 @@ std::vector<Page> part_pages(const PartDrawing& drawing) {
   write_flat(filling, drawing);
   write_bends(filling, drawing);
   write_sentences(filling, drawing.warnings, kPageAlert);
+  if (const std::string forms = forms_text(*drawing.flat); !forms.empty())
+    write_sentences(filling, {fmt::format("Forms: {}.", forms)}, kBlack);
   write_sentences(filling, drawing.notes, kBlack);
   return std::move(filling).take();
 }

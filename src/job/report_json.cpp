@@ -55,6 +55,7 @@ Json feature_json(const FlatFeature& feature, const Units& units) {
     box.add(bounds(outline));
   Json json;
   json["kind"] = feature.kind;
+  json["side"] = side_name(feature.side);
   json["at"] = box.empty() ? Json(nullptr) : point_json(0.5 * (box.lo + box.hi), units);
   json["size"] = box.empty() ? Json(nullptr) : point_json(box.size(), units);
   json["openings"] = feature.uncut_openings;

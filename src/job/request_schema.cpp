@@ -123,6 +123,8 @@ Schema request_schema(const Catalogue& catalogue) {
   fields.push_back(optional(
       "effort",
       words({"draft", "full"}).defaulting("full").said("draft: only the sheet and its pattern")));
+  fields.push_back(optional(
+      "plan", flag().defaulting(false).said("find the order of bends, as planish bend does")));
   return object(std::move(fields)).said("A request to a maker");
 }
 

@@ -13,12 +13,9 @@ namespace {
 
 constexpr auto kOptions = "/options";
 
-/// A parsed request.
-struct Asked {
-  const Maker* maker = nullptr;
-  Request request;
+/// A parsed request; nothing is made yet.
+struct Asked : MadeRequest {
   std::optional<InputFile> content;  ///< empty: `request.input` names a file
-  std::vector<const Artifact*> artifacts;
 };
 
 Result<OptionValues> checked_options(const Json& options, const Maker& maker, OptionFiles files,
@@ -98,13 +95,14 @@ Result<Asked> read_request(const std::string& text, const Catalogue& catalogue) 
       return tl::unexpected(at_pointer(entered.error(), kOptions));
   }
   if (json.value("effort", "full") == "draft") asked.request.effort = Effort::draft;
+  if (json.value("plan", false)) asked.request.bending.ask = Bending::Ask::plan;
   if (json.contains("artifacts"))
     if (auto known = read_artifacts(asked, json["artifacts"], catalogue); !known)
       return tl::unexpected(known.error());
   return asked;
 }
 
-Result<std::unique_ptr<Made>> make(const Asked& asked, const Progress& progress) {
+Result<std::unique_ptr<Made>> made_of(const Asked& asked, const Progress& progress) {
   const auto work = asked.content ? asked.maker->open(*asked.content, progress)
                                   : open_input(*asked.maker, asked.request, progress);
   if (!work) return tl::unexpected(work.error());
@@ -115,29 +113,18 @@ Result<std::unique_ptr<Made>> make(const Asked& asked, const Progress& progress)
   return made;
 }
 
-Result<RunResult> done(const Asked& asked, const Progress& progress) {
-  const auto made = make(asked, progress);
+Result<MadeRequest> done(Asked asked, const Progress& progress) {
+  auto made = made_of(asked, progress);
   if (!made) return tl::unexpected(at_pointer(made.error(), kOptions));
-  RunResult result;
-  Report& report = (*made)->report();
-  const std::string stem = report.body;
-  for (const Artifact* artifact : asked.artifacts) {
-    if (report.refusal && artifact->role != Role::report) continue;
-    auto files = write(*artifact, **made, asked.request, stem);
-    if (!files && asked.artifacts.size() > 1 && artifact->may_be_missing(files.error())) {
-      note_missing(report, *artifact, files.error());
-      continue;
-    }
-    if (!files) return tl::unexpected(files.error());
-    for (WrittenArtifact& file : *files)
-      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
-                                  std::string(artifact->media_type), std::move(file.bytes)});
-  }
-  result.status = report.status();
-  result.report = (*made)->json();
-  return result;
+  asked.made = std::move(*made);
+  asked.made->report().of_bending = asked.request.bending.ask == Bending::Ask::plan;
+  return MadeRequest(std::move(asked));
 }
 
+Result<RunResult> with_artifacts(Result<MadeRequest> made) {
+  if (!made) return tl::unexpected(made.error());
+  return result_of(*made);
+}
 Texts texts_of(const RunResult& result) {
   Texts texts{"result", std::to_string(static_cast<int>(result.status)), result.report};
   for (const ArtifactFile& file : result.artifacts)
@@ -170,20 +157,47 @@ Result<OptionValues> read_options(const std::string& json, const Maker& maker, O
   return checked_options(options, maker, files, pointer);
 }
 
+Result<MadeRequest> make(const std::string& request, const Progress& progress,
+                         const Catalogue& catalogue, std::optional<std::string> bytes) {
+  auto asked = read_request(request, catalogue);
+  if (!asked) return tl::unexpected(asked.error());
+  if (bytes && asked->content) asked->content->content = std::move(*bytes);
+  return done(std::move(*asked), progress);
+}
+
+Result<RunResult> result_of(MadeRequest& request) {
+  RunResult result;
+  Report& report = request.made->report();
+  const std::string stem = report.body;
+  for (const Artifact* artifact : request.artifacts) {
+    if (report.refusal && artifact->role != Role::report) continue;
+    auto files = write(*artifact, *request.made, request.request, stem);
+    if (!files && request.artifacts.size() > 1 && artifact->may_be_missing(files.error())) {
+      note_missing(report, *artifact, files.error());
+      continue;
+    }
+    if (!files) return tl::unexpected(files.error());
+    for (WrittenArtifact& file : *files)
+      result.artifacts.push_back({std::string(artifact->name), std::move(file.name),
+                                  std::string(artifact->media_type), std::move(file.bytes)});
+  }
+  result.status = report.status();
+  result.report = request.made->json();
+  return result;
+}
+
 Result<RunResult> run(const std::string& request, const Progress& progress,
                       const Catalogue& catalogue) {
-  const auto asked = read_request(request, catalogue);
-  if (!asked) return tl::unexpected(asked.error());
-  return done(*asked, progress);
+  return with_artifacts(make(request, progress, catalogue));
 }
 
 Result<RunResult> run_apart(const std::string& request, const Progress& progress,
                             const Limits& limits, const Catalogue& catalogue) {
   const auto answering = [&](const Texts&, const Parent& parent) {
-    const auto asked = read_request(request, catalogue);
+    auto asked = read_request(request, catalogue);
     if (!asked) return texts_of(asked.error());
     parent.note({asked->request.input.string()});
-    const auto result = done(*asked, parent.progress);
+    const auto result = with_artifacts(done(std::move(*asked), parent.progress));
     return result ? texts_of(*result) : texts_of(result.error());
   };
   const auto child = ChildProcess::copy(answering, limits.memory);

@@ -5,6 +5,7 @@
 
 #include <planish/job/printable.hpp>
 #include <planish/job/unfold.hpp>
+#include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -38,29 +39,11 @@ int pieces(const std::vector<UnfoldReport>& reports) {
   return sum;
 }
 
-// RFC 4180: quoted where a separator, quote or line break would be misread.
-std::string csv_cell(const std::string& cell) {
-  if (cell.find_first_of(",;\"\r\n") == std::string::npos) return cell;
-  std::string quoted = "\"";
-  for (const char c : cell) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
-
 std::string plain(double value) {
   return number_json(value).is_null() ? "" : fmt::format("{}", value);
 }
 
 using Cells = std::vector<std::string>;
-
-std::string csv_line(const Cells& cells) {
-  std::string line;
-  for (const std::string& cell : cells)
-    line += (&cell == &cells.front() ? "" : ",") + csv_cell(cell);
-  return line + "\n";
-}
 
 Cells fields(const UnfoldReport& report) {
   const Units units(report.units);
@@ -164,9 +147,9 @@ std::string summary_json(const std::vector<UnfoldReport>& reports) {
 }
 
 std::string summary_csv(const std::vector<UnfoldReport>& reports) {
-  std::string text = csv_line(field_names());
+  std::string text = csv_row(field_names());
   for (const UnfoldReport& report : reports)
-    text += csv_line(fields(report));
+    text += csv_row(fields(report));
   return text;
 }
 

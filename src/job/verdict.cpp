@@ -4,6 +4,7 @@
 #include "units.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +15,6 @@ namespace {
 
 std::string place_text(const Vec2& p) {
   return fmt::format("flat pattern at ({:.3f}, {:.3f}) mm", p.x(), p.y());
-}
-
-// "2 countersinks, 1 pocket": the usual reason why flat area times thickness differs from the
-// volume.
-std::string features_text(const FlatPattern& flat) {
-  std::map<std::string, int> count;
-  for (const FlatFeature& feature : flat.features)
-    if (feature.kind != "contact") ++count[feature.kind];
-  std::string text;
-  for (const auto& [kind, n] : count) {
-    text += text.empty() ? "" : ", ";
-    text += counted(n, kind == "formed" ? "formed feature" : kind);
-  }
-  return text;
 }
 
 std::vector<Vec2> feature_places(const FlatPattern& flat) {
@@ -48,7 +35,7 @@ Finding volume_doubt(const Certificate& certificate, const FlatPattern& flat, do
   std::string message = fmt::format(
       "flat area at K = ½ times thickness is {:.6f} of the solid's volume",
       or_nan(certificate.volume_ratio));
-  const std::string features = features_text(flat);
+  const std::string features = forms_text(flat);
   const double explained = or_nan(certificate.explained_ratio);
   if (!features.empty()) {
     message += fmt::format("; the sheet has {}, which a flat pattern only outlines", features);
@@ -137,6 +124,19 @@ void add_form_notes(std::vector<Finding>& found, const FlatPattern& flat) {
 }
 
 }  // namespace
+
+std::string forms_text(const FlatPattern& flat) {
+  std::map<std::pair<std::string, FormSide>, int> count;
+  for (const FlatFeature& feature : flat.features)
+    if (feature.kind != "contact") ++count[{feature.kind, feature.side}];
+  std::vector<std::string> words;
+  for (const auto& [form, n] : count) {
+    const auto& [kind, side] = form;
+    words.push_back(counted(n, kind == "formed" ? "formed feature" : kind));
+    if (side != FormSide::both) words.back() += fmt::format(" {}", side_name(side));
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
 
 std::vector<Finding> doubts(const Certificate& certificate, const FlatPattern& flat,
                             double solid_volume, const CertificateBounds& bounds) {

@@ -14,15 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<void> make(const fs::path& folder) {
-  std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (!failed) return {};
-  return fail(ErrorCode::cannot_write,
-              fmt::format("cannot make the folder {}: {}", folder.string(), failed.message()),
-              folder.string());
-}
-
 std::string lines_of(const std::set<std::string>& names) {
   std::string text;
   for (const std::string& name : names)
@@ -35,7 +26,7 @@ std::string lines_of(const std::set<std::string>& names) {
 fs::path Folder::record_file() const { return out_ / ".planish-pack" / "files"; }
 
 Result<void> Folder::begin() {
-  if (auto made = make(record_file().parent_path()); !made) return made;
+  if (auto made = make_folder(record_file().parent_path()); !made) return made;
   if (const auto text = job::read_text(record_file(), "record of a pack")) {
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);)
@@ -49,7 +40,7 @@ Result<void> Folder::add(const std::string& name, const std::string& bytes) {
   if (!record_.is_open())
     if (auto begun = begin(); !begun) return begun;
   const fs::path target = out_ / name;
-  if (auto made = make(target.parent_path()); !made) return made;
+  if (auto made = make_folder(target.parent_path()); !made) return made;
   if (known_.insert(name).second) record_ << name << '\n' << std::flush;
   if (!record_)
     return fail(ErrorCode::cannot_write, fmt::format("cannot write {}", record_file().string()),

@@ -25,10 +25,6 @@ constexpr auto kBatch = ".planish-pack";
 /// What the order of one part's bends may be looked for; what takes longer is for `planish bend`.
 constexpr double kSearchTime = 1.0;  // seconds
 
-Error interruption() {
-  return {ErrorCode::cancelled, "interrupted: run the same command again to go on", {}};
-}
-
 /// The options of the batch: whether parts can be bent is looked for, not how.
 std::string batch_options(const PackOptions& options) {
   Json json = Json::parse(options.options);
@@ -100,7 +96,7 @@ class Making {
 
   Result<void> write_patterns(const DxfOptions& dxf) {
     for (const PackPart& part : list_.parts) {
-      if (cancelled_()) return tl::unexpected(interruption());
+      if (cancelled_()) return tl::unexpected(batch::interruption());
       DxfOptions drawn = dxf;
       drawn.units = part.units;
       const auto text = dxf_text(part.flat, drawn);
@@ -112,7 +108,7 @@ class Making {
 
   Result<void> write_pages(const std::string& name, const std::vector<Page>& pages,
                            const std::string& title) {
-    if (cancelled_()) return tl::unexpected(interruption());
+    if (cancelled_()) return tl::unexpected(batch::interruption());
     const auto pdf = pages_pdf(pages, title);
     if (!pdf) return tl::unexpected(pdf.error());
     return add(name, *pdf);
@@ -129,7 +125,8 @@ class Making {
     Progress progress;
     progress.cancelled = cancelled_;
     auto laid = lay_on_stock(list_, stock, progress);
-    if (!laid && laid.error().code == ErrorCode::cancelled) return tl::unexpected(interruption());
+    if (!laid && laid.error().code == ErrorCode::cancelled)
+      return tl::unexpected(batch::interruption());
     if (!laid) return tl::unexpected(laid.error());
     stock_ = std::move(*laid);
     for (const StockSheet& sheet : stock_.sheets) {

@@ -2,6 +2,8 @@
 
 #include "csv_text.hpp"
 
+#include <planish/sheet/csv.hpp>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

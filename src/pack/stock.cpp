@@ -3,6 +3,7 @@
 #include "csv_text.hpp"
 
 #include <planish/job/outputs.hpp>
+#include <planish/sheet/csv.hpp>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

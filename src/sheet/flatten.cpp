@@ -76,7 +76,7 @@ void add_features(FlatPattern& pattern, const Sheet& sheet, const Layout& layout
   for (const FeatureId id : sheet.features.ids()) {
     const FormedFeature& feature = sheet[id];
     const Isometry2& placement = layout.placement[feature.face];
-    FlatFeature flat{feature.kind, std::move(formed[id])};
+    FlatFeature flat{feature.kind, feature.side, std::move(formed[id])};
     for (const BorderLoop& outline : feature.outlines)
       flat.outlines.push_back(merged(placed(outline, placement), options.merge_tolerance).loop);
     for (const BorderRef& ref : feature.along)
@@ -116,6 +116,7 @@ void transform(FlatPattern& pattern, const Isometry2& motion) {
                                                            : BendDirection::up;
   }
   for (FlatFeature& feature : pattern.features) {
+    if (motion.linear().determinant() < 0) feature.side = other_side(feature.side);
     for (Loop& outline : feature.outlines)
       outline = transformed(outline, motion);
     for (std::vector<Vec2>* places : {&feature.pilots, &feature.along})

@@ -255,7 +255,8 @@ class Comparison {
     std::vector<Vec2> pilots;
     for (const Vec2& pilot : b.pilots)
       pilots.push_back(motion_ * pilot);
-    return a.kind == b.kind && a.uncut_openings == b.uncut_openings &&
+    const FormSide side = turned_over_ ? other_side(b.side) : b.side;
+    return a.kind == b.kind && a.side == side && a.uncut_openings == b.uncut_openings &&
            matched(
                a.pilots, pilots, [](const Vec2& at) { return at; },
                [](const Vec2&, const Vec2&) { return true; }) &&
@@ -330,8 +331,7 @@ bool is_same_part(const FlatPattern& a, const FlatPattern& b, double tolerance) 
   if (std::abs(a.thickness - b.thickness) > near || a.openings.size() != b.openings.size() ||
       a.outer.loop.size() != b.outer.loop.size() || a.bends.size() != b.bends.size())
     return false;
-  return covers(a, b, near, false) ||
-         (a.features.empty() && b.features.empty() && covers(a, b, near, true));
+  return covers(a, b, near, false) || covers(a, b, near, true);
 }
 
 PartGroups::Counts PartGroups::counts_of(const FlatPattern& pattern) {

@@ -1,3 +1,4 @@
+#include <planish/base/assert.hpp>
 #include <planish/sheet/sheet.hpp>
 
 namespace planish {
@@ -22,6 +23,24 @@ Border& Sheet::operator[](const BorderRef& ref) {
 const std::vector<FaceId>& Sheet::faces_of(PartId part) const {
   if (const auto* flange = std::get_if<FlangeId>(&part)) return flanges[*flange].faces;
   return bends[std::get<BendId>(part)].faces;
+}
+
+FormSide other_side(FormSide side) {
+  if (side == FormSide::both) return side;
+  return side == FormSide::up ? FormSide::down : FormSide::up;
+}
+
+const char* side_name(FormSide side) {
+  switch (side) {
+    case FormSide::both:
+      return "both";
+    case FormSide::up:
+      return "up";
+    case FormSide::down:
+      return "down";
+  }
+  PLANISH_ASSERT(false);
+  return "";
 }
 
 Vec3 outward_normal(const Face& face, const Vec2& uv) {

@@ -107,6 +107,31 @@ TEST(AddFeatures, DrawTheFarOutlineOfASlantedCut) {
   EXPECT_EQ(sheet.forms_volume, 0.0);
 }
 
+TEST(AddFeatures, SayOnWhichSideTheyAre) {
+  // All at (30, 30) of a sheet of 2 mm, as paths (radius, height), seen from above.
+  const std::pair<std::vector<Vec2>, FormSide> forms[] = {
+      {{{8, 2}, {8, 1.2}, {0, 1.2}}, FormSide::up},      // pocket
+      {{{0, 0.8}, {8, 0.8}, {8, 0}}, FormSide::down},    // pocket below
+      {{{8, 2}, {8, 6}, {0, 6}}, FormSide::up},          // boss
+      {{{0, -4}, {8, -4}, {8, 0}}, FormSide::down},      // boss below
+      {{{4, 2}, {2.5, 0.5}, {2.5, 0}}, FormSide::up},    // countersink
+      {{{2.5, 2}, {2.5, 1.5}, {4, 0}}, FormSide::down},  // from below
+      {{{4, 2}, {3, 1}, {4, 0}}, FormSide::both},        // from both sides
+      {{{5, 2}, {3, 1}, {4, 0}}, FormSide::up},          // deeper from above
+      {{{20, 2}, {16, 5}, {5, 5}, {5, 3}, {14.5, 3}, {18.5, 0}}, FormSide::up},  // emboss, hole
+      {{{18.5, 2}, {14.5, -1}, {5, -1}, {5, -3}, {16, -3}, {20, 0}}, FormSide::down},
+      {{{5, 2}, {5, -3}, {6, -3}, {6, 0}}, FormSide::down}};  // extruded hole
+  for (const auto& [path, side] : forms)
+    for (const int reference : {kTop, kBottom}) {
+      const Sheet sheet = sheet_of(plate(2, {100, 60}, {{{30, 30}, path}}), reference);
+      ASSERT_EQ(sheet.features.size(), 1u);
+      EXPECT_EQ(side_name(sheet.features.front().side),
+                side_name(reference == kTop ? side : other_side(side)))
+          << path.size() << " points from (" << path.front().transpose() << "), reference "
+          << reference;
+    }
+}
+
 TEST(AddFeatures, DrawTheSkinInsideAChamferedRim) {
   const auto outer = rectangle_at({0, 0}, {100, 60});
   const auto inset = rectangle_at({0.5, 0.5}, {99.5, 59.5});

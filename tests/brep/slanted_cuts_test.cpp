@@ -74,6 +74,17 @@ TEST(SlantedCut, OfAPlateKeepsTheWiderSkin) {
   EXPECT_NEAR(place.y(), (size.lo.y() + size.hi.y()) / 2, 1e-6) << "the middle of the sawn edge";
 }
 
+TEST(SlantedCut, OpensToTheSideFromWhichItIsSeen) {
+  // Both ends sawn along parallel planes: one is seen from above, the other from below.
+  const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
+  const auto part = read_sawn(sawn(sawn(plate, {80, 0, 0}, {1, 0, 1}), {20, 0, 0}, {-1, 0, -1}));
+  ASSERT_TRUE(part) << part.error().message;
+  ASSERT_EQ(part->flat.features.size(), 2u);
+  EXPECT_EQ(part->flat.features[0].side, other_side(part->flat.features[1].side));
+  for (const FlatFeature& feature : part->flat.features)
+    EXPECT_EQ(feature.along.size(), 1u);
+}
+
 TEST(SlantedCut, OfAStraightCutIsNone) {
   const TopoDS_Shape plate = BRepPrimAPI_MakeBox(100, 60, 6).Shape();
   const auto part = read_sawn(sawn(plate, {80, 0, 0}, {2, 1, 0}));

@@ -34,7 +34,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 TEST_F(DxfByEzdxf, IsRightInEveryProfileVersionAndUnit) {
   FlatPattern pattern = bracket();
-  pattern.features.push_back({"formed", {rectangle({70, 60}, {90, 80})}});
+  pattern.features.push_back({"formed", FormSide::up, {rectangle({70, 60}, {90, 80})}});
   std::vector<Check> checks;
   for (const LayerProfile profile : {LayerProfile::standard, LayerProfile::inventor,
                                      LayerProfile::onshape, LayerProfile::solid_edge}) {

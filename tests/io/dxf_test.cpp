@@ -54,7 +54,7 @@ std::vector<std::string> kinds_and_layers(const std::string& text) {
 
 TEST(Dxf, MarksFirstThenOpeningsAndTheOuterContourLast) {
   FlatPattern pattern = bracket();
-  pattern.features.push_back({"countersink", {hole({20, 50}, 11.0)}});
+  pattern.features.push_back({"countersink", FormSide::up, {hole({20, 50}, 11.0)}});
   EXPECT_THAT(kinds_and_layers(dxf(pattern, {.tangent_lines = true})),
               ElementsAre("LINE BEND_UP", "LINE BEND_DOWN", "LINE BEND_TANGENT",
                           "LINE BEND_TANGENT", "LINE BEND_TANGENT", "LINE BEND_TANGENT",

@@ -27,7 +27,8 @@ FlatPattern full_pattern() {
   pattern.bends[0].line_angles = {Angle::degrees(30.1), Angle::degrees(59.9)};
   pattern.bends[0].stroke = 2;
   pattern.bends[1].allowance = {0.44, 4.52, 3.48, "table \"steel\", rows 3 and 4"};
-  pattern.features.push_back({"countersink", {hole({20, 50}, 11.0)}, 1, {{20, 50}}, {{1, 2}}});
+  pattern.features.push_back(
+      {"countersink", FormSide::down, {hole({20, 50}, 11.0)}, 1, {{20, 50}}, {{1, 2}}});
   pattern.labels.push_back({{1.0 / 3.0, -0.0}, "plate Ä\n"});
   pattern.area = kBracketArea;
   pattern.perimeter = 0.1;
@@ -73,6 +74,7 @@ TEST(FlatJson, KeepsWhatNoDrawingShows) {
   EXPECT_EQ(again.bends[1].allowance.source, pattern.bends[1].allowance.source);
   ASSERT_EQ(again.features.size(), 1u);
   EXPECT_EQ(again.features[0].kind, "countersink");
+  EXPECT_EQ(again.features[0].side, FormSide::down);
   EXPECT_EQ(again.features[0].uncut_openings, 1);
   EXPECT_EQ(again.features[0].pilots, pattern.features[0].pilots);
   EXPECT_EQ(again.features[0].along, pattern.features[0].along);

@@ -38,10 +38,10 @@ TEST(Svg, DrawsUpBlueAndDownRedAndSaysSo) {
 TEST(Svg, EscapesWhatXmlWouldMisread) {
   FlatPattern pattern = bracket();
   pattern.bends[0].id = "<a & \"b\">\x01";
-  pattern.features.push_back({"<em>boss", {hole({20, 50}, 11.0)}});
+  pattern.features.push_back({"<em>boss", FormSide::up, {hole({20, 50}, 11.0)}});
   const std::string svg = svg_text(pattern);
   EXPECT_THAT(svg, HasSubstr("&lt;a &amp; &quot;b&quot;&gt; UP"));
-  EXPECT_THAT(svg, HasSubstr("<title>&lt;em&gt;boss</title>"));
+  EXPECT_THAT(svg, HasSubstr("<title>&lt;em&gt;boss, up</title>"));
   EXPECT_EQ(svg.find('\x01'), std::string::npos);
 }
 

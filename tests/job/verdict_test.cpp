@@ -65,8 +65,8 @@ TEST(Verdict, CallsALostOpeningAnErrorWithItsPlace) {
 
 TEST(Verdict, NotesPilotHolesAndWhatIsNotCut) {
   FlatPattern flat = test::sample_pattern();
-  flat.features = {{"formed", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}, 0, {{20, 30}}},
-                   {"formed", {{Arc{{50, 30}, 4.0, 0.0, 6.28}}}, 2, {}}};
+  flat.features = {{"formed", FormSide::up, {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}, 0, {{20, 30}}},
+                   {"formed", FormSide::up, {{Arc{{50, 30}, 4.0, 0.0, 6.28}}}, 2, {}}};
   const auto found = doubts(perfect(), flat, kVolume, {});
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].code, "pilot_hole");
@@ -81,11 +81,11 @@ TEST(Verdict, TakesFormedFeaturesAsTheCauseOfAVolumeThatDiffers) {
   Certificate certificate = perfect();
   certificate.volume_ratio = 1.004;
   FlatPattern flat = test::sample_pattern();
-  flat.features = {{"countersink", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
+  flat.features = {{"countersink", FormSide::up, {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
   const auto found = doubts(certificate, flat, kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].code, "volume_identity");
-  EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink, which"));
+  EXPECT_THAT(found[0].message, HasSubstr("has 1 countersink up, which"));
   EXPECT_EQ(found[0].at.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("without them it is 1.000000"));
   EXPECT_THAT(found[0].message, Not(HasSubstr("missed")));
@@ -95,7 +95,7 @@ TEST(Verdict, SuspectsWhatTheFeaturesDoNotExplain) {
   Certificate certificate = perfect();
   certificate.explained_ratio = 1.004;
   FlatPattern flat = test::sample_pattern();
-  flat.features = {{"countersink", {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
+  flat.features = {{"countersink", FormSide::up, {{Arc{{20, 30}, 4.0, 0.0, 6.28}}}}};
   const auto found = doubts(certificate, flat, kVolume, {});
   ASSERT_EQ(found.size(), 1u);
   EXPECT_THAT(found[0].message, HasSubstr("a missed feature"));

@@ -81,7 +81,7 @@ TEST(SheetBuilderDeathTest, StopsAtRowsThatAreNotThere) {
   Face face;
   face.part_of = FlangeId{5};
   EXPECT_DEATH(builder.add_face(face), "has\\(id\\)");
-  EXPECT_DEATH(builder.add_feature({"pocket", FaceId{7}, {}, {}, {}}), "face");
+  EXPECT_DEATH(builder.add_feature({"pocket", FormSide::up, FaceId{7}, {}, {}, {}}), "face");
 }
 
 }  // namespace

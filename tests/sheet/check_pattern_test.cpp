@@ -44,7 +44,7 @@ std::vector<PatternDamage> pattern_damages() {
       {"Angle, inside radius", "bend B2", [=](FlatPattern& p) { p.bends[1].length = nan; }},
       {"finite size", "feature 0",
        [](FlatPattern& p) {
-         p.features.push_back({"pocket", {{CubicSpline{}}}});
+         p.features.push_back({"pocket", FormSide::up, {{CubicSpline{}}}});
        }},
       {"label", "label A",
        [=](FlatPattern& p) {

@@ -196,7 +196,7 @@ TEST(FlattenLoop, IsRefusedWithTheEdgeToRip) {
 TEST(FlattenFormedFeature, IsDrawnAndNotCut) {
   Sheet sheet = plate_with_holes();
   const double plain = flat(sheet).area;
-  sheet.features.push_back({"formed", FaceId{0}, {}, {}, {}});
+  sheet.features.push_back({"formed", FormSide::up, FaceId{0}, {}, {}, {}});
   for (Border& border : sheet.faces.front().loops[1])
     border.feature = FeatureId{0};
   const FlatPattern pattern = flat(sheet);
@@ -204,6 +204,21 @@ TEST(FlattenFormedFeature, IsDrawnAndNotCut) {
   EXPECT_EQ(pattern.openings.size(), 2u);
   ASSERT_EQ(pattern.features.size(), 1u);
   EXPECT_EQ(pattern.features.front().outlines.size(), 1u);
+}
+
+TEST(FlattenFormedFeature, IsOnTheOtherSideOnceTheSheetIsTurnedOver) {
+  Sheet sheet = plate_with_holes();
+  for (const FormSide side : {FormSide::up, FormSide::down, FormSide::both})
+    sheet.features.push_back({"formed", side, FaceId{0}, {}, {}, {}});
+  const auto seen = [&](UpSide up) {
+    std::vector<FormSide> sides;
+    const auto pattern = flatten(sheet, {.up = up});
+    for (const FlatFeature& feature : pattern->features)
+      sides.push_back(feature.side);
+    return sides;
+  };
+  EXPECT_EQ(seen(UpSide::reference), (std::vector{FormSide::up, FormSide::down, FormSide::both}));
+  EXPECT_EQ(seen(UpSide::other), (std::vector{FormSide::down, FormSide::up, FormSide::both}));
 }
 
 TEST(FlattenMetamorphic, MovingChangesNothingAndScalingScales) {

@@ -64,6 +64,8 @@ FlatPattern turned_over(FlatPattern pattern) {
   pattern = moved_pattern(std::move(pattern), mirror());
   for (FlatBend& bend : pattern.bends)
     bend.direction = bend.direction == BendDirection::up ? BendDirection::down : BendDirection::up;
+  for (FlatFeature& feature : pattern.features)
+    feature.side = other_side(feature.side);
   return pattern;
 }
 
@@ -215,7 +217,7 @@ TEST(SamePart, DiffersInWhatIsDoneToIt) {
   EXPECT_FALSE(changed([](FlatPattern& p) { p.bends[0].tangent_lines.pop_back(); }));
   EXPECT_FALSE(changed([](FlatPattern& p) { p.slits.push_back(Segment{{5, 5}, {9, 5}}); }));
   EXPECT_FALSE(changed([](FlatPattern& p) {
-    p.features.push_back({"countersink", {circular_opening({9, 9}, 2)}});
+    p.features.push_back({"countersink", FormSide::up, {circular_opening({9, 9}, 2)}});
   }));
   EXPECT_TRUE(changed([](FlatPattern& p) { p.bends[0].id = "hinge"; }));
   EXPECT_FALSE(is_same_part(FlatPattern(), FlatPattern()));
@@ -240,11 +242,18 @@ TEST(SamePart, DiffersInOneCurve) {
   EXPECT_TRUE(is_same_part(plate(straight), with_last(elevated)));
 }
 
-TEST(SamePart, DoesNotTurnFormsOver) {
-  FlatPattern left = plate(scalene());
-  left.features.push_back({"countersink", {circular_opening({22, 12}, 4)}});
-  EXPECT_TRUE(is_same_part(left, moved_pattern(left, turn(70))));
-  EXPECT_FALSE(is_same_part(left, moved_pattern(left, mirror())));
+TEST(SamePart, HasItsFormsOnTheirSides) {
+  FlatPattern up = plate(scalene());
+  up.features.push_back({"countersink", FormSide::up, {circular_opening({22, 12}, 4)}});
+  EXPECT_TRUE(is_same_part(up, moved_pattern(up, turn(70))));
+  EXPECT_TRUE(is_same_part(up, turned_over(up)));
+  EXPECT_FALSE(is_same_part(up, moved_pattern(up, mirror())));
+  FlatPattern down = up;
+  down.features[0].side = FormSide::down;
+  EXPECT_FALSE(is_same_part(up, down));
+  // Countersunk on both sides it is its own mirror image.
+  up.features[0].side = FormSide::both;
+  EXPECT_TRUE(is_same_part(up, moved_pattern(up, mirror())));
 }
 
 RC_GTEST_PROP(SamePart, HoldsForRandomSheetsAndNotForTheirMirrorImages, ()) {

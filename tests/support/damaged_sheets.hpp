@@ -155,11 +155,12 @@ inline std::vector<Damage> damages() {
        }},
       {"outline is made of", "feature 0",
        [](Sheet& s) {
-         s.features.push_back({"pocket", FaceId{0}, {{Border{CubicSpline{}}}}, {}, {}});
+         s.features.push_back(
+             {"pocket", FormSide::up, FaceId{0}, {{Border{CubicSpline{}}}}, {}, {}});
        }},
       {"A feature names", "feature 0",
        [](Sheet& s) {
-         s.features.push_back({"pocket", FaceId{8}, {}, {}, {}});
+         s.features.push_back({"pocket", FormSide::up, FaceId{8}, {}, {}, {}});
        }},
       {"A label names", "label 0",
        [](Sheet& s) {

@@ -286,6 +286,7 @@ export interface SheetRow {
 
 export interface FeatureRow {
   kind: string;
+  side?: 'both' | 'up' | 'down';
   at: Vec2 | null;
   size: Vec2 | null;
   openings?: number;

@@ -41,6 +41,9 @@ struct BatchResult {
   std::filesystem::path out;  ///< the folder that was written
 };
 
+/// What ends work that was cancelled, and that goes on where it was when it is asked for again.
+Error interruption();
+
 /// A worker of a batch: answers what it is asked until nobody asks any more; its exit status.
 int run_batch_worker(const std::string& parent, std::uint64_t memory,
                      const job::Catalogue& catalogue);

@@ -45,7 +45,8 @@ struct StepFile {
                                         ///< to save memory, keep it to save time
 };
 
-/// Reads a STEP file (AP203, AP214, AP242). Identical bodies are merged (`quantity`); mirror images
+/// Reads a STEP file (AP203, AP214, AP242), or a shape in the kernel's own form (.brep, text or
+/// binary; lengths are mm). Identical bodies are merged (`quantity`); mirror images
 /// are not identical. Errors: `cannot_read`, `empty_file`, `not_step`, `truncated_file`,
 /// `shell_not_solid`, `no_solid`, `cancelled`.
 Result<StepFile> read_step(const std::filesystem::path& file, const Progress& progress = {});

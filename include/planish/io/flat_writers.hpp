@@ -108,4 +108,7 @@ Result<void> write_files(const std::vector<OutputFile>& files);
 /// folder or write-protected, or its folder is missing or write-protected.
 Result<void> check_writable(const std::filesystem::path& target);
 
+/// Makes a folder, and those above it. Error: `cannot_write`.
+Result<void> make_folder(const std::filesystem::path& folder);
+
 }  // namespace planish

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <planish/io/pages.hpp>
-#include <planish/job/report.hpp>
+#include <planish/job/maker.hpp>
 
 #include <vector>
 
@@ -11,5 +11,9 @@ namespace planish::job {
 /// the bends numbered in order, then each stroke. `bending` is that of its request. A report
 /// without strokes gives the first page alone.
 std::vector<Page> bend_plan_pages(const Report& report, const Bending& bending);
+
+enum class PageFormat { pdf, svg };
+/// Those pages of all pieces, as a file. Error: `internal` (Cairo fails).
+Result<std::string> bend_plan_file(const Made& made, const Bending& bending, PageFormat format);
 
 }  // namespace planish::job

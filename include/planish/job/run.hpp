@@ -3,6 +3,7 @@
 #include <planish/job/artifact.hpp>
 #include <planish/job/child_process.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,14 @@ struct RunResult {
   std::vector<ArtifactFile> artifacts;
 };
 
+/// A request with what was made for it, kept so that more can be written of it.
+struct MadeRequest {
+  const Maker* maker = nullptr;
+  Request request;
+  std::vector<const Artifact*> artifacts;  ///< that it asks for
+  std::unique_ptr<Made> made;
+};
+
 /// Runs a request (JSON text, "planish/request"; its schema is docs/schema/request.json):
 ///
 ///   {"maker": "connect", "input": "plates.json", "options": {"k": 0.4}, "artifacts": ["dxf"]}
@@ -31,6 +40,13 @@ struct RunResult {
 /// that of the option, "/options/bend_k/B99"), those of the maker's input.
 Result<RunResult> run(const std::string& request, const Progress& progress = {},
                       const Catalogue& catalogue = built_in());
+
+/// The two halves of `run`. `bytes`, if given, stand for the content of the request's input, since
+/// JSON cannot hold any bytes. Errors: those of `run`.
+Result<MadeRequest> make(const std::string& request, const Progress& progress = {},
+                         const Catalogue& catalogue = built_in(),
+                         std::optional<std::string> bytes = std::nullopt);
+Result<RunResult> result_of(MadeRequest& made);
 
 /// The same in a separate process, a copy of this one (see `ChildProcess::copy` for when a copy may
 /// be made): a file that crashes the CAD kernel ends that process, not this one. Time and memory

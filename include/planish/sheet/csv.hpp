@@ -20,4 +20,8 @@ struct CsvRecord {
 /// semicolon if it has one, else a tab, else a comma. Errors: `invalid_input` with name:line.
 Result<std::vector<CsvRecord>> split_csv(std::string_view text, const std::string& name);
 
+/// A row as CSV (RFC 4180) with its line end: cells in which a separator, quote or line break would
+/// be misread are quoted.
+std::string csv_row(const std::vector<std::string>& cells);
+
 }  // namespace planish

@@ -41,6 +41,7 @@ struct FlatBend {
 /// pattern's openings and slits.
 struct FlatFeature {
   std::string kind;
+  FormSide side = FormSide::both;
   std::vector<Loop> outlines;
   int uncut_openings = 0;         ///< openings of the solid within it that the pattern does not cut
   std::vector<Vec2> pilots = {};  ///< middles of openings that are cut smaller than they will be

@@ -15,10 +15,10 @@ inline constexpr double kSamePlace = 10.0 * kImageTolerance;
 
 /// Whether two patterns are of one part, to be cut and bent once and counted twice: of the same
 /// thickness, and congruent by a motion of the plane with contours, slits, bend lines (kind, angle,
-/// inside radius, up or down), bend zones and forms; or congruent so once one of them is turned
-/// over, with up and down exchanged. So a part is the same seen from either side, and mirror images
-/// (a left and a right part) differ, unless the part is its own mirror image. A pattern does not
-/// know on which side its forms are: with forms it is compared as it lies, not turned over.
+/// inside radius, up or down), bend zones and forms (kind, outlines, side); or congruent so once
+/// one of them is turned over, with up and down exchanged. So a part is the same seen from either
+/// side, and mirror images (a left and a right part) differ, unless the part is its own mirror
+/// image.
 ///
 /// A contour may begin anywhere; apart from that both are split into curves at the same places, as
 /// `flatten` does. Names, K and labels are not compared. `tolerance`: mm, grows with the digits of

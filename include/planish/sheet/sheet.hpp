@@ -100,6 +100,14 @@ struct FormedOpening {
   BorderLoop through;  ///< the smallest section of its passage, projected
 };
 
+/// The side of the sheet on which a form shows: where it stands out, opens or is sunk in. `up` is
+/// where the outward normal points; in a flat pattern, towards the eye.
+enum class FormSide { both, up, down };
+/// The same form seen from behind the sheet.
+FormSide other_side(FormSide side);
+/// "both", "up", "down".
+const char* side_name(FormSide side);
+
 /// A feature that a flat pattern only outlines. Contours made of borders marked with the feature
 /// are drawn, not cut; `outlines` adds loops that are not borders of the material (a countersink's
 /// rim).
@@ -108,6 +116,7 @@ struct FormedFeature {
   /// "countersink", "slanted cut", "pocket", "chamfer", "contact" (cut edges that touch in the
   /// solid), or "formed" (emboss, louvre, lance, burr, boss).
   std::string kind;
+  FormSide side = FormSide::both;
   FaceId face{};                        ///< the face on which `outlines` are given
   std::vector<BorderLoop> outlines;     ///< in that face's (u, v)
   std::optional<int> source_face = {};  ///< a face of the feature in the solid, from 1

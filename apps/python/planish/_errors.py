@@ -1,0 +1,66 @@
+"""Exceptions. Codes are those of reports (docs/formats.md#reason)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ._parts import Part
+
+
+class Error(Exception):
+    """What Planish could not do.
+
+    code: one word for scripts, such as "not_a_sheet"; message: a sentence with numbers and the remedy;
+    where: a file, a face, a bend, or a JSON pointer into the request; "" for the whole input.
+    """
+
+    code: str
+    message: str
+    where: str
+
+    def __init__(self, code: str, message: str, where: str = "") -> None:
+        super().__init__(code, message, where)
+        self.code, self.message, self.where = code, message, where
+
+    def __str__(self) -> str:
+        return f"{self.message} [{self.code}]" + (f" ({self.where})" if self.where else "")
+
+
+class InvalidInput(Error, ValueError):
+    """A file that cannot be read, is damaged, or breaks a rule of its format; a wrong option."""
+
+
+class Refused(Error):
+    """The input has no flat pattern, or none within the limits; or no order of strokes bends it.
+
+    part: what is known all the same, with a report; None if that is nothing.
+    """
+
+    part: "Part | None" = None
+
+
+class Cancelled(Error):
+    """`progress` returned False."""
+
+
+class Failed(Error, RuntimeError):
+    """A defect of Planish or of its CAD kernel."""
+
+
+_REFUSED, _WRONG_USE, _UNREADABLE = 4, 2, 3  # exit status of the program
+
+
+def error_of(code: str, message: str, where: str, exit_status: int) -> Error:
+    """The exception for an error, by the exit status that the program has for it."""
+    option = "/options/"
+    if where.startswith(option):  # an argument of a function
+        message = message.replace(f"request: {where}", where.removeprefix(option))
+        where = where.removeprefix(option)
+    if code == "cancelled":
+        return Cancelled(code, message, where)
+    if exit_status == _REFUSED:
+        return Refused(code, message, where)
+    if exit_status in (_WRONG_USE, _UNREADABLE):
+        return InvalidInput(code, message, where)
+    return Failed(code, message, where)

@@ -1,0 +1,95 @@
+#include "brep_text.hpp"
+
+#include "coordinate_bound.hpp"
+
+#include <BRepBndLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
+#include <BinTools.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ios>
+#include <sstream>
+
+namespace planish::brep {
+namespace {
+
+constexpr std::string_view kText = "CASCADE Topology V";
+constexpr std::string_view kBinary = "Open CASCADE Topology V";
+constexpr std::string_view kDrawn = "DBRep_DrawableShape";  // before the text, as some write it
+constexpr std::size_t kTitle = 100;                         // bytes in which the title stands
+
+/// The first line that is not empty.
+std::string_view title_of(std::string_view bytes) {
+  bytes = bytes.substr(0, kTitle);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  return first == std::string_view::npos ? std::string_view() : bytes.substr(first);
+}
+
+TopoDS_Shape read_shape(const std::string& bytes) {
+  TopoDS_Shape shape;
+  // The kernel reads on for ever behind the end of a file that was cut short, unless that throws.
+  // What follows keeps the end of a whole one from being touched.
+  std::istringstream stream(bytes + "\n\n");
+  stream.exceptions(std::ios::failbit | std::ios::badbit);
+  if (title_of(bytes).starts_with(kBinary)) {
+    BinTools::Read(shape, stream);
+  } else {
+    BRep_Builder builder;
+    BRepTools::Read(shape, stream, builder);
+  }
+  return shape;
+}
+
+std::optional<Error> too_far_away(const TopoDS_Shape& shape, const std::string& name) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box, false);
+  if (box.IsVoid()) return std::nullopt;
+  const gp_Pnt low = box.CornerMin(), high = box.CornerMax();
+  double farthest = 0.0;
+  for (int k = 1; k <= 3; ++k)
+    farthest = std::max({farthest, std::abs(low.Coord(k)), std::abs(high.Coord(k))});
+  if (farthest <= kFarthestPoint) return std::nullopt;
+  return Error{
+      ErrorCode::too_far_away,
+      fmt::format("{} reaches more than 1,000 km from the origin; a number in it is damaged "
+                  "or its unit is wrong.",
+                  name),
+      name};
+}
+
+}  // namespace
+
+bool is_kernel_shape(std::string_view bytes) {
+  const std::string_view title = title_of(bytes);
+  return title.starts_with(kText) || title.starts_with(kBinary) || title.starts_with(kDrawn);
+}
+
+Result<ProductTree> read_kernel_shape(const std::string& bytes, const std::string& name) {
+  TopoDS_Shape shape;
+  try {
+    shape = read_shape(bytes);
+  } catch (const std::ios::failure&) {
+    return fail(ErrorCode::truncated_file,
+                fmt::format("{} ends in the middle of its B-rep; it was cut short.", name), name);
+  }
+  if (shape.IsNull())
+    return fail(ErrorCode::invalid_input,
+                fmt::format("{} is a damaged B-rep: the kernel finds no shape in it.", name), name);
+  if (auto error = too_far_away(shape, name)) return tl::unexpected(std::move(*error));
+  ProductTree tree;
+  for (TopExp_Explorer at(shape, TopAbs_SOLID); at.More(); at.Next())
+    tree.solids.push_back({TopoDS::Solid(at.Current()), {}, {}, {}});
+  for (TopExp_Explorer at(shape, TopAbs_SHELL, TopAbs_SOLID); at.More(); at.Next())
+    ++tree.surface_bodies;
+  for (TopExp_Explorer at(shape, TopAbs_FACE, TopAbs_SHELL); at.More(); at.Next())
+    ++tree.surface_bodies;
+  tree.unit = "mm";
+  return tree;
+}
+
+}  // namespace planish::brep
