@@ -5,6 +5,7 @@ The bare root is made by mmdebstrap from where this machine's apt gets its packa
 sources. Where it cannot be made the tests of it are skipped, and say why."""
 
 import http.client
+import io
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 
@@ -141,6 +143,14 @@ class Packages(unittest.TestCase):
         for package, deb in self.debs.items():
             self.assertEqual(deb.name, again[package].name)
             self.assertTrue(deb.read_bytes() == again[package].read_bytes(), f"{package} differs: diffoscope would say where")
+
+    def test_all_files_have_the_time_of_the_commit(self):
+        """A checkout elsewhere, or at another time, gives the same."""
+        time = int(run("git", "-c", f"safe.directory={SOURCE}", "-C", SOURCE, "log", "-1", "--format=%ct"))
+        for package, deb in self.debs.items():
+            data = subprocess.run(["dpkg-deb", "--fsys-tarfile", deb], capture_output=True, check=True).stdout
+            with tarfile.open(fileobj=io.BytesIO(data)) as files:
+                self.assertEqual({member.mtime for member in files}, {time}, package)
 
     def test_the_copyright_names_what_is_embedded(self):
         """Licences of the page's libraries stand in it word for word."""
