@@ -52,6 +52,8 @@ if(PLANISH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     env "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${PLANISH_CCACHE}")
 endif()
 
+# Messages name a source as it lies in the repository, so that where that was does not show in what is built.
+add_compile_options("-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=")
 add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   # GCC 12 reports it, falsely, for every inlined copy of a std::variant that holds Eigen vectors.

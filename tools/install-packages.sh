@@ -2,6 +2,7 @@
 # Installs the Debian 12 packages that Planish needs and this machine does not have.
 #
 #   tools/install-packages.sh build        what it takes to build the program
+#   tools/install-packages.sh package      that, and what it takes to make Debian packages of it
 #   tools/install-packages.sh test         that, and what the tests use
 #   tools/install-packages.sh develop      that, and benchmarks, clang and clang-tidy
 #
@@ -20,17 +21,21 @@ build=(
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
+package=(git dpkg-dev debhelper dh-python python3)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
   python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge
-  mypy python3-shapely)
+  mypy python3-shapely
+  lintian mmdebstrap man-db mandoc zsh fish desktop-file-utils appstream shared-mime-info libglib2.0-bin
+  librsvg2-bin)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
-  test) wanted=("${build[@]}" "${test[@]}") ;;
-  develop) wanted=("${build[@]}" "${test[@]}" "${develop[@]}") ;;
-  *) echo "usage: $0 build|test|develop" >&2; exit 2 ;;
+  package) wanted=("${build[@]}" "${package[@]}") ;;
+  test) wanted=("${build[@]}" "${package[@]}" "${test[@]}") ;;
+  develop) wanted=("${build[@]}" "${package[@]}" "${test[@]}" "${develop[@]}") ;;
+  *) echo "usage: $0 build|package|test|develop" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

@@ -102,9 +102,25 @@ int run_schema(const job::Catalogue& catalogue, const std::string& name);
 /// What `planish --formats` prints: the tables of makers and artifacts.
 std::string formats_text(const job::Catalogue& catalogue);
 
+/// Defines the subcommand `completion`; parsing fills `shell`, which must outlive `app`.
+CLI::App* add_completion(CLI::App& app, std::string& shell);
+/// `planish completion`; returns the exit status.
+int run_completion(const CLI::App& app, const job::Catalogue& catalogue, const std::string& shell);
+
+struct ManualArguments {
+  std::string command;  ///< empty: the program itself
+  std::string folder;   ///< empty: one page is printed; else all are written there
+};
+
+/// Defines the subcommand `manual`; parsing fills `arguments`, which must outlive `app`.
+CLI::App* add_manual(CLI::App& app, ManualArguments& arguments);
+/// `planish manual`; returns the exit status.
+int run_manual(const CLI::App& app, const job::Catalogue& catalogue,
+               const ManualArguments& arguments);
+
 struct StudioArguments {
   std::string input;          ///< empty: none
-  job::OptionValues options;  ///< port, time_limit (s)
+  job::OptionValues options;  ///< port, time_limit, end_after (s)
   bool no_browser = false;
 };
 

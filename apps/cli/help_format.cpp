@@ -34,11 +34,17 @@ class Format : public CLI::Formatter {
   // A vector's "..." would suggest several values after one option.
   std::string make_option_opts(const CLI::Option* option) const override {
     if (option->get_type_size() == 0) return {};
-    return " " + option->get_type_name();
+    return " " + plain_type(*option);
   }
 };
 
 }  // namespace
+
+std::string plain_type(const CLI::Option& option) {
+  if (option.get_type_size() == 0) return {};
+  const std::string type = option.get_type_name();
+  return type.substr(0, type.find(':'));
+}
 
 std::shared_ptr<CLI::FormatterBase> help_format() { return std::make_shared<Format>(); }
 

@@ -59,6 +59,8 @@ struct OtherArguments {
   std::string schema;
   ServeArguments serve;
   StudioArguments studio;
+  std::string completion;
+  ManualArguments manual;
 };
 
 void set_up(CLI::App& app, const job::Catalogue& catalogue) {
@@ -92,6 +94,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   const CLI::App* schema = add_schema(app, others.schema);
   const CLI::App* serve = add_serve(app, others.serve);
   const CLI::App* studio = add_studio(app, others.studio);
+  const CLI::App* completion = add_completion(app, others.completion);
+  const CLI::App* manual = add_manual(app, others.manual);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -109,6 +113,8 @@ int run(int argc, const char* const* argv, const job::Catalogue& catalogue) {
   if (schema->parsed()) return run_schema(catalogue, others.schema);
   if (serve->parsed()) return run_serve(catalogue, others.serve);
   if (studio->parsed()) return run_studio(others.studio);
+  if (completion->parsed()) return run_completion(app, catalogue, others.completion);
+  if (manual->parsed()) return run_manual(app, catalogue, others.manual);
   fmt::print("{}", app.help());
   return 0;
 }

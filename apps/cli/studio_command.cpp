@@ -32,6 +32,12 @@ const job::Option kTimeLimit{.name = "time_limit",
                              .group = "",
                              .description = "longest time for one request; default 120",
                              .range = {"a whole number from 1 to 86400", 1, 86400}};  // a day
+const job::Option kEndAfter{
+    .name = "end_after",
+    .kind = job::OptionKind::whole,
+    .group = "",
+    .description = "end when no page has been open for so long; default: stay until Ctrl-C",
+    .range = {"a whole number from 1 to 86400", 1, 86400}};
 
 std::filesystem::path own_path() {
   std::error_code unknown;
@@ -47,6 +53,7 @@ CLI::App* add_studio(CLI::App& app, StudioArguments& arguments) {
   add_option(*command, kPort, std::string(kPort.description), "N", arguments.options);
   add_option(*command, kTimeLimit, std::string(kTimeLimit.description), "SECONDS",
              arguments.options);
+  add_option(*command, kEndAfter, std::string(kEndAfter.description), "SECONDS", arguments.options);
   command->add_flag("--no-browser", arguments.no_browser,
                     "print the address, do not open a browser");
   command->footer(kStudioExamples);
@@ -59,10 +66,13 @@ int run_studio(const StudioArguments& arguments) {
     return value ? std::to_string(static_cast<int>(*value)) : std::string();
   };
   const std::filesystem::path program = own_path().parent_path() / "planish-studio";
-  std::array<std::string, 6> words{
-      program.string(),    "serve",
-      arguments.input,     given("port"),
-      given("time_limit"), arguments.no_browser ? "no-browser" : "browser"};
+  std::array<std::string, 7> words{program.string(),
+                                   "serve",
+                                   arguments.input,
+                                   given("port"),
+                                   given("time_limit"),
+                                   given("end_after"),
+                                   arguments.no_browser ? "no-browser" : "browser"};
   std::array<char*, words.size() + 1> raw{};
   std::ranges::transform(words, raw.begin(), [](std::string& word) { return word.data(); });
   execv(program.c_str(), raw.data());

@@ -4,9 +4,11 @@
 #include "server/browser.hpp"
 #include "server/first_document.hpp"
 #include "server/http_server.hpp"
+#include "server/presence.hpp"
 #include "server/temp_folder.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
@@ -25,14 +27,36 @@ sigset_t held_signals() {
   return signals;
 }
 
+/// Waits for one of the signals or, with `end_after`, until no page has been open for so long.
+void wait_for_end(const sigset_t& signals, const StudioOptions& options, const Presence& presence) {
+  constexpr timespec kLook{1, 0};
+  if (!options.end_after) {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    return;
+  }
+  while (presence.absence() < *options.end_after)
+    if (sigtimedwait(&signals, nullptr, &kLook) > 0) return;
+}
+
+/// The file that the user named; where nobody sees standard error, the browser says why it cannot
+/// be opened.
+Result<void> open_named(DocumentStore& store, const StudioOptions& options,
+                        const TempFolder& folder) {
+  if (!options.file) return {};
+  auto opened = open_first(store, *options.file);
+  if (!opened && options.open_browser && isatty(STDERR_FILENO) == 0)
+    say_in_browser(opened.error().message, folder.path());
+  return opened;
+}
+
 }  // namespace
 
 Result<void> run_studio(const StudioOptions& options) {
   auto folder = TempFolder::make();
   if (!folder) return tl::unexpected(folder.error());
   DocumentStore store(folder->path(), options.time_limit);
-  if (options.file)
-    if (auto opened = open_first(store, *options.file); !opened) return opened;
+  if (auto opened = open_named(store, options, *folder); !opened) return opened;
   // From here on the signals are waited for; until now they could end the process at once.
   const sigset_t signals = held_signals();
   auto token = random_token();
@@ -42,13 +66,13 @@ Result<void> run_studio(const StudioOptions& options) {
   if (!port) return tl::unexpected(port.error());
   const Access access(*port, *token);
   Api api(access, store);
-  server.serve(api);
+  Presence presence;
+  server.serve(api, options.end_after ? &presence : nullptr);
   const std::string address = fmt::format("http://127.0.0.1:{}/#{}", *port, *token);
   fmt::print("{}\n", address);
   std::fflush(stdout);
   if (options.open_browser) open_in_browser(address, folder->path());
-  int signal = 0;
-  sigwait(&signals, &signal);
+  wait_for_end(signals, options, presence);
   store.close_all();
   { const TempFolder removed(std::move(*folder)); }
   // A normal exit would wait for connections that browsers keep open.

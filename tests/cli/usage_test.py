@@ -74,7 +74,7 @@ class WrongUsage(CliTest):
                 (["--k", "0.4", "unfold", "part.step"], "`planish` has no option --k; unfold, "),
                 (["unfold", "part.step", "other.step"], "`unfold` takes one FILE: leave \"other.step\" out"),
                 (["fold", "part.step", "--k", "1"],
-                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, batch, pack, info, plates, schema, serve and studio")):
+                 "there is no command \"fold\"; there are unfold, connect, transition, slit, bend, batch, pack, info, plates, schema, serve, studio, completion and manual")):
             self.assertIn(words, self.wrong(*arguments))
 
     def test_an_option_takes_one_value(self):

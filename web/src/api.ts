@@ -40,6 +40,13 @@ export class Api {
   file = async (id: string, artifact: string, request: Request) =>
     (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request))).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
+  /** An answer that lasts as long as the page, so that the server knows of it. False: it need not know. */
+  stay = async (): Promise<boolean> => {
+    const answer = await this.call('GET', '/api/presence');
+    const reader = answer.body?.getReader();
+    while (reader && !(await reader.read()).done);
+    return answer.status !== 204;
+  };
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
   private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {

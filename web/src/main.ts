@@ -292,4 +292,11 @@ api.examples().then(
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
 );
 void documents.begin();
+
+/** Lets the server know that a page is open. Browsers allow few connections to a server, so one of its pages does. */
+async function stay() {
+  for (let needed = true; needed; await new Promise((resolve) => setTimeout(resolve, 5000)))
+    needed = await api.stay().catch(() => true);
+}
+void navigator.locks.request('planish-open', stay);
 Object.assign(window, { planish: { store, views } }); // for tests, and for the curious

@@ -10,4 +10,7 @@ namespace planish::studio {
 /// address.
 void open_in_browser(const std::string& address, const std::filesystem::path& folder);
 
+/// Shows a sentence in the browser, as above, and waits until it has had time to read the file.
+void say_in_browser(const std::string& sentence, const std::filesystem::path& folder);
+
 }  // namespace planish::studio

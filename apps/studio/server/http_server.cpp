@@ -107,10 +107,26 @@ void with_body(Api& api, const httplib::Request& request, httplib::Response& res
   send(response, body ? api.answer(asked, std::move(*body)) : body.error());
 }
 
-void without_body(Api& api, const httplib::Request& request, httplib::Response& response) {
+/// An answer that goes on for as long as the page that asked is open: then writing to it fails.
+void hold(Presence& presence, httplib::Response& response) {
+  constexpr std::chrono::seconds kBeat{1};
+  presence.arrive();
+  response.set_chunked_content_provider(
+      "text/plain",
+      [kBeat](std::size_t, httplib::DataSink& sink) {
+        std::this_thread::sleep_for(kBeat);
+        return sink.write(".", 1);
+      },
+      [&presence](bool) { presence.leave(); });
+}
+
+void without_body(Api& api, Presence* presence, const httplib::Request& request,
+                  httplib::Response& response) {
   const ApiRequest asked = api_request(request);
   const auto no = api.turned_away(asked);
-  send(response, no ? *no : api.answer(asked, {}));
+  const bool stays = !no && request.method == "GET" && asked.path == "/api/presence";
+  if (stays && presence) return hold(*presence, response);
+  send(response, no ? *no : stays ? Answer{204, "", ""} : api.answer(asked, {}));
 }
 
 /// The library would compress texts at the highest level, which takes seconds, while sending them
@@ -167,7 +183,7 @@ Result<int> HttpServer::bind(int port) {
       "--port");
 }
 
-void HttpServer::serve(Api& api) {
+void HttpServer::serve(Api& api, Presence* presence) {
   httplib::Server& server = content_->server;
   server.set_default_headers(security_headers());
   server.set_pre_routing_handler([](const httplib::Request& request, httplib::Response& response) {
@@ -179,8 +195,9 @@ void HttpServer::serve(Api& api) {
   });
   const auto read = [&api](const httplib::Request& q, httplib::Response& r,
                            const httplib::ContentReader& c) { with_body(api, q, r, c); };
-  server.Get(kAnyPath,
-             [&api](const httplib::Request& q, httplib::Response& r) { without_body(api, q, r); });
+  server.Get(kAnyPath, [&api, presence](const httplib::Request& q, httplib::Response& r) {
+    without_body(api, presence, q, r);
+  });
   server.Post(kAnyPath, read);
   server.Put(kAnyPath, read);
   server.Delete(kAnyPath, read);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "api.hpp"
+#include "presence.hpp"
 
 #include <functional>
 #include <memory>
@@ -18,8 +19,9 @@ class HttpServer {
 
   /// Takes a port; 0: any free one. Error: `bad_option` (the port is not available).
   Result<int> bind(int port);
-  /// Answers on threads of its own, from now to the end of the process.
-  void serve(Api& api);
+  /// Answers on threads of its own, from now to the end of the process. With `presence`, which must
+  /// live as long, it keeps track of the pages that are open.
+  void serve(Api& api, Presence* presence = nullptr);
 
  private:
   struct Content;
