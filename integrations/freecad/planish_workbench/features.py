@@ -36,6 +36,7 @@ RESULTS = [
     ("App::PropertyString", "Status", "ok, warning or refused", ""),
     ("App::PropertyString", "Problem", "Why it could not be made again", ""),
     ("App::PropertyString", "Code", "The same as one word", ""),
+    ("App::PropertyString", "Where", "The place in the source, such as a face", ""),
 ]
 PATTERN = [
     ("App::PropertyLength", "Thickness", "Of the sheet", 0.0),
@@ -100,9 +101,10 @@ class Proxy:
             self.part = None
             document_object.Problem = sentence(error)
             document_object.Code = getattr(error, "code", "internal")
+            document_object.Where = getattr(error, "where", "")
             document_object.Status = "refused"
             raise
-        document_object.Problem = document_object.Code = ""
+        document_object.Problem = document_object.Code = document_object.Where = ""
 
     def made(self, document_object):
         raise NotImplementedError
@@ -142,7 +144,9 @@ class Pattern(Proxy):
                 drawn[name].append(shape)
             right = drawn["Flat"][-1].BoundBox.XMax + GAP
         for name, pieces in drawn.items():
-            setattr(document_object, name, pieces[0] if len(pieces) == 1 else Part.makeCompound(pieces))
+            pieces = [shape for shape in pieces if shape.Edges]
+            setattr(document_object, name, pieces[0] if len(pieces) == 1 else
+                    Part.makeCompound(pieces) if pieces else Part.Shape())
         super().show(document_object, part)
         document_object.Thickness = _sheet(part)["thickness"]
         document_object.Area = sum(flat.area for flat in part.flats)

@@ -1,7 +1,12 @@
 """The package `planish`, or how to get it."""
 
-HOW = ("The Python package planish is missing. On Debian: sudo apt install ./python3-planish_*.deb; elsewhere add the folder "
-       "that holds it to PYTHONPATH, of the same Python as FreeCAD's ({version}). Then start FreeCAD again. ({why})")
+import sys
+
+from . import preferences
+
+HOW = ("The Python package planish is missing. On Debian: sudo apt install ./python3-planish_*.deb. Elsewhere, name the folder "
+       "that holds it in Edit > Preferences > Planish, or in the environment variable PLANISH_PYTHON_FOLDER; it is one for "
+       "Python {version}. ({why})")
 
 
 class Refusal(ValueError):
@@ -17,12 +22,13 @@ class Missing(Refusal, ImportError):
 
 
 def planish():
-    """The package."""
+    """The package: installed, or in the folder of the preferences or of the environment."""
+    folder = preferences.folder()
+    if folder and folder not in sys.path:
+        sys.path.append(folder)
     try:
         import planish as package
     except ImportError as failure:
-        import sys
-
         version = ".".join(map(str, sys.version_info[:2]))
         raise Missing("no_planish", HOW.format(version=version, why=failure)) from failure
     return package

@@ -156,7 +156,7 @@ def _made(document, kind, name, proxy, set_up, label):
 def _draw(owner, pattern):
     """Objects for the lines of a pattern that there are."""
     for what in features.PARTS_OF_PATTERN[1:]:
-        if what.startswith("Bends") or getattr(owner, what).Edges:
+        if what.startswith("Bends") or not getattr(owner, what).isNull():
             _drawn(owner, what, pattern)
 
 

@@ -1,5 +1,7 @@
 """What new objects start with: Edit > Preferences > Planish."""
 
+import os
+
 import FreeCAD as App
 
 GROUP = "User parameter:BaseApp/Preferences/Mod/Planish"
@@ -22,6 +24,11 @@ def k_table():
 def shop():
     """Path of a shop profile; "" for none."""
     return _group().GetString("Shop", "")
+
+
+def folder():
+    """That of the Python package planish, where it is not installed; "" for none."""
+    return _group().GetString("Folder", "") or os.environ.get("PLANISH_PYTHON_FOLDER", "")
 
 
 def profile():
