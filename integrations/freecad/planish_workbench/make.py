@@ -116,7 +116,7 @@ def sketch(made):
     for flat in made.Proxy.current(made).flats:
         curves = flat.curves()
         for contour in [curves["outer"], *curves["openings"]]:
-            geometry = [_geometry(curve) for curve in contour]
+            geometry = [_geometry(edge) for curve in contour for edge in shapes.edges(curve)]
             drawn.addGeometry(geometry, False)
             if len(geometry) > 1:
                 drawn.addConstraint([_joint(Sketcher, geometry, first, i) for i in range(len(geometry))])
@@ -222,15 +222,13 @@ def _alike(one, other):
         return len(planish().info(path).bodies) == 1
 
 
-def _geometry(curve):
-    shape = shapes.edge(curve)
-    if len(curve) == 4:
-        return Part.LineSegment(App.Vector(curve[0], curve[1], 0), App.Vector(curve[2], curve[3], 0))
-    if len(curve) == 5:
-        if abs(curve[4]) >= shapes.FULL_TURN - 1e-12:
-            return shape.Curve
-        return Part.ArcOfCircle(shape.Curve, shape.FirstParameter, shape.LastParameter)
-    return shape.Curve
+def _geometry(edge):
+    curve = edge.Curve
+    if isinstance(curve, Part.Line):
+        return Part.LineSegment(*(vertex.Point for vertex in edge.Vertexes))
+    if isinstance(curve, Part.BezierCurve):
+        return curve.toBSpline()
+    return curve if edge.isClosed() else Part.ArcOfCircle(curve, edge.FirstParameter, edge.LastParameter)
 
 
 def _joint(sketcher, geometry, first, index):

@@ -7,31 +7,28 @@ import Part
 
 FULL_TURN = 2 * math.pi
 JOINED = 1e-5  # mm, between ends of neighbouring curves
+FITTED = 1e-4  # mm: to this splines are fitted; what is shorter than twice that is noise of the fit, and turns to and fro
 
 
-def edge(curve):
-    """The edge of a curve of `planish.Flat.curves()`."""
+def edges(curve):
+    """The edges of a curve of `planish.Flat.curves()`: one, or as many as a spline has pieces."""
     if len(curve) == 4:
-        return Part.makeLine(_point(curve[0:2]), _point(curve[2:4]))
+        return [Part.makeLine(_point(curve[0:2]), _point(curve[2:4]))]
     if len(curve) == 5:
-        return _arc(*curve)
-    poles = [_point(curve[i:i + 2]) for i in range(0, len(curve), 2)]
-    pieces = (len(poles) - 1) // 3
-    spline = Part.BSplineCurve()
-    spline.buildFromPolesMultsKnots(poles, [4, *[3] * (pieces - 1), 4], list(range(pieces + 1)), False, 3)
-    return spline.toShape()
+        return [_arc(*curve)]
+    return _pieces([_point(curve[i:i + 2]) for i in range(0, len(curve), 2)])
 
 
 def wire(contour):
     """The wire of curves that follow each other."""
-    edges = [edge(curve) for curve in contour]
+    chain = [edge for curve in contour for edge in edges(curve)]
     try:
-        joined = Part.Wire(edges)
-        if len(joined.Edges) == len(edges):
+        joined = Part.Wire(chain)
+        if len(joined.Edges) == len(chain):
             return joined
     except Part.OCCError:
         pass
-    return Part.Wire(Part.sortEdges(edges, JOINED)[0])
+    return Part.Wire(Part.sortEdges(chain, JOINED)[0])
 
 
 def face(curves):
@@ -45,8 +42,9 @@ def face(curves):
 
 
 def open_curves(contours):
-    """Slits and outlines that are marked: a compound of edges."""
-    return Part.makeCompound([edge(curve) for contour in contours for curve in contour])
+    """Slits, each one curve, and outlines that are marked: a compound of edges."""
+    curves = [curve for one in contours for curve in ([one] if isinstance(one[0], (int, float)) else one)]
+    return Part.makeCompound([edge for curve in curves for edge in edges(curve)])
 
 
 def bend_lines(bends, direction):
@@ -72,6 +70,28 @@ def read(content, suffix):
 
 def _point(xy):
     return App.Vector(xy[0], xy[1], 0)
+
+
+def _pieces(poles):
+    """Bézier pieces as edges: the kernel measures areas beside a spline of many pieces to three digits only.
+
+    Pieces that are noise are left out; where one is missing its neighbours meet.
+    """
+    kept, end = [], poles[0]
+    for piece in (poles[i:i + 4] for i in range(0, len(poles) - 1, 3)):
+        if max((pole - end).Length for pole in piece) > 2 * FITTED:
+            kept.append([end, *piece[1:]])
+            end = piece[3]
+    if not kept:
+        return [Part.makeLine(poles[0], poles[-1])]
+    kept[-1][3] = poles[-1]
+    return [_bezier(piece) for piece in kept]
+
+
+def _bezier(poles):
+    curve = Part.BezierCurve()
+    curve.setPoles(poles)
+    return curve.toShape()
 
 
 def _arc(x, y, radius, start, sweep):

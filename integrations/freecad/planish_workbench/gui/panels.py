@@ -72,6 +72,7 @@ class Panel:
         self.problem.setStyleSheet("color: rgb(200, 30, 30); font-weight: bold")
         layout.addWidget(self.problem)
         self.results = QtGui.QLabel()
+        self.results.setWordWrap(True)
         self.results.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         layout.addWidget(self.results)
         self.findings = _table(["", "Finding"])
