@@ -186,7 +186,7 @@ class Folded(Pattern):
 
     def show(self, document_object, part):
         super().show(document_object, part)
-        document_object.Shape = shapes.read(part.artifact("step"), "step")
+        document_object.Shape = shapes.folded(part)
 
 
 class Connect(Folded):

@@ -64,10 +64,12 @@ def named(text):
 def faces_at(solid, flat, bends, points):
     """Numbers, from 1, of the flanges' faces that lie at points of the flat pattern."""
     candidates = [(number, solid.Faces[number - 1]) for number in flange_faces(solid)]
+    regions = flanges(flat, bends)
     found = []
-    for region in flanges(flat, bends):
-        if any(region.isInside(App.Vector(*point, 0), ALIKE, True) for point in points):
-            found += [number for number, face in candidates if congruent(region, face)]
+    for point in (App.Vector(*point, 0) for point in points):
+        meant = [one for one in regions if one.isInside(point, ALIKE, True)] or \
+                [one for one in regions if Part.Face(one.OuterWire).isInside(point, ALIKE, True)]  # in an opening
+        found += [number for region in meant for number, face in candidates if congruent(region, face)]
     return found
 
 

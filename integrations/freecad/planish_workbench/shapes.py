@@ -1,6 +1,8 @@
 """Exact shapes of flat patterns: segments, arcs and Bézier splines as edges, contours as wires, patterns as faces."""
 
 import math
+import os
+import tempfile
 
 import FreeCAD as App
 import Part
@@ -54,17 +56,16 @@ def bend_lines(bends, direction):
                               for start, end in bend["lines"] if math.dist(start, end) > JOINED])
 
 
-def read(content, suffix):
-    """The shape in the bytes of a STEP file."""
-    import os
-    import tempfile
-
+def folded(part):
+    """The bent solid of a part of planish; of several pieces a compound."""
     with tempfile.TemporaryDirectory(prefix="planish-") as folder:
-        path = os.path.join(folder, "shape." + suffix)
-        with open(path, "wb") as stream:
-            stream.write(content)
-        shape = Part.Shape()
-        shape.read(path)
+        pieces = [_read(path) for path in part.write(os.path.join(folder, "shape.step"))]
+    return pieces[0] if len(pieces) == 1 else Part.makeCompound(pieces)
+
+
+def _read(path):
+    shape = Part.Shape()
+    shape.read(str(path))
     return shape.Solids[0] if len(shape.Solids) == 1 else shape
 
 
