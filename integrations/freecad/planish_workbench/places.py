@@ -67,8 +67,8 @@ def faces_at(solid, flat, bends, points):
     regions = flanges(flat, bends)
     found = []
     for point in (App.Vector(*point, 0) for point in points):
-        meant = [one for one in regions if one.isInside(point, ALIKE, True)] or \
-                [one for one in regions if Part.Face(one.OuterWire).isInside(point, ALIKE, True)]  # in an opening
+        meant = [one for one in regions if _covers(one, point)] or \
+                [one for one in regions if _covers(Part.Face(sources.outer_wire(one)), point)]  # in an opening
         found += [number for region in meant for number, face in candidates if congruent(region, face)]
     return found
 
@@ -94,6 +94,10 @@ def congruent(region, face):
         return False
     lengths = [sorted(wire.Length for wire in one.Wires) for one in (region, face)]
     return all(abs(a - b) <= ALIKE * max(1.0, b) for a, b in zip(*lengths))
+
+
+def _covers(face, point):
+    return face.distToShape(Part.Vertex(point))[0] <= ALIKE
 
 
 def _strip(bend, line):

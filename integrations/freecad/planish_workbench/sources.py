@@ -1,6 +1,5 @@
 """What is selected, as shapes where they stand in the document: solids, plates, profiles."""
 
-import FreeCAD as App
 import Part
 
 from .library import Refusal
@@ -91,7 +90,7 @@ def profile_wire(source, names):
     if len(pieces) == 1 and pieces[0].Faces:
         if len(pieces[0].Faces) > 1:
             raise Refusal("no_profile", f"{label} has {len(pieces[0].Faces)} faces: select one face or a sketch.", source.Name)
-        return pieces[0].Faces[0].OuterWire
+        return outer_wire(pieces[0].Faces[0])
     chains = Part.sortEdges([edge for piece in pieces for edge in piece.Edges])
     if len(chains) != 1:
         raise Refusal("no_profile", f"{label} has {len(chains)} contours; a transition goes from one closed contour to "
@@ -117,9 +116,14 @@ def _faces_of(shape, source):
 def _plate(face, label):
     if not isinstance(face.Surface, Part.Plane):
         raise Refusal("not_planar", f"{label} is curved: a plate is plane.", label)
-    outer = corners(face.OuterWire)
-    holes = [corners(wire) for wire in face.Wires if not wire.isSame(face.OuterWire)]
-    return outer, holes, face.normalAt(0, 0)
+    border = outer_wire(face)
+    holes = [corners(wire) for wire in face.Wires if not wire.isSame(border)]
+    return corners(border), holes, face.normalAt(0, 0)
+
+
+def outer_wire(face):
+    """The border round a plane face: the widest of its wires (FreeCAD 0.20 may name a hole as its OuterWire)."""
+    return max(face.Wires, key=lambda wire: wire.BoundBox.DiagonalLength)
 
 
 def corners(wire, deflection=0.05):
@@ -148,7 +152,3 @@ def _without_straight(points):
                                       or way.dot(on) < 0):
             kept.append(point)
     return kept
-
-
-def vector(values):
-    return App.Vector(*values)
