@@ -52,7 +52,8 @@ def faces(made, row):
         return []
     numbers = named(f"{row.where} {row.message}")
     if not numbers and row.at and hasattr(made, "Flat"):
-        numbers = faces_at(sources.solid(source, made.Body), made.Flat, json.loads(made.Report)["flat"]["bends"], row.at)
+        numbers = faces_at(sources.solid(source, made.Body), made.Flat, json.loads(made.Report)["flat"]["bends"], row.at,
+                           made.Thickness.Value)
     return sources.face_names(source, made.Body, sorted(set(numbers)))
 
 
@@ -61,15 +62,16 @@ def named(text):
     return [int(number) for group in NAMED.findall(text) for number in re.findall(r"\d+", group)]
 
 
-def faces_at(solid, flat, bends, points):
-    """Numbers, from 1, of the flanges' faces that lie at points of the flat pattern."""
+def faces_at(solid, flat, bends, points, thickness):
+    """Numbers, from 1, of the flanges' faces, on both skins, that lie at points of the flat pattern."""
     candidates = [(number, solid.Faces[number - 1]) for number in flange_faces(solid)]
     regions = flanges(flat, bends)
     found = []
     for point in (App.Vector(*point, 0) for point in points):
         meant = [one for one in regions if _covers(one, point)] or \
                 [one for one in regions if _covers(Part.Face(sources.outer_wire(one)), point)]  # in an opening
-        found += [number for region in meant for number, face in candidates if congruent(region, face)]
+        for number in (number for region in meant for number, face in candidates if congruent(region, face)):
+            found += [number, *_other_skin(solid, number, thickness)]
     return found
 
 
@@ -94,6 +96,14 @@ def congruent(region, face):
         return False
     lengths = [sorted(wire.Length for wire in one.Wires) for one in (region, face)]
     return all(abs(a - b) <= ALIKE * max(1.0, b) for a, b in zip(*lengths))
+
+
+def _other_skin(solid, number, thickness):
+    """The face behind a face."""
+    face = solid.Faces[number - 1]
+    behind = face.CenterOfMass - face.normalAt(0, 0) * thickness
+    return [other for other, one in enumerate(solid.Faces, 1)
+            if other != number and (one.CenterOfMass - behind).Length <= ALIKE and congruent(one, face)]
 
 
 def _covers(face, point):

@@ -230,6 +230,7 @@ def _table(headers):
     table.setHorizontalHeaderLabels(headers)
     table.horizontalHeader().setStretchLastSection(True)
     table.verticalHeader().hide()
+    table.verticalHeader().setSectionResizeMode(QtGui.QHeaderView.ResizeToContents)
     table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
     table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
     table.setWordWrap(True)
@@ -247,5 +248,4 @@ def _fill(table, rows):
                 item.setForeground(QtGui.QColor(*SEVERITY[cells[0]]))
             table.setItem(number, column, item)
     table.resizeColumnToContents(0)
-    table.resizeRowsToContents()
     table.blockSignals(False)
