@@ -4,6 +4,7 @@
 #   tools/install-packages.sh build        what it takes to build the program
 #   tools/install-packages.sh test         that, and what the tests use
 #   tools/install-packages.sh develop      that, and benchmarks, clang and clang-tidy
+#   tools/install-packages.sh freecad      what the tests of the FreeCAD workbench use (500 MB)
 #
 # Where nothing is missing it says nothing and needs neither network nor root.
 set -euo pipefail
@@ -25,12 +26,14 @@ test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 pyth
   mypy python3-shapely)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
+freecad=(freecad freecad-python3 xvfb xauth)
 
 case "${1:-}" in
   build) wanted=("${build[@]}") ;;
   test) wanted=("${build[@]}" "${test[@]}") ;;
   develop) wanted=("${build[@]}" "${test[@]}" "${develop[@]}") ;;
-  *) echo "usage: $0 build|test|develop" >&2; exit 2 ;;
+  freecad) wanted=("${freecad[@]}") ;;
+  *) echo "usage: $0 build|test|develop|freecad" >&2; exit 2 ;;
 esac
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then

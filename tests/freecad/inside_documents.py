@@ -13,7 +13,7 @@ import inside
 import Part
 import Sketcher
 import planish_workbench
-from planish_workbench import library, make, places, profiles
+from planish_workbench import features, library, make, places, preferences, profiles
 
 planish = library.planish()
 NEAR = 1e-6  # mm² and mm: between the kernel's measures and closed forms
@@ -219,6 +219,18 @@ class Unfold(Document):
         drawn = Part.makeFace(sketch.Shape.Wires, "Part::FaceMakerBullseye")
         self.assert_near(drawn.Area, flat.Shape.Area)
         self.assertEqual(sum(map(sketch.getConstruction, range(len(sketch.Geometry)))), 2)
+
+
+    def test_what_can_be_chosen_is_what_planish_takes(self):
+        options = json.loads(planish.schema("request"))["properties"]["options"]["properties"]
+
+        def words(schema):
+            return set(schema.get("enum", ())) | {word for one in schema.get("anyOf", ()) for word in words(one)}
+
+        for name, offered in (("relief", features.RELIEF), ("extruded", features.EXTRUDED), ("up", features.UP),
+                              ("metal", features.METAL[1:]), ("lateral", features.LATERAL),
+                              ("profile", preferences.PROFILES)):
+            self.assertEqual(set(offered), words(options[name]), name)
 
 
 class Findings(Document):

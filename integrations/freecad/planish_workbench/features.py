@@ -17,7 +17,7 @@ HIDDEN = 2
 GAP = 20.0  # mm, between the patterns of several pieces
 
 UP = ["auto", "reference", "other"]
-RELIEF = ["rip", "square", "none"]
+RELIEF = ["rip", "square", "round", "none"]
 EXTRUDED = ["pilot", "through", "outline"]
 FACES_ARE = ["middle", "skin"]
 SIZES_ARE = ["mid", "inside", "outside"]

@@ -160,7 +160,8 @@ class Panel:
                 commands.say(sentence(error))
 
     def getStandardButtons(self):
-        return int(QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel)
+        buttons = QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel
+        return buttons.value if hasattr(buttons, "value") else int(buttons)  # PySide 6, PySide 2
 
     def accept(self):
         if self.timer.isActive():
