@@ -11,15 +11,18 @@ import inside
 import Part
 import planish_workbench
 
-MOST = int(os.environ.get("PLANISH_MOST", "60"))
-made = []
+MOST = int(os.environ.get("PLANISH_MOST", "50"))
+NO_SHEETS = 8  # besides
+made, counts = [], {True: 0, False: 0}
 for path in sorted(pathlib.Path(os.environ["PLANISH_PARTS"]).glob("*.step")):
-    if len(made) == MOST or path.stat().st_size > 2_000_000:
+    sheet = not path.name.startswith("neg")
+    if counts[sheet] == (MOST if sheet else min(MOST, NO_SHEETS)) or path.stat().st_size > 2_000_000:
         continue
     shape = Part.Shape()
     shape.read(str(path))
     if len(shape.Solids) != 1:
         continue
+    counts[sheet] += 1
     document = App.newDocument("part")
     source = document.addObject("Part::Feature", "Source")
     source.Shape = shape

@@ -204,6 +204,20 @@ class Window(unittest.TestCase):
         net = [one for one in flat_children(self.document.Transition)]
         self.assertEqual([one.What for one in net], ["Flat"])
 
+    def test_what_is_drawn_of_an_object_is_deleted_with_it(self):
+        for name, height in (("Low", 0), ("High", 100)):
+            circle = self.document.addObject("Part::Circle", name)
+            circle.Radius = 80 - height / 4
+            circle.Placement.Base = App.Vector(0, 0, height)
+        self.document.recompute()
+        self.choose("Low", "High")
+        Gui.runCommand("Planish_Transition")
+        self.panel().accept()
+        self.assertEqual(len(self.names()), 6)
+        self.choose("Transition")
+        Gui.runCommand("Std_Delete")
+        self.assertEqual(self.names(), ["Low", "High"])
+
     def test_a_bend_plan_lists_strokes(self):
         self.solid(inside.bracket())
         self.choose("Bracket")

@@ -24,7 +24,8 @@ class View:
 
     def claimChildren(self):
         """Lines belong to the pattern with which they move, a net to its part."""
-        drawn = [one for one in dict.fromkeys(self.made.InList) if getattr(getattr(one, "Proxy", None), "planish_kind", "") == "drawn"]
+        drawn = [one for one in dict.fromkeys(self.made.InList)
+                 if getattr(getattr(one, "Proxy", None), "planish_kind", "") == "drawn"]
         return [one for one in drawn if one.Beside == self.made or (one.Owner == self.made and one.Beside is None)]
 
     def doubleClicked(self, view_object):
@@ -44,7 +45,7 @@ class View:
     def onDelete(self, view_object, names):
         """What is drawn of an object goes with it."""
         for one in self.claimChildren():
-            for line in one.ViewObject.Proxy.claimChildren() if isinstance(one.ViewObject.Proxy, View) else []:
+            for line in one.ViewObject.Proxy.claimChildren():
                 one.Document.removeObject(line.Name)
             one.Document.removeObject(one.Name)
         return True
