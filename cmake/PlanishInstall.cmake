@@ -62,11 +62,9 @@ install(FILES
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT licence)
 
 # The workbench for FreeCAD.
-if(EXISTS "${PROJECT_SOURCE_DIR}/integrations/freecad/package.xml")
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/integrations/freecad/"
-    DESTINATION "${PLANISH_FREECAD_DIR}/Planish" COMPONENT freecad-planish
-    PATTERN "__pycache__" EXCLUDE)
-endif()
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/integrations/freecad/"
+  DESTINATION "${PLANISH_FREECAD_DIR}/Planish" COMPONENT freecad-planish
+  PATTERN "__pycache__" EXCLUDE)
 
 if(NOT TARGET planish)
   return()

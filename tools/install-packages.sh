@@ -26,7 +26,7 @@ test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 pyth
   python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge
   mypy python3-shapely
   lintian mmdebstrap man-db mandoc zsh fish desktop-file-utils appstream shared-mime-info libglib2.0-bin
-  librsvg2-bin)
+  librsvg2-bin freecad freecad-python3 xvfb xauth)
 command -v chromium >/dev/null || test+=(chromium)
 develop=(libbenchmark-dev clang clang-tidy)
 
