@@ -7,6 +7,7 @@ sources. Where it cannot be made the tests of it are skipped, and say why."""
 import http.client
 import io
 import json
+import math
 import os
 import pathlib
 import re
@@ -222,6 +223,7 @@ class Root:
         run("mmdebstrap", "--variant=apt", "--skip=cleanup/apt/lists", *checks, "bookworm", self.path, *sources)
         for name in ("resolv.conf", "hosts"):
             shutil.copy(f"/etc/{name}", self.path / "etc" / name)
+        self.run("useradd", "--uid", "1000", "--home-dir", "/tmp", "someone", user="0")
 
     def command(self, *words, user="1000"):
         """Runs with /proc and /dev of its own, which are gone with it."""
@@ -254,25 +256,35 @@ def why_no_root():
     return "" if done.returncode == 0 else "namespaces cannot be made: " + done.stderr.decode().strip()
 
 
-class InBareDebian(unittest.TestCase):
+class InRoot(unittest.TestCase):
+    """Tests in a bare root of their own, with the packages at hand."""
+
     @classmethod
     def setUpClass(cls):
         if why := why_no_root():
             raise unittest.SkipTest(f"no bare root: {why}")
+        folder = tempfile.TemporaryDirectory(prefix="planish-root-")
+        cls.addClassCleanup(folder.cleanup)
         cls.dir, cls.debs = DIR, DEBS
         try:
-            cls.root = Root(cls.dir)
-            (cls.root.path / "debs").mkdir()
-            cls.root.install("man-db")
+            cls.root = Root(pathlib.Path(folder.name))
         except AssertionError as error:
             raise unittest.SkipTest(f"no bare root: {error}") from None
+        (cls.root.path / "debs").mkdir()
         for deb in cls.debs.values():
             shutil.copy(deb, cls.root.path / "debs")
-        cls.root.install(cls.inside("planish"))
 
     @classmethod
     def inside(cls, package):
         return f"/debs/{cls.debs[package].name}"
+
+
+class InBareDebian(InRoot):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.root.install("man-db")
+        cls.root.install(cls.inside("planish"))
 
     def work(self, name):
         """A folder in the root in which user 1000 may write, from inside and from outside."""
@@ -367,13 +379,26 @@ class InBareDebian(unittest.TestCase):
         self.root.run("planish", "unfold", f"{EXAMPLES}/bracket.step", "-q", "--check", "--json", f"{inside}/a.json")
         self.assertEqual(float(area), json.loads((made / "a.json").read_text())["flat"]["area"])
 
+
+class OthersInBareDebian(InRoot):
+    """Apart from the program: FreeCAD brings a compiler."""
+
     def test_freecad_has_the_workbench(self):
-        if "freecad-planish" not in self.debs:
-            self.skipTest("there is no workbench for FreeCAD in these sources")
-        self.root.install(self.inside("python3-planish"), self.inside("freecad-planish"))
+        self.root.install(*(self.inside(package) for package in ("planish", "python3-planish", "freecad-planish")))
         script = self.root.path / "tmp" / "unfold.py"
         script.write_text((HERE / "freecad_unfold.py").read_text())
-        self.assertIn("flat area", self.root.run("freecadcmd", "/tmp/unfold.py"))
+        said = self.root.run("freecadcmd", "/tmp/unfold.py")
+        area = float(re.search(r"flat area ([\d.]+) K 0.5", said)[1])
+        # 40 and 30 mm outside, of which each loses its outer radius; the bend has its middle radius.
+        self.assertAlmostEqual(area, 60 * (40 - 4 + 30 - 4 + math.pi / 2 * 3), delta=1e-6 * area)
+
+    def test_the_c_library_answers(self):
+        if "libplanish1" not in self.debs:
+            self.skipTest("there is no library with a C interface in these sources")
+        self.root.install("python3-minimal", self.inside("libplanish1"))
+        said = self.root.run("python3", "-c", "import ctypes; library = ctypes.CDLL('libplanish.so.1'); "
+                             "library.planish_version.restype = ctypes.c_char_p; print(library.planish_version().decode())")
+        self.assertEqual(said.strip(), run(CLI, "--version").split()[-1])
 
 
 if __name__ == "__main__":
