@@ -1,11 +1,10 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { bendsToMark } from '../picked.ts';
 import { knownPiece, pieceOf } from '../report.ts';
-import { clean, lengthText, millimetres, residualText, sizeText, unitName } from '../units.ts';
+import { clean, lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { refuse, whyNot } from './fields.ts';
-import { sentence } from './message-bar.ts';
-import type { BendRow, Finding } from '../types.ts';
+import type { BendRow } from '../types.ts';
 
 const most = 120;
 
@@ -47,7 +46,18 @@ function bendRow(ui: Ui, r: BendRow, selected: boolean, beside: boolean) {
     aria-selected=${selected}
     @click=${() => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } })}
   >
-    <td>${r.id}</td>
+    <td>
+      <button
+        class="row"
+        aria-pressed=${selected}
+        @click=${(e: Event) => {
+          e.stopPropagation();
+          ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } });
+        }}
+      >
+        ${r.id}
+      </button>
+    </td>
     <td>${clean(r.angle, 2)}</td>
     <td>${text(r.inside_radius)}</td>
     <td>${kCell(ui, r)}</td>
@@ -79,6 +89,7 @@ function kCell(ui: Ui, r: BendRow) {
   };
   return html`<input
     class="cell ${own ? 'own' : ''}"
+    aria-label="K-factor of ${r.id}"
     title="K-factor of this bend; empty: the part's"
     data-testid="bend-k-${r.id}"
     .value=${text}
@@ -88,100 +99,4 @@ function kCell(ui: Ui, r: BendRow) {
     }}
     @change=${change}
   />`;
-}
-
-export function findingsList(ui: Ui): TemplateResult {
-  const findings = findingsOf(ui);
-  if (!ui.state.result) return html`<p class="hint">Findings appear with the full result.</p>`;
-  if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">No findings.</p>`;
-  return html`<ol class="findings ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="findings">
-    ${findings.map(
-      (f, i) =>
-        html` <li
-          class="${f.severity} ${ui.state.selection.finding === i ? 'selected' : ''}"
-          data-testid="finding-${i + 1}"
-          @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
-        >
-          <b>${i + 1}</b
-          ><span>${sentence(f.message)}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
-        </li>`,
-    )}
-  </ol>`;
-}
-
-/** All places of a chosen finding that has several. */
-const placesOf = (finding: Finding, chosen: boolean) =>
-  chosen && (finding.places?.length ?? 0) > 1
-    ? html`<ul class="places" data-testid="places">
-        ${finding.places!.map((place) => html`<li class="${place.severity}">${sentence(place.message)}</li>`)}
-      </ul>`
-    : nothing;
-
-export function findingsOf(ui: Ui): Finding[] {
-  return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
-}
-
-const least = 1e-3; // mm: the largest residual of a good certificate
-
-export function certificate(ui: Ui): TemplateResult {
-  const report = ui.state.result ? pieceOf({ ...ui.state, shape: ui.state.result }) : null,
-    v = report?.verification;
-  if (!report || !v)
-    return html`<p class="hint">${ui.state.computing ? 'Being verified …' : 'There is no certificate for this.'}</p>`;
-  const length = (value: number) => residualText(value, report.units, ui.state.units),
-    small = (value: number) => value * millimetres(report.units) < least;
-  const said: [string, string, boolean][] = [];
-  const ratio = v.explained_ratio ?? v.volume_ratio;
-  if (ratio !== null && ratio !== undefined)
-    said.push([
-      `Volume agrees to ${sizeText(Math.abs(ratio - 1))}.`,
-      'The area of the pattern, times the thickness, against the volume of the folded solid (K = ½).',
-      Math.abs(ratio - 1) < 1e-4,
-    ]);
-  if (
-    v.volume_ratio !== null &&
-    v.explained_ratio !== null &&
-    v.explained_ratio !== undefined &&
-    Math.abs(v.volume_ratio - v.explained_ratio) > 1e-9
-  )
-    said.push([
-      `${sizeText(Math.abs(v.volume_ratio - 1))} of the volume is explained.`,
-      'By parts missing from the folded solid: corners cut off, open seams.',
-      true,
-    ]);
-  if (v.length_error !== null)
-    said.push([
-      `Edges keep their lengths to ${length(v.length_error)}.`,
-      'Every edge of the pattern against the same edge of the folded part.',
-      small(v.length_error),
-    ]);
-  if (v.refold_deviation !== null && v.refold_deviation !== undefined)
-    said.push([
-      `Folded again, the pattern meets the part within ${length(v.refold_deviation)}.`,
-      'The pattern is folded using only its bends and compared with the part.',
-      small(v.refold_deviation),
-    ]);
-  if (v.closure !== null && v.closure !== undefined)
-    said.push([
-      `Cycles of faces close within ${length(v.closure)}.`,
-      'Where faces meet again around a hole or a corner.',
-      small(v.closure),
-    ]);
-  if (v.openings?.solid !== undefined) {
-    const { solid, pattern, features, loops } = v.openings,
-      found = pattern + features + (loops ?? 0);
-    said.push([
-      found === solid
-        ? `All openings of the solid are there: ${solid}.`
-        : `The solid has ${solid} openings, the pattern ${found}.`,
-      'Counted in the solid by Euler’s formula, and in the pattern as it is written.',
-      found === solid,
-    ]);
-  }
-  return html`<ul class="certificate ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="certificate">
-      ${said.map(
-        ([text, why, good]) => html`<li class=${good ? 'good' : 'bad'}><b>${text}</b><small>${why}</small></li>`,
-      )}
-    </ul>
-    ${(report.notes ?? []).map((n) => html`<p class="hint">${n}</p>`)}`;
 }
