@@ -1,3 +1,5 @@
+import type { Kind } from './types.ts';
+
 /** What "New" begins with: the least that makes a part, in millimetres. */
 
 const plates = {
@@ -77,15 +79,16 @@ const slit = {
 };
 
 interface Template {
+  kind: Kind;
   text: string;
   file: string;
   spec: object;
 }
 
 export const templates: Template[] = [
-  { text: 'New bent plate', file: 'plates.json', spec: plates },
-  { text: 'New transition', file: 'transition.json', spec: transition },
-  { text: 'New slit sheet', file: 'slits.json', spec: slit },
+  { kind: 'connect', text: 'New bent plate', file: 'plates.json', spec: plates },
+  { kind: 'transition', text: 'New transition', file: 'transition.json', spec: transition },
+  { kind: 'slit', text: 'New slit sheet', file: 'slits.json', spec: slit },
 ];
 
 export const fileOf = ({ file, spec }: Template) =>

@@ -3,9 +3,11 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { browser, example, fresh } from './driving.mjs';
 
-const size = { width: 176, height: 110 };
-const bare = `header, aside, .messages, .view.flat, .buttons, .fold, .machine, .over { display: none !important }
-  main, .view.folded { position: fixed !important; inset: 0 !important; display: block !important }`;
+const width = 264,
+  times = 3; // as large it is drawn, and then made small
+const bare = `.buttons, .fold, .machine, .over, .view.flat { display: none !important }
+  main { display: block !important }
+  .view.folded { width: ${times * width}px !important; height: ${(times * width * 5) / 8}px !important }`;
 
 /** The page on a background, as a PNG. */
 async function shown(page, background) {
@@ -16,18 +18,19 @@ async function shown(page, background) {
     for (const theme of ['dark', 'light']) store.dispatch({ type: 'theme', theme });
   }, background);
   await page.waitForTimeout(300);
-  return (await page.screenshot()).toString('base64');
+  return (await page.locator('.folded .canvas').screenshot()).toString('base64');
 }
 
 /** What is the same on black and on white is opaque; the rest lets the background through. */
 const transparent = (page, black, white) =>
   page.evaluate(
-    async ([dark, light, { width, height }]) => {
+    async ([dark, light, width]) => {
       const read = async (png) => {
         const image = new Image();
         image.src = `data:image/png;base64,${png}`;
         await image.decode();
-        const canvas = new OffscreenCanvas(width, height),
+        const height = Math.round((width * image.height) / image.width),
+          canvas = new OffscreenCanvas(width, height),
           context = canvas.getContext('2d');
         context.drawImage(image, 0, 0, width, height);
         return { canvas, context, data: context.getImageData(0, 0, width, height) };
@@ -43,17 +46,16 @@ const transparent = (page, black, white) =>
       const blob = await a.canvas.convertToBlob({ type: 'image/webp', quality: 0.8 });
       return [...new Uint8Array(await blob.arrayBuffer())];
     },
-    [black, white, size],
+    [black, white, width],
   );
 
 const { page } = await fresh({ name: 'pictures' });
+await page.setViewportSize({ width: 1600, height: 900 });
 const firsts = await page.evaluate(() => window.planish.store.state.examples.map((e) => e.name));
 for (const name of firsts) {
-  await page.setViewportSize({ width: 1280, height: 720 });
   await example(page, name);
   await page.waitForTimeout(300);
   const style = await page.addStyleTag({ content: bare });
-  await page.setViewportSize({ width: 4 * size.width, height: 4 * size.height });
   await page.waitForTimeout(200);
   await page.evaluate(() => {
     window.planish.views.folded.look('iso');
