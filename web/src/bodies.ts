@@ -33,6 +33,7 @@ export const sharedOptions = (options: Options): Options =>
 export function sameOptions(a: Options, b: Options): boolean {
   const names = new Set([...Object.keys(a), ...Object.keys(b)]) as Set<keyof Options>;
   names.delete('body');
+  names.delete('density'); // which the list says nothing of
   return [...names].every((name) => a[name] === b[name]);
 }
 

@@ -26,6 +26,7 @@ export const saysWhy = (error: unknown) => error instanceof ApiError && [409, 42
 /** Looks at the bodies of an assembly, one by one, while nothing else is computed; again when K or the shop changes. */
 export class Survey {
   private running = false;
+  private flight = new AbortController(); // of the body that is being looked at
 
   private readonly api: Api;
   private readonly store: Store;
@@ -33,6 +34,7 @@ export class Survey {
     this.api = api;
     this.store = store;
     store.subscribe((state, before) => {
+      if (state.document?.id !== before.document?.id) this.flight.abort();
       if (state.document?.id !== before.document?.id || state.input !== before.input) void this.run();
     });
   }
@@ -50,9 +52,19 @@ export class Survey {
       const body = this.next(), // of what is open by now
         { document, input } = this.store.state;
       if (body === null || !document) break;
-      const status = await lookAt(this.api, document.id, body, sharedOptions(input.options));
+      this.flight = new AbortController();
+      const status = await lookAt(this.api, document.id, body, sharedOptions(input.options), this.flight.signal).catch(
+        (error: unknown) => this.otherOpened(document.id, error),
+      );
+      if (!status) continue;
       this.store.dispatch({ type: 'body', id: document.id, number: body, status });
     }
+  }
+
+  /** Null where the error is only that another file was opened meanwhile. */
+  private otherOpened(id: string, error: unknown): null {
+    if (this.store.state.document?.id === id) throw error;
+    return null;
   }
 
   /** A body that is not known as it would be made now; the one that is shown makes itself known. */

@@ -66,7 +66,14 @@ export function allowanceSection(ui: Ui) {
           : 'Each bend may have its own: enter it in the bend table.'}
       </p>`,
   )}
-  ${section(
+  ${massSection(ui)}`;
+}
+
+/** The mass follows from the density: one that is entered, that of the shop's material, or that of the file. */
+export function massSection(ui: Ui) {
+  const { options } = ui.state.input,
+    set = (density: number | undefined) => ui.editOptions((o) => ({ ...o, density }));
+  return section(
     'Mass',
     numberField({
       label: 'Density, kg/dm³',
@@ -75,7 +82,7 @@ export function allowanceSection(ui: Ui) {
       min: 1e-3,
       max: 100,
       placeholder: densityKnown(ui) ? 'that of the material' : 'unknown',
-      on: (v) => set({ density: v ?? undefined }),
+      on: (v) => set(v ?? undefined),
     }),
     html`<span class="chips densities"
       >${metals.map(
@@ -85,13 +92,33 @@ export function allowanceSection(ui: Ui) {
             aria-pressed=${options.density === density}
             class=${options.density === density ? 'on' : ''}
             title="${density} kg/dm³"
-            @click=${() => set({ density: options.density === density ? undefined : density })}
+            @click=${() => set(options.density === density ? undefined : density)}
           >
             ${name}
           </button>`,
       )}</span
     >`,
-  )}`;
+  );
+}
+
+/** Radius, K and density of a shop, for files that say their own K otherwise. */
+export function shopSection(ui: Ui) {
+  const used = ui.state.settingK !== null || ui.state.input.options.shop !== undefined;
+  return html`${section(
+    'Shop',
+    html`${choice(
+      'Radius and K',
+      'k-rule',
+      used ? 'shop' : 'default',
+      [
+        ['default', 'those of the file'],
+        ['shop', 'of a shop profile'],
+      ] as const,
+      (v) => chooseRule(ui, v),
+    )}
+    ${used ? shopRows(ui) : nothing}`,
+  )}
+  ${massSection(ui)}`;
 }
 
 const metals: [string, number][] = [
@@ -255,7 +282,7 @@ function gaugeTable(ui: Ui, shop: Shop, material: ShopMaterial) {
     ${sheet && !own
       ? html`<p class="hint bad" data-testid="no-gauge">
           The part is ${lengthText(sheet.thickness, pieceOf(ui.state)?.units, ui.state.units)} ${units} thick, which the
-          shop does not stock: K is the default.
+          shop does not stock: its K and radius do not hold.
         </p>`
       : nothing}`;
 }

@@ -10,7 +10,7 @@ import { refuse, whyNot } from './fields.ts';
 
 const most = 120;
 const outside =
-  'The flanges on both sides of the bend, measured outside: from the mould line to the far edge, or to the next mould line';
+  'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line';
 
 /** Two lines a bend: what it is, and what follows for the pattern and for whoever measures the part. */
 export function bendTable(ui: Ui): TemplateResult {

@@ -71,7 +71,7 @@ function summary(ui: Ui) {
     ['Area', areaText(report?.flat?.area, report?.units, ui.state.units), 'area'],
     ['Mass', massText(report?.sheet?.mass, ui.state.units), 'mass'],
     ['Bends', report?.sheet ? String(report.sheet.bends) : '–', 'bend-count'],
-    ['K', kText(report), 'k-factor'],
+    ['K', kText(report), 'part-k'],
   ];
   return html`<div>
     <dl class="summary">
@@ -91,7 +91,7 @@ const explained: Record<string, string> = {
   pierces: 'Contours and slits that are cut',
   area: 'Of one side, without openings',
   mass: 'Needs a density: enter one, or choose a material',
-  'k-factor': 'Of all bends',
+  'part-k': 'Of all bends',
 };
 
 function kText(report: PieceReport | null): string {

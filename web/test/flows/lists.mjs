@@ -123,7 +123,7 @@ export async function allowance({ page }) {
   await page.selectOption('[data-testid=shop-material]', 'mild steel');
   await rested(page);
   assert.match(await text(page, 'gauges'), /2 ✓\s*2\s*0\.324\s*3\.84/);
-  assert.equal(await text(page, 'k-factor'), '0.324');
+  assert.equal(await text(page, 'part-k'), '0.324');
   assert.equal(await page.locator('[data-testid=unconfirmed]').count(), 0);
   assert.match(await state(page, 's.shape.report.sheet.k_source'), /^shop Example laser shop, mild steel 2 mm/);
   await page.check('[data-testid=every-part]');
@@ -152,7 +152,7 @@ export async function bendtable({ page }) {
   await page.setInputFiles('[data-testid=k_table-open]', table);
   await page.waitForFunction(() => window.planish.store.state.input.options.k_table?.name === 'steel.csv');
   await rested(page);
-  assert.equal(await text(page, 'k-factor'), '0.3');
+  assert.equal(await text(page, 'part-k'), '0.3');
   assert.equal(await text(page, 'pierces'), '1');
   await page.click('[data-testid=tab-bends]');
   // Both legs are 30, of 1 mm with R 1: what a bend of 90° takes off is 4 - (1 + 0.3) π/2.
@@ -168,5 +168,5 @@ export async function bendtable({ page }) {
   await page.setInputFiles('[data-testid=k_table-open]', table);
   await page.waitForSelector('[data-testid=message].error');
   assert.equal(await state(page, 's.workshop.files[0].text.includes("0.3")'), true);
-  assert.equal(await text(page, 'k-factor'), '0.3');
+  assert.equal(await text(page, 'part-k'), '0.3');
 }
