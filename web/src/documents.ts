@@ -58,7 +58,7 @@ export class Documents {
     await this.attempt(kept?.name ?? '', async (signal) => {
       if (kept) {
         await this.open(kept, async (name) => kept.beside[name] ?? null, signal);
-        return this.store.dispatch({ type: 'edit', input: kept.input });
+        return this.store.dispatch({ type: 'history', history: kept.history });
       }
       const named = (await this.api.documents()).find((d) => d.given);
       if (!named) return;

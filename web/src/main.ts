@@ -1,16 +1,17 @@
-import { html, nothing, render } from 'lit-html';
+import { nothing, render } from 'lit-html';
 import { Api } from './api.ts';
 import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
-import { keepInput } from './kept.ts';
+import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
+import { flatText, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
-import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
+import { foldBar, helpDialog, showHelp, startScreen, viewButtons } from './panels/overlays.ts';
 import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
@@ -32,10 +33,10 @@ const store = new Store({
 document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
-root.innerHTML = `<header></header><div class="messages"></div><main>
-  <div class="view folded"><div class="canvas"></div>
+root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
+  <div class="view folded"><div class="canvas" role="img"></div>
   <div class="buttons"></div><div class="machine"></div><div class="fold"></div></div>
-  <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
+  <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
@@ -133,7 +134,15 @@ function draw() {
   render(viewButtons(ui), part('.buttons'));
   render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
-  render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
+  render(helpDialog(ui), part('.dialogs'));
+  showHelp(store.state.help);
+  describeViews();
+}
+
+/** What the pictures show, for those who cannot see them. */
+function describeViews() {
+  part('.folded .canvas').ariaLabel = foldedText(store.state);
+  part('.flat .canvas').ariaLabel = flatText(store.state);
 }
 
 const withoutHoles = (o: Options) =>
@@ -187,8 +196,9 @@ let animation = 0;
 function animate() {
   cancelAnimationFrame(animation);
   const from = store.state.fold,
-    to = from > 0.5 ? 0 : 1,
-    start = performance.now(),
+    to = from > 0.5 ? 0 : 1;
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) return store.dispatch({ type: 'fold', fold: to });
+  const start = performance.now(),
     duration = 900 * Math.abs(to - from);
   const step = (now: number) => {
     const t = Math.min(1, Math.max(0, (now - start) / duration)),
@@ -263,7 +273,10 @@ function escape(target: HTMLElement) {
   const text = before.get(target);
   if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
-  root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
+  root.querySelectorAll('details.menu[open]').forEach((m) => {
+    m.removeAttribute('open');
+    if (m.contains(target)) m.querySelector('summary')!.focus();
+  });
   store.dispatch({ type: 'help', help: false });
   store.dispatch({ type: 'pick', pick: 'none' });
   store.dispatch({ type: 'select', selection: {} });
@@ -300,7 +313,7 @@ window.addEventListener('refused', (e) => store.dispatch({ type: 'note', note: (
 window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
-  if (changed && !state.pending) keepInput(state.input);
+  if (changed && !state.pending) keepHistory(state);
   if (state.workshop !== before.workshop)
     keepWorkshop(state.workshop) ||
       store.dispatch({ type: 'note', note: 'The browser has no room left to keep this for the next part.' });

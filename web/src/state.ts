@@ -23,7 +23,15 @@ export interface Input {
   spec: Spec | null;
   options: Options;
 }
+/** The input, and those that undo and redo go back and on to. */
+export interface History {
+  input: Input;
+  past: Input[];
+  future: Input[];
+}
 export type Tab = 'input' | 'bends' | 'order' | 'findings' | 'certificate';
+export const severities = ['error', 'warning', 'info'] as const;
+export type Severity = (typeof severities)[number];
 export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up';
 export type GizmoMode = 'translate' | 'rotate';
@@ -57,12 +65,9 @@ export interface Opening {
   progress: Progress | null;
 }
 
-export interface State {
+export interface State extends History {
   document: OpenDocument | null;
-  input: Input;
   pending: Input | null; // what the input was before a drag that has not ended
-  past: Input[];
-  future: Input[];
   shape: Shape | null;
   shapeIsDraft: boolean;
   shapeOf: string; // the body and the piece that the shape is of
@@ -70,6 +75,7 @@ export interface State {
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
   known: Report | null; // the last report with a pattern
   selection: Selection;
+  hidden: Severity[]; // of findings that are left out
   fold: number;
   order: OrderState;
   workshop: Workshop;
@@ -106,6 +112,7 @@ export type Action =
   | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
+  | { type: 'history'; history: History }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
   | { type: 'undo' }
@@ -116,6 +123,7 @@ export type Action =
   | { type: 'computing'; computing: boolean }
   | { type: 'busy'; busy: boolean; progress?: Progress | null }
   | { type: 'select'; selection: Partial<Selection> }
+  | { type: 'severity'; severity: Severity; shown: boolean }
   | { type: 'fold'; fold: number }
   | { type: 'pick'; pick: PickMode }
   | { type: 'gizmo'; gizmo: GizmoMode }
@@ -149,6 +157,7 @@ export function initialState(theme: Theme): State {
     result: null,
     known: null,
     selection: nothing,
+    hidden: [],
     fold: 1,
     order: noOrder,
     workshop: emptyWorkshop,
@@ -192,6 +201,8 @@ export function reduce(state: State, action: Action): State {
         : state;
     case 'reopened':
       return { ...state, document: action.document, problem: null };
+    case 'history':
+      return { ...state, ...action.history };
     case 'edit':
       return action.live
         ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }
@@ -223,6 +234,11 @@ export function reduce(state: State, action: Action): State {
         ...state,
         selection: { ...nothing, ...action.selection },
         problem: isOfInput(state) ? state.problem : null,
+      };
+    case 'severity':
+      return {
+        ...state,
+        hidden: [...state.hidden.filter((s) => s !== action.severity), ...(action.shown ? [] : [action.severity])],
       };
     case 'fold':
       return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };

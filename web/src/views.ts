@@ -10,7 +10,7 @@ import { bendText, edgeText, pickedRow } from './picked.ts';
 import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import { isInMachine, type State } from './state.ts';
-import { findingsOf } from './panels/tables.ts';
+import { findingsOf, markedFindings } from './panels/findings.ts';
 import { Stages } from './stage.ts';
 import { readPalette } from './theme.ts';
 import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
@@ -113,6 +113,7 @@ export class Views {
       state.theme !== before.theme ||
       state.units !== before.units ||
       state.result !== before.result ||
+      state.hidden !== before.hidden ||
       state.shape !== before.shape
     )
       this.showFlat(state);
@@ -140,7 +141,7 @@ export class Views {
     this.flat.set({
       shape: state.shape,
       report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
-      findings: findingsOf({ ...this.ui, state }),
+      findings: markedFindings(state),
       turn: state.result?.turn ?? 0,
       selected: pickedRow(state),
       edge: state.selection.edge,
@@ -219,7 +220,7 @@ export class Views {
   /** What a mark or a line of the flat pattern is. */
   private describe(picked: PickedInFlat): string {
     const { state } = this.ui;
-    if ('finding' in picked) return findingsOf(this.ui)[picked.finding]?.message ?? '';
+    if ('finding' in picked) return findingsOf(state)[picked.finding]?.message ?? '';
     return ('edge' in picked ? edgeText(state, picked.edge) : bendText(state, picked.part)) ?? '';
   }
 

@@ -2,6 +2,7 @@
 // folder of its name in STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
+import * as access from './flows/access.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as lists from './flows/lists.mjs';
@@ -28,6 +29,7 @@ const flows = {
   ...lists,
   ...right,
   ...server,
+  ...access,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */

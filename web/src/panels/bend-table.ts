@@ -32,7 +32,7 @@ export function bendTable(ui: Ui): TemplateResult {
           <th>Length ${units}</th>
         </tr>
         <tr class="second">
-          <th></th>
+          <th>Dir.</th>
           <th title="Bend allowance: the length of the bend in the pattern">Allow. ${units}</th>
           <th title="Bend deduction: what the pattern is shorter than both outside lengths together">
             Deduct. ${units}
@@ -65,7 +65,18 @@ function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | undefined, selected: boole
     marks = selected ? 'selected' : beside ? 'beside' : '';
   return html`<tbody @click=${pick}>
     <tr class=${marks} data-testid="bend-${r.id}" aria-selected=${selected}>
-      <td>${r.id}</td>
+      <td>
+        <button
+          class="row"
+          aria-pressed=${selected}
+          @click=${(e: Event) => {
+            e.stopPropagation();
+            pick();
+          }}
+        >
+          ${r.id}
+        </button>
+      </td>
       <td>${clean(r.angle, 2)}</td>
       <td>${text(r.inside_radius)}</td>
       <td class=${isDefaultK(r) ? 'default' : ''}>${kCell(ui, r)}</td>

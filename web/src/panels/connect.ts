@@ -172,7 +172,7 @@ function bendFields(
   })}
   ${(row.between ?? []).map((id) => edgesField(row, own, id, set))}
   ${row.alternatives?.length
-    ? html`<h4>Alternatives</h4>
+    ? html`<h3>Alternatives</h3>
         <ul class="alternatives">
           ${row.alternatives.map(
             (a, i) =>

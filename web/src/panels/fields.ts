@@ -206,7 +206,7 @@ export const toggle = (label: string, testid: string, value: boolean, on: (value
 
 export const section = (title: string, content: unknown, extra: unknown = nothing) =>
   html`<section>
-    <h3>${title}${extra}</h3>
+    <h2>${title}${extra}</h2>
     ${content}
   </section>`;
 

@@ -9,11 +9,12 @@ import type { Ui } from '../ui.ts';
 import { bendOrder } from './bend-order.ts';
 import { panels } from './kinds.ts';
 import { bendTable } from './bend-table.ts';
-import { certificate, findingsList, findingsOf } from './tables.ts';
+import { certificate } from './certificate.ts';
+import { findingsList, findingsOf } from './findings.ts';
 
 export function sidePanel(ui: Ui): TemplateResult {
   const { tab, document: d } = ui.state,
-    count = ui.state.result ? findingsOf(ui).length : 0;
+    count = ui.state.result ? findingsOf(ui.state).length : 0;
   const tabs: [Tab, string][] = [
     ['input', 'Input'],
     ['bends', 'Bends'],
@@ -22,12 +23,15 @@ export function sidePanel(ui: Ui): TemplateResult {
     ['certificate', 'Certificate'],
   ];
   return html`${summary(ui)}
-    <nav class="tabs" role="tablist">
+    <nav class="tabs" role="tablist" aria-label="Panels" @keydown=${besides}>
       ${tabs.map(
         ([id, title]) =>
           html`<button
             role="tab"
+            id="tab-${id}"
+            aria-controls="panel"
             aria-selected=${tab === id}
+            tabindex=${tab === id ? 0 : -1}
             data-testid="tab-${id}"
             class=${tab === id ? 'on' : ''}
             @click=${() => ui.dispatch({ type: 'tab', tab: id })}
@@ -36,7 +40,21 @@ export function sidePanel(ui: Ui): TemplateResult {
           </button>`,
       )}
     </nav>
-    <div class="content" data-testid="panel">${d ? content(ui, tab) : nothing}</div>`;
+    <div class="content" id="panel" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="0" data-testid="panel">
+      ${d ? content(ui, tab) : nothing}
+    </div>`;
+}
+
+/** The arrow keys choose the tab beside. */
+function besides(e: KeyboardEvent) {
+  const by = e.key === 'ArrowRight' ? 1 : e.key === 'ArrowLeft' ? -1 : 0;
+  if (!by) return;
+  const tabs = [...(e.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role=tab]')],
+    at = tabs.indexOf(e.target as HTMLElement),
+    next = tabs[(at + by + tabs.length) % tabs.length]!;
+  next.focus();
+  next.click();
+  e.preventDefault();
 }
 
 function content(ui: Ui, tab: Tab) {

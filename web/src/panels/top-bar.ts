@@ -4,7 +4,7 @@ import { closeMenu, downloadMenu } from './download-menu.ts';
 
 export function topBar(ui: Ui): TemplateResult {
   const { document: d, past, pending, future, units, theme } = ui.state;
-  return html`<span class="brand">Planish<small>studio</small></span>
+  return html`<h1 class="brand">Planish<small>studio</small></h1>
     <button data-testid="open" title="Open a file (Ctrl+O)" @click=${chooseFile}>Open</button>
     <input
       id="file-input"
@@ -73,7 +73,7 @@ function examplesMenu(ui: Ui) {
       ${ui.state.description.makers.map(({ name }) => {
         const own = ui.state.examples.filter((e) => e.kind === name);
         return own.length
-          ? html`<h4>${capitalised(name)}</h4>
+          ? html`<h2>${capitalised(name)}</h2>
               ${own.map(
                 (e) =>
                   html`<button

@@ -1,8 +1,21 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
+import { violations } from '../axe.mjs';
 import { download, enter, example, folder, open, rested, state } from '../driving.mjs';
 
 // Lists and choices: how a DXF is written, the bodies of an assembly, where K comes from.
+
+/** Nothing is out of reach of a screen reader or too pale, in either theme. */
+async function accessible(page) {
+  for (const theme of ['dark', 'light']) {
+    await page.evaluate((t) => {
+      document.documentElement.dataset.theme = t;
+      window.planish.store.dispatch({ type: 'theme', theme: t });
+    }, theme);
+    await page.waitForTimeout(50);
+    assert.deepEqual(await violations(page), [], theme);
+  }
+}
 
 /** What is chosen for the DXF stays chosen on this machine, and what contradicts something else is not offered. */
 export async function dxfpanel({ page }) {
@@ -65,6 +78,7 @@ export async function bodies({ page }) {
   await page.selectOption('[data-testid=k-rule]', 'din6935');
   await page.waitForFunction((text) => document.querySelector('[data-testid=body-13]').textContent !== text, before);
   await page.screenshot({ path: `${folder(page)}/bodies.png` });
+  await accessible(page);
   await page.check('[data-testid=sheets-only]');
   await page.waitForFunction(() => document.querySelectorAll('[data-testid=bodies] [role=option]').length === 51);
   assert.equal(await row(4).count(), 0);
@@ -128,6 +142,7 @@ export async function allowance({ page }) {
   assert.match(await state(page, 's.shape.report.sheet.k_source'), /^shop Example laser shop, mild steel 2 mm/);
   await page.check('[data-testid=every-part]');
   await page.screenshot({ path: `${folder(page)}/shop.png` });
+  await accessible(page);
   const report = await download(page, 'json');
   // It is there for the next part, also after a reload.
   await page.reload();
@@ -162,6 +177,7 @@ export async function bendtable({ page }) {
   const [length] = (await blank(page)).split(' ');
   assert.ok(Math.abs(Number(length) - (60 - deduction)) < 0.006);
   await page.screenshot({ path: `${folder(page)}/bends.png` });
+  await accessible(page);
   // A row that K leaves is refused; the table that was there stays.
   await page.click('[data-testid=tab-input]');
   writeFileSync(table, 'r/t, k\n1, 3\n');

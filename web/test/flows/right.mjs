@@ -197,6 +197,16 @@ export async function reload({ page }) {
   await page.waitForFunction(() => window.planish?.store.state.document);
   await rested(page);
   assert.deepEqual(await outline(), moved, 'what was dragged is there again');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.deepEqual(await outline(), before, 'and can be undone still');
+  await page.reload();
+  await page.waitForFunction(() => window.planish?.store.state.document);
+  await rested(page);
+  assert.deepEqual(await outline(), before);
+  await page.click('[data-testid=redo]');
+  await rested(page);
+  assert.deepEqual(await outline(), moved, 'and done again');
 }
 
 /** While a plate is moved its bends keep their names, and the pattern lies as it did. */
@@ -313,4 +323,21 @@ export async function marks({ page }) {
   await page.waitForTimeout(300);
   assert.ok((await shown()) >= places[many], 'the chosen one has a mark at each place');
   await page.screenshot({ path: `${folder(page)}/chosen.png` });
+  // By severity: what is left out has no marks, and the others keep their numbers.
+  const severity = await state(page, `s.result.report.checks[${many}].severity`),
+    rows = () => page.locator('[data-testid=findings] > li').count(),
+    own = await state(page, `s.result.report.checks.filter((f) => f.severity === '${severity}').length`);
+  await page.click(`[data-testid=show-${severity}]`);
+  await page.waitForTimeout(300);
+  assert.equal(await rows(), rules - own);
+  assert.ok((await shown()) <= rules - own);
+  await page.click(`[data-testid=show-${severity}]`);
+  await page.waitForTimeout(300);
+  assert.equal(await rows(), rules);
+  // By keys.
+  await page.focus(`[data-testid=finding-${many + 1}] button`);
+  await page.keyboard.press('Enter');
+  assert.equal(await state(page, 's.selection.finding'), null);
+  await page.keyboard.press('Enter');
+  assert.equal(await state(page, 's.selection.finding'), many);
 }

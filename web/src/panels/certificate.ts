@@ -1,40 +1,7 @@
-import { html, nothing, type TemplateResult } from 'lit-html';
+import { html, type TemplateResult } from 'lit-html';
 import { pieceOf } from '../report.ts';
 import { millimetres, residualText, sizeText } from '../units.ts';
 import type { Ui } from '../ui.ts';
-import { sentence } from './message-bar.ts';
-import type { Finding } from '../types.ts';
-
-export function findingsList(ui: Ui): TemplateResult {
-  const findings = findingsOf(ui);
-  if (!ui.state.result) return html`<p class="hint">Findings appear with the full result.</p>`;
-  if (findings.length === 0) return html`<p class="hint" data-testid="no-findings">No findings.</p>`;
-  return html`<ol class="findings ${ui.state.shapeIsDraft ? 'old' : ''}" data-testid="findings">
-    ${findings.map(
-      (f, i) =>
-        html` <li
-          class="${f.severity} ${ui.state.selection.finding === i ? 'selected' : ''}"
-          data-testid="finding-${i + 1}"
-          @click=${() => ui.dispatch({ type: 'select', selection: { finding: i } })}
-        >
-          <b>${i + 1}</b
-          ><span>${sentence(f.message)}<small>${f.code}</small>${placesOf(f, ui.state.selection.finding === i)}</span>
-        </li>`,
-    )}
-  </ol>`;
-}
-
-/** All places of a chosen finding that has several. */
-const placesOf = (finding: Finding, chosen: boolean) =>
-  chosen && (finding.places?.length ?? 0) > 1
-    ? html`<ul class="places" data-testid="places">
-        ${finding.places!.map((place) => html`<li class="${place.severity}">${sentence(place.message)}</li>`)}
-      </ul>`
-    : nothing;
-
-export function findingsOf(ui: Ui): Finding[] {
-  return ui.state.result ? (pieceOf({ ...ui.state, shape: ui.state.result })?.checks ?? []) : [];
-}
 
 const least = 1e-3; // mm: the largest residual of a good certificate
 
