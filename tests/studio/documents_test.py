@@ -215,6 +215,16 @@ class Rubbish(StudioTest):
         self.assertEqual(error["where"], "a_square_to_round.json/thickness")
         self.assertTrue(self.studio.post(document, "draft", spec).is_good)
 
+    def test_files_of_options_are_input(self):
+        document, _ = self.studio.open_example("bracket.step")
+        shop = json.loads((EXAMPLES / "shop" / "example.json").read_text())
+        del shop["materials"][0]["gauges"]
+        for options, where in (({"shop": {"content": shop}}, "/options/shop/content/materials/0"),
+                               ({"k_table": {"name": "a.csv", "content": "r/t, k\n1, 3\n"}}, "/options/k_table/content"),
+                               ({"k_table": {"content": "nothing"}}, "/options/k_table/content")):
+            error = self.assert_problem(self.studio.post(document, "draft", **options))
+            self.assertTrue(error["where"].startswith(where), error)
+
     def test_faces_that_are_none(self):
         document, _ = self.studio.open_example("bracket.step")
         self.assert_problem(self.studio.post(document, "draft", root=9999), "no_such_face")

@@ -1,5 +1,6 @@
 import { nothing, render } from 'lit-html';
 import { Api } from './api.ts';
+import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { OrderWork } from './order-work.ts';
@@ -15,15 +16,21 @@ import { startScreen } from './panels/start.ts';
 import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
+import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
+import './panels/lists.css';
+import { keepWorkshop, keptWorkshop } from './workshop-state.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
 const api = new Api(location.hash.slice(1));
-const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
+const store = new Store({
+  ...initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'),
+  workshop: keptWorkshop(),
+});
 document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
@@ -53,11 +60,19 @@ const ui: Ui = {
     const { input } = store.state;
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
+  refusal: (options) => {
+    const { document: d, input } = store.state;
+    return d
+      ? api.draft(d.id, { spec: input.spec ?? undefined, options: withoutHoles(options) }).then(() => null, problemOf)
+      : Promise.resolve(null);
+  },
   commit: () => store.dispatch({ type: 'commit' }),
   faceUp: (upper) => void faceUp(upper),
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
+  downloadAll: () => void archive.start(),
+  cancelArchive: () => archive.cancel(),
   finish: () => computation.finish(),
   cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
@@ -87,6 +102,8 @@ const computation = new Computation(
   (shown) => views.chord(shown),
 );
 const documents = new Documents(api, store);
+new Survey(api, store);
+const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
 
 let waiting = 0;
@@ -132,7 +149,7 @@ function describeViews() {
 const withoutHoles = (o: Options) =>
   Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
 
-async function download(artifact: string, suffix: string, more: Pick<Options, 'profile' | 'units'> = {}) {
+async function download(artifact: string, suffix: string, more: Partial<Options> = {}) {
   const { document: d, input } = store.state;
   if (!d) return;
   try {
@@ -140,15 +157,19 @@ async function download(artifact: string, suffix: string, more: Pick<Options, 'p
       spec: input.spec ?? undefined,
       options: withoutHoles({ ...input.options, ...more }),
     });
-    const link = document.createElement('a'),
-      url = URL.createObjectURL(blob);
-    link.href = url;
-    link.download = fileName(d.name, artifact, suffix, input.options.piece);
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    saveFile(blob, fileName(d.name, artifact, suffix, input.options.piece));
   } catch (error) {
     store.dispatch({ type: 'problem', problem: problemOf(error) });
   }
+}
+
+function saveFile(blob: Blob, name: string) {
+  const link = document.createElement('a'),
+    url = URL.createObjectURL(blob);
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
 /** "part.dxf", "part-flat.step" of the artifact "flat.step", "part-report.json" beside the edited "part.json". */
@@ -294,6 +315,9 @@ window.addEventListener('pagehide', () => documents.leave(store.state.document?.
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);
+  if (state.workshop !== before.workshop)
+    keepWorkshop(state.workshop) ||
+      store.dispatch({ type: 'note', note: 'The browser has no room left to keep this for the next part.' });
 });
 
 draw();

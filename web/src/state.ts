@@ -13,9 +13,11 @@ import type {
   Vec2,
   Vec3,
 } from './types.ts';
+import { statusOfShape, type Bodies, type BodyStatus } from './bodies.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
+import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
 
 export interface Input {
   spec: Spec | null;
@@ -56,13 +58,6 @@ export const isInMachine = ({ tab, order, input, shape, pending }: State): boole
   !pending &&
   (shape?.facet_parent.length ?? 0) > 0;
 
-/** What became of a body, as far as is known: a draft says whether it is a sheet, a result says more. */
-export interface BodyStatus {
-  status: Report['status'];
-  code?: string; // of a refusal
-}
-export type Bodies = Record<number, BodyStatus>;
-
 /** A file that is being read; `long` once that takes more than half a second. */
 export interface Opening {
   name: string;
@@ -83,6 +78,10 @@ export interface State extends History {
   hidden: Severity[]; // of findings that are left out
   fold: number;
   order: OrderState;
+  workshop: Workshop;
+  settingK: { kind: 'shop' | 'k_table'; file: string | null } | null; // where K shall come from, still to be chosen
+  sheetsOnly: boolean; // in the list of bodies
+  archive: { done: number; all: number } | null; // that is being made, in bodies
   pick: PickMode;
   gizmo: GizmoMode;
   plateSize: Vec2; // of the next plate that is added, in mm
@@ -103,6 +102,10 @@ export interface State extends History {
 
 export type Action =
   | OrderAction
+  | WorkshopAction
+  | { type: 'setting-k'; settingK: State['settingK'] }
+  | { type: 'sheets-only'; sheetsOnly: boolean }
+  | { type: 'archive'; archive: State['archive'] }
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
@@ -157,6 +160,10 @@ export function initialState(theme: Theme): State {
     hidden: [],
     fold: 1,
     order: noOrder,
+    workshop: emptyWorkshop,
+    settingK: null,
+    sheetsOnly: false,
+    archive: null,
     pick: 'none',
     gizmo: 'translate',
     plateSize: [100, 100],
@@ -249,6 +256,17 @@ export function reduce(state: State, action: Action): State {
       return { ...state, theme: action.theme };
     case 'help':
       return { ...state, help: action.help };
+    case 'setting-k':
+      return { ...state, settingK: action.settingK };
+    case 'sheets-only':
+      return { ...state, sheetsOnly: action.sheetsOnly };
+    case 'archive':
+      return { ...state, archive: action.archive };
+    case 'dxf':
+    case 'table-file':
+    case 'table-forgotten':
+    case 'every-part':
+      return { ...state, workshop: reduceWorkshop(state.workshop, action) };
     default:
       return { ...state, order: reduceOrder(state.order, action) };
   }
@@ -267,12 +285,17 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     examples: state.examples,
     units: unitsOf(document, spec),
     document,
-    input: { spec, options: body === undefined ? {} : { body } },
+    input: { spec, options: { ...partOptions(state, document), ...(body === undefined ? {} : { body }) } },
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
     order: { ...noOrder, brake: state.order.brake },
+    workshop: state.workshop,
   };
 }
+
+/** What is set on this machine for every part to unfold that is opened. */
+export const partOptions = ({ workshop }: State, { kind }: OpenDocument): Options =>
+  kind === 'unfold' ? (workshop.everyPart ?? {}) : {};
 
 /** The page uses the unit of the file. */
 const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
@@ -340,7 +363,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
         : { ...state.selection, edge, part },
     known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
     shapeIsDraft: draft,
-    bodies: draft ? state.bodies : withStatus(state, shape.report),
+    bodies: draft ? state.bodies : withStatus(state, shape),
     result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
     note: shape.report.status === 'refused' ? null : state.note,
@@ -377,11 +400,9 @@ function withPlates({ shape, document, input }: State): Shape | null {
 export const bodyOf = ({ input, document }: State): number =>
   typeof input.options.body === 'number' ? input.options.body : (document?.info?.bodies[0]?.number ?? 1);
 
-export const statusOfBody = ({ status, reason }: Report): BodyStatus => ({ status, code: reason?.code });
-
-const withStatus = (state: State, report: Report): Bodies =>
+const withStatus = (state: State, shape: Shape): Bodies =>
   (state.document?.info?.bodies.length ?? 0) > 1
-    ? { ...state.bodies, [bodyOf(state)]: statusOfBody(report) }
+    ? { ...state.bodies, [bodyOf(state)]: statusOfShape(shape, state.input.options) }
     : state.bodies;
 
 /** Drafts of slit sheets leave out what the bends are. */

@@ -5,6 +5,7 @@ import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
+import * as lists from './flows/lists.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
@@ -26,6 +27,7 @@ const flows = {
   ...panels,
   ...page,
   ...features,
+  ...lists,
   ...right,
   ...server,
   ...access,

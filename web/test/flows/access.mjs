@@ -1,8 +1,6 @@
 import assert from 'node:assert/strict';
-import { createRequire } from 'node:module';
+import { violations } from '../axe.mjs';
 import { example, opened, rested, state } from '../driving.mjs';
-
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
 
 const square = (id, outline) => ({ id, outline });
 
@@ -34,16 +32,6 @@ const walls = Buffer.from(
     ],
   }),
 );
-
-/** What axe-core says against the page as it is now, a line each. */
-async function violations(page) {
-  if (!(await page.evaluate(() => 'axe' in window))) await page.addScriptTag({ path: axe });
-  return page.evaluate(async () =>
-    (await window.axe.run()).violations.flatMap(({ id, nodes }) =>
-      nodes.map((n) => `${id}: ${n.target} ${(n.any[0] ?? n.all[0] ?? n.none[0])?.message ?? ''}`),
-    ),
-  );
-}
 
 /** Everyone can use the page: no state of it has a violation, in either theme. */
 export async function access({ page }) {
@@ -99,7 +87,7 @@ export async function access({ page }) {
   // Wherever one is, the keys lead on: the dialog takes the focus and gives it back.
   await page.focus('[data-testid=help]');
   await page.keyboard.press('Enter');
-  assert.ok(await page.evaluate(() => document.activeElement?.closest('dialog')), 'the dialog has the focus');
+  await page.waitForFunction(() => document.activeElement?.closest('dialog')); // the dialog has the focus
   await page.keyboard.press('Escape');
   assert.equal(await page.evaluate(() => document.activeElement?.dataset.testid), 'help', 'and gives it back');
   assert.equal(await state(page, 's.help'), false);

@@ -100,12 +100,12 @@ export async function assembly({ page }) {
   assert.equal(await state(page, 's.past.length'), 0, 'which is no edit');
   await page.waitForFunction(() => Object.keys(window.planish.store.state.bodies).length === 3);
   await page.waitForTimeout(100);
-  const list = await page.$$eval('[data-testid=body] option', (all) => all.map((o) => o.textContent));
+  const list = await page.$$eval('[data-testid=bodies] [role=option]', (all) => all.map((o) => o.textContent));
   assert.match(list[0], /no flat pattern: not a sheet/);
   assert.match(list[1], /sheet/);
   assert.match(list[2], /sheet/);
   await page.screenshot({ path: `${folder(page)}/bodies.png` });
-  await page.selectOption('[data-testid=body]', '3');
+  await page.click('[data-testid=body-3]');
   await rested(page);
   assert.equal((await state(page, 's.shape.report.status')) === 'refused', false);
 }
