@@ -20,17 +20,15 @@ import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import './panels/lists.css';
-import { keepWorkshop, keptWorkshop } from './workshop-state.ts';
+import { bringKept } from './kept-here.ts';
+import { Recents } from './recents.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
 const api = new Api(location.hash.slice(1));
-const store = new Store({
-  ...initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'),
-  workshop: keptWorkshop(),
-});
+const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
 document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
@@ -69,7 +67,10 @@ const ui: Ui = {
   commit: () => store.dispatch({ type: 'commit' }),
   faceUp: (upper) => void faceUp(upper),
   openFiles: (files) => void documents.openFiles([...files]),
+  openNew: (file) => void documents.openFiles([file], true),
   openExample: (name) => void documents.openExample(name),
+  openRecent: (recent) => void documents.openRecent(recent),
+  forgetRecents: () => recents.forget(),
   download,
   downloadAll: () => void archive.start(),
   cancelArchive: () => archive.cancel(),
@@ -101,7 +102,8 @@ const computation = new Computation(
   () => documents.reopen(),
   (shown) => views.chord(shown),
 );
-const documents = new Documents(api, store);
+const recents = new Recents(api, store);
+const documents = new Documents(api, store, recents);
 new Survey(api, store);
 const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
@@ -315,9 +317,6 @@ window.addEventListener('pagehide', () => documents.leave(store.state.document?.
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);
-  if (state.workshop !== before.workshop)
-    keepWorkshop(state.workshop) ||
-      store.dispatch({ type: 'note', note: 'The browser has no room left to keep this for the next part.' });
 });
 
 draw();
@@ -329,7 +328,7 @@ api.examples().then(
   (examples) => store.dispatch({ type: 'examples', examples }),
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
 );
-void documents.begin();
+void bringKept(api, store).then(() => documents.begin());
 
 /** Lets the server know that a page is open. Browsers allow few connections to a server, so one of its pages does. */
 async function stay() {
