@@ -24,6 +24,8 @@ class Browser(StudioTest):
         super().setUpClass()
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         (cls.folder / "pressed.step").write_text(step_files.pressed_plate())
+        (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
+        (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
                               env=dict(os.environ, STUDIO_FILES=str(cls.folder), STUDIO_PROCESS=str(cls.studio.process.pid)))
@@ -136,6 +138,12 @@ class Browser(StudioTest):
 
     def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
         self.flow("circle")
+
+    def test_a_thousand_openings_are_orbited_folded_and_hovered(self):
+        self.flow("thousand")
+
+    def test_what_is_under_the_pointer_lights_up_in_both_views(self):
+        self.flow("hover")
 
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")

@@ -93,6 +93,25 @@ export function strokeEdges(
   c.stroke();
 }
 
+/** Draws over the bend lines of a part. */
+export function strokeBendLinesOf(
+  c: CanvasRenderingContext2D,
+  { scale, offset }: Lie,
+  { bend_lines: l, bend_line_part }: Shape,
+  part: number,
+  color: string,
+) {
+  c.beginPath();
+  bend_line_part.forEach((own, i) => {
+    if (own !== part) return;
+    c.moveTo(offset[0] + scale * l[4 * i]!, offset[1] - scale * l[4 * i + 1]!);
+    c.lineTo(offset[0] + scale * l[4 * i + 2]!, offset[1] - scale * l[4 * i + 3]!);
+  });
+  c.strokeStyle = color;
+  c.lineWidth = 2.5;
+  c.stroke();
+}
+
 function strokeBendLines(
   c: CanvasRenderingContext2D,
   { scale, offset }: Lie,

@@ -2,12 +2,13 @@ import { insideFacet } from './facet.ts';
 import { findingUnder, type FindingMark } from './finding-marks.ts';
 import { extentOf, fitted, type Extent } from './flat-fit.ts';
 import { LabelWriter } from './flat-labels.ts';
-import { paintSheet } from './flat-paint.ts';
+import { fill, paintSheet, strokeBendLinesOf, strokeEdges } from './flat-paint.ts';
 import { emptyScene, inPattern, onScreen, type FlatScene, type Lie } from './flat-scene.ts';
 import { dimensionBlank, markFindings, writeLabels } from './flat-text.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { labelPlaces, type Place } from './label-places.ts';
-import { distanceToSegment, type PickedLine } from './lines.ts';
+import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
+import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec2 } from './types.ts';
 
@@ -21,6 +22,7 @@ export interface FlatEvents {
   /** The sentence that is shown beside the pointer. */
   describe: (picked: PickedInFlat) => string;
   zoomed: () => void;
+  hover: (under: PickedLine | null) => void;
 }
 
 /** The flat pattern: pan by dragging, zoom by the wheel, click to pick. */
@@ -38,6 +40,8 @@ export class FlatView {
   private press: { x: number; y: number; moved: boolean } | null = null;
 
   private hover: PointerEvent | null = null; // that is still to be looked at
+  private hovered: PickedLine | null = null;
+  private readonly above: ViewOverlay;
 
   private readonly box: HTMLElement;
   private readonly on: FlatEvents;
@@ -48,6 +52,7 @@ export class FlatView {
     this.c = this.canvas.getContext('2d', { willReadFrequently: drawnInSoftware })!;
     this.canvas.dataset.testid = 'flat-canvas';
     box.append(this.canvas);
+    this.above = new ViewOverlay(box, 'flat-overlay', (c) => this.paintAbove(c));
     this.listen();
     new ResizeObserver(() => this.resize()).observe(box);
     this.resize();
@@ -94,7 +99,7 @@ export class FlatView {
       canvas.setPointerCapture(e.pointerId);
     });
     canvas.addEventListener('pointermove', (e) => {
-      if (!this.press) return this.hovered(e);
+      if (!this.press) return this.lookUnder(e);
       const dx = e.clientX - this.press.x,
         dy = e.clientY - this.press.y;
       if (!this.press.moved && Math.hypot(dx, dy) < 4) return;
@@ -126,6 +131,7 @@ export class FlatView {
       },
       { passive: false },
     );
+    canvas.addEventListener('pointerleave', () => this.on.hover(null));
     canvas.addEventListener('dblclick', () => this.fit());
   }
 
@@ -135,24 +141,32 @@ export class FlatView {
     const r = this.canvas.getBoundingClientRect(),
       sx = e.clientX - r.left,
       sy = e.clientY - r.top;
-    const [x, y] = inPattern(this.lie, sx, sy),
-      found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
-    const facet = found < 0 ? null : found;
+    const facet = this.facetUnder(shape, sx, sy);
     this.on.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
   }
 
+  private facetUnder(shape: Shape, sx: number, sy: number): number | null {
+    const [x, y] = inPattern(this.lie, sx, sy),
+      found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
+    return found < 0 ? null : found;
+  }
+
   /** Says what lies under the pointer, once a frame. */
-  private hovered(e: PointerEvent) {
+  private lookUnder(e: PointerEvent) {
     const waiting = this.hover !== null;
     this.hover = e;
     if (waiting) return;
     requestAnimationFrame(() => {
       const { clientX, clientY } = this.hover!,
         r = this.canvas.getBoundingClientRect(),
+        [sx, sy] = [clientX - r.left, clientY - r.top],
         { shape } = this.scene;
       this.hover = null;
-      const under = shape && this.lineUnder(shape, clientX - r.left, clientY - r.top),
-        text = under ? this.on.describe(under) : '';
+      const under = shape && this.lineUnder(shape, sx, sy),
+        facet = shape && !under ? this.facetUnder(shape, sx, sy) : null,
+        part = facet === null ? null : { part: shape!.facet_part[facet]! };
+      this.on.hover(under ? ('finding' in under ? null : under) : part);
+      const text = under ? this.on.describe(under) : '';
       if (this.canvas.title !== text) this.canvas.title = text;
     });
   }
@@ -176,13 +190,21 @@ export class FlatView {
    */
   private nearest(lines: Float32Array, sx: number, sy: number, ends = 0): { line: number; distance: number } | null {
     let best: { line: number; distance: number } | null = null;
-    for (let i = 0; 4 * i + 3 < lines.length; ++i) {
-      const a = onScreen(this.lie, lines[4 * i]!, lines[4 * i + 1]!),
-        b = onScreen(this.lie, lines[4 * i + 2]!, lines[4 * i + 3]!);
+    const { scale, offset } = this.lie,
+      [x0, y0] = inPattern(this.lie, sx - 5, sy + 5),
+      [x1, y1] = inPattern(this.lie, sx + 5, sy - 5);
+    for (let i = 0; i + 3 < lines.length; i += 4) {
+      const ax = lines[i]!,
+        ay = lines[i + 1]!,
+        bx = lines[i + 2]!,
+        by = lines[i + 3]!;
+      if ((ax < x0 && bx < x0) || (ax > x1 && bx > x1) || (ay < y0 && by < y0) || (ay > y1 && by > y1)) continue;
+      const a: Vec2 = [offset[0] + scale * ax, offset[1] - scale * ay],
+        b: Vec2 = [offset[0] + scale * bx, offset[1] - scale * by];
       const { distance, along } = distanceToSegment(sx, sy, ...a, ...b),
         length = Math.hypot(b[0] - a[0], b[1] - a[1]);
       if (length > 3 * ends && Math.min(along, 1 - along) * length < ends) continue;
-      if (distance < (best?.distance ?? 5)) best = { line: i, distance };
+      if (distance < (best?.distance ?? 5)) best = { line: i / 4, distance };
     }
     return best;
   }
@@ -199,10 +221,31 @@ export class FlatView {
     this.draw();
   }
 
+  /** Lights up an edge or a part. */
+  setHover(under: PickedLine | null) {
+    this.hovered = under;
+    this.above.draw();
+  }
+
+  private paintAbove(c: CanvasRenderingContext2D): boolean {
+    const { hovered, lie, scene } = this,
+      { shape, palette } = scene;
+    if (!hovered || !shape) return false;
+    if ('edge' in hovered) {
+      const marked = markedWith(shape, hovered.edge);
+      strokeEdges(c, lie, shape, (e) => marked.has(e), palette.selected, 3);
+    } else {
+      fill(c, lie, shape, (part) => part === hovered.part, palette.selected, 0.3);
+      strokeBendLinesOf(c, lie, shape, hovered.part, palette.selected);
+    }
+    return true;
+  }
+
   draw() {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.paint();
+      this.above.now();
     });
   }
 

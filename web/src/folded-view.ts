@@ -1,11 +1,14 @@
-import { Box3, Color, Matrix4, Object3D, Plane, Raycaster, Scene, Vector3, WebGLRenderer } from 'three';
+import { Box3, Color, Matrix4, Object3D, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import { FoldedCamera, type StandardView } from './folded-camera.ts';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
-import { distanceToSegment, type PickedLine } from './lines.ts';
+import { markedWith, type PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
+import { isLarge } from './sheet-lod.ts';
+import { Sight, type SeenLine, type SeenSkin } from './sight.ts';
+import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
@@ -14,6 +17,8 @@ import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
 export interface FoldedViewEvents {
   /** Whether the line was used; else the part behind it is picked. */
   pickLine(line: PickedLine): boolean;
+  /** What lies under the resting pointer. */
+  hover(under: PickedLine | null): void;
   pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
   pickAnchor(anchor: number): void;
   pickRidgeEnd(end: RidgeEnd): void;
@@ -39,11 +44,6 @@ export interface Picked {
   part: number | null;
   edge: number | null;
 }
-interface Point {
-  x: number;
-  y: number;
-}
-
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
   private readonly renderer: WebGLRenderer;
@@ -71,6 +71,12 @@ export class FoldedView {
   private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
+  private readonly sight = new Sight();
+  private readonly above: ViewOverlay;
+  private hovered: PickedLine | null = null;
+  private pointer: PointerEvent | null = null; // that is still to be looked at
+  private moving = false; // something is being dragged
+  private lively = 0; // timer: orbiting or folding has not paused
   private readonly box: HTMLElement;
   private readonly events: FoldedViewEvents;
   constructor(box: HTMLElement, palette: Palette, events: FoldedViewEvents) {
@@ -78,15 +84,17 @@ export class FoldedView {
     this.events = events;
     this.palette = palette;
     this.renderer = new WebGLRenderer({ antialias: !drawnInSoftware });
-    this.setMoving(false);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const canvas = this.renderer.domElement;
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
+    this.above = new ViewOverlay(box, 'folded-overlay', (c) => this.paintAbove(c));
     this.scene.add(this.sheet.group, this.handles.group, this.machine.group, this.grip);
     this.eye = new FoldedCamera(
       canvas,
       () => this.bounds(),
       () => {
+        this.stir();
         this.draw();
         this.events.zoomed();
       },
@@ -114,13 +122,35 @@ export class FoldedView {
 
   /** Whether something is being dragged: software rendering then draws fewer pixels. */
   setMoving(moving: boolean) {
-    const ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
-    if (ratio === this.renderer.getPixelRatio()) return;
-    this.renderer.setPixelRatio(ratio);
+    if (moving === this.moving) return;
+    this.moving = moving;
+    this.adapt();
+  }
+
+  /** Orbiting and folding of large parts are drawn with fewer corners, until they pause. */
+  private stir() {
+    if (!this.shape || !isLarge(this.shape)) return;
+    clearTimeout(this.lively);
+    this.lively = window.setTimeout(() => {
+      this.lively = 0;
+      this.adapt();
+    }, 160);
+    this.adapt();
+  }
+
+  /** How many pixels and corners are drawn: circles are left by a quarter of a pixel at rest. */
+  private adapt() {
+    const moving = this.moving || this.lively > 0,
+      ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
+    const other = this.sheet.setTolerance((moving ? 0.75 : 0.25) / (this.scale * window.devicePixelRatio));
+    if (other) this.sheet.paint(this.palette, this.picked.part, this.picked.edge, this.hit);
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+    else if (!other) return;
     this.draw();
   }
 
   setShare(share: number) {
+    this.stir();
     this.sheet.setShare(share);
     this.eye.keepInSight();
     this.draw();
@@ -142,6 +172,7 @@ export class FoldedView {
       hit = stage?.hit?.part ?? null;
     this.machine.set(order, stage);
     this.machine.paint(this.palette);
+    this.stir();
     if (stage) this.sheet.setPose(stage.pose);
     else this.sheet.setShare(share);
     if (hit !== this.hit) {
@@ -207,6 +238,10 @@ export class FoldedView {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));
     canvas.addEventListener('pointerup', (e) => this.up(e));
+    canvas.addEventListener('pointerleave', () => {
+      this.pointer = null;
+      this.events.hover(null);
+    });
     this.gizmo.addEventListener('change', () => {
       if (!this.gizmo.dragging) this.draw();
     }); // else the next geometry does
@@ -246,7 +281,8 @@ export class FoldedView {
   }
 
   private move(e: PointerEvent) {
-    if (!this.press || this.press.anchor === null) return;
+    if (!this.press) return this.hover(e);
+    if (this.press.anchor === null) return;
     const at = this.eye.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
     const { scale } = this.overlay;
     if (at) this.events.dragAnchor(this.press.anchor, [at.x / scale, at.y / scale, at.z / scale], performance.now());
@@ -275,36 +311,65 @@ export class FoldedView {
         );
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
-    const line = this.lineUnder(e);
-    if (line && this.events.pickLine(line)) return;
-    const hit = this.sheet.empty ? undefined : this.eye.ray(e).intersectObject(this.sheet.skin, false)[0];
-    const found = hit?.faceIndex === undefined || hit.faceIndex === null ? null : this.sheet.facetOf(hit.faceIndex);
-    this.events.pickFacet(found?.facet ?? null, found?.upper ?? true, hit ? (hit.point.toArray() as Vec3) : null);
+    const { line, skin } = this.under(e);
+    if (line && this.events.pickLine(line.line)) return;
+    this.events.pickFacet(skin?.facet ?? null, skin?.upper ?? true, skin?.at ?? null);
   }
 
-  /** The line nearest to the pointer of those that are near and not hidden by the sheet. */
-  private lineUnder(e: PointerEvent): PickedLine | null {
+  /** What of the sheet is seen under the pointer: a line that is near, and the skin. */
+  private under(e: PointerEvent): { line: SeenLine | null; skin: SeenSkin | null } {
     const r = this.renderer.domElement.getBoundingClientRect(),
-      x = e.clientX - r.left,
-      y = e.clientY - r.top;
-    const near = this.sheet
-      .lines()
-      .flatMap(({ line, ends }) => {
-        const [a, b] = ends.map((end) => this.eye.toScreen(end)) as [Point, Point],
-          { distance, along } = distanceToSegment(x, y, a.x, a.y, b.x, b.y);
-        return distance < 5
-          ? [{ line, distance, at: new Vector3(...ends[0]).lerp(new Vector3(...ends[1]), along) }]
-          : [];
-      })
-      .sort((a, b) => a.distance - b.distance);
-    return near.slice(0, 12).find(({ at }) => this.isSeen(at))?.line ?? null;
+      [x, y] = [e.clientX - r.left, e.clientY - r.top];
+    if (!this.shape) return { line: null, skin: null };
+    this.sight.look(this.sheet.drawn, this.sheet.version, this.eye.camera, r.width, r.height);
+    const slack = Math.max(this.sheet.depth, 0.004 * this.eye.radius);
+    return { line: this.sight.lineAt(x, y, 5, slack, this.isShown), skin: this.sight.skinAt(x, y, this.isShown) };
   }
 
-  private isSeen(at: Vector3): boolean {
-    const direction = this.eye.camera.getWorldDirection(new Vector3()),
-      ray = new Raycaster(at.clone().addScaledVector(direction, -8 * this.eye.radius), direction);
-    const hit = ray.intersectObject(this.sheet.skin, false)[0];
-    return !hit || hit.distance > 8 * this.eye.radius - Math.max(this.sheet.depth, 0.004 * this.eye.radius);
+  private isShown = () => true;
+
+  /** Says what lies under the pointer, once a frame. */
+  private hover(e: PointerEvent) {
+    const waiting = this.pointer !== null;
+    this.pointer = e;
+    if (waiting) return;
+    requestAnimationFrame(() => {
+      const at = this.pointer;
+      this.pointer = null;
+      if (!at || this.press) return;
+      const { line, skin } = this.under(at),
+        row = skin && this.shape?.facet_part[skin.facet];
+      this.events.hover(line?.line ?? (row === null || row === undefined ? null : { part: row }));
+    });
+  }
+
+  /** Lights up an edge or a part. */
+  setHover(under: PickedLine | null) {
+    this.hovered = under;
+    const row = under && 'part' in under ? under.part : null;
+    if (this.sheet.light(row, this.palette.selected)) this.draw();
+    this.above.draw();
+  }
+
+  private paintAbove(c: CanvasRenderingContext2D): boolean {
+    const { hovered, shape } = this;
+    if (!hovered || !shape) return false;
+    const marked = 'edge' in hovered ? markedWith(shape, hovered.edge) : null,
+      lines = this.sheet.linesOf((line) =>
+        'edge' in line ? (marked?.has(line.edge) ?? false) : 'part' in hovered && line.part === hovered.part,
+      );
+    if (!lines.length) return false;
+    c.beginPath();
+    for (const { ends } of lines) {
+      const [a, b] = [this.eye.toScreen(ends[0]), this.eye.toScreen(ends[1])];
+      c.moveTo(a.x, a.y);
+      c.lineTo(b.x, b.y);
+    }
+    c.strokeStyle = this.palette.selected;
+    c.lineWidth = 3;
+    c.lineCap = 'round';
+    c.stroke();
+    return true;
   }
 
   private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
@@ -377,6 +442,7 @@ export class FoldedView {
       this.frame = 0;
       this.renderer.setClearColor(new Color(this.palette.background));
       this.renderer.render(this.scene, this.eye.camera);
+      this.above.now();
       frameDrawn();
     });
   }

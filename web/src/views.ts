@@ -27,6 +27,7 @@ export class Views {
   private shown: string | null = null;
   private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private stages: Stages | null = null; // of the order that is shown in the machine
+  private hovered: PickedLine | null = null;
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void, zoomed: () => void) {
@@ -34,6 +35,7 @@ export class Views {
     this.dragged = dragged;
     this.folded = new FoldedView(folded, this.palette, {
       pickLine: (line) => this.pickLine(line),
+      hover: (under) => this.hover(under),
       pickFacet: (facet, upper) => this.pickFacet(facet, upper),
       pickAnchor: (anchor) => this.ui.dispatch({ type: 'select', selection: { anchor } }),
       pickRidgeEnd: (end) => this.addAnchorAt(end),
@@ -48,6 +50,7 @@ export class Views {
     this.flat = new FlatView(flat, this.palette, {
       pick: (picked, facet) => this.pickInFlat(picked, facet),
       describe: (picked) => this.describe(picked),
+      hover: (under) => this.hover(under),
       zoomed,
     });
   }
@@ -69,6 +72,7 @@ export class Views {
     const first =
       this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
+    this.hover(null); // rows and numbers may be others
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
     this.showMachine(state);
@@ -221,6 +225,15 @@ export class Views {
     const { state } = this.ui;
     if ('finding' in picked) return findingsOf(this.ui)[picked.finding]?.message ?? '';
     return ('edge' in picked ? edgeText(state, picked.edge) : bendText(state, picked.part)) ?? '';
+  }
+
+  /** What lies under the pointer in one view lights up in both. */
+  private hover(under: PickedLine | null) {
+    const same = JSON.stringify(under) === JSON.stringify(this.hovered);
+    this.hovered = under;
+    if (same) return;
+    this.folded.setHover(under);
+    this.flat.setHover(under);
   }
 
   private pickPart(row: number | null) {

@@ -4,6 +4,8 @@ import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
+import * as frames from './flows/frames.mjs';
+import * as hover from './flows/hover.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
@@ -24,6 +26,8 @@ const flows = {
   ...panels,
   ...page,
   ...features,
+  ...frames,
+  ...hover,
   ...right,
   ...server,
 };
