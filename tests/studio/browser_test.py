@@ -145,6 +145,12 @@ class Browser(StudioTest):
     def test_what_is_under_the_pointer_lights_up_in_both_views(self):
         self.flow("hover")
 
+    def test_the_pattern_is_measured(self):
+        self.flow("measure")
+
+    def test_the_folded_part_is_measured(self):
+        self.flow("measurefolded")
+
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")
 

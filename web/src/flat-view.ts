@@ -8,6 +8,9 @@ import { dimensionBlank, markFindings, writeLabels } from './flat-text.ts';
 import { drawnInSoftware } from './graphics.ts';
 import { labelPlaces, type Place } from './label-places.ts';
 import { distanceToSegment, markedWith, type PickedLine } from './lines.ts';
+import type { MeasuringEvents } from './measure/events.ts';
+import { refOfEdge, snapAt } from './measure/snap.ts';
+import type { Measured, Ref } from './measure/things.ts';
 import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec2 } from './types.ts';
@@ -17,7 +20,7 @@ export type PickedInFlat = PickedLine | { finding: number };
 /** `facet`: the facet below all marks and lines. */
 export type PickInFlat = (picked: PickedInFlat | null, facet: number | null) => void;
 
-export interface FlatEvents {
+export interface FlatEvents extends MeasuringEvents {
   pick: PickInFlat;
   /** The sentence that is shown beside the pointer. */
   describe: (picked: PickedInFlat) => string;
@@ -131,16 +134,21 @@ export class FlatView {
       },
       { passive: false },
     );
-    canvas.addEventListener('pointerleave', () => this.on.hover(null));
+    canvas.addEventListener('pointerleave', () => {
+      this.on.hover(null);
+      this.on.measureHover(null);
+    });
     canvas.addEventListener('dblclick', () => this.fit());
   }
 
   private clicked(e: PointerEvent) {
     const { shape } = this.scene;
-    if (!shape) return this.on.pick(null, null);
     const r = this.canvas.getBoundingClientRect(),
       sx = e.clientX - r.left,
-      sy = e.clientY - r.top;
+      sy = e.clientY - r.top,
+      measured = this.on.measured();
+    if (measured) return this.on.measurePick(measured.of && this.refUnder(measured.of, sx, sy));
+    if (!shape) return this.on.pick(null, null);
     const facet = this.facetUnder(shape, sx, sy);
     this.on.pick(this.lineUnder(shape, sx, sy) ?? (facet === null ? null : { part: shape.facet_part[facet]! }), facet);
   }
@@ -149,6 +157,23 @@ export class FlatView {
     const [x, y] = inPattern(this.lie, sx, sy),
       found = shape.facet_part.findIndex((_, f) => insideFacet(shape, f, x, y));
     return found < 0 ? null : found;
+  }
+
+  /** What would be measured from or to: a corner, a middle or a centre before a line. */
+  private refUnder(of: Measured, sx: number, sy: number): Ref | null {
+    const snapped = snapAt(
+      of,
+      'flat',
+      (x, y) => onScreen(this.lie, x, y),
+      [sx, sy],
+      () => true,
+    );
+    if (snapped) return snapped;
+    const bend = this.nearest(of.shape.bend_lines, sx, sy, 6),
+      edge = this.nearest(of.shape.edges, sx, sy);
+    if (bend && bend.distance <= (edge?.distance ?? Infinity))
+      return { kind: 'bend', part: of.shape.bend_line_part[bend.line]!, line: bend.line };
+    return edge && refOfEdge(of, of.shape.edge_number[edge.line]!, true);
   }
 
   /** Says what lies under the pointer, once a frame. */
@@ -162,6 +187,8 @@ export class FlatView {
         [sx, sy] = [clientX - r.left, clientY - r.top],
         { shape } = this.scene;
       this.hover = null;
+      const measured = this.on.measured();
+      if (measured) return this.on.measureHover(measured.of && this.refUnder(measured.of, sx, sy));
       const under = shape && this.lineUnder(shape, sx, sy),
         facet = shape && !under ? this.facetUnder(shape, sx, sy) : null,
         part = facet === null ? null : { part: shape!.facet_part[facet]! };
@@ -227,7 +254,17 @@ export class FlatView {
     this.above.draw();
   }
 
+  drawAbove() {
+    this.above.draw();
+  }
+
   private paintAbove(c: CanvasRenderingContext2D): boolean {
+    const lit = this.paintHovered(c),
+      measured = this.on.paintAbove(c, ([x, y]) => onScreen(this.lie, x, y));
+    return lit || measured;
+  }
+
+  private paintHovered(c: CanvasRenderingContext2D): boolean {
     const { hovered, lie, scene } = this,
       { shape, palette } = scene;
     if (!hovered || !shape) return false;

@@ -4,7 +4,10 @@ import { FoldedCamera, type StandardView } from './folded-camera.ts';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
-import { markedWith, type PickedLine } from './lines.ts';
+import { markedWith, partOfEdge, type PickedLine } from './lines.ts';
+import type { MeasuringEvents } from './measure/events.ts';
+import { refOfEdge, snapAt } from './measure/snap.ts';
+import { inPlace, type Measured, type Ref } from './measure/things.ts';
 import { SheetObject } from './sheet-object.ts';
 import { isLarge } from './sheet-lod.ts';
 import { Sight, type SeenLine, type SeenSkin } from './sight.ts';
@@ -12,9 +15,9 @@ import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
-import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
+import type { AnchorSpec, OrderAnswer, Shape, Vec2, Vec3 } from './types.ts';
 
-export interface FoldedViewEvents {
+export interface FoldedViewEvents extends MeasuringEvents {
   /** Whether the line was used; else the part behind it is picked. */
   pickLine(line: PickedLine): boolean;
   /** What lies under the resting pointer. */
@@ -241,6 +244,7 @@ export class FoldedView {
     canvas.addEventListener('pointerleave', () => {
       this.pointer = null;
       this.events.hover(null);
+      this.events.measureHover(null);
     });
     this.gizmo.addEventListener('change', () => {
       if (!this.gizmo.dragging) this.draw();
@@ -302,6 +306,8 @@ export class FoldedView {
   }
 
   private click(e: PointerEvent) {
+    const measured = this.events.measured();
+    if (measured) return this.events.measurePick(measured.of && this.refUnder(measured.of, e));
     if (this.shape && this.overlay.handles) {
       const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
         end = this.nearest(
@@ -322,11 +328,15 @@ export class FoldedView {
       [x, y] = [e.clientX - r.left, e.clientY - r.top];
     if (!this.shape) return { line: null, skin: null };
     this.sight.look(this.sheet.drawn, this.sheet.version, this.eye.camera, r.width, r.height);
-    const slack = Math.max(this.sheet.depth, 0.004 * this.eye.radius);
-    return { line: this.sight.lineAt(x, y, 5, slack, this.isShown), skin: this.sight.skinAt(x, y, this.isShown) };
+    return { line: this.sight.lineAt(x, y, 5, this.slack, this.isShown), skin: this.sight.skinAt(x, y, this.isShown) };
   }
 
-  private isShown = () => true;
+  private isShown = (..._at: Vec3) => true;
+
+  /** How far behind a skin lines may lie that are seen. */
+  private get slack() {
+    return Math.max(this.sheet.depth, 0.004 * this.eye.radius);
+  }
 
   /** Says what lies under the pointer, once a frame. */
   private hover(e: PointerEvent) {
@@ -337,10 +347,41 @@ export class FoldedView {
       const at = this.pointer;
       this.pointer = null;
       if (!at || this.press) return;
+      const measured = this.events.measured();
+      if (measured) return this.hoverMeasured(measured.of, at);
       const { line, skin } = this.under(at),
         row = skin && this.shape?.facet_part[skin.facet];
       this.events.hover(line?.line ?? (row === null || row === undefined ? null : { part: row }));
     });
+  }
+
+  /** Marks what would be measured; of a flange all of it. */
+  private hoverMeasured(of: Measured | null, e: PointerEvent) {
+    const ref = of && this.refUnder(of, e);
+    this.events.measureHover(ref);
+    this.events.hover(ref?.kind === 'flange' || ref?.kind === 'bend' ? { part: ref.part } : null);
+  }
+
+  /** What would be measured from or to: a corner, a middle or a centre before a line, a line before a flange. */
+  private refUnder(of: Measured, e: PointerEvent): Ref | null {
+    const { line, skin } = this.under(e),
+      r = this.renderer.domElement.getBoundingClientRect(),
+      slack = this.slack;
+    const toScreen = (...at: Vec3): Vec2 => {
+      const p = this.eye.toScreen(at);
+      return [p.x, p.y];
+    };
+    const snapped = snapAt(of, 'folded', toScreen, [e.clientX - r.left, e.clientY - r.top], (at, _upper, place) => {
+      const front = this.sight.skinAt(...at, this.isShown);
+      return this.isShown(...place) && (!front || front.depth > this.sight.depthOf(place) - slack);
+    });
+    if (snapped) return snapped;
+    const edge = line && 'edge' in line.line ? refOfEdge(of, line.line.edge, line.upper) : null,
+      part = skin ? of.shape.facet_part[skin.facet]! : null;
+    if (edge && of.shape.parts[partOfEdge(of.shape, (line!.line as { edge: number }).edge)!]?.place) return edge;
+    if (part === null) return null;
+    const at = inPlace(of.shape, part, skin!.at);
+    return at ? { kind: 'flange', part, upper: skin!.upper, at } : { kind: 'bend', part, line: 0 };
   }
 
   /** Lights up an edge or a part. */
@@ -351,7 +392,20 @@ export class FoldedView {
     this.above.draw();
   }
 
+  drawAbove() {
+    this.above.draw();
+  }
+
   private paintAbove(c: CanvasRenderingContext2D): boolean {
+    const lit = this.paintHovered(c);
+    const measured = this.events.paintAbove(c, (at) => {
+      const p = this.eye.toScreen(at);
+      return [p.x, p.y];
+    });
+    return lit || measured;
+  }
+
+  private paintHovered(c: CanvasRenderingContext2D): boolean {
     const { hovered, shape } = this;
     if (!hovered || !shape) return false;
     const marked = 'edge' in hovered ? markedWith(shape, hovered.edge) : null,

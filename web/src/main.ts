@@ -7,6 +7,7 @@ import { phases } from './stage.ts';
 import { keepInput } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
+import { escapeMeasuring, measureButton, measureList } from './panels/measures.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
@@ -27,7 +28,7 @@ document.documentElement.dataset.theme = store.state.theme;
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><div class="messages"></div><main>
   <div class="view folded"><div class="canvas"></div>
-  <div class="buttons"></div><div class="machine"></div><div class="fold"></div></div>
+  <div class="buttons"></div><div class="tools"></div><div class="measured"></div><div class="machine"></div><div class="fold"></div></div>
   <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
@@ -114,6 +115,9 @@ function draw() {
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
   render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
+  render(measureButton(ui), part('.tools'));
+  render(measureList(ui), part('.measured'));
+  root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
   render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
@@ -221,6 +225,7 @@ window.addEventListener('keydown', (e) => {
   const view = views1[Number(key) - 1];
   if (view) ui.look(view);
   else if (key === 'f') ui.fit();
+  else if (key === 'd') store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
   else if (key === ' ' && !target.matches('button, summary')) {
     if (isInMachine(store.state)) playStrokes();
     else animate();
@@ -243,6 +248,7 @@ function escape(target: HTMLElement) {
   if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
   root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
+  if (!store.state.help && escapeMeasuring(ui)) return;
   store.dispatch({ type: 'help', help: false });
   store.dispatch({ type: 'pick', pick: 'none' });
   store.dispatch({ type: 'select', selection: {} });

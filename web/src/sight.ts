@@ -35,6 +35,7 @@ export type Shown = (x: number, y: number, z: number) => boolean;
 export class Sight {
   private screen = new Float32Array(); // x, y in pixels and depth in mm, of each corner
   private of: { version: number; camera: string; width: number; height: number } | null = null;
+  private view: number[] = [];
   private drawn: Drawn | null = null;
   private edgeA = new Uint32Array();
   private edgeB = new Uint32Array();
@@ -50,6 +51,7 @@ export class Sight {
     if (this.of?.version === version && this.of.camera === key && this.of.width === width && this.of.height === height)
       return;
     this.of = { version, camera: key, width, height };
+    this.view = [...camera.matrixWorldInverse.elements];
     this.project(drawn.positions, m.elements, camera.matrixWorldInverse.elements, width, height);
     this.takeLines(drawn.lines);
   }
@@ -67,6 +69,12 @@ export class Sight {
       s[i + 1] = (1 - (m[1]! * x + m[5]! * y + m[9]! * z + m[13]!)) * h;
       s[i + 2] = -(v[2]! * x + v[6]! * y + v[10]! * z + v[14]!);
     }
+  }
+
+  /** How deep a place lies. */
+  depthOf([x, y, z]: Vec3): number {
+    const v = this.view;
+    return -(v[2]! * x + v[6]! * y + v[10]! * z + v[14]!);
   }
 
   private takeLines(lines: CornerLine[]) {

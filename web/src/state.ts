@@ -14,6 +14,7 @@ import type {
   Vec3,
 } from './types.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
+import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
@@ -77,6 +78,7 @@ export interface State {
   selection: Selection;
   fold: number;
   order: OrderState;
+  measure: MeasureState;
   pick: PickMode;
   gizmo: GizmoMode;
   plateSize: Vec2; // of the next plate that is added, in mm
@@ -97,6 +99,7 @@ export interface State {
 
 export type Action =
   | OrderAction
+  | MeasureAction
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
@@ -148,6 +151,7 @@ export function initialState(theme: Theme): State {
     selection: nothing,
     fold: 1,
     order: noOrder,
+    measure: noMeasures,
     pick: 'none',
     gizmo: 'translate',
     plateSize: [100, 100],
@@ -233,6 +237,12 @@ export function reduce(state: State, action: Action): State {
       return { ...state, theme: action.theme };
     case 'help':
       return { ...state, help: action.help };
+    case 'measure-mode':
+    case 'measure-pick':
+    case 'measure-drop':
+    case 'measure-remove':
+    case 'measure-clear':
+      return { ...state, measure: reduceMeasure(state.measure, action) };
     default:
       return { ...state, order: reduceOrder(state.order, action) };
   }
@@ -312,11 +322,13 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   const shown =
     hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are renumbered if their number changes.
-  const edge = shown.edge_length.length === state.shape?.edge_length.length ? state.selection.edge : null,
+  const alike = shown.edge_length.length === state.shape?.edge_length.length,
+    edge = alike ? state.selection.edge : null,
     part = pickedBend(state, shape.report);
   return {
     ...state,
     shape: shown,
+    measure: alike && state.shapeOf === shapeOf ? state.measure : forgotten(state.measure),
     shapeOf,
     selection:
       edge === state.selection.edge && part === state.selection.part

@@ -30,6 +30,7 @@ export interface Palette {
   beam: string;
   finger: string;
   hit: string;
+  measure: string;
 }
 const names: Record<keyof Palette, string> = {
   background: '--view',
@@ -62,6 +63,7 @@ const names: Record<keyof Palette, string> = {
   beam: '--beam',
   finger: '--finger',
   hit: '--hit',
+  measure: '--measure',
 };
 
 export function readPalette(): Palette {

@@ -6,6 +6,7 @@ import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as frames from './flows/frames.mjs';
 import * as hover from './flows/hover.mjs';
+import * as measure from './flows/measure.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
@@ -28,6 +29,7 @@ const flows = {
   ...features,
   ...frames,
   ...hover,
+  ...measure,
   ...right,
   ...server,
 };
