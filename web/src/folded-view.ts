@@ -1,27 +1,22 @@
-import { Box3, Color, Matrix4, Object3D, Plane, Scene, Vector3, WebGLRenderer } from 'three';
-import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { Box3, Color, type Matrix4, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { FoldedCamera, type StandardView } from './folded-camera.ts';
+import { FoldedLook, type LookEvents } from './folded-look.ts';
+import { PlateGizmo } from './plate-gizmo.ts';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
-import { markedWith, partOfEdge, type PickedLine } from './lines.ts';
-import type { MeasuringEvents } from './measure/events.ts';
-import { refOfEdge, snapAt } from './measure/snap.ts';
-import { inPlace, type Measured, type Ref } from './measure/things.ts';
+import type { PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
 import { isLarge } from './sheet-lod.ts';
-import { Sight, type SeenLine, type SeenSkin } from './sight.ts';
 import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
-import type { AnchorSpec, OrderAnswer, Shape, Vec2, Vec3 } from './types.ts';
+import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
 
-export interface FoldedViewEvents extends MeasuringEvents {
+export interface FoldedViewEvents extends LookEvents {
   /** Whether the line was used; else the part behind it is picked. */
   pickLine(line: PickedLine): boolean;
-  /** What lies under the resting pointer. */
-  hover(under: PickedLine | null): void;
   pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
   pickAnchor(anchor: number): void;
   pickRidgeEnd(end: RidgeEnd): void;
@@ -52,8 +47,8 @@ export class FoldedView {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly eye: FoldedCamera;
-  private readonly gizmo: TransformControls;
-  private readonly grip = new Object3D();
+  private readonly plateGizmo: PlateGizmo;
+  private readonly under: FoldedLook;
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
   private readonly machine = new MachineObject();
@@ -71,13 +66,9 @@ export class FoldedView {
     ridges: 10,
   };
   private palette: Palette;
-  private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
-  private readonly sight = new Sight();
   private readonly above: ViewOverlay;
-  private hovered: PickedLine | null = null;
-  private pointer: PointerEvent | null = null; // that is still to be looked at
   private moving = false; // something is being dragged
   private lively = 0; // timer: orbiting or folding has not paused
   private readonly box: HTMLElement;
@@ -92,7 +83,7 @@ export class FoldedView {
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
     this.above = new ViewOverlay(box, 'folded-overlay', (c) => this.paintAbove(c));
-    this.scene.add(this.sheet.group, this.handles.group, this.machine.group, this.grip);
+    this.scene.add(this.sheet.group, this.handles.group, this.machine.group);
     this.eye = new FoldedCamera(
       canvas,
       () => this.bounds(),
@@ -102,9 +93,19 @@ export class FoldedView {
         this.events.zoomed();
       },
     );
-    this.gizmo = new TransformControls(this.eye.camera, canvas);
-    this.gizmo.setSize(0.8);
-    this.scene.add(this.gizmo.getHelper());
+    this.under = new FoldedLook(canvas, this.sheet, this.eye, events);
+    this.plateGizmo = new PlateGizmo(this.eye.camera, canvas, this.scene, {
+      draw: () => this.draw(),
+      grab: (grabbed) => {
+        this.eye.orbit.enabled = !grabbed;
+        if (grabbed) return;
+        this.events.dragEnd();
+        this.attachGizmo();
+      },
+      drag: (moved) => {
+        if (this.overlay.plate) this.events.dragPlate(this.overlay.plate, moved, performance.now());
+      },
+    });
     this.listen(canvas);
     new ResizeObserver(() => this.resize()).observe(box);
     this.resize();
@@ -112,7 +113,7 @@ export class FoldedView {
   }
 
   setShape(shape: Shape | null, share: number, thickness: number, picked: Picked, held = 0) {
-    this.shape = shape;
+    this.shape = this.under.shape = shape;
     this.picked = picked;
     this.sheet.group.visible = shape !== null;
     if (shape) {
@@ -210,6 +211,14 @@ export class FoldedView {
     return box;
   }
 
+  get hovered() {
+    return this.under.hovered;
+  }
+
+  get gizmo() {
+    return this.plateGizmo.controls;
+  }
+
   get camera() {
     return this.eye.camera;
   }
@@ -241,27 +250,6 @@ export class FoldedView {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));
     canvas.addEventListener('pointerup', (e) => this.up(e));
-    canvas.addEventListener('pointerleave', () => {
-      this.pointer = null;
-      this.events.hover(null);
-      this.events.measureHover(null);
-    });
-    this.gizmo.addEventListener('change', () => {
-      if (!this.gizmo.dragging) this.draw();
-    }); // else the next geometry does
-    this.gizmo.addEventListener('dragging-changed', (e) => {
-      this.eye.orbit.enabled = !e.value;
-      if (e.value) this.gripStart.copy(this.grip.matrixWorld);
-      else {
-        this.events.dragEnd();
-        this.attachGizmo();
-      }
-    });
-    this.gizmo.addEventListener('objectChange', () => {
-      this.grip.updateMatrix();
-      const moved = this.grip.matrix.clone().multiply(this.gripStart.clone().invert());
-      if (this.overlay.plate) this.events.dragPlate(this.overlay.plate, moved, performance.now());
-    });
   }
 
   private down(e: PointerEvent) {
@@ -285,7 +273,7 @@ export class FoldedView {
   }
 
   private move(e: PointerEvent) {
-    if (!this.press) return this.hover(e);
+    if (!this.press) return this.under.hover(e);
     if (this.press.anchor === null) return;
     const at = this.eye.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
     const { scale } = this.overlay;
@@ -301,13 +289,13 @@ export class FoldedView {
       this.events.dragEnd();
       return;
     }
-    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.gizmo.dragging || this.gizmo.axis) return;
+    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.plateGizmo.isHeld) return;
     this.click(e);
   }
 
   private click(e: PointerEvent) {
     const measured = this.events.measured();
-    if (measured) return this.events.measurePick(measured.of && this.refUnder(measured.of, e));
+    if (measured) return this.events.measurePick(measured.of && this.under.refUnder(measured.of, e));
     if (this.shape && this.overlay.handles) {
       const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
         end = this.nearest(
@@ -317,76 +305,14 @@ export class FoldedView {
         );
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
-    const { line, skin } = this.under(e);
+    const { line, skin } = this.under.under(e);
     if (line && this.events.pickLine(line.line)) return;
     this.events.pickFacet(skin?.facet ?? null, skin?.upper ?? true, skin?.at ?? null);
   }
 
-  /** What of the sheet is seen under the pointer: a line that is near, and the skin. */
-  private under(e: PointerEvent): { line: SeenLine | null; skin: SeenSkin | null } {
-    const r = this.renderer.domElement.getBoundingClientRect(),
-      [x, y] = [e.clientX - r.left, e.clientY - r.top];
-    if (!this.shape) return { line: null, skin: null };
-    this.sight.look(this.sheet.drawn, this.sheet.version, this.eye.camera, r.width, r.height);
-    return { line: this.sight.lineAt(x, y, 5, this.slack, this.isShown), skin: this.sight.skinAt(x, y, this.isShown) };
-  }
-
-  private isShown = (..._at: Vec3) => true;
-
-  /** How far behind a skin lines may lie that are seen. */
-  private get slack() {
-    return Math.max(this.sheet.depth, 0.004 * this.eye.radius);
-  }
-
-  /** Says what lies under the pointer, once a frame. */
-  private hover(e: PointerEvent) {
-    const waiting = this.pointer !== null;
-    this.pointer = e;
-    if (waiting) return;
-    requestAnimationFrame(() => {
-      const at = this.pointer;
-      this.pointer = null;
-      if (!at || this.press) return;
-      const measured = this.events.measured();
-      if (measured) return this.hoverMeasured(measured.of, at);
-      const { line, skin } = this.under(at),
-        row = skin && this.shape?.facet_part[skin.facet];
-      this.events.hover(line?.line ?? (row === null || row === undefined ? null : { part: row }));
-    });
-  }
-
-  /** Marks what would be measured; of a flange all of it. */
-  private hoverMeasured(of: Measured | null, e: PointerEvent) {
-    const ref = of && this.refUnder(of, e);
-    this.events.measureHover(ref);
-    this.events.hover(ref?.kind === 'flange' || ref?.kind === 'bend' ? { part: ref.part } : null);
-  }
-
-  /** What would be measured from or to: a corner, a middle or a centre before a line, a line before a flange. */
-  private refUnder(of: Measured, e: PointerEvent): Ref | null {
-    const { line, skin } = this.under(e),
-      r = this.renderer.domElement.getBoundingClientRect(),
-      slack = this.slack;
-    const toScreen = (...at: Vec3): Vec2 => {
-      const p = this.eye.toScreen(at);
-      return [p.x, p.y];
-    };
-    const snapped = snapAt(of, 'folded', toScreen, [e.clientX - r.left, e.clientY - r.top], (at, _upper, place) => {
-      const front = this.sight.skinAt(...at, this.isShown);
-      return this.isShown(...place) && (!front || front.depth > this.sight.depthOf(place) - slack);
-    });
-    if (snapped) return snapped;
-    const edge = line && 'edge' in line.line ? refOfEdge(of, line.line.edge, line.upper) : null,
-      part = skin ? of.shape.facet_part[skin.facet]! : null;
-    if (edge && of.shape.parts[partOfEdge(of.shape, (line!.line as { edge: number }).edge)!]?.place) return edge;
-    if (part === null) return null;
-    const at = inPlace(of.shape, part, skin!.at);
-    return at ? { kind: 'flange', part, upper: skin!.upper, at } : { kind: 'bend', part, line: 0 };
-  }
-
   /** Lights up an edge or a part. */
   setHover(under: PickedLine | null) {
-    this.hovered = under;
+    this.under.hovered = under;
     const row = under && 'part' in under ? under.part : null;
     if (this.sheet.light(row, this.palette.selected)) this.draw();
     this.above.draw();
@@ -397,33 +323,12 @@ export class FoldedView {
   }
 
   private paintAbove(c: CanvasRenderingContext2D): boolean {
-    const lit = this.paintHovered(c);
+    const lit = this.under.paint(c, this.palette.selected);
     const measured = this.events.paintAbove(c, (at) => {
       const p = this.eye.toScreen(at);
       return [p.x, p.y];
     });
     return lit || measured;
-  }
-
-  private paintHovered(c: CanvasRenderingContext2D): boolean {
-    const { hovered, shape } = this;
-    if (!hovered || !shape) return false;
-    const marked = 'edge' in hovered ? markedWith(shape, hovered.edge) : null,
-      lines = this.sheet.linesOf((line) =>
-        'edge' in line ? (marked?.has(line.edge) ?? false) : 'part' in hovered && line.part === hovered.part,
-      );
-    if (!lines.length) return false;
-    c.beginPath();
-    for (const { ends } of lines) {
-      const [a, b] = [this.eye.toScreen(ends[0]), this.eye.toScreen(ends[1])];
-      c.moveTo(a.x, a.y);
-      c.lineTo(b.x, b.y);
-    }
-    c.strokeStyle = this.palette.selected;
-    c.lineWidth = 3;
-    c.lineCap = 'round';
-    c.stroke();
-    return true;
   }
 
   private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
@@ -455,27 +360,10 @@ export class FoldedView {
     );
   }
 
-  /**
-   * The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate
-   * follows.
-   */
   private attachGizmo() {
-    if (this.gizmo.dragging) return;
-    const plate = this.overlay.handles
-      ? this.shape?.handles.plates?.find((p) => p.id === this.overlay.plate)
-      : undefined;
-    if (!plate) {
-      this.gizmo.detach();
-      return;
-    }
-    const middle = new Vector3();
-    for (const c of plate.corners) middle.add(new Vector3(...c));
-    this.grip.position.copy(middle.divideScalar(plate.corners.length));
-    this.grip.quaternion.identity();
-    this.grip.scale.set(1, 1, 1);
-    this.grip.updateMatrixWorld(true);
-    this.gizmo.setMode(this.overlay.gizmo);
-    this.gizmo.attach(this.grip);
+    const { plate, handles, gizmo } = this.overlay,
+      own = handles ? this.shape?.handles.plates?.find((p) => p.id === plate) : undefined;
+    this.plateGizmo.attach(own?.corners, gizmo);
   }
 
   /** After new geometry: handles may have moved with it. */

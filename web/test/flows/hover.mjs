@@ -32,6 +32,7 @@ export async function hover({ page }) {
   await page.waitForFunction((part) => window.planish.views.folded.hovered?.part === part, row);
   // A rim in the folded view, from above.
   await page.click('[data-testid=view-top]');
+  await page.waitForTimeout(200);
   const [edge, at] = await state(
     page,
     `(() => { const top = views.folded.sheet.lines().filter((l) => 'edge' in l.line)
