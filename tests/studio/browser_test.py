@@ -26,6 +26,7 @@ class Browser(StudioTest):
         (cls.folder / "pressed.step").write_text(step_files.pressed_plate())
         (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
+        (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
                               env=dict(os.environ, STUDIO_FILES=str(cls.folder), STUDIO_PROCESS=str(cls.studio.process.pid)))
@@ -150,6 +151,15 @@ class Browser(StudioTest):
 
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
+
+    def test_a_section_shows_the_thickness_and_glass_what_is_behind(self):
+        self.flow("section")
+
+    def test_the_cube_shows_and_chooses_from_where_one_looks(self):
+        self.flow("cube")
+
+    def test_the_views_share_the_room_as_they_are_dragged(self):
+        self.flow("split")
 
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")

@@ -1,6 +1,7 @@
 import { Box3, OrthographicCamera, Raycaster, Sphere, Vector2, Vector3 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from './types.ts';
+import type { Attitude } from './view-cube.ts';
 
 export type StandardView = 'front' | 'top' | 'right' | 'iso';
 
@@ -82,15 +83,42 @@ export class FoldedCamera {
   }
 
   look(view: StandardView) {
-    this.lookFrom(directions[view]);
+    const [x, y, z] = directions[view];
+    this.lookFrom(view === 'iso' && this.upright === 'y' ? [-x, y, z] : [x, y, z]);
   }
 
   lookAtMachine() {
     this.lookFrom(beforeMachine);
   }
 
-  private lookFrom([x, y, z]: Vec3) {
-    const direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
+  /** From a side of the view cube. */
+  lookFromSide([x, y, z]: Vec3) {
+    this.lookFrom(x || y ? [x, y, z] : [0, -1e-4, z]);
+  }
+
+  /** Where the axes of the view cube point on the screen: right, up, towards the eye. */
+  attitude(): Attitude {
+    this.camera.updateMatrixWorld();
+    const e = this.camera.matrixWorldInverse.elements;
+    const axis = (side: Vec3): Vec3 => {
+      const [x, y, z] = this.inSpace(side).toArray();
+      return [0, 1, 2].map((k) => Number((e[k]! * x + e[4 + k]! * y + e[8 + k]! * z).toFixed(5))) as Vec3;
+    };
+    return { axes: [axis([1, 0, 0]), axis([0, 1, 0]), axis([0, 0, 1])] };
+  }
+
+  /** Towards the eye. */
+  get direction(): Vec3 {
+    return this.camera.getWorldDirection(new Vector3()).negate().toArray();
+  }
+
+  /** A direction that is given with z up. */
+  private inSpace([x, y, z]: Vec3) {
+    return this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(-x, z, y);
+  }
+
+  private lookFrom(from: Vec3) {
+    const direction = this.inSpace(from);
     this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
     this.orbit.update();
     this.fit();

@@ -1,6 +1,9 @@
 import { Box3, Color, type Matrix4, Plane, Scene, Vector3, WebGLRenderer } from 'three';
 import { FoldedCamera, type StandardView } from './folded-camera.ts';
 import { FoldedLook, type LookEvents } from './folded-look.ts';
+import { CubeView } from './cube-view.ts';
+import { cutAt, isKept } from './section.ts';
+import type { ViewState } from './view-state.ts';
 import { PlateGizmo } from './plate-gizmo.ts';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
@@ -49,6 +52,7 @@ export class FoldedView {
   private readonly eye: FoldedCamera;
   private readonly plateGizmo: PlateGizmo;
   private readonly under: FoldedLook;
+  private readonly cube: CubeView;
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
   private readonly machine = new MachineObject();
@@ -93,6 +97,11 @@ export class FoldedView {
         this.events.zoomed();
       },
     );
+    this.renderer.localClippingEnabled = true;
+    this.cube = new CubeView(box, palette, (side) => {
+      this.eye.lookFromSide(side);
+      this.draw();
+    });
     this.under = new FoldedLook(canvas, this.sheet, this.eye, events);
     this.plateGizmo = new PlateGizmo(this.eye.camera, canvas, this.scene, {
       draw: () => this.draw(),
@@ -167,6 +176,19 @@ export class FoldedView {
     this.machine.paint(palette);
     this.showHandles();
     this.draw();
+  }
+
+  /** What of the sheet is cut away, and whether one sees through it. */
+  setSection({ section: { on, along, at, flipped }, seeThrough }: ViewState, inMachine: boolean) {
+    this.sheet.setGlass(seeThrough, this.palette);
+    this.sheet.setSection(on && !inMachine ? (positions) => cutAt(positions, along, at, flipped) : null);
+    this.under.isShown = (x, y, z) => !this.sheet.cut || isKept(this.sheet.cut, x, y, z);
+    this.draw();
+  }
+
+  /** Towards the eye. */
+  get direction(): Vec3 {
+    return this.eye.direction;
   }
 
   /** The sheet in the machine; without a stage it is as folded by `share`. Another stroke is fitted unless it plays. */
@@ -385,6 +407,7 @@ export class FoldedView {
       this.renderer.setClearColor(new Color(this.palette.background));
       this.renderer.render(this.scene, this.eye.camera);
       this.above.now();
+      this.cube.set(this.eye.attitude(), this.palette);
       frameDrawn();
     });
   }

@@ -12,8 +12,10 @@ import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
 import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
+import { switchSection, viewTools } from './panels/section.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
+import { arrange, divider, rememberedView, rememberView, suggestedFor } from './split.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
@@ -24,11 +26,13 @@ window.planishTimings = [];
 const api = new Api(location.hash.slice(1));
 const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
 document.documentElement.dataset.theme = store.state.theme;
+store.dispatch({ type: 'view', view: rememberedView() });
 
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><div class="messages"></div><main>
   <div class="view folded"><div class="canvas"></div>
   <div class="buttons"></div><div class="tools"></div><div class="measured"></div><div class="machine"></div><div class="fold"></div></div>
+  <div class="divider"></div>
   <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
@@ -98,6 +102,20 @@ store.subscribe((state, before) => {
   });
 });
 
+let arrangedFor: string | undefined;
+store.subscribe((state, before) => {
+  const { document: d, view } = state,
+    suggested = d && d.id !== arrangedFor ? suggestedFor(state, part('main')) : null;
+  if (suggested) {
+    arrangedFor = d!.id;
+    if (suggested !== view.suggested) return store.dispatch({ type: 'view', view: { suggested } });
+  }
+  if (view === before.view) return;
+  arrange(part('main'), view);
+  rememberView(view);
+});
+arrange(part('main'), store.state.view);
+
 let pickedBefore = store.state.selection;
 
 function draw() {
@@ -115,7 +133,8 @@ function draw() {
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
   render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
-  render(measureButton(ui), part('.tools'));
+  render(html`${measureButton(ui)}${viewTools(ui, () => views.folded.direction)}`, part('.tools'));
+  render(divider(ui, part('main')), part('.divider'));
   render(measureList(ui), part('.measured'));
   root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
@@ -225,6 +244,8 @@ window.addEventListener('keydown', (e) => {
   const view = views1[Number(key) - 1];
   if (view) ui.look(view);
   else if (key === 'f') ui.fit();
+  else if (key === 'x') switchSection(ui, views.folded.direction);
+  else if (key === 'g') store.dispatch({ type: 'view', view: { seeThrough: !store.state.view.seeThrough } });
   else if (key === 'd') store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
   else if (key === ' ' && !target.matches('button, summary')) {
     if (isInMachine(store.state)) playStrokes();

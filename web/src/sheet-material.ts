@@ -3,6 +3,7 @@ import { Color, DoubleSide, FrontSide, ShaderMaterial } from 'three';
 // Light from above, from the upper left of the viewer and from the viewer, computed at corners: sheets are shaded by
 // few and large triangles, and a picture is cheap even if drawn by the CPU.
 const vertexShader = /* glsl */ `
+  #include <clipping_planes_pars_vertex>
   uniform bool twoSided;
   uniform float lit;
   uniform vec3 light;
@@ -18,13 +19,19 @@ const vertexShader = /* glsl */ `
     float gleam = 0.10 * pow(max(dot(n, vec3(-0.23, 0.37, 0.90)), 0.0), 40.0);
     vec3 own = abs(row - lit) < 0.5 ? mix(tint, light, 0.45) : tint;
     shade = pow(own * bright + gleam, vec3(1.0 / 2.2));
-    gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+    vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+    gl_Position = projectionMatrix * mvPosition;
+    #include <clipping_planes_vertex>
   }`;
 
 const fragmentShader = /* glsl */ `
+  #include <clipping_planes_pars_fragment>
   uniform float opacity;
   varying vec3 shade;
-  void main() { gl_FragColor = vec4(shade, opacity); }`;
+  void main() {
+    #include <clipping_planes_fragment>
+    gl_FragColor = vec4(shade, opacity);
+  }`;
 
 /**
  * For geometries with normals, an attribute `tint`, linear colours at corners, and one `row`, the part: that of row
@@ -36,6 +43,7 @@ export function sheetMaterial(skin: boolean): ShaderMaterial {
     fragmentShader,
     side: skin ? FrontSide : DoubleSide,
     uniforms: { twoSided: { value: !skin }, lit: { value: -1 }, light: { value: new Color() }, opacity: { value: 1 } },
+    clipping: true,
     polygonOffset: true,
     polygonOffsetFactor: 1.5,
     polygonOffsetUnits: 1,

@@ -2,11 +2,16 @@ import {
   BufferAttribute,
   BufferGeometry,
   Color,
+  DoubleSide,
   Group,
   LineBasicMaterial,
   LineSegments,
   Mesh,
+  MeshBasicMaterial,
+  Plane,
+  Vector3,
   type Box3,
+  type Material,
   type ShaderMaterial,
 } from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
@@ -15,6 +20,7 @@ import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js
 import { markedWith, type PickedLine } from './lines.ts';
 import { setRim } from './rim.ts';
 import { isLarge, simplified } from './sheet-lod.ts';
+import { capOf, type Cut } from './section.ts';
 import { sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, poseSheet, type FoldedSheet, type Pose, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
@@ -42,6 +48,11 @@ export class SheetObject {
   private readonly creases: LineSegments;
   private readonly forms: LineSegments; // outlines of formed features
   private readonly solid: Mesh;
+  private readonly cap = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ side: DoubleSide }));
+  private section: ((positions: Float32Array) => Cut) | null = null;
+  private glass = false;
+  /** What is cut away, while there is a section. */
+  cut: Cut | null = null;
   private readonly marked = new LineSegments2(
     new LineSegmentsGeometry(),
     new LineMaterial({ linewidth: 3.5, depthTest: false }),
@@ -70,7 +81,7 @@ export class SheetObject {
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.forms = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.marked.renderOrder = 1;
-    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.marked);
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.cap, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
@@ -145,7 +156,7 @@ export class SheetObject {
       this.tintRim();
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
-    ++this.version;
+    this.cutAgain();
     this.mark();
   }
 
@@ -155,6 +166,39 @@ export class SheetObject {
     this.skin.geometry.setAttribute('position', position);
     this.skin.geometry.setAttribute('normal', new BufferAttribute(skins.normals, 3));
     for (const lines of [this.outline, this.creases, this.forms]) lines.geometry.setAttribute('position', position);
+  }
+
+  /** The section, by the corners of the sheet as it is folded; null: none. */
+  setSection(section: ((positions: Float32Array) => Cut) | null) {
+    this.section = section;
+    this.cutAgain();
+  }
+
+  private cutAgain() {
+    const { mesh, folded, cap } = this,
+      cut = (mesh && folded && this.section?.(folded.positions)) ?? null,
+      planes = cut ? [new Plane(new Vector3(...cut.normal), cut.constant)] : [];
+    this.cut = cut;
+    ++this.version;
+    for (const object of [this.skin, this.rim, this.outline, this.creases, this.forms, this.marked])
+      (object.material as Material).clippingPlanes = planes;
+    cap.visible = cut !== null;
+    if (!cut || !mesh || !folded) return;
+    cap.geometry.dispose();
+    cap.geometry = new BufferGeometry();
+    cap.geometry.setAttribute('position', new BufferAttribute(capOf(mesh, folded.positions, cut), 3));
+  }
+
+  /** Whether one sees through the sheet. */
+  setGlass(glass: boolean, palette: Palette) {
+    this.glass = glass;
+    (this.outline.material as LineBasicMaterial).color.set(glass ? palette.outline : palette.edge);
+    for (const { material } of [this.skin, this.rim]) {
+      const own = material as ShaderMaterial;
+      own.transparent = glass;
+      own.depthWrite = !glass;
+      own.uniforms.opacity!.value = glass ? 0.32 : 1;
+    }
   }
 
   /** Lights up a part, by its row; null: none. Says whether that changes something; nothing is made for it. */
@@ -180,10 +224,11 @@ export class SheetObject {
     this.hit = hit;
     this.tintRim();
     setTint(this.solid.geometry, new Color(palette.flange));
-    (this.outline.material as LineBasicMaterial).color.set(palette.edge);
+    (this.outline.material as LineBasicMaterial).color.set(this.glass ? palette.outline : palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
     (this.forms.material as LineBasicMaterial).color.set(palette.form);
     this.marked.material.color.set(palette.selected);
+    (this.cap.material as MeshBasicMaterial).color.set(palette.section);
     this.picked = { part: selected, edge };
     this.mark();
     const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;

@@ -15,6 +15,7 @@ import type {
 } from './types.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
 import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
+import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 
@@ -79,6 +80,7 @@ export interface State {
   fold: number;
   order: OrderState;
   measure: MeasureState;
+  view: ViewState;
   pick: PickMode;
   gizmo: GizmoMode;
   plateSize: Vec2; // of the next plate that is added, in mm
@@ -100,6 +102,7 @@ export interface State {
 export type Action =
   | OrderAction
   | MeasureAction
+  | ViewAction
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
@@ -152,6 +155,7 @@ export function initialState(theme: Theme): State {
     fold: 1,
     order: noOrder,
     measure: noMeasures,
+    view: initialView,
     pick: 'none',
     gizmo: 'translate',
     plateSize: [100, 100],
@@ -243,6 +247,9 @@ export function reduce(state: State, action: Action): State {
     case 'measure-remove':
     case 'measure-clear':
       return { ...state, measure: reduceMeasure(state.measure, action) };
+    case 'section':
+    case 'view':
+      return { ...state, view: reduceView(state.view, action) };
     default:
       return { ...state, order: reduceOrder(state.order, action) };
   }
@@ -265,6 +272,7 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
     order: { ...noOrder, brake: state.order.brake },
+    view: { ...state.view, section: noSection },
   };
 }
 

@@ -31,6 +31,7 @@ export interface Palette {
   finger: string;
   hit: string;
   measure: string;
+  section: string;
 }
 const names: Record<keyof Palette, string> = {
   background: '--view',
@@ -64,6 +65,7 @@ const names: Record<keyof Palette, string> = {
   finger: '--finger',
   hit: '--hit',
   measure: '--measure',
+  section: '--section',
 };
 
 export function readPalette(): Palette {

@@ -111,6 +111,8 @@ export class Views {
         this[view].drawAbove();
       }
     }
+    if (state.view !== before.view || isInMachine(state) !== isInMachine(before))
+      this.folded.setSection(state.view, isInMachine(state));
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
     if (isInMachine(state) !== isInMachine(before) || state.order !== before.order) this.showMachine(state);

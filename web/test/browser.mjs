@@ -6,6 +6,7 @@ import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as frames from './flows/frames.mjs';
 import * as hover from './flows/hover.mjs';
+import * as look from './flows/look.mjs';
 import * as measure from './flows/measure.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
@@ -30,6 +31,7 @@ const flows = {
   ...frames,
   ...hover,
   ...measure,
+  ...look,
   ...right,
   ...server,
 };

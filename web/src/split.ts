@@ -1,0 +1,95 @@
+import { html } from 'lit-html';
+import { arrangementFor, arrangementOf, evenly, type Arrangement, type ViewState } from './view-state.ts';
+import type { State } from './state.ts';
+import type { Ui } from './ui.ts';
+import './split.css';
+
+const key = 'planish-views';
+const step = 0.02;
+
+/** What this machine remembers of the arrangement. */
+export function rememberedView(): Partial<ViewState> {
+  try {
+    const { split, arrangement } = JSON.parse(localStorage.getItem(key) ?? '{}') as Partial<ViewState>;
+    return {
+      ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
+      ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
+    };
+  } catch {
+    return {};
+  }
+}
+
+export function rememberView({ split, arrangement }: ViewState) {
+  try {
+    localStorage.setItem(key, JSON.stringify({ split, arrangement }));
+  } catch {
+    // a browser that keeps nothing begins evenly
+  }
+}
+
+/** The arrangement that suits the pattern of another file, or piece, in an area. */
+export function suggestedFor({ shape }: State, area: HTMLElement): Arrangement | null {
+  const p = shape?.points;
+  if (!p?.length) return null;
+  const range = (k: number) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = k; i < p.length; i += 2) {
+      low = Math.min(low, p[i]!);
+      high = Math.max(high, p[i]!);
+    }
+    return Math.max(high - low, 1e-6);
+  };
+  return arrangementFor([range(0), range(1)], area.clientWidth, area.clientHeight);
+}
+
+/** Shows both views as they are arranged. */
+export function arrange(area: HTMLElement, view: ViewState) {
+  const stacked = arrangementOf(view) === 'stacked';
+  area.classList.toggle('stacked', stacked);
+  area.style.setProperty('--first', `${view.split}fr`);
+  area.style.setProperty('--second', `${1 - view.split}fr`);
+}
+
+/** Between both views: dragged, or moved by arrow keys. */
+export function divider(ui: Ui, area: HTMLElement) {
+  const { view } = ui.state,
+    stacked = arrangementOf(view) === 'stacked',
+    set = (split: number) => ui.dispatch({ type: 'view', view: { split } });
+  const drag = (e: PointerEvent) => {
+    const handle = e.currentTarget as HTMLElement;
+    if (e.button !== 0) return;
+    handle.setPointerCapture(e.pointerId);
+    const move = (m: PointerEvent) => {
+      const r = area.getBoundingClientRect();
+      set(stacked ? (m.clientY - r.top) / r.height : (m.clientX - r.left) / r.width);
+    };
+    handle.addEventListener('pointermove', move);
+    handle.addEventListener('lostpointercapture', () => handle.removeEventListener('pointermove', move), {
+      once: true,
+    });
+  };
+  const press = (e: KeyboardEvent) => {
+    const by = { ArrowLeft: -step, ArrowUp: -step, ArrowRight: step, ArrowDown: step }[e.key];
+    if (by !== undefined) set(view.split + by);
+    else if (e.key === 'Home') set(0);
+    else if (e.key === 'End') set(1);
+    else if (e.key === 'Enter') set(evenly);
+    else return;
+    e.preventDefault();
+  };
+  return html`<div
+    role="separator"
+    tabindex="0"
+    data-testid="divider"
+    aria-label="Share of the folded part"
+    aria-orientation=${stacked ? 'horizontal' : 'vertical'}
+    aria-valuemin="15"
+    aria-valuemax="85"
+    aria-valuenow=${Math.round(100 * view.split)}
+    title="Drag to share the room; double-click: evenly"
+    @pointerdown=${drag}
+    @keydown=${press}
+    @dblclick=${() => set(evenly)}
+  ></div>`;
+}
