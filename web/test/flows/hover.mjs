@@ -14,6 +14,16 @@ export const drawnAbove = (page, testid) =>
     return count;
   });
 
+/** Waits until so many pixels are drawn above a view; 0: none. */
+export async function untilDrawn(page, testid, least) {
+  for (let i = 0; i < 40; ++i) {
+    const count = await drawnAbove(page, testid);
+    if (least ? count >= least : count === 0) return;
+    await page.waitForTimeout(50);
+  }
+  assert.fail(`${testid} has ${await drawnAbove(page, testid)} pixels`);
+}
+
 /** What lies under the pointer in one view lights up in both, without being picked, and without new geometry. */
 export async function hover({ page }) {
   await example(page, 'bracket.step');
@@ -27,7 +37,7 @@ export async function hover({ page }) {
   await page.mouse.move(line.x, line.y);
   await page.waitForFunction((part) => window.planish.views.folded.hovered?.part === part, bend);
   assert.deepEqual(await lit(page), [{ part: bend }, { part: bend }, bend]);
-  assert.ok((await drawnAbove(page, 'flat-overlay')) > 100);
+  await untilDrawn(page, 'flat-overlay', 100);
   await page.mouse.move(flange.x, flange.y);
   await page.waitForFunction((part) => window.planish.views.folded.hovered?.part === part, row);
   // A rim in the folded view, from above.
@@ -44,11 +54,12 @@ export async function hover({ page }) {
   const [flat, folded, part] = await lit(page);
   assert.equal(flat.edge, folded.edge);
   assert.equal(part, -1, 'of an edge the flange is not lit');
-  assert.ok(edge >= 0 && (await drawnAbove(page, 'flat-overlay')) > 20);
-  assert.ok((await drawnAbove(page, 'folded-overlay')) > 20);
+  assert.ok(edge >= 0);
+  await untilDrawn(page, 'flat-overlay', 20);
+  await untilDrawn(page, 'folded-overlay', 20);
   await page.mouse.move(600, 20);
   await page.waitForFunction(() => window.planish.views.flat.hovered === null);
-  assert.equal(await drawnAbove(page, 'folded-overlay'), 0);
+  await untilDrawn(page, 'folded-overlay', 0);
   assert.equal(await state(page, 'views.folded.sheet.version'), before, 'no geometry was made');
   assert.deepEqual(await state(page, '[s.selection.part, s.selection.edge]'), [null, null]);
 }

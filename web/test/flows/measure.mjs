@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { folder, open, rested, state } from '../driving.mjs';
-import { drawnAbove } from './hover.mjs';
+import { untilDrawn } from './hover.mjs';
 
 // The channel of step_files.py: 100 wide, 40 high, t 2, R 3, 160 long along x; holes of Ø 10 at (20, 20) and (80, 65).
 const allowance = (Math.PI / 2) * (3 + 0.44 * 2);
@@ -80,7 +80,7 @@ export async function measure({ page }) {
     'corner to corner',
   );
   assert.equal(await measured(page, 'flat', [x0, y0], [h[0], h[1]]).then((t) => t.split(',').length), 5);
-  assert.ok((await drawnAbove(page, 'flat-overlay')) > 1000, 'all are drawn');
+  await untilDrawn(page, 'flat-overlay', 1000);
   assert.deepEqual(
     await state(page, '[s.selection.part, s.selection.edge]'),
     [null, null],
@@ -123,7 +123,7 @@ export async function measurefolded({ page }) {
   );
   assert.equal(await measured(page, 'folded', [80, 65, 2], inner), '33 mm', 'a hole from a wall');
   assert.match(await measured(page, 'folded', [80, 65, 2], [160, 0, 40]), /^109\.86 mm, dx 80, dy 65, dz 38, Ø 10$/);
-  assert.ok((await drawnAbove(page, 'folded-overlay')) > 500);
+  await untilDrawn(page, 'folded-overlay', 500);
   await page.screenshot({ path: `${folder(page)}/folded.png` });
   // Of a part that is not folded wholly it is not known where everything is.
   await page.keyboard.press('Escape');
@@ -135,7 +135,7 @@ export async function measurefolded({ page }) {
   const p = await place(page, 'folded', base);
   await page.mouse.click(p.x, p.y);
   await page.waitForSelector('[data-testid=message]:has-text("Fold the part wholly")');
-  assert.equal(await drawnAbove(page, 'folded-overlay'), 0);
+  await untilDrawn(page, 'folded-overlay', 0);
   await page.focus('[data-testid=fold-slider]');
   await page.keyboard.press('ArrowRight');
   await page.waitForFunction(() => window.planish.store.state.fold === 1);
