@@ -21,7 +21,7 @@ build=(
 )
 # Where node came from elsewhere, npm came with it, and Debian's package would not go with that.
 command -v npm >/dev/null || build+=(nodejs npm)
-package=(git dpkg-dev debhelper dh-python python3)
+package=(git build-essential dpkg-dev debhelper dh-python python3)
 test=(libgtest-dev libgmock-dev librapidcheck-dev coinor-libcbc-dev python3 python3-ezdxf
   python3-jsonschema poppler-utils clang-format slurmctld slurmd slurm-client munge
   mypy python3-shapely

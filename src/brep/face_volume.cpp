@@ -44,7 +44,6 @@ double swept_area(const SpaceCurve& curve, const Vec3& from, const Vec3& normal,
 /// e_u the one round: ∫(x − c)·n dA with ∂/∂v undone.
 double cylinder_form(const SpaceCurve& curve, const Cylinder& cylinder, const Vec3& centre,
                      double error) {
-  if (curve.kind == SpaceCurve::Kind::line) return 0.0;  // a ruling
   const Frame& frame = cylinder.frame;
   const Vec3 offset = frame.origin - centre;
   const auto form = [&](const Vec3& x, const Vec3& dx) {
@@ -57,7 +56,6 @@ double cylinder_form(const SpaceCurve& curve, const Cylinder& cylinder, const Ve
 
 /// −∮ ½ v (A − c)·n e_u·dx with A the apex, v the distance from it and n the normal.
 double cone_form(const SpaceCurve& curve, const Cone& cone, const Vec3& centre, double error) {
-  if (curve.kind == SpaceCurve::Kind::line) return 0.0;
   const Frame& frame = cone.frame;
   const Vec3 offset = frame.origin - centre;
   const double s = std::sin(cone.half_angle);
@@ -69,6 +67,18 @@ double cone_form(const SpaceCurve& curve, const Cone& cone, const Vec3& centre, 
     return -from_apex.norm() / 2 * offset.dot(c * e - s * frame.z) * frame.z.cross(e).dot(dx);
   };
   return integral(curve, form, error);
+}
+
+/// The way from the end of one edge of a loop to the start of the next. Files of loose tolerance
+/// leave gaps there, and the borders must be closed.
+SpaceCurve gap_between(const SolidModel& model, const CoEdge& use, const CoEdge& next) {
+  const SpaceCurve& from = model.edges[use.edge].curve;
+  const SpaceCurve& to = model.edges[next.edge].curve;
+  SpaceCurve gap;
+  gap.kind = SpaceCurve::Kind::line;
+  gap.start = use.forward ? from.end : from.start;
+  gap.end = next.forward ? to.start : to.end;
+  return gap;
 }
 
 }  // namespace
@@ -93,9 +103,11 @@ double volume_under(const SolidFace& face, const SolidModel& model) {
   const auto along_borders = [&](const auto& form) {
     double sum = 0.0;
     for (const auto& loop : face.loops)
-      for (const CoEdge& use : loop) {
-        const double part = form(model.edges[use.edge].curve);
-        sum += use.forward ? part : -part;
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const double part = form(model.edges[loop[i].edge].curve);
+        sum += loop[i].forward ? part : -part;
+        const SpaceCurve gap = gap_between(model, loop[i], loop[(i + 1) % loop.size()]);
+        if ((gap.end - gap.start).norm() > tolerance::kRounding * model.size) sum += form(gap);
       }
     return sum;
   };

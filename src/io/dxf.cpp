@@ -73,7 +73,7 @@ Result<std::string> dxf_text(const FlatPattern& pattern, const DxfOptions& optio
   if (auto good = checked(options); !good) return tl::unexpected(good.error());
   if (auto good = checked(pattern); !good) return tl::unexpected(good.error());
   Drawing drawing(options);
-  drawing.add(pattern);
+  drawing.add(options.turn_to_blank ? transformed(pattern, laid_by_blank(pattern)) : pattern);
   return written(drawing, options);
 }
 

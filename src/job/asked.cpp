@@ -37,7 +37,9 @@ Result<OptionValues> checked_options(const Json& options, const Maker& maker, Op
       return fail(ErrorCode::bad_option,
                   fmt::format("`{}` is not an option of {}", shortened(name), maker.name),
                   pointer + "/" + name);
-  return values_of(options);
+  OptionValues values = values_of(options);
+  if (files == OptionFiles::content) values.read_no_files();
+  return values;
 }
 
 /// Files that an input names are left unread where nobody says where they are.

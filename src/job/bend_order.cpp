@@ -60,10 +60,12 @@ Result<std::vector<OrderedStroke>> parse_order(const std::string& json, const Re
 
 }  // namespace
 
-Result<Bending> read_bending(const std::string& json, const std::string& pointer) {
+Result<Bending> read_bending(const std::string& json, const std::string& pointer,
+                             const Bending& otherwise) {
   const auto values = read_options(json, brake_options(), OptionFiles::content, pointer);
   if (!values) return tl::unexpected(values.error());
   Request request;
+  request.bending = otherwise;
   if (auto entered = values->enter(request); !entered)
     return tl::unexpected(at_pointer(entered.error(), pointer));
   return std::move(request.bending);

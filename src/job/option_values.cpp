@@ -97,35 +97,44 @@ Result<OptionValue> read_file(const Option& option, const std::string& path) {
   return OptionValue(OptionFile{path, std::move(*text)});
 }
 
-Error without_material(const Shop& shop, const std::string& name) {
-  return {
-      ErrorCode::bad_option,
-      fmt::format("the shop profile has no material \"{}\" and there is no such file: it has {}",
-                  name, material_names(shop)),
-      "material"};
+Error without_material(const Shop& shop, const std::string& name, bool reads_files) {
+  return {ErrorCode::bad_option,
+          fmt::format("the shop profile has no material \"{}\"{}: it has {}", name,
+                      reads_files ? " and there is no such file" : "", material_names(shop)),
+          "material"};
+}
+
+Error not_a_content(const Option& option) {
+  return {ErrorCode::bad_option,
+          fmt::format("`{}` is the name of a material only beside `shop`: give the content of the "
+                      "{}",
+                      option.name, option.file_kind),
+          std::string(option.name)};
 }
 
 constexpr auto kOneK =
     "`k`, `k_table`, `din6935` and `material` each say where K comes from: give only one of them";
 
 /// `material` beside a shop: one of the shop's, or a file.
-Result<bool> enter_shop_material(const std::string& name, Request& request) {
+Result<bool> enter_shop_material(const std::string& name, Request& request, bool reads_files) {
   if (take_material(request, name)) return true;
   std::error_code ignored;
-  if (!std::filesystem::exists(name, ignored))
-    return tl::unexpected(without_material(request.shop->shop, name));
+  if (!reads_files || !std::filesystem::exists(name, ignored))
+    return tl::unexpected(without_material(request.shop->shop, name, reads_files));
   if (request.allowance) return fail(ErrorCode::bad_option, kOneK, "material");
   return false;
 }
 
-Result<void> enter_one(const Option& option, const OptionValue& value, Request& request) {
+Result<void> enter_one(const Option& option, const OptionValue& value, Request& request,
+                       bool reads_files) {
   const auto* path = std::get_if<std::string>(&value);
   if (option.name == "material" && path && request.shop) {
-    const auto done = enter_shop_material(*path, request);
+    const auto done = enter_shop_material(*path, request, reads_files);
     if (!done) return tl::unexpected(done.error());
     if (*done) return {};
   }
   if (option.kind == OptionKind::file && path) {
+    if (!reads_files) return tl::unexpected(not_a_content(option));
     const auto content = read_file(option, *path);
     if (!content) return tl::unexpected(content.error());
     return option.set(request, *content);
@@ -204,7 +213,7 @@ Result<void> OptionValues::enter(Request& request) const {
   for (const Option& option : options())
     for (const auto& [given, value] : values_) {
       if (given != &option) continue;
-      if (auto done = enter_one(option, value, request); !done) return done;
+      if (auto done = enter_one(option, value, request, reads_files_); !done) return done;
     }
   if (!request.shop) return {};
   // `planish bend --material steel` takes a word that it knows for the metal.

@@ -335,6 +335,15 @@ const std::vector<Option>& dxf_options() {
          to.dxf.bend_text = yes(value);
          return {};
        }},
+      {.name = "turn_to_blank",
+       .kind = OptionKind::flag,
+       .group = "DXF",
+       .description = "the pattern turned so that the longer side of its blank lies along x, the "
+                      "blank's corner at the origin",
+       .set = [](Request& to, const OptionValue& value) -> Done {
+         to.dxf.turn_to_blank = yes(value);
+         return {};
+       }},
   };
   return table;
 }

@@ -20,7 +20,11 @@ Schema file_schema(const Option& option, OptionFiles files) {
                                                      : text();
   const Schema given = object(
       {optional("name", text().said("for messages and reports")), required("content", content)});
-  if (files == OptionFiles::content) return given;
+  if (files == OptionFiles::content) {
+    if (option.name != "material") return given;
+    return any_of({text().said("name of a material of `shop`"), given},
+                  "the name of a material of `shop`, or an object with the content of a file");
+  }
   return any_of({text().said("path of the file"), given},
                 "the path of a file, or an object with its content");
 }

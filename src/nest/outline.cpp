@@ -103,14 +103,18 @@ bool has_curves(const Loop& contour) {
                               [](const Curve2& c) { return std::holds_alternative<Segment>(c); });
 }
 
+/// The box that far outwards. Outlines end there: a sharp corner that is grown may go on beyond.
+Path limits_of(Box2 box, double reach) {
+  box.lo.array() -= reach;
+  box.hi.array() += reach;
+  return rectangle(box);
+}
+
 /// The ring's neighbourhood, as polygons of ever fewer corners, until one has few enough.
 Path neighbourhood(const Loop& contour, const Box2& box, double reach) {
   constexpr std::array kTolerances{0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0};  // mm
   constexpr double kCoarsest = 0.05;  // of the smaller size
-  Box2 room = box;
-  room.lo.array() -= reach;
-  room.hi.array() += reach;
-  const Path limits = rectangle(room);
+  const Path limits = limits_of(box, reach);
   for (const double tolerance : kTolerances) {
     if (tolerance > kCoarsest * box.size().minCoeff()) break;
     // Half for the chords, half for the corners left out.
@@ -127,14 +131,16 @@ Path neighbourhood(const Loop& contour, const Box2& box, double reach) {
 cInt in_units(double mm) { return std::llround(mm / kUnit); }
 
 Path outline_around(const Loop& contour, double reach) {
+  const Box2 box = bounds(contour);
   if (!has_curves(contour) && contour.size() <= kMostCorners) {
     Ring ring;
     for (const Curve2& curve : contour)
       ring.push_back(start_of(curve));
-    const Path outline = cleaned(reach > 0.0 ? grown(path_of(ring), reach) : path_of(ring));
+    const Path outline = cleaned(
+        reach > 0.0 ? common(grown(path_of(ring), reach), limits_of(box, reach)) : path_of(ring));
     if (outline.size() <= kMostCorners) return outline;
   }
-  return neighbourhood(contour, bounds(contour), reach);
+  return neighbourhood(contour, box, reach);
 }
 
 }  // namespace planish::nest_detail

@@ -318,6 +318,19 @@ def two_angles_and_a_block():
     return file.text()
 
 
+def assembly_of_sixty():
+    """Angles of sizes of their own, each seventh body, from the fourth, a block."""
+    file = StepFile()
+    for i in range(60):
+        at = (0, 200 * i, 0)
+        if i % 7 == 3:
+            file.product(f"block {i + 1}", file.prism(*rectangle_profile(20.0 + i, 30.0), 30.0, at=at))
+        else:
+            profile = angle_profile(30.0 + i, 1.0 + i % 3, 1.0 + i % 3)
+            file.product(f"bracket {i + 1}", file.prism(*profile, 40.0 + 3 * i, at=at))
+    return file.text()
+
+
 def assembly_of_file(part, uses=2):
     """An assembly of one product whose shape is in another file, `uses` times 100 mm apart."""
     file = StepFile()

@@ -10,6 +10,8 @@ import pathlib
 import sys
 import unittest
 
+import ezdxf
+
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import step_files  # noqa: E402
 from planish_cli import SOURCE, CliTest, main  # noqa: E402
@@ -203,6 +205,16 @@ class Outputs(CliTest):
                                 (["--splines", "keep", "--arc-tolerance", "0.1"], "OUTER_PROFILE")):
             self.run_cli("unfold", "part.step", *options)
             self.assertIn(wanted, (self.dir / "part.dxf").read_text())
+
+    def test_a_dxf_turned_to_its_blank_fills_it(self):
+        self.angle()
+        self.run_cli("unfold", "part.step", "--turn-to-blank", "--json", "report.json")
+        size = self.json("report.json")["flat"]["size"]
+        (outer,) = ezdxf.readfile(self.dir / "part.dxf").modelspace().query("LWPOLYLINE")
+        for axis in (0, 1):
+            along = [point[axis] for point in outer.get_points("xy")]
+            self.assertAlmostEqual(min(along), 0.0, places=9)
+            self.assertAlmostEqual(max(along), size[axis], places=4)
 
     def test_refusal_leaves_an_older_pattern_alone(self):
         self.write("block.step", step_files.block())

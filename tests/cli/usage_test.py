@@ -21,7 +21,7 @@ class Help(CliTest):
         for option in ("-o,", "--json", "--k ", "--k-table", "--din6935", "--root", "--up",
                        "--profile", "--r12", "--splines", "--units", "--body", "--all", "--rules",
                        "--no-rules", "--density", "--write-overlapping", "--tangent-lines",
-                       "--bend-marks", "--arc-tolerance", "--quiet"):
+                       "--bend-marks", "--turn-to-blank", "--arc-tolerance", "--quiet"):
             self.assertIn(option, out)
         self.assertIn("Examples:", out)
         self.assertIn("Exit status:", out)

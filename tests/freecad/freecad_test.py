@@ -3,6 +3,7 @@
 The tests themselves are inside_*.py, which FreeCAD's own Python runs. tools/install-packages.sh test
 """
 
+import collections
 import json
 import os
 import pathlib
@@ -10,6 +11,7 @@ import re
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -20,6 +22,8 @@ PLANISH = os.environ.get("PLANISH_CLI", "build/release/apps/planish")
 PARTS = pathlib.Path(os.environ.get("PLANISH_PARTS") or SOURCE.parent / "shared" / "parts")
 WORKBENCH = SOURCE / "integrations/freecad"
 ENOUGH_PARTS = 30
+MOST_PARTS = int(os.environ.get("PLANISH_MOST", "90"))
+ENOUGH_BESIDE = 20  # with bends
 CONFIGURATION = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp"><FCParamGroup Name="Preferences">
 <FCParamGroup Name="General"><FCText Name="AutoloadModule">PlanishWorkbench</FCText></FCParamGroup>
@@ -50,6 +54,8 @@ class Home:
                        "XDG_DATA_HOME": str(self.path / ".local/share"), "PLANISH_PYTHON_FOLDER": str(FOLDER),
                        "PLANISH_SOURCE_DIR": str(SOURCE), "PLANISH_RESULT": str(self.path / "result.json"),
                        "PLANISH_SCRATCH": str(self.path), **more}
+        result = self.path / "result.json"
+        result.unlink(missing_ok=True)
         process = subprocess.Popen([*program, "-u", str(self.path / "user.cfg"), str(HERE / script)], env=environment,
                                    cwd=self.path, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True,
                                    stderr=subprocess.STDOUT, errors="replace", start_new_session=True)
@@ -59,7 +65,6 @@ class Home:
             os.killpg(process.pid, signal.SIGKILL)  # xvfb-run alone would leave FreeCAD behind
             said, _ = process.communicate()
             raise AssertionError(f"{script} took more than {seconds} s:\n{said[-3000:]}") from None
-        result = self.path / "result.json"
         return said, json.loads(result.read_text()) if result.is_file() else None
 
 
@@ -68,8 +73,20 @@ def command(*names):
     return next((path for path in map(shutil.which, names) if path), None)
 
 
+def sheetmetal():
+    """The folder of the workbench SheetMetal: the one that is named, or that of the user or the system."""
+    if os.environ.get("PLANISH_SHEETMETAL"):
+        return pathlib.Path(os.environ["PLANISH_SHEETMETAL"]).resolve()
+    data = pathlib.Path(os.environ.get("XDG_DATA_HOME") or pathlib.Path.home() / ".local/share") / "FreeCAD"
+    folders = [data, *sorted(data.glob("v*")), pathlib.Path.home() / ".FreeCAD",
+               *(pathlib.Path(base) / "freecad" for base in ("/usr/local/share", "/usr/local/lib", "/usr/share", "/usr/lib"))]
+    found = (folder / "Mod/SheetMetal" for folder in folders)
+    return next((folder for folder in found if (folder / "SheetMetalNewUnfolder.py").is_file()), None)
+
+
 CONSOLE = command("freecadcmd", "FreeCADCmd")
 WINDOW = command("freecad", "FreeCAD")
+SHEETMETAL = sheetmetal()
 
 
 class Package(unittest.TestCase):
@@ -125,6 +142,38 @@ class WithoutWindow(unittest.TestCase):
                     self.assertAlmostEqual(one["area"] / report["flat"]["area"], 1.0, delta=1e-6)
                     self.assertTrue(one["valid"])
                     self.assertEqual(one["holes"], report["flat"]["openings"])
+
+    @unittest.skipUnless(PARTS.is_dir(), f"there is no folder {PARTS}")
+    @unittest.skipUnless(SHEETMETAL, "the workbench SheetMetal is not installed, and PLANISH_SHEETMETAL does not name its folder")
+    def test_patterns_are_as_large_as_those_of_sheetmetal(self):
+        counts = collections.Counter()
+        with Home() as home:
+            for path in sorted(PARTS.glob("*.step")):
+                if path.name.startswith("neg") or counts["parts"] == MOST_PARTS:
+                    continue
+                try:  # a process for each: what stops FreeCAD stops one part
+                    _, result = home.run([CONSOLE], "inside_sheetmetal.py", seconds=60, PLANISH_PART=str(path),
+                                         PLANISH_SHEETMETAL=str(SHEETMETAL))
+                except AssertionError:
+                    result = None
+                result = result or {"solids": 1}
+                if "missing" in result:
+                    stop = self.fail if os.environ.get("PLANISH_SHEETMETAL") else self.skipTest
+                    stop(f"the unfolder in {SHEETMETAL} cannot be loaded (python3-networkx?): {result['missing']}")
+                if result["solids"] != 1:
+                    continue
+                counts["parts"] += 1
+                theirs, ours = result.get("sheetmetal"), result.get("planish")
+                counts[theirs is not None, ours is not None] += 1
+                # Where SheetMetal's pattern for K = 1/2 holds the whole part it is right, and so it is for every K.
+                if theirs and theirs["valid"] and abs(theirs["filled"] - 1) < 1e-8:
+                    with self.subTest(path.name):
+                        self.assertIsNotNone(ours, result.get("planish_reason"))
+                        self.assertAlmostEqual(ours["area"] / theirs["area"], 1.0, delta=1e-8)
+                        counts["agree"] += ours["bends"] > 0
+        print(f"\nof {counts['parts']} parts both unfold {counts[True, True]}, SheetMetal alone {counts[True, False]}, Planish alone "
+              f"{counts[False, True]}; whole and the same, with bends: {counts['agree']}", file=sys.stderr)
+        self.assertGreaterEqual(counts["agree"], ENOUGH_BESIDE)
 
 
 @unittest.skipUnless(WINDOW and shutil.which("xvfb-run"), "FreeCAD or Xvfb is not installed: tools/install-packages.sh test")

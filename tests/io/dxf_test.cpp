@@ -2,6 +2,7 @@
 #include "sample_patterns.hpp"
 
 #include <planish/geometry/curve.hpp>
+#include <planish/sheet/moved_pattern.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,8 @@ namespace planish {
 namespace {
 
 using namespace sample;
+using testing::AnyOf;
+using testing::DoubleNear;
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -75,6 +78,43 @@ TEST(Dxf, WritesTextsAtBendsOnRequest) {
     EXPECT_EQ(kinds_and_layers(dxf(pattern, {.version = version})).size(),
               kinds_and_layers(text).size() - 2);
   }
+}
+
+std::vector<double> numbers(const Groups& entity, int code) {
+  std::vector<double> values;
+  for (const std::string& value : values_of(entity, code))
+    values.push_back(std::stod(value));
+  return values;
+}
+
+TEST(Dxf, LiesAlongItsBlankOnRequest) {
+  for (const double degrees : {0.0, 17.0, 90.0, 143.0, 180.0, 271.5}) {
+    Isometry2 motion = Isometry2::Identity();
+    motion.linear() = Eigen::Rotation2Dd(degrees * kPi / 180.0).toRotationMatrix();
+    motion.translation() = Vec2(31.0, -470.0);
+    const std::string text = dxf(transformed(bracket(), motion), {.turn_to_blank = true});
+    const auto outer = of_type(text, "LWPOLYLINE").back();
+    // The bracket is 200 × 100, its bends up and down at 60 and 150 along it.
+    EXPECT_THAT(numbers(outer, 10),
+                UnorderedElementsAre(DoubleNear(0, 1e-9), DoubleNear(0, 1e-9),
+                                     DoubleNear(200, 1e-9), DoubleNear(200, 1e-9)));
+    EXPECT_THAT(numbers(outer, 20),
+                UnorderedElementsAre(DoubleNear(0, 1e-9), DoubleNear(0, 1e-9),
+                                     DoubleNear(100, 1e-9), DoubleNear(100, 1e-9)));
+    const auto bends = of_type(text, "LINE");
+    const double up = numbers(bends[0], 10)[0], down = numbers(bends[1], 10)[0];
+    EXPECT_THAT(up, AnyOf(DoubleNear(60, 1e-9), DoubleNear(140, 1e-9))) << degrees;
+    EXPECT_NEAR(std::abs(up - down), 90.0, 1e-9);
+  }
+}
+
+TEST(Dxf, BlanksAlongAnAxisAreTurnedWithoutRounding) {
+  const auto upright = [](const Vec2& lo, const Vec2& hi) { return blank(rectangle(lo, hi)); };
+  const std::string text = dxf(upright({-3, 7}, {122, 507.25}), {.turn_to_blank = true});
+  EXPECT_THAT(numbers(of_type(text, "LWPOLYLINE").front(), 10),
+              UnorderedElementsAre(0.0, 0.0, 500.25, 500.25));
+  EXPECT_EQ(dxf(upright({0, 0}, {500.25, 125}), {.turn_to_blank = true}),
+            dxf(upright({0, 0}, {500.25, 125})));
 }
 
 TEST(Dxf, CutsSlitsOnceAsLinesOnTheLayerOfOpenings) {

@@ -28,7 +28,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path kSource = fs::path(__FILE__).parent_path();
+const fs::path kSource = fs::path(PLANISH_SOURCE_DIR) / "tests/job";
 const fs::path kParts = real_parts_folder();
 
 Json read_json(const fs::path& path) {

@@ -104,6 +104,16 @@ TEST(Nest, RoundedCornersAndDiscsFitWhereTheirBoxFits) {
   EXPECT_EQ(nested({{&disc, 2}}, {.length = 995, .width = 500, .gap = 5}).sheets.size(), 1u);
 }
 
+TEST(Nest, PointedPartsFitWhereTheirBoxFits) {
+  // Grown by half the gap, the points of a rhombus of 60° would reach 6 mm beyond its box.
+  const double height = 100.0 * std::sqrt(3.0);
+  const FlatPattern rhombus = polygon_part(
+      {{50, 0}, {100, 0.5 * height}, {50, height}, {0, 0.5 * height}});
+  const NestOptions options{
+      .length = 140, .width = height + 40, .gap = 12.5, .margin = 20, .grain = true};
+  EXPECT_EQ(nested({{&rhombus, 1}}, options).sheets.size(), 1u);
+}
+
 TEST(Nest, AnglesLieInEachOther) {
   // The second, turned by 180°, begins 70 mm along and up: 270 × 270 holds both, their hulls not.
   const FlatPattern angle = angle_part(200.0, 60.0);
@@ -200,7 +210,9 @@ RC_GTEST_PROP(NestOfRandomParts, KeepsGapMarginAndQuantities, ()) {
                       .gap = *rc::gen::element(0.0, 0.3, 5.0, 12.5),
                       .grain = *rc::gen::arbitrary<bool>()};
   if (*rc::gen::arbitrary<bool>()) options.margin = *rc::gen::element(0.0, 2.0, 20.0);
-  nested(parts, options);
+  const auto nesting = nest(parts, options);
+  if (!nesting) RC_FAIL(nesting.error().message);
+  expect_sound(*nesting, parts, options);
   RC_ASSERT(!testing::Test::HasFailure());
 }
 

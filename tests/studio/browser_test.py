@@ -8,13 +8,14 @@ import re
 import subprocess
 import sys
 import tempfile
+import zipfile
 
 import ezdxf
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
 import step_files  # noqa: E402
-from planish_studio import CLI, SOURCE, StudioTest, main  # noqa: E402
+from planish_studio import CLI, EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
 
 
 class Browser(StudioTest):
@@ -27,6 +28,7 @@ class Browser(StudioTest):
         (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
+        (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
                               env=dict(os.environ, STUDIO_FILES=str(cls.folder), STUDIO_PROCESS=str(cls.studio.process.pid)))
@@ -172,6 +174,40 @@ class Browser(StudioTest):
 
     def test_the_dxf_says_its_unit(self):
         self.flow("dxfunit")
+
+    def test_a_dxf_is_written_as_the_panel_says(self):
+        self.flow("dxfpanel")
+        (path,) = (self.folder / "dxfpanel").glob("*.dxf")
+        subprocess.run([CLI, "unfold", EXAMPLES / "bracket.step", "--units", "inch", "--r12", "--profile", "onshape", "--bend-marks", "ticks", "--tick-length", "3",
+                        "--arc-tolerance", "0.02", "--tangent-lines", "--bend-text", "--turn-to-blank", "--quiet", "-o", self.folder / "wanted.dxf"], check=True, timeout=60)
+        self.assertEqual(path.read_bytes(), (self.folder / "wanted.dxf").read_bytes())
+
+    def test_bodies_are_listed_and_downloaded_at_once(self):
+        """The archive holds what `unfold --all` writes."""
+        self.flow("bodies")
+        with zipfile.ZipFile(self.folder / "bodies" / "sixty.zip") as archive:
+            self.assertIsNone(archive.testzip())
+            made = {name: archive.read(name) for name in archive.namelist()}
+        wanted = self.folder / "all"
+        wanted.mkdir()
+        subprocess.run([CLI, "unfold", self.folder / "sixty.step", "--all", "--din6935", "--quiet", "-o", "."], cwd=wanted, check=True, timeout=120)
+        self.assertEqual(sorted(made), sorted(path.name for path in wanted.iterdir() if path.name != "summary.json"))
+        self.assertEqual(len(made), 52)
+        for name, content in made.items():
+            self.assertEqual(content.decode(), (wanted / name).read_text().replace("./", ""), name)
+
+    def test_a_shop_says_k_and_mass(self):
+        self.flow("allowance")
+        (path,) = (self.folder / "allowance").glob("*-report.json")
+        done = subprocess.run([CLI, "unfold", EXAMPLES / "bracket.step", "--shop", EXAMPLES / "shop" / "example.json", "--material", "mild steel", "--check", "--json", "-", "--quiet"],
+                              capture_output=True, text=True, timeout=60)
+        wanted, made = json.loads(done.stdout), json.loads(path.read_text())
+        for key in ("sheet", "flat", "checks"):
+            self.assertEqual(made[key], wanted[key])
+        self.assertGreater(made["sheet"]["mass"], 0)
+
+    def test_a_bend_table_and_outside_lengths(self):
+        self.flow("bendtable")
 
     def test_what_was_dragged_is_there_after_a_reload(self):
         self.flow("reload")

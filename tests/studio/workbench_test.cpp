@@ -2,6 +2,7 @@
 
 #include "work/attachments.hpp"
 #include "work/overlap_triangles.hpp"
+#include "work/request.hpp"
 
 #include <planish/geometry/region.hpp>
 
@@ -68,6 +69,61 @@ TEST(Workbench, FreesWhatWasReadOnceAResultIsThere) {
   plates.perform({"open", "a.json", spec});
   plates.perform({"result", "", request(spec)});
   EXPECT_FALSE(plates.rest());
+}
+
+const job::Maker& unfold() { return *job::built_in().maker("unfold"); }
+
+TEST(Requests, OfTheSameGeometryHaveTheSameKey) {
+  const auto key = [](const std::string& options) {
+    const auto asked = parse_asked(R"({"options": )" + options + "}", unfold());
+    EXPECT_TRUE(asked) << asked.error().message;
+    return asked ? asked->key : "";
+  };
+  EXPECT_EQ(key(R"({"k": 0.4, "r12": true, "turn_to_blank": true})"), key(R"({"k": 0.4})"));
+  EXPECT_NE(key(R"({"k": 0.4})"), key(R"({"k": 0.3})"));
+  EXPECT_NE(key(R"({"units": "inch"})"), key("{}"));  // the report's too
+}
+
+TEST(Requests, NameMaterialsOfTheShopAndReadNoFile) {
+  const std::string shop = R"("shop": {"content": )" + example("shop/example.json") + "}";
+  const auto asked = [](const std::string& options) {
+    return parse_asked(R"({"options": {)" + options + "}}", unfold());
+  };
+  const auto steel = asked(shop + R"(, "material": "Mild Steel")");
+  ASSERT_TRUE(steel) << steel.error().message;
+  EXPECT_EQ(steel->request.shop->chosen().name, "mild steel");
+  EXPECT_EQ(steel->request.density, 7.85);
+  // Both are there to be read, as the command line would.
+  const std::string file = PLANISH_SOURCE_DIR "/examples/shop/example.json";
+  const auto path = asked(shop + R"(, "material": ")" + file + "\"");
+  ASSERT_FALSE(path);
+  EXPECT_EQ(path.error().where, "/options/material");
+  EXPECT_EQ(path.error().message,
+            "the shop profile has no material \"" + file + "\": it has mild steel, aluminium 5754");
+  const auto alone = asked(R"("material": "mild steel")");
+  ASSERT_FALSE(alone);
+  EXPECT_EQ(alone.error().message,
+            "`material` is the name of a material only beside `shop`: give the content of the "
+            "material file");
+  EXPECT_FALSE(asked(R"("k_table": ")" + file + "\""));
+}
+
+TEST(Requests, OrderStrokesWithTheToolsOfTheShop) {
+  Workbench bench("/nowhere");
+  bench.perform({"open", "a.step", example("bracket.step")});
+  Json shop = Json::parse(example("shop/example.json"));
+  shop["materials"].erase(1);
+  shop["tools"] = {{"punches", {"P88-R1"}}, {"dies", {"V16-88"}}};
+  const auto die = [&](const Json& options, const char* brake) {
+    const Json asked{{"options", options}, {"brake", Json::parse(brake)}};
+    const Answer answer = bench.perform({"plan", "", asked.dump()});
+    EXPECT_EQ(answer.status, 200) << answer.body;
+    return Json::parse(answer.body)["strokes"][0]["die"];
+  };
+  const Json of_shop{{"shop", {{"content", shop}}}};
+  EXPECT_EQ(die(Json::object(), "{}"), "V12-88");
+  EXPECT_EQ(die(of_shop, "{}"), "V16-88");
+  EXPECT_EQ(die(of_shop, R"({"springback": 1})"), "V16-88");
 }
 
 TEST(Workbench, TellsHowFarItIs) {

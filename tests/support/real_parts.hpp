@@ -10,7 +10,7 @@ namespace planish::test {
 /// to bring it.
 inline std::filesystem::path real_parts_folder() {
   if (const char* folder = std::getenv("PLANISH_PARTS")) return folder;
-  return std::filesystem::path(__FILE__).parent_path() / "../../../shared/parts";
+  return std::filesystem::path(PLANISH_SOURCE_DIR) / "../shared/parts";
 }
 
 inline constexpr const char*

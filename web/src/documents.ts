@@ -1,7 +1,9 @@
 import { Api, ApiError } from './api.ts';
+import type { Bodies } from './bodies.ts';
 import { patience, poll, problemOf } from './compute.ts';
 import { keepDocument, keptDocument } from './kept.ts';
-import { statusOfBody, type Bodies, type BodyStatus, type Store } from './state.ts';
+import { partOptions, type Store } from './state.ts';
+import { lookAt } from './survey.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
 
 interface Given {
@@ -56,7 +58,7 @@ export class Documents {
     await this.attempt(kept?.name ?? '', async (signal) => {
       if (kept) {
         await this.open(kept, async (name) => kept.beside[name] ?? null, signal);
-        return this.store.dispatch({ type: 'edit', input: kept.input });
+        return this.store.dispatch({ type: 'history', history: kept.history });
       }
       const named = (await this.api.documents()).find((d) => d.given);
       if (!named) return;
@@ -157,7 +159,6 @@ export class Documents {
     const before = this.store.state.document,
       { body, bodies } = await this.firstSheet(document, signal);
     this.store.dispatch({ type: 'opened', document, spec, body, bodies });
-    void this.survey(document);
     if (missing.length) this.store.dispatch({ type: 'note', note: `Drop the scans as well: ${missing.join(', ')}` });
     this.leave(before?.id);
   }
@@ -165,41 +166,16 @@ export class Documents {
   /** The first body of an assembly that is a sheet, if one is soon found: that is what one came for. */
   private async firstSheet(document: OpenDocument, signal: AbortSignal): Promise<{ body?: number; bodies: Bodies }> {
     const all = document.info?.bodies ?? [],
+      of = partOptions(this.store.state, document),
       bodies: Bodies = {},
       end = performance.now() + looking;
     for (const { number } of all.length > 1 ? all : []) {
-      bodies[number] = await this.statusOf(document.id, number, signal);
+      bodies[number] = await lookAt(this.api, document.id, number, of, signal);
       signal.throwIfAborted();
       if (bodies[number].status !== 'refused') return { body: number === all[0]!.number ? undefined : number, bodies };
       if (performance.now() > end) break;
     }
     return { bodies };
-  }
-
-  /** Looks at the other bodies of an assembly, one by one, while nothing else is computed. */
-  private async survey({ id, info }: OpenDocument) {
-    const all = info?.bodies ?? [],
-      { state } = this.store,
-      unknown = all.length > 1 ? all.filter((b) => !state.bodies[b.number]) : [];
-    for (const { number } of unknown) {
-      await this.quiet();
-      if (this.store.state.document?.id !== id) return;
-      this.store.dispatch({ type: 'body', id, number, status: await this.statusOf(id, number) });
-    }
-  }
-
-  private async quiet() {
-    const { store } = this;
-    while (store.state.computing || store.state.pending || store.state.opening)
-      await new Promise((resolve) => setTimeout(resolve, poll));
-  }
-
-  private async statusOf(id: string, body: number, signal?: AbortSignal): Promise<BodyStatus> {
-    try {
-      return statusOfBody((await this.api.draft(id, { options: { body } }, signal)).report);
-    } catch (error) {
-      return { status: 'refused', code: problemOf(error).code };
-    }
   }
 
   private async addPoints(points: Given[]) {

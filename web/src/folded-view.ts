@@ -98,7 +98,7 @@ export class FoldedView {
       },
     );
     this.renderer.localClippingEnabled = true;
-    this.cube = new CubeView(box, palette, (side) => {
+    this.cube = new CubeView(box.parentElement!, palette, (side) => {
       this.eye.lookFromSide(side);
       this.draw();
     });

@@ -1,16 +1,17 @@
-import type { Input } from './state.ts';
+import type { History, State } from './state.ts';
 
-/** What a tab needs to restore its state after a reload: the file and its input, in the tab's own storage. */
+/** What a tab needs to restore its state after a reload: the file and its edits, in the tab's own storage. */
 interface Kept {
   name: string;
   bytes: ArrayBuffer;
   beside: Record<string, ArrayBuffer>;
-  input: Input;
+  history: History;
 }
 
 const file = 'planish-file',
   edited = 'planish-input';
 const most = 3 << 20; // storages hold some five million characters
+const mostOfHistory = 1 << 20;
 
 export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside: Record<string, ArrayBuffer>) {
   sessionStorage.removeItem(file);
@@ -23,7 +24,13 @@ export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside:
   });
 }
 
-export const keepInput = (input: Input) => write(edited, input);
+/** Keeps the input with what undo and redo go through, the farthest steps last: of large inputs as many as there is room for. */
+export function keepHistory({ input, past, future }: Pick<State, 'input' | 'past' | 'future'>) {
+  for (let steps = past.length + future.length; ; steps >>= 1) {
+    const text = JSON.stringify({ input, past: steps ? past.slice(-steps) : [], future: future.slice(0, steps) });
+    if (steps === 0 || text.length <= mostOfHistory) return writeText(edited, text);
+  }
+}
 
 export function keptDocument(): Kept | null {
   try {
@@ -32,22 +39,24 @@ export function keptDocument(): Kept | null {
       bytes: string;
       beside: Record<string, string>;
     } | null;
-    const input = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as Input | null;
-    if (!kept || !input) return null;
+    const history = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as History | null;
+    if (!kept || !history) return null;
     return {
       name: kept.name,
       bytes: toBytes(kept.bytes),
       beside: Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)])),
-      input,
+      history,
     };
   } catch {
     return null;
   }
 }
 
-function write(key: string, value: unknown) {
+const write = (key: string, value: unknown) => writeText(key, JSON.stringify(value));
+
+function writeText(key: string, text: string) {
   try {
-    sessionStorage.setItem(key, JSON.stringify(value));
+    sessionStorage.setItem(key, text);
   } catch {
     sessionStorage.removeItem(key); // too large: the page begins empty
   }

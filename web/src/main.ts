@@ -1,39 +1,47 @@
-import { html, nothing, render } from 'lit-html';
+import { nothing, render } from 'lit-html';
 import { Api } from './api.ts';
+import { Archive } from './archive.ts';
 import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
-import { keepInput } from './kept.ts';
+import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
-import { escapeMeasuring, measureButton, measureList } from './panels/measures.ts';
+import { escapeMeasuring, measureList } from './panels/measures.ts';
+import { flatText, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
-import { foldBar, helpDialog, startScreen, viewButtons } from './panels/overlays.ts';
+import { foldBar, helpDialog, showHelp, viewButtons } from './panels/overlays.ts';
+import { startScreen } from './panels/start.ts';
 import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { switchSection, viewTools } from './panels/section.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
 import { arrange, divider, rememberedView, rememberView, suggestedFor } from './split.ts';
+import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
+import './panels/lists.css';
+import { keepWorkshop, keptWorkshop } from './workshop-state.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
 const api = new Api(location.hash.slice(1));
-const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
+const store = new Store({
+  ...initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'),
+  workshop: keptWorkshop(),
+});
 document.documentElement.dataset.theme = store.state.theme;
-store.dispatch({ type: 'view', view: rememberedView() });
 
 const root = document.getElementById('app')!;
-root.innerHTML = `<header></header><div class="messages"></div><main>
-  <div class="view folded"><div class="canvas"></div>
+root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
+  <div class="view folded"><div class="canvas" role="img"></div>
   <div class="buttons"></div><div class="tools"></div><div class="measured"></div><div class="machine"></div><div class="fold"></div></div>
   <div class="divider"></div>
-  <div class="view flat"><div class="canvas"></div><div class="title"></div></div>
+  <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
@@ -56,11 +64,19 @@ const ui: Ui = {
     const { input } = store.state;
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
+  refusal: (options) => {
+    const { document: d, input } = store.state;
+    return d
+      ? api.draft(d.id, { spec: input.spec ?? undefined, options: withoutHoles(options) }).then(() => null, problemOf)
+      : Promise.resolve(null);
+  },
   commit: () => store.dispatch({ type: 'commit' }),
   faceUp: (upper) => void faceUp(upper),
   openFiles: (files) => void documents.openFiles([...files]),
   openExample: (name) => void documents.openExample(name),
   download,
+  downloadAll: () => void archive.start(),
+  cancelArchive: () => archive.cancel(),
   finish: () => computation.finish(),
   cancel: () => (store.state.opening ? documents.cancel() : computation.cancel()),
   look: (view) => views.folded.look(view),
@@ -90,6 +106,8 @@ const computation = new Computation(
   (shown) => views.chord(shown),
 );
 const documents = new Documents(api, store);
+new Survey(api, store);
+const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
 
 let waiting = 0;
@@ -112,9 +130,13 @@ store.subscribe((state, before) => {
   }
   if (view === before.view) return;
   arrange(part('main'), view);
-  rememberView(view);
+  if (view.split !== before.view.split || view.arrangement !== before.view.arrangement) rememberView(api, view);
 });
 arrange(part('main'), store.state.view);
+rememberedView(api).then(
+  (view) => store.dispatch({ type: 'view', view }),
+  () => undefined,
+);
 
 let pickedBefore = store.state.selection;
 
@@ -133,19 +155,30 @@ function draw() {
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
   render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
-  render(html`${measureButton(ui)}${viewTools(ui, () => views.folded.direction)}`, part('.tools'));
+  render(
+    viewTools(ui, () => views.folded.direction),
+    part('.tools'),
+  );
   render(divider(ui, part('main')), part('.divider'));
   render(measureList(ui), part('.measured'));
   root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
-  render(html`${helpDialog(ui)}${nothing}`, part('.dialogs'));
+  render(helpDialog(ui), part('.dialogs'));
+  showHelp(store.state.help);
+  describeViews();
+}
+
+/** What the pictures show, for those who cannot see them. */
+function describeViews() {
+  part('.folded .canvas').ariaLabel = foldedText(store.state);
+  part('.flat .canvas').ariaLabel = flatText(store.state);
 }
 
 const withoutHoles = (o: Options) =>
   Object.fromEntries(Object.entries(o).filter(([, v]) => v !== undefined)) as Options;
 
-async function download(artifact: string, suffix: string, more: Pick<Options, 'profile' | 'units'> = {}) {
+async function download(artifact: string, suffix: string, more: Partial<Options> = {}) {
   const { document: d, input } = store.state;
   if (!d) return;
   try {
@@ -153,15 +186,19 @@ async function download(artifact: string, suffix: string, more: Pick<Options, 'p
       spec: input.spec ?? undefined,
       options: withoutHoles({ ...input.options, ...more }),
     });
-    const link = document.createElement('a'),
-      url = URL.createObjectURL(blob);
-    link.href = url;
-    link.download = fileName(d.name, artifact, suffix, input.options.piece);
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(url), 10_000);
+    saveFile(blob, fileName(d.name, artifact, suffix, input.options.piece));
   } catch (error) {
     store.dispatch({ type: 'problem', problem: problemOf(error) });
   }
+}
+
+function saveFile(blob: Blob, name: string) {
+  const link = document.createElement('a'),
+    url = URL.createObjectURL(blob);
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
 }
 
 /** "part.dxf", "part-flat.step" of the artifact "flat.step", "part-report.json" beside the edited "part.json". */
@@ -189,8 +226,9 @@ let animation = 0;
 function animate() {
   cancelAnimationFrame(animation);
   const from = store.state.fold,
-    to = from > 0.5 ? 0 : 1,
-    start = performance.now(),
+    to = from > 0.5 ? 0 : 1;
+  if (matchMedia('(prefers-reduced-motion: reduce)').matches) return store.dispatch({ type: 'fold', fold: to });
+  const start = performance.now(),
     duration = 900 * Math.abs(to - from);
   const step = (now: number) => {
     const t = Math.min(1, Math.max(0, (now - start) / duration)),
@@ -268,7 +306,10 @@ function escape(target: HTMLElement) {
   const text = before.get(target);
   if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
-  root.querySelectorAll('details.menu[open]').forEach((m) => m.removeAttribute('open'));
+  root.querySelectorAll('details.menu[open]').forEach((m) => {
+    m.removeAttribute('open');
+    if (m.contains(target)) m.querySelector('summary')!.focus();
+  });
   if (!store.state.help && escapeMeasuring(ui)) return;
   store.dispatch({ type: 'help', help: false });
   store.dispatch({ type: 'pick', pick: 'none' });
@@ -306,7 +347,10 @@ window.addEventListener('refused', (e) => store.dispatch({ type: 'note', note: (
 window.addEventListener('pagehide', () => documents.leave(store.state.document?.id));
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
-  if (changed && !state.pending) keepInput(state.input);
+  if (changed && !state.pending) keepHistory(state);
+  if (state.workshop !== before.workshop)
+    keepWorkshop(state.workshop) ||
+      store.dispatch({ type: 'note', note: 'The browser has no room left to keep this for the next part.' });
 });
 
 draw();

@@ -45,6 +45,7 @@ export function decodeShape(data: ArrayBuffer): Shape {
     parts: header.parts ?? [],
     root: header.root ?? [],
     handles: header.handles ?? {},
+    pierces: header.pierces ?? null,
     seconds: header.seconds ?? 0,
     turn: 0,
   };

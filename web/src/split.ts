@@ -1,31 +1,27 @@
 import { html } from 'lit-html';
+import type { Api } from './api.ts';
 import { arrangementFor, arrangementOf, evenly, type Arrangement, type ViewState } from './view-state.ts';
 import type { State } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
 
-const key = 'planish-views';
+const file = 'views.json';
 const step = 0.02;
+const pause = 300; // ms, after which what was changed is kept
 
 /** What this machine remembers of the arrangement. */
-export function rememberedView(): Partial<ViewState> {
-  try {
-    const { split, arrangement } = JSON.parse(localStorage.getItem(key) ?? '{}') as Partial<ViewState>;
-    return {
-      ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
-      ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
-    };
-  } catch {
-    return {};
-  }
+export async function rememberedView(api: Api): Promise<Partial<ViewState>> {
+  const { split, arrangement } = (await api.kept<Partial<ViewState>>(file)) ?? {};
+  return {
+    ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
+    ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
+  };
 }
 
-export function rememberView({ split, arrangement }: ViewState) {
-  try {
-    localStorage.setItem(key, JSON.stringify({ split, arrangement }));
-  } catch {
-    // a browser that keeps nothing begins evenly
-  }
+let waiting = 0;
+export function rememberView(api: Api, { split, arrangement }: ViewState) {
+  clearTimeout(waiting);
+  waiting = window.setTimeout(() => void api.keep(file, { split, arrangement }).catch(() => undefined), pause);
 }
 
 /** The arrangement that suits the pattern of another file, or piece, in an area. */
@@ -87,9 +83,9 @@ export function divider(ui: Ui, area: HTMLElement) {
     aria-valuemin="15"
     aria-valuemax="85"
     aria-valuenow=${Math.round(100 * view.split)}
-    title="Drag to share the room; double-click: evenly"
+    title="Drag to share the room; double-click: as it was at first"
     @pointerdown=${drag}
     @keydown=${press}
-    @dblclick=${() => set(evenly)}
+    @dblclick=${() => ui.dispatch({ type: 'view', view: { split: evenly, arrangement: null } })}
   ></div>`;
 }

@@ -13,17 +13,27 @@ import type {
   Vec2,
   Vec3,
 } from './types.ts';
+import { statusOfShape, type Bodies, type BodyStatus } from './bodies.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
 import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
 import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
+import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
 
 export interface Input {
   spec: Spec | null;
   options: Options;
 }
+/** The input, and those that undo and redo go back and on to. */
+export interface History {
+  input: Input;
+  past: Input[];
+  future: Input[];
+}
 export type Tab = 'input' | 'bends' | 'order' | 'findings' | 'certificate';
+export const severities = ['error', 'warning', 'info'] as const;
+export type Severity = (typeof severities)[number];
 export type Theme = 'light' | 'dark';
 export type PickMode = 'none' | 'root' | 'up';
 export type GizmoMode = 'translate' | 'rotate';
@@ -50,13 +60,6 @@ export const isInMachine = ({ tab, order, input, shape, pending }: State): boole
   !pending &&
   (shape?.facet_parent.length ?? 0) > 0;
 
-/** What became of a body, as far as is known: a draft says whether it is a sheet, a result says more. */
-export interface BodyStatus {
-  status: Report['status'];
-  code?: string; // of a refusal
-}
-export type Bodies = Record<number, BodyStatus>;
-
 /** A file that is being read; `long` once that takes more than half a second. */
 export interface Opening {
   name: string;
@@ -64,12 +67,9 @@ export interface Opening {
   progress: Progress | null;
 }
 
-export interface State {
+export interface State extends History {
   document: OpenDocument | null;
-  input: Input;
   pending: Input | null; // what the input was before a drag that has not ended
-  past: Input[];
-  future: Input[];
   shape: Shape | null;
   shapeIsDraft: boolean;
   shapeOf: string; // the body and the piece that the shape is of
@@ -77,10 +77,15 @@ export interface State {
   result: Shape | null; // the last whole one: its findings stand, marked as old, while drafts are shown
   known: Report | null; // the last report with a pattern
   selection: Selection;
+  hidden: Severity[]; // of findings that are left out
   fold: number;
   order: OrderState;
   measure: MeasureState;
   view: ViewState;
+  workshop: Workshop;
+  settingK: { kind: 'shop' | 'k_table'; file: string | null } | null; // where K shall come from, still to be chosen
+  sheetsOnly: boolean; // in the list of bodies
+  archive: { done: number; all: number } | null; // that is being made, in bodies
   pick: PickMode;
   gizmo: GizmoMode;
   plateSize: Vec2; // of the next plate that is added, in mm
@@ -103,12 +108,17 @@ export type Action =
   | OrderAction
   | MeasureAction
   | ViewAction
+  | WorkshopAction
+  | { type: 'setting-k'; settingK: State['settingK'] }
+  | { type: 'sheets-only'; sheetsOnly: boolean }
+  | { type: 'archive'; archive: State['archive'] }
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
   | { type: 'opening'; opening: Opening | null }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
   | { type: 'body'; id: string; number: number; status: BodyStatus }
   | { type: 'reopened'; document: OpenDocument }
+  | { type: 'history'; history: History }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
   | { type: 'undo' }
@@ -119,6 +129,7 @@ export type Action =
   | { type: 'computing'; computing: boolean }
   | { type: 'busy'; busy: boolean; progress?: Progress | null }
   | { type: 'select'; selection: Partial<Selection> }
+  | { type: 'severity'; severity: Severity; shown: boolean }
   | { type: 'fold'; fold: number }
   | { type: 'pick'; pick: PickMode }
   | { type: 'gizmo'; gizmo: GizmoMode }
@@ -152,10 +163,15 @@ export function initialState(theme: Theme): State {
     result: null,
     known: null,
     selection: nothing,
+    hidden: [],
     fold: 1,
     order: noOrder,
     measure: noMeasures,
     view: initialView,
+    workshop: emptyWorkshop,
+    settingK: null,
+    sheetsOnly: false,
+    archive: null,
     pick: 'none',
     gizmo: 'translate',
     plateSize: [100, 100],
@@ -193,6 +209,8 @@ export function reduce(state: State, action: Action): State {
         : state;
     case 'reopened':
       return { ...state, document: action.document, problem: null };
+    case 'history':
+      return { ...state, ...action.history };
     case 'edit':
       return action.live
         ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }
@@ -225,6 +243,11 @@ export function reduce(state: State, action: Action): State {
         selection: { ...nothing, ...action.selection },
         problem: isOfInput(state) ? state.problem : null,
       };
+    case 'severity':
+      return {
+        ...state,
+        hidden: [...state.hidden.filter((s) => s !== action.severity), ...(action.shown ? [] : [action.severity])],
+      };
     case 'fold':
       return { ...state, fold: Math.min(1, Math.max(0, action.fold)) };
     case 'pick':
@@ -250,6 +273,17 @@ export function reduce(state: State, action: Action): State {
     case 'section':
     case 'view':
       return { ...state, view: reduceView(state.view, action) };
+    case 'setting-k':
+      return { ...state, settingK: action.settingK };
+    case 'sheets-only':
+      return { ...state, sheetsOnly: action.sheetsOnly };
+    case 'archive':
+      return { ...state, archive: action.archive };
+    case 'dxf':
+    case 'table-file':
+    case 'table-forgotten':
+    case 'every-part':
+      return { ...state, workshop: reduceWorkshop(state.workshop, action) };
     default:
       return { ...state, order: reduceOrder(state.order, action) };
   }
@@ -268,13 +302,18 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     examples: state.examples,
     units: unitsOf(document, spec),
     document,
-    input: { spec, options: body === undefined ? {} : { body } },
+    input: { spec, options: { ...partOptions(state, document), ...(body === undefined ? {} : { body }) } },
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
     order: { ...noOrder, brake: state.order.brake },
     view: { ...state.view, section: noSection },
+    workshop: state.workshop,
   };
 }
+
+/** What is set on this machine for every part to unfold that is opened. */
+export const partOptions = ({ workshop }: State, { kind }: OpenDocument): Options =>
+  kind === 'unfold' ? (workshop.everyPart ?? {}) : {};
 
 /** The page uses the unit of the file. */
 const unitsOf = (document: OpenDocument, spec: Spec | null): DisplayUnit =>
@@ -344,7 +383,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
         : { ...state.selection, edge, part },
     known: tellsBends(state, shape.report, draft) ? shape.report : state.known,
     shapeIsDraft: draft,
-    bodies: draft ? state.bodies : withStatus(state, shape.report),
+    bodies: draft ? state.bodies : withStatus(state, shape),
     result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
     note: shape.report.status === 'refused' ? null : state.note,
@@ -381,11 +420,9 @@ function withPlates({ shape, document, input }: State): Shape | null {
 export const bodyOf = ({ input, document }: State): number =>
   typeof input.options.body === 'number' ? input.options.body : (document?.info?.bodies[0]?.number ?? 1);
 
-export const statusOfBody = ({ status, reason }: Report): BodyStatus => ({ status, code: reason?.code });
-
-const withStatus = (state: State, report: Report): Bodies =>
+const withStatus = (state: State, shape: Shape): Bodies =>
   (state.document?.info?.bodies.length ?? 0) > 1
-    ? { ...state.bodies, [bodyOf(state)]: statusOfBody(report) }
+    ? { ...state.bodies, [bodyOf(state)]: statusOfShape(shape, state.input.options) }
     : state.bodies;
 
 /** Drafts of slit sheets leave out what the bends are. */

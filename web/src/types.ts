@@ -67,7 +67,8 @@ export interface Options {
   k?: number;
   k_table?: OptionFile<string>;
   din6935?: boolean;
-  material?: OptionFile<Record<string, unknown>>;
+  shop?: OptionFile<Record<string, unknown>>;
+  material?: OptionFile<Record<string, unknown>> | string; // a string: one of the shop's
   bend_k?: Record<string, number>;
   inside_radius?: number;
   lateral?: 'auto' | 'straight' | 'arc' | 'corner';
@@ -87,6 +88,7 @@ export interface Options {
   tick_length?: number;
   tangent_lines?: boolean;
   bend_text?: boolean;
+  turn_to_blank?: boolean;
   process?: 'laser' | 'punch';
   rules?: OptionFile<Record<string, number | boolean | string>>;
   no_rules?: boolean;
@@ -168,6 +170,7 @@ export interface ShapeHeader {
   parts: Part[];
   root: number[];
   handles?: Handles;
+  pierces?: number | null;
   seconds?: number;
 }
 
@@ -202,6 +205,7 @@ export interface Shape extends Facets {
   parts: Part[];
   root: number[];
   handles: Handles;
+  pierces: number | null; // contours and slits that are cut
   seconds: number;
 }
 

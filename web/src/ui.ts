@@ -1,5 +1,5 @@
 import type { Action, State, Theme } from './state.ts';
-import type { OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
+import type { ApiProblem, OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
 import type { StandardView } from './folded-camera.ts';
 
 /** What panels may see and do. `edit` with `live` is part of a drag, which `commit` ends. */
@@ -8,13 +8,18 @@ export interface Ui {
   dispatch(action: Action): void;
   edit<S extends Spec>(change: (spec: S) => S, live?: boolean): void;
   editOptions(change: (options: Options) => Options, live?: boolean): void;
+  /** Why the program refuses the open file with these options; null if it does not. */
+  refusal(options: Options): Promise<ApiProblem | null>;
   commit(): void;
   /** The side that faces up now, or the other one, from now on. */
   faceUp(upper: boolean): void;
   openFiles(files: FileList | File[]): void;
   openExample(name: string): void;
   /** `artifact`: of the description, or "spec", the edited input. */
-  download(artifact: string, suffix: string, more?: Pick<Options, 'profile' | 'units'>): void;
+  download(artifact: string, suffix: string, more?: Partial<Options>): void;
+  /** The DXF of every sheet of an assembly, as one archive. */
+  downloadAll(): void;
+  cancelArchive(): void;
   cancel(): void;
   /** Computes the result that was abandoned. */
   finish(): void;

@@ -11,7 +11,7 @@ import { bendText, edgeText, pickedRow } from './picked.ts';
 import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
 import { isInMachine, type State } from './state.ts';
-import { findingsOf } from './panels/tables.ts';
+import { findingsOf, markedFindings } from './panels/findings.ts';
 import { Stages } from './stage.ts';
 import { readPalette } from './theme.ts';
 import type { MeasuringEvents } from './measure/events.ts';
@@ -133,6 +133,7 @@ export class Views {
       state.theme !== before.theme ||
       state.units !== before.units ||
       state.result !== before.result ||
+      state.hidden !== before.hidden ||
       state.shape !== before.shape
     )
       this.showFlat(state);
@@ -160,7 +161,7 @@ export class Views {
     this.flat.set({
       shape: state.shape,
       report: pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
-      findings: findingsOf({ ...this.ui, state }),
+      findings: markedFindings(state),
       turn: state.result?.turn ?? 0,
       selected: pickedRow(state),
       edge: state.selection.edge,
@@ -239,7 +240,7 @@ export class Views {
   /** What a mark or a line of the flat pattern is. */
   private describe(picked: PickedInFlat): string {
     const { state } = this.ui;
-    if ('finding' in picked) return findingsOf(this.ui)[picked.finding]?.message ?? '';
+    if ('finding' in picked) return findingsOf(state)[picked.finding]?.message ?? '';
     return ('edge' in picked ? edgeText(state, picked.edge) : bendText(state, picked.part)) ?? '';
   }
 

@@ -2,18 +2,21 @@
 // folder of its name in STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
+import * as access from './flows/access.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as frames from './flows/frames.mjs';
 import * as hover from './flows/hover.mjs';
 import * as look from './flows/look.mjs';
 import * as measure from './flows/measure.mjs';
+import * as lists from './flows/lists.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
+import * as start from './flows/start.mjs';
 import * as transition from './flows/transition.mjs';
 import * as unfold from './flows/unfold.mjs';
 
@@ -32,8 +35,11 @@ const flows = {
   ...hover,
   ...measure,
   ...look,
+  ...lists,
   ...right,
   ...server,
+  ...access,
+  ...start,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */

@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { initialState, Store } from '../src/state.ts';
+import { keepHistory } from '../src/kept.ts';
+import { initialState, Store, type History } from '../src/state.ts';
 import { twoFlanges } from './two-flanges.ts';
 import { decodeShape, encodeShape } from '../src/shape.ts';
 import type { OpenDocument, Spec } from '../src/types.ts';
@@ -107,4 +108,27 @@ test('a bend that is picked stays picked when bends are numbered anew', () => {
   assert.equal(store.state.selection.part, 'B3');
   show([['floor', 'left']]);
   assert.equal(store.state.selection.part, null);
+});
+
+test('what is kept of a long history is its nearest steps', () => {
+  const kept = new Map<string, string>();
+  Object.assign(globalThis, {
+    sessionStorage: { setItem: (key: string, text: string) => kept.set(key, text), removeItem: () => undefined },
+  });
+  const input = (size: number, k: number) => ({ spec: { text: 'x'.repeat(size) } as unknown as Spec, options: { k } });
+  const keep = (size: number) => {
+    keepHistory({
+      input: input(size, 0),
+      past: Array.from({ length: 40 }, (_, i) => input(size, i - 40)),
+      future: Array.from({ length: 10 }, (_, i) => input(size, i + 1)),
+    });
+    return JSON.parse(kept.get('planish-input')!) as History;
+  };
+  const whole = keep(100);
+  assert.deepEqual([whole.past.length, whole.future.length], [40, 10]);
+  const part = keep(1 << 16);
+  assert.deepEqual([part.past.at(-1)?.options.k, part.future[0]?.options.k], [-1, 1]);
+  assert.ok(part.past.length < 40 && part.past.length > 0);
+  const none = keep(1 << 20);
+  assert.deepEqual([none.past.length, none.future.length, none.input.options.k], [0, 0, 0]);
 });

@@ -119,7 +119,7 @@ Result<job::WrittenArtifact> Document::file(const Asked& asked, const std::strin
 Result<job::BendOrder*> Document::order_of(const Asked& asked, const Progress& progress) {
   const std::string key = asked.key + "\n" + asked.brake;
   if (ordered_ && ordered_->key == key) return &ordered_->order;
-  auto bending = job::read_bending(asked.brake, kBrake);
+  auto bending = job::read_bending(asked.brake, kBrake, asked.request.bending);
   if (!bending) return tl::unexpected(bending.error());
   auto made = make(asked, job::Effort::full, progress);
   if (!made) return tl::unexpected(made.error());

@@ -20,6 +20,15 @@ Result<void> read_options(const Json& options, const job::Maker& maker, job::Req
   return {};
 }
 
+/// The options without those of the DXF, which change how a pattern is written and not what is
+/// made.
+Json of_geometry(const Json& options) {
+  Json kept = Json::object();
+  for (const auto& [name, value] : options.items())
+    if (job::option(name).group != "DXF") kept[name] = value;
+  return kept;
+}
+
 // Below, a circle as large as a sheet would have thousands of corners; above, a small hole three.
 constexpr double kFinestChord = 1e-5, kCoarsestChord = 10.0;  // mm
 
@@ -47,7 +56,7 @@ Result<Asked> parse_asked(const std::string& text, const job::Maker& maker) {
     } else if (key == "options") {
       if (auto read = read_options(value, maker, asked.request); !read)
         return tl::unexpected(read.error());
-      options = json_text(value);
+      options = json_text(of_geometry(value));
     } else if (key == "chord") {
       const auto chord = read_chord(value);
       if (!chord) return tl::unexpected(chord.error());

@@ -13,7 +13,7 @@ inline constexpr auto kBrake = "/brake";
 
 /// A parsed request of docs/studio-api.md.
 struct Asked {
-  std::string key;   ///< spec and options as text: requests of the same geometry have equal keys
+  std::string key;   ///< spec and options, but those of the DXF: of the same geometry equal
   std::string spec;  ///< JSON text; empty: none
   job::Request request;
   std::optional<double> chord;  ///< how far facets may lie from curves, mm

@@ -39,6 +39,7 @@ std::string header(const Shape& shape, double seconds) {
   add("parts", shape.parts);
   add("root", shape.root ? rows_json(*shape.root) : Json());
   text += ",\"handles\": " + shape.handles;
+  add("pierces", shape.pierces ? Json(*shape.pierces) : Json(nullptr));
   add("seconds", seconds);
   text += "}";
   text.resize((text.size() + 3) / 4 * 4, ' ');

@@ -26,7 +26,8 @@ struct Shape {
   std::string report;  ///< JSON text
   Json parts = Json::array();
   std::optional<Eigen::Isometry3d> root;
-  std::string handles = "{}";  ///< JSON text
+  std::string handles = "{}";          ///< JSON text
+  std::optional<std::size_t> pierces;  ///< contours and slits; none without a pattern
   std::vector<ShapeArray> arrays;
 
   void add(const std::string& name, const std::vector<float>& values);
@@ -35,8 +36,8 @@ struct Shape {
 };
 
 /// Adds flanges and bends as rows of `parts`, first the flanges, then the bends, each in the
-/// sheet's order; then the facets with their outline, the bend lines, and where the pattern covers
-/// itself. Adds nothing for a report without a pattern.
+/// sheet's order; then the facets with their outline, the bend lines, where the pattern covers
+/// itself, and how often it is pierced. Adds nothing for a report without a pattern.
 void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& options);
 
 /// The 4×4 matrix of a motion, row by row.

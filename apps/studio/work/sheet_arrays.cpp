@@ -225,6 +225,7 @@ void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& opti
   const Sheet& sheet = report.sheet;
   add_parts(shape, sheet);
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
+  shape.pierces = 1 + report.flat.openings.size() + report.flat.slits.size();
   const Facets facets = facets_of(sheet, report.layout, options);
   add_places(shape, sheet, report.layout);
   add_facets(shape, sheet, facets);

@@ -9,9 +9,18 @@
 namespace planish::studio {
 namespace {
 
-/// 400 for a malformed request; `failure` if it is valid but this kind of document cannot do it.
+/// Whether an error lies in the content of a file that somebody gave to an option.
+bool is_of_file(const Error& error) {
+  const std::string within = std::string(kOptions) + "/";
+  const auto option = error.where.find('/', within.size());
+  return error.where.starts_with(within) && option != std::string::npos &&
+         error.where.compare(option, 8, "/content") == 0;
+}
+
+/// 400 for a malformed request; `failure` if it is valid but this kind of document cannot do it,
+/// or a file of its options is invalid.
 Answer bad_request(const Error& error) {
-  if (error.code == ErrorCode::bad_option) return failure(error);
+  if (error.code == ErrorCode::bad_option || is_of_file(error)) return failure(error);
   return failure(400, "bad_request", error.message, error.where);
 }
 

@@ -39,6 +39,7 @@ struct DxfOptions {
   double tick_length = 5.0;    ///< mm, with `ticks`; at most a third of the bend line's length
   bool tangent_lines = false;  ///< ignored where the profile has no layer for them
   bool bend_text = false;      ///< number, direction, angle and radius beside each bend line
+  bool turn_to_blank = false;  ///< the longer side of the blank along x, its corner at the origin
   std::optional<LayerNames> layers = {};  ///< in place of the profile's
   BendLinetype bend_linetype = BendLinetype::dashed;
 };
@@ -54,6 +55,7 @@ struct DxfOptions {
 /// splines become arcs (within arc_tolerance × perimeter). Colours: outer contour 7, openings 4,
 /// bend up 5, bend down 1, bend zone 8, formed features 3. With `bend_text` a TEXT at each bend
 /// comes first, on the layer TEXT, colour 8, as high as its bend line has room for, at most 3 mm.
+/// With `turn_to_blank` the pattern is laid by `laid_by_blank`.
 ///
 /// Errors: `bad_option` (arc_tolerance or tick_length is not positive), `internal` (a contour is
 /// empty, has no extent or is not finite).
@@ -74,8 +76,8 @@ struct SheetDrawing {
 
 /// DXF text of a sheet with parts: each as `dxf_text` writes it, moved. First come the sheet's
 /// edge, a closed polyline on the layer SHEET, colour 9, and the names of the parts, a TEXT within
-/// each, on the layer PART_NAMES, which is off, colour 8. Neither is to be cut. Errors: those of
-/// `dxf_text`.
+/// each, on the layer PART_NAMES, which is off, colour 8. Neither is to be cut. The
+/// option `turn_to_blank` is ignored. Errors: those of `dxf_text`.
 Result<std::string> sheet_dxf_text(const SheetDrawing& sheet, const DxfOptions& options = {});
 
 struct SvgOptions {

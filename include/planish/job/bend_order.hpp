@@ -11,9 +11,11 @@
 namespace planish::job {
 
 /// Options of the press brake alone, as a JSON object with the keys of `Request`: tools (by their
-/// content), metal, springback, clearance, shortfall, opening, weights, fix, search_time. Errors:
-/// those of `read_options` and of the values; `where` is `pointer` with the option.
-Result<Bending> read_bending(const std::string& json, const std::string& pointer);
+/// content), metal, springback, clearance, shortfall, opening, weights, fix, search_time. What is
+/// left out is that of `otherwise`, such as what a shop says. Errors: those of `read_options` and
+/// of the values; `where` is `pointer` with the option.
+Result<Bending> read_bending(const std::string& json, const std::string& pointer,
+                             const Bending& otherwise = {});
 
 /// The order in which a sheet is bent, to be looked at and changed. Answers are JSON texts
 /// (studio-api.md#plan). What was found out for one order is used for the next.

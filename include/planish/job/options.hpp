@@ -77,6 +77,9 @@ class OptionValues {
   std::optional<double> number(std::string_view name) const;
   std::span<const std::pair<const Option*, OptionValue>> all() const { return values_; }
 
+  /// From now on texts are no paths: nothing that `enter` finds is read from the disk.
+  void read_no_files() { reads_files_ = false; }
+
   /// Checks options that are each valid but may contradict one another. Errors: `bad_option`,
   /// option names in backquotes; `where` is the name of one.
   Result<void> check_together() const;
@@ -87,6 +90,7 @@ class OptionValues {
 
  private:
   std::vector<std::pair<const Option*, OptionValue>> values_;
+  bool reads_files_ = true;
 };
 
 /// The option that a place belongs to, "bend_k" of "bend_k/B99"; null if it belongs to none.

@@ -63,7 +63,8 @@ Result<RunResult> run_apart(const std::string& request, const Progress& progress
                             const Limits& limits = {}, const Catalogue& catalogue = built_in());
 
 /// Option values from the text of a JSON object, like the "options" of a request. With
-/// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...}.
+/// `OptionFiles::content` files are given by content only: {"name": "steel.csv", "content": ...};
+/// `material` may also be the name of one that the content of `shop` has.
 /// Errors: `invalid_input`, its JSON pointer prefixed by `pointer`.
 enum class OptionFiles { path_or_content, content };
 Result<OptionValues> read_options(const std::string& json, const Maker& maker, OptionFiles files,

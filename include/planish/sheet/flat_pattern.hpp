@@ -88,6 +88,10 @@ bool has_order(const FlatPattern& pattern);
 /// for an empty pattern. Curves are measured to 1e-4 mm.
 Vec2 blank_size(const FlatPattern& pattern);
 
+/// The turn and shift that lay the pattern along its blank: the blank's longer side on the x axis,
+/// its corner at the origin. Identity for an empty pattern.
+Isometry2 laid_by_blank(const FlatPattern& pattern);
+
 /// A sheet laid flat: how its faces lie, and the pattern in the same coordinates.
 struct FlatSheet {
   Layout layout;

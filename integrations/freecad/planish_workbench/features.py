@@ -31,6 +31,10 @@ BENDING = [
     ("App::PropertyFile", "KTable", "Bend table (CSV): columns r/t, or r and t in mm, and k, ba or bd", ""),
     ("App::PropertyFile", "Shop", "Shop profile (JSON): radius and K of stocked materials, layers, limits", ""),
 ]
+SOLID = [
+    ("App::PropertyLinkGlobal", "Source", "The object with the solid", None),
+    ("App::PropertyInteger", "Body", "Which of its solids, from 1", 1),
+]
 RESULTS = [
     ("App::PropertyString", "Report", "The report as JSON (docs/formats.md)", ""),
     ("App::PropertyString", "Status", "ok, warning or refused", ""),
@@ -158,21 +162,15 @@ class Unfold(Pattern):
 
     planish_kind = "unfold"
     inputs = [
-        ("App::PropertyLinkGlobal", "Source", "The object with the solid", None),
-        ("App::PropertyInteger", "Body", "Which of its solids, from 1", 1),
+        *SOLID,
         *BENDING,
         ("App::PropertyEnumeration", "Up", "The skin that faces up; auto: the one from which more bends go up", UP),
         ("App::PropertyEnumeration", "Relief", "How corners without relief are mended whose patterns overlap a little", RELIEF),
         ("App::PropertyEnumeration", "Extruded", "What is cut of holes through forms", EXTRUDED),
     ]
 
-    def solid(self, document_object):
-        if document_object.Source is None:
-            raise Refusal("no_source", f"{document_object.Label} has no source any more: choose one in Source.")
-        return sources.solid(document_object.Source, document_object.Body)
-
     def made(self, document_object):
-        return planish().unfold(self.solid(document_object), name=_name(document_object.Source),
+        return planish().unfold(solid_of(document_object), name=_name(document_object.Source),
                                 up=document_object.Up, relief=document_object.Relief, extruded=document_object.Extruded,
                                 **bending(document_object))
 
@@ -270,21 +268,15 @@ class BendPlan(Proxy):
 
     planish_kind = "bend_plan"
     inputs = [
-        ("App::PropertyLinkGlobal", "Source", "The object with the solid", None),
-        ("App::PropertyInteger", "Body", "Which of its solids, from 1", 1),
+        *SOLID,
         *BENDING,
         ("App::PropertyEnumeration", "Metal", "Sets strength and springback; empty: mild steel without springback", METAL),
         ("App::PropertyFile", "Tools", "The press brake and its tools (JSON); empty: common European ones", ""),
     ]
     results = [*RESULTS, ("App::PropertyStringList", "Strokes", "In order", [])]
 
-    def solid(self, document_object):
-        if document_object.Source is None:
-            raise Refusal("no_source", f"{document_object.Label} has no source any more: choose one in Source.")
-        return sources.solid(document_object.Source, document_object.Body)
-
     def made(self, document_object):
-        return planish().bend(self.solid(document_object), name=_name(document_object.Source),
+        return planish().bend(solid_of(document_object), name=_name(document_object.Source),
                               metal=document_object.Metal or None, tools=_file(document_object.Tools),
                               **bending(document_object))
 
@@ -312,6 +304,12 @@ class Drawn(Proxy):
         place(document_object, getattr(document_object.Owner, document_object.What))
         if document_object.Beside is not None:
             document_object.Placement = document_object.Beside.Placement
+
+
+def solid_of(document_object):
+    if document_object.Source is None:
+        raise Refusal("no_source", f"{document_object.Label} has no source any more: choose one in Source.")
+    return sources.solid(document_object.Source, document_object.Body)
 
 
 def place(document_object, shape):

@@ -1,9 +1,11 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
+import { shopOf } from '../allowance.ts';
 import { moved, nameOf, orderOf } from '../order-state.ts';
 import type { BrakeOptions, OrderAnswer, OrderedStroke, StrokeRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
 import { clean, lengthText, unitName } from '../units.ts';
+import { filesOf, type TableFile } from '../workshop-state.ts';
 import { choice, lengthField, numberField, section } from './fields.ts';
 import { sentence } from './message-bar.ts';
 
@@ -49,7 +51,7 @@ function brakeSection(ui: Ui) {
     'Press brake',
     html`<div class="pick">
         <span>Tools</span
-        ><b data-testid="tools-value">${brake.tools ? (brake.tools.name ?? 'a file') : 'common European'}</b>
+        ><b data-testid="tools-value">${brake.tools ? (brake.tools.name ?? 'a file') : builtInTools(ui)}</b>
         <label class="button"
           >File …<input
             type="file"
@@ -60,6 +62,7 @@ function brakeSection(ui: Ui) {
         /></label>
         <button class="link" data-testid="tools-clear" @click=${() => set({ tools: undefined })}>Reset</button>
       </div>
+      ${keptTools(ui)}
       ${choice(
         'Material',
         'metal',
@@ -94,12 +97,50 @@ function brakeSection(ui: Ui) {
   );
 }
 
+/** A shop profile may say which of the tools that are built in the shop has. */
+const builtInTools = ({ state }: Ui) =>
+  shopOf(state.input.options)?.tools ? 'those of the shop profile' : 'common European';
+
+/** The tools files that were opened on this machine before. */
+function keptTools(ui: Ui) {
+  const kept = filesOf(ui.state.workshop, 'tools'),
+    used = kept.find((f) => f.text === ui.state.order.brake.tools?.content);
+  if (!kept.length) return nothing;
+  const use = (name: string) => {
+    const file = kept.find((f) => f.name === name);
+    if (file) useTools(ui, file);
+  };
+  return html`${choice<string>(
+    'Opened before',
+    'tools-kept',
+    used?.name ?? '',
+    [...(used ? [] : [['', 'choose …'] as const]), ...kept.map((f) => [f.name, f.name] as const)],
+    use,
+  )}
+  ${used
+    ? html`<p class="row">
+        <button
+          class="link"
+          data-testid="tools-forget"
+          @click=${() => ui.dispatch({ type: 'table-forgotten', file: used })}
+        >
+          Forget it
+        </button>
+      </p>`
+    : nothing}`;
+}
+
+function useTools(ui: Ui, file: TableFile) {
+  ui.dispatch({ type: 'table-file', file });
+  const tools = { name: file.name, content: file.text };
+  ui.dispatch({ type: 'brake', brake: { ...ui.state.order.brake, tools } });
+}
+
 async function readTools(input: HTMLInputElement, ui: Ui) {
   const file = input.files?.[0];
   input.value = '';
   if (!file) return;
-  const tools = { name: file.name, content: await file.text() };
-  ui.dispatch({ type: 'brake', brake: { ...ui.state.order.brake, tools } });
+  useTools(ui, { kind: 'tools', name: file.name, text: await file.text() });
 }
 
 const withoutHoles = (o: BrakeOptions) =>

@@ -13,6 +13,7 @@ import { knownPiece } from '../report.ts';
 import type { Alternative, BendRow, BendSpec, PlatesSpec } from '../types.ts';
 import { lengthText } from '../units.ts';
 import { platesOf, type Ui } from '../ui.ts';
+import { shopSection } from './allowance.ts';
 import { choice, lengthField, lengthSlider, niceAbove, numberField, refuse, section } from './fields.ts';
 import { platesPart } from './plates.ts';
 
@@ -62,7 +63,8 @@ export function connectPanel(ui: Ui) {
           let the program choose
         </button>`
       : nothing,
-  )}`;
+  )}
+  ${shopSection(ui)}`;
 }
 
 function bendBlock(
@@ -170,7 +172,7 @@ function bendFields(
   })}
   ${(row.between ?? []).map((id) => edgesField(row, own, id, set))}
   ${row.alternatives?.length
-    ? html`<h4>Alternatives</h4>
+    ? html`<h3>Alternatives</h3>
         <ul class="alternatives">
           ${row.alternatives.map(
             (a, i) =>

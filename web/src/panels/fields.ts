@@ -1,4 +1,5 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import type { LengthUnit } from '../types.ts';
 import { clean, convert, round, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
@@ -186,7 +187,8 @@ export function choice<T extends string>(
       @change=${(e: Event) => on((e.target as HTMLSelectElement).value as T)}
     >
       ${options.map(
-        ([v, text]) => html`<option value=${v} ?selected=${v === value} .selected=${v === value}>${text}</option>`,
+        ([v, text]) =>
+          html`<option value=${v} ?selected=${v === value} .selected=${live(v === value)}>${text}</option>`,
       )}</select
     ><em></em
   ></label>`;
@@ -204,7 +206,7 @@ export const toggle = (label: string, testid: string, value: boolean, on: (value
 
 export const section = (title: string, content: unknown, extra: unknown = nothing) =>
   html`<section>
-    <h3>${title}${extra}</h3>
+    <h2>${title}${extra}</h2>
     ${content}
   </section>`;
 

@@ -3,6 +3,7 @@ import { pickedEdgeText } from '../picked.ts';
 import type { State } from '../state.ts';
 import type { ApiProblem, Progress } from '../types.ts';
 import type { Ui } from '../ui.ts';
+import { remedies } from './remedies.ts';
 
 /** A line that is always present, so that nothing moves when a message appears. */
 export function messageBar(ui: Ui) {
@@ -27,14 +28,8 @@ export function messageBar(ui: Ui) {
         ? bar(ui, opening.progress, 'reading')
         : busy
           ? bar(ui, progress, 'computing')
-          : mayOverlap(ui, shown)
-            ? html`<button
-                data-testid="write-overlapping"
-                title="Files are written although the pattern covers itself; undo takes it back"
-                @click=${() => ui.editOptions((o) => ({ ...o, write_overlapping: true }))}
-              >
-                Write it anyway
-              </button>`
+          : shown && !ui.state.stale
+            ? remedies(ui, shown.code)
             : unfinished(ui.state)
               ? html`<button
                   data-testid="finish"
@@ -51,10 +46,6 @@ export function messageBar(ui: Ui) {
 export const sentence = (message: string): string =>
   message.replace(/`([a-z_]+)`/g, (_, name: string) => `“${name.replaceAll('_', ' ')}”`);
 
-/** The pattern covers itself, which is all that is the matter with it. */
-const mayOverlap = (ui: Ui, shown: ApiProblem | null) =>
-  shown?.code === 'overlap' && !ui.state.stale && !ui.state.input.options.write_overlapping;
-
 /** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
 
@@ -62,7 +53,7 @@ const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/
 
 function bar(ui: Ui, progress: Progress | null, otherwise: string) {
   return html`<span>${progress?.stage ?? otherwise}</span
-    ><progress data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>
+    ><progress aria-label="Progress" data-testid="progress" max="1" .value=${progress?.share ?? 0}></progress>
     <button data-testid="cancel" @click=${() => ui.cancel()}>Cancel</button>`;
 }
 

@@ -1,29 +1,5 @@
-import { html, nothing } from 'lit-html';
+import { html } from 'lit-html';
 import type { Ui } from '../ui.ts';
-import { chooseFile } from './top-bar.ts';
-
-export function startScreen(ui: Ui) {
-  if (ui.state.document) return nothing;
-  const firsts = ui.state.description.makers.flatMap(({ name }) =>
-    ui.state.examples.filter((e) => e.kind === name).slice(0, 3),
-  );
-  return html`<div class="start" data-testid="start">
-    <h1>Drop a file here</h1>
-    <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>
-    <p><button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button></p>
-    ${firsts.length
-      ? html`<h2>or start with an example</h2>
-          <div class="tiles">
-            ${firsts.map(
-              (e) =>
-                html`<button data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>
-                  <b>${e.title}</b><small>${e.kind}</small>
-                </button>`,
-            )}
-          </div>`
-      : nothing}
-  </div>`;
-}
 
 const keys: [string, string][] = [
   ['Ctrl O', 'open a file'],
@@ -41,11 +17,18 @@ const keys: [string, string][] = [
   ['?', 'this list'],
 ];
 
+/** A dialog of the browser: it takes the focus and gives it back, and Escape closes it. `showHelp` opens it. */
 export function helpDialog(ui: Ui) {
-  if (!ui.state.help) return nothing;
   const close = () => ui.dispatch({ type: 'help', help: false });
-  return html`<div class="dialog" data-testid="shortcuts" @click=${close}>
-    <div class="card" role="dialog" aria-label="Keyboard shortcuts" @click=${(e: Event) => e.stopPropagation()}>
+  return html`<dialog
+    aria-label="Keyboard and mouse"
+    data-testid="shortcuts"
+    @close=${close}
+    @click=${(e: Event) => {
+      if (e.target === e.currentTarget) close();
+    }}
+  >
+    <div class="card">
       <h2>Keyboard</h2>
       <table>
         ${keys.map(
@@ -73,7 +56,14 @@ export function helpDialog(ui: Ui) {
       </table>
       <p><button data-testid="shortcuts-close" @click=${close}>Close</button></p>
     </div>
-  </div>`;
+  </dialog>`;
+}
+
+/** Opens or closes the dialog that is drawn. */
+export function showHelp(open: boolean) {
+  const dialog = document.querySelector<HTMLDialogElement>('dialog')!;
+  if (open && !dialog.open) dialog.showModal();
+  if (!open && dialog.open) dialog.close();
 }
 
 export function foldBar(ui: Ui) {

@@ -144,7 +144,7 @@ function cornerFields(ui: Ui, spec: PlatesSpec, plate: PlateSpec) {
     ${ringsOf(plate).map(
       (corners, ring) =>
         html`${ring
-          ? html`<h4 class="with-button">
+          ? html`<h3 class="with-button">
               Hole ${ring}<button
                 class="link"
                 data-testid="hole-remove-${ring - 1}"
@@ -152,7 +152,7 @@ function cornerFields(ui: Ui, spec: PlatesSpec, plate: PlateSpec) {
               >
                 Remove
               </button>
-            </h4>`
+            </h3>`
           : nothing}
         ${corners.map((p, i) => cornerRow(ui, spec, plate.id, ring, i, along(d, p), corners.length))}`,
     )}

@@ -3,6 +3,7 @@ import { isInMachine } from '../state.ts';
 import { arrangementOf, type SectionAxis } from '../view-state.ts';
 import type { Ui } from '../ui.ts';
 import type { Vec3 } from '../types.ts';
+import { measureButton } from './measures.ts';
 import './section.css';
 
 const axes: [SectionAxis, string, string][] = [
@@ -13,13 +14,14 @@ const axes: [SectionAxis, string, string][] = [
 ];
 const alongAxis: Record<'x' | 'y' | 'z', Vec3> = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
 
-/** Section, transparency, and how the views are arranged; `direction`: towards the eye. */
+/** Measuring, section, transparency, and how the views are arranged; `direction`: towards the eye. */
 export function viewTools(ui: Ui, direction: () => Vec3) {
   const { view, shape } = ui.state,
     { section, seeThrough } = view,
     none = !shape?.facet_parent.length,
     stacked = arrangementOf(view) === 'stacked';
-  return html`<button
+  return html`${measureButton(ui)}
+    <button
       data-testid="section"
       class=${section.on ? 'on' : ''}
       aria-pressed=${String(section.on)}

@@ -1,15 +1,20 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { pieceOf } from '../report.ts';
 import type { Tab } from '../state.ts';
-import { lengthText, unitName } from '../units.ts';
+import type { PieceReport, PlatesSpec, TransitionSpec } from '../types.ts';
+import { areaText, massText } from '../amounts.ts';
+import { unconfirmedK } from '../default-k.ts';
+import { clean, lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { bendOrder } from './bend-order.ts';
 import { panels } from './kinds.ts';
-import { bendTable, certificate, findingsList, findingsOf } from './tables.ts';
+import { bendTable } from './bend-table.ts';
+import { certificate } from './certificate.ts';
+import { findingsList, findingsOf } from './findings.ts';
 
 export function sidePanel(ui: Ui): TemplateResult {
   const { tab, document: d } = ui.state,
-    count = ui.state.result ? findingsOf(ui).length : 0;
+    count = ui.state.result ? findingsOf(ui.state).length : 0;
   const tabs: [Tab, string][] = [
     ['input', 'Input'],
     ['bends', 'Bends'],
@@ -18,12 +23,15 @@ export function sidePanel(ui: Ui): TemplateResult {
     ['certificate', 'Certificate'],
   ];
   return html`${summary(ui)}
-    <nav class="tabs" role="tablist">
+    <nav class="tabs" role="tablist" aria-label="Panels" @keydown=${besides}>
       ${tabs.map(
         ([id, title]) =>
           html`<button
             role="tab"
+            id="tab-${id}"
+            aria-controls="panel"
             aria-selected=${tab === id}
+            tabindex=${tab === id ? 0 : -1}
             data-testid="tab-${id}"
             class=${tab === id ? 'on' : ''}
             @click=${() => ui.dispatch({ type: 'tab', tab: id })}
@@ -32,7 +40,21 @@ export function sidePanel(ui: Ui): TemplateResult {
           </button>`,
       )}
     </nav>
-    <div class="content" data-testid="panel">${d ? content(ui, tab) : nothing}</div>`;
+    <div class="content" id="panel" role="tabpanel" aria-labelledby="tab-${tab}" tabindex="0" data-testid="panel">
+      ${d ? content(ui, tab) : nothing}
+    </div>`;
+}
+
+/** The arrow keys choose the tab beside. */
+function besides(e: KeyboardEvent) {
+  const by = e.key === 'ArrowRight' ? 1 : e.key === 'ArrowLeft' ? -1 : 0;
+  if (!by) return;
+  const tabs = [...(e.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role=tab]')],
+    at = tabs.indexOf(e.target as HTMLElement),
+    next = tabs[(at + by + tabs.length) % tabs.length]!;
+  next.focus();
+  next.click();
+  e.preventDefault();
 }
 
 function content(ui: Ui, tab: Tab) {
@@ -49,7 +71,8 @@ function content(ui: Ui, tab: Tab) {
 function summary(ui: Ui) {
   const report = pieceOf(ui.state),
     unit = unitName(ui.state.units),
-    text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units);
+    text = (v: number | undefined) => lengthText(v, report?.units, ui.state.units),
+    pierces = report?.flat ? (ui.state.shape?.pierces ?? null) : null;
   const rows: [string, string, string][] = [
     [
       `Blank, ${unit}`,
@@ -62,15 +85,50 @@ function summary(ui: Ui) {
       report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–',
       'cut-length',
     ],
+    ['Pierces', pierces === null ? '–' : String(pierces), 'pierces'],
+    ['Area', areaText(report?.flat?.area, report?.units, ui.state.units), 'area'],
+    ['Mass', massText(report?.sheet?.mass, ui.state.units), 'mass'],
     ['Bends', report?.sheet ? String(report.sheet.bends) : '–', 'bend-count'],
+    ['K', kText(report), 'part-k'],
   ];
-  return html`<dl class="summary">
-    ${rows.map(
-      ([name, value, id]) =>
-        html`<div>
-          <dt>${name}</dt>
-          <dd data-testid=${id}>${value}</dd>
-        </div>`,
-    )}
-  </dl>`;
+  return html`<div>
+    <dl class="summary">
+      ${rows.map(
+        ([name, value, id]) =>
+          html`<div title=${explained[id] ?? nothing}>
+            <dt>${name}</dt>
+            <dd data-testid=${id}>${value}</dd>
+          </div>`,
+      )}
+    </dl>
+    ${unconfirmed(ui, unconfirmedK(report))}
+  </div>`;
+}
+
+const explained: Record<string, string> = {
+  pierces: 'Contours and slits that are cut',
+  area: 'Of one side, without openings',
+  mass: 'Needs a density: enter one, or choose a material',
+  'part-k': 'Of all bends',
+};
+
+function kText(report: PieceReport | null): string {
+  if (!report?.sheet || !report.flat?.bends.length) return '–';
+  return report.sheet.k_factor === null ? 'several' : clean(report.sheet.k_factor, 3);
+}
+
+/** A K that nobody chose must be confirmed, or replaced, before the blank can be relied on. */
+function unconfirmed(ui: Ui, k: number | null) {
+  const { document: d, input } = ui.state;
+  if (k === null || (d?.kind !== 'unfold' && !input.spec)) return nothing;
+  const confirm = () =>
+    d?.kind === 'unfold'
+      ? ui.editOptions((o) => ({ ...o, k }))
+      : ui.edit<PlatesSpec | TransitionSpec>((s) => ({ ...s, k_factor: k }));
+  return html`<p class="unconfirmed" data-testid="unconfirmed">
+    <span>K ${clean(k, 3)} is only a default.</span>
+    <button data-testid="confirm-k" title="The part is made with this K; undo takes it back" @click=${confirm}>
+      Confirm it
+    </button>
+  </p>`;
 }

@@ -5,6 +5,7 @@ import type { AnchorSpec, SlitSpec, SlitWeights, StripRow, Vec3 } from '../types
 import { convert, lengthText, sizeText, unitName } from '../units.ts';
 import { restingSpec, slitOf, type Ui } from '../ui.ts';
 import { curveEditor } from './curve-editor.ts';
+import { massSection } from './allowance.ts';
 import { choice, lengthField, numberField, section, slider, toggle } from './fields.ts';
 import { legFields, secondPanel } from './legs.ts';
 import { mouldFields } from './mould.ts';
@@ -50,7 +51,7 @@ export function slitPanel(ui: Ui) {
   )}
   ${section('Weights', weightSliders(ui, spec, set))}
   ${spec.scan?.length ? section('Scan', scanFields(ui, spec, set)) : nothing}
-  ${section('Sheet', sheetFields(ui, spec, set))} ${section('Mould', mouldFields(ui, spec))}`;
+  ${section('Sheet', sheetFields(ui, spec, set))} ${section('Mould', mouldFields(ui, spec))} ${massSection(ui)}`;
 }
 
 const clear = (s: SlitSpec) =>

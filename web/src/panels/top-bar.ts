@@ -1,15 +1,10 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
-import type { MakerRow } from '../types.ts';
 import type { Ui } from '../ui.ts';
-import type { DisplayUnit } from '../units.ts';
-
-// Of the DXF as last chosen, names of its layers and its unit; not part of the document. The unit is the page's until
-// another is chosen.
-let profile: string | undefined, dxfUnits: DisplayUnit | undefined;
+import { closeMenu, downloadMenu } from './download-menu.ts';
 
 export function topBar(ui: Ui): TemplateResult {
   const { document: d, past, pending, future, units, theme } = ui.state;
-  return html`<span class="brand">Planish<small>studio</small></span>
+  return html`<h1 class="brand">Planish<small>studio</small></h1>
     <button data-testid="open" title="Open a file (Ctrl+O)" @click=${chooseFile}>Open</button>
     <input
       id="file-input"
@@ -78,7 +73,7 @@ function examplesMenu(ui: Ui) {
       ${ui.state.description.makers.map(({ name }) => {
         const own = ui.state.examples.filter((e) => e.kind === name);
         return own.length
-          ? html`<h4>${capitalised(name)}</h4>
+          ? html`<h2>${capitalised(name)}</h2>
               ${own.map(
                 (e) =>
                   html`<button
@@ -98,65 +93,3 @@ function examplesMenu(ui: Ui) {
 }
 
 const capitalised = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
-
-function downloadMenu(ui: Ui) {
-  const { makers, artifacts } = ui.state.description,
-    maker = makers.find((m) => m.name === ui.state.document?.kind);
-  const save = (artifact: string, suffix: string) => (e: Event) => {
-    closeMenu(e);
-    ui.download(artifact, suffix, artifact === 'dxf' ? { profile, units: dxfUnits ?? ui.state.units } : {});
-  };
-  const button = (name: string, suffix: string, description: string) =>
-    html`<button data-testid="download-${name}" @click=${save(name, suffix)}>${description}</button>`;
-  const rows = artifacts.filter((a) => maker?.artifacts.includes(a.name));
-  return html`<details class="menu right">
-    <summary class="button primary" data-testid="download-menu" aria-disabled=${!maker}>Download ▾</summary>
-    <div class="list">
-      ${!maker
-        ? html`<p class="hint">Open something first.</p>`
-        : html`${rows.map(({ name, suffix, description }) =>
-            name === 'dxf'
-              ? html`<div class="dxf">${button(name, suffix, description)}${unitChoice(ui)}${layerChoice(maker)}</div>`
-              : button(name, suffix, description),
-          )}
-          ${maker.editable ? button('spec', '.json', 'JSON, the edited input') : nothing}`}
-    </div>
-  </details>`;
-}
-
-/** A DXF has a unit of its own: what is downloaded says which. */
-function unitChoice(ui: Ui) {
-  const chosen = dxfUnits ?? ui.state.units;
-  return html`<label
-    >in
-    <select
-      data-testid="dxf-units"
-      @change=${(e: Event) => {
-        dxfUnits = (e.target as HTMLSelectElement).value as DisplayUnit;
-      }}
-    >
-      ${(['mm', 'inch'] as const).map(
-        (unit) => html`<option value=${unit} .selected=${unit === chosen}>${unit}</option>`,
-      )}
-    </select></label
-  >`;
-}
-
-function layerChoice(maker: MakerRow) {
-  const words = maker.options.find((o) => o.name === 'profile')?.words ?? [];
-  return html`<label
-    >layers
-    <select
-      data-testid="dxf-profile"
-      @change=${(e: Event) => {
-        profile = (e.target as HTMLSelectElement).value;
-      }}
-    >
-      ${words.map((word) => html`<option value=${word}>${layerSystems[word] ?? word}</option>`)}
-    </select></label
-  >`;
-}
-
-const layerSystems: Record<string, string> = { inventor: 'Inventor', onshape: 'Onshape', solidedge: 'Solid Edge' };
-
-const closeMenu = (e: Event) => (e.target as HTMLElement).closest('details')?.removeAttribute('open');

@@ -15,6 +15,7 @@ import {
 } from '../edits/transition.ts';
 import type { PressLines, Profile, ProfileSpec, Seam, TransitionSpec, Vec2, Vec3 } from '../types.ts';
 import { restingSpec, transitionOf, type Ui } from '../ui.ts';
+import { shopSection } from './allowance.ts';
 import { choice, lengthField, lengthSlider, niceAbove, numberField, section, slider } from './fields.ts';
 
 type Set = (patch: Partial<TransitionSpec>, live?: boolean) => void;
@@ -55,7 +56,8 @@ export function transitionPanel(ui: Ui) {
     )}`,
   )}
   ${profileSection(ui, spec, 'from', 'Profile below', set)} ${profileSection(ui, spec, 'to', 'Profile above', set)}
-  ${section('Net', html`${seamFields(ui, spec, set)}${pieceFields(ui, spec, set)}${pressFields(ui, spec, set)}`)}`;
+  ${section('Net', html`${seamFields(ui, spec, set)}${pieceFields(ui, spec, set)}${pressFields(ui, spec, set)}`)}
+  ${shopSection(ui)}`;
 }
 
 const clear = (s: TransitionSpec) =>

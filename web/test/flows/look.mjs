@@ -147,10 +147,14 @@ export async function split({ page }) {
     (n) => Number(document.querySelector('[data-testid=divider]').ariaValueNow) === n + 2,
     now,
   );
+  await page.waitForTimeout(500); // until it is kept
   await serveDist(page, process.argv[2]);
   await page.reload();
   await page.waitForFunction(() => window.planish?.store.state.shape);
-  assert.equal(await value(), now + 2, 'it is kept');
+  await page.waitForFunction(
+    (n) => Number(document.querySelector('[data-testid=divider]').ariaValueNow) === n + 2,
+    now,
+  );
   await page.dblclick('[data-testid=divider]');
   await page.waitForFunction(() => document.querySelector('[data-testid=divider]').ariaValueNow === '50');
   await page.waitForTimeout(300);
@@ -166,5 +170,7 @@ export async function split({ page }) {
   await page.waitForFunction(() => !document.querySelector('main').classList.contains('stacked'));
   await page.waitForTimeout(300);
   assert.ok((await state(page, 'views.flat.scale')) < stacked / 1.3, 'beside it would be smaller');
-  await page.evaluate(() => localStorage.clear());
+  await page.dblclick('[data-testid=divider]');
+  await page.waitForFunction(() => document.querySelector('main').classList.contains('stacked'));
+  await page.waitForTimeout(500); // until that is kept
 }

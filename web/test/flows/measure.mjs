@@ -19,7 +19,7 @@ async function measured(page, view, a, b = a) {
     await page.mouse.click(p.x, p.y);
   }
   assert.equal(await state(page, 's.measure.kept.length'), count + 1, await state(page, 's.note'));
-  await page.waitForTimeout(60);
+  await page.waitForFunction((n) => document.querySelectorAll('[data-testid=measures] li').length === n, count + 1);
   return page.locator('[data-testid=measures] li b').last().textContent();
 }
 

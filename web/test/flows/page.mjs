@@ -15,7 +15,7 @@ function untidy() {
       area = e.closest('header, .messages, .fold, .buttons, aside').getBoundingClientRect();
     if (r.left < area.left - 1 || r.right > area.right + 1) said.push(`${name(e)} leaves its area`);
     if (
-      e.matches('button, dt, dd, td, th, input[type=text], h3, h4, summary, label > span') &&
+      e.matches('button, dt, dd, td, th, input[type=text], h2, h3, summary, label > span') &&
       e.scrollWidth > e.clientWidth + 1 &&
       e.clientWidth > 0
     )
@@ -159,7 +159,7 @@ export async function drop({ page }) {
     await page.textContent('[data-testid=message]'),
     /with “write overlapping” the pattern is written anyway/,
   );
-  await page.click('[data-testid=write-overlapping]');
+  await page.click('[data-testid=remedy-overlapping]');
   await rested(page);
   assert.deepEqual(await state(page, '[s.problem, s.shape.report.status]'), [null, 'warning']);
   await download(page, 'dxf');

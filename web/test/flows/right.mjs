@@ -100,12 +100,12 @@ export async function assembly({ page }) {
   assert.equal(await state(page, 's.past.length'), 0, 'which is no edit');
   await page.waitForFunction(() => Object.keys(window.planish.store.state.bodies).length === 3);
   await page.waitForTimeout(100);
-  const list = await page.$$eval('[data-testid=body] option', (all) => all.map((o) => o.textContent));
+  const list = await page.$$eval('[data-testid=bodies] [role=option]', (all) => all.map((o) => o.textContent));
   assert.match(list[0], /no flat pattern: not a sheet/);
   assert.match(list[1], /sheet/);
   assert.match(list[2], /sheet/);
   await page.screenshot({ path: `${folder(page)}/bodies.png` });
-  await page.selectOption('[data-testid=body]', '3');
+  await page.click('[data-testid=body-3]');
   await rested(page);
   assert.equal((await state(page, 's.shape.report.status')) === 'refused', false);
 }
@@ -197,6 +197,16 @@ export async function reload({ page }) {
   await page.waitForFunction(() => window.planish?.store.state.document);
   await rested(page);
   assert.deepEqual(await outline(), moved, 'what was dragged is there again');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.deepEqual(await outline(), before, 'and can be undone still');
+  await page.reload();
+  await page.waitForFunction(() => window.planish?.store.state.document);
+  await rested(page);
+  assert.deepEqual(await outline(), before);
+  await page.click('[data-testid=redo]');
+  await rested(page);
+  assert.deepEqual(await outline(), moved, 'and done again');
 }
 
 /** While a plate is moved its bends keep their names, and the pattern lies as it did. */
@@ -313,4 +323,21 @@ export async function marks({ page }) {
   await page.waitForTimeout(300);
   assert.ok((await shown()) >= places[many], 'the chosen one has a mark at each place');
   await page.screenshot({ path: `${folder(page)}/chosen.png` });
+  // By severity: what is left out has no marks, and the others keep their numbers.
+  const severity = await state(page, `s.result.report.checks[${many}].severity`),
+    rows = () => page.locator('[data-testid=findings] > li').count(),
+    own = await state(page, `s.result.report.checks.filter((f) => f.severity === '${severity}').length`);
+  await page.click(`[data-testid=show-${severity}]`);
+  await page.waitForTimeout(300);
+  assert.equal(await rows(), rules - own);
+  assert.ok((await shown()) <= rules - own);
+  await page.click(`[data-testid=show-${severity}]`);
+  await page.waitForTimeout(300);
+  assert.equal(await rows(), rules);
+  // By keys.
+  await page.focus(`[data-testid=finding-${many + 1}] button`);
+  await page.keyboard.press('Enter');
+  assert.equal(await state(page, 's.selection.finding'), null);
+  await page.keyboard.press('Enter');
+  assert.equal(await state(page, 's.selection.finding'), many);
 }

@@ -1,0 +1,27 @@
+import { knownPiece, pieceOf } from './report.ts';
+import { isInMachine, type State } from './state.ts';
+import { clean, lengthText, unitName } from './units.ts';
+
+/** The views in words, for those who do not see them. */
+export function foldedText(state: State): string {
+  const { document: d, fold } = state;
+  if (!d) return 'Folded part: nothing is open';
+  if (isInMachine(state)) return `${d.name} in the press brake`;
+  const { bends, flanges } = pieceOf(state)?.sheet ?? knownPiece(state)?.sheet ?? {};
+  const parts = flanges === undefined ? '' : `: ${count(flanges, 'flange')}, ${count(bends ?? 0, 'bend')}`;
+  return `Folded part ${d.name}${parts}; folded by ${clean(100 * fold, 0)} %`;
+}
+
+export function flatText(state: State): string {
+  const { document: d, units } = state;
+  const report = pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
+    flat = report?.flat;
+  if (!d || !flat) return 'Flat pattern: there is none';
+  const text = (length: number) => lengthText(length, report?.units, units);
+  return `Flat pattern of ${d.name}, ${text(flat.size[0])} by ${text(flat.size[1])} ${unitName(units)}, ${count(
+    flat.bends.length,
+    'bend',
+  )}, ${count(flat.openings ?? 0, 'opening')}`;
+}
+
+const count = (n: number, what: string) => `${n} ${what}${n === 1 ? '' : 's'}`;

@@ -1,0 +1,127 @@
+import { html, nothing, svg, type TemplateResult } from 'lit-html';
+import { guard } from 'lit-html/directives/guard.js';
+import type { BodyStatus, Picture } from '../bodies.ts';
+import { bodyOf } from '../state.ts';
+import type { BodyInfo } from '../types.ts';
+import type { Ui } from '../ui.ts';
+import { lengthText, unitName } from '../units.ts';
+import { section } from './fields.ts';
+
+/** The bodies of an assembly: what became of each, and which one is shown. */
+export function bodyList(ui: Ui): TemplateResult | typeof nothing {
+  const { bodies: known, sheetsOnly, units, document } = ui.state,
+    all = document?.info?.bodies ?? [],
+    shown = bodyOf(ui.state);
+  if (all.length < 2) return nothing;
+  const sheets = all.filter((b) => isSheet(known[b.number])),
+    waiting = all.filter((b) => !known[b.number]).length,
+    title = `${all.length} bodies, ${sheets.length}${waiting ? ' or more' : ''} of them ${plural(sheets.length)}`,
+    rows = sheetsOnly ? all.filter((b) => b.number === shown || isSheet(known[b.number])) : all;
+  return section(
+    title,
+    html`${guard(
+      [known, sheetsOnly, units, all, shown],
+      () =>
+        html`<div
+          class="bodies"
+          role="listbox"
+          aria-label="Bodies"
+          data-testid="bodies"
+          @keydown=${(e: KeyboardEvent) => step(e)}
+        >
+          ${rows.map((b) => row(ui, b, known[b.number], b.number === shown))}
+        </div>`,
+    )}${archiveRow(ui, sheets.length)}`,
+    html`<label class="only"
+      ><input
+        type="checkbox"
+        data-testid="sheets-only"
+        .checked=${sheetsOnly}
+        @change=${(e: Event) =>
+          ui.dispatch({ type: 'sheets-only', sheetsOnly: (e.target as HTMLInputElement).checked })}
+      />sheets only</label
+    >`,
+  );
+}
+
+const plural = (sheets: number) => (sheets === 1 ? 'a sheet' : 'sheets');
+
+const isSheet = (known: BodyStatus | undefined) => known !== undefined && known.status !== 'refused';
+
+function row(ui: Ui, b: BodyInfo, known: BodyStatus | undefined, shown: boolean) {
+  const { units } = ui.state,
+    text = (v: number | undefined) => lengthText(v, known?.units, units),
+    name = b.name || `body ${b.number}`;
+  const sizes = [
+    known?.thickness !== undefined && isSheet(known) ? `t ${text(known.thickness)}` : '',
+    known?.size ? `${text(known.size[0])} × ${text(known.size[1])} ${unitName(units)}` : '',
+  ].filter(Boolean);
+  return html`<button
+    role="option"
+    class="body ${known?.status ?? 'unknown'}"
+    data-testid="body-${b.number}"
+    aria-selected=${shown}
+    tabindex=${shown ? 0 : -1}
+    title=${known?.message ?? name}
+    @click=${() => choose(ui, b.number)}
+  >
+    ${picture(known?.picture)}
+    <span class="what"
+      ><b><span class="number">${b.number} ·</span> ${name}</b><small>${sizes.join(' · ')}</small
+      ><small class="said">${said(known)}</small></span
+    >
+    <span class="count" aria-label="${b.quantity} of them">× ${b.quantity}</span>
+  </button>`;
+}
+
+const said = (known: BodyStatus | undefined): string =>
+  known === undefined
+    ? 'not looked at yet'
+    : known.status === 'refused'
+      ? `no flat pattern: ${(known.code ?? 'refused').replaceAll('_', ' ')}`
+      : known.status === 'warning'
+        ? 'sheet, with warnings'
+        : 'sheet';
+
+/** The pattern; of a body without one an empty frame. */
+const picture = (p: Picture | undefined) =>
+  html`<svg viewBox="-2 -2 ${(p?.width ?? 0) + 4} ${(p?.height ?? 0) + 4}" aria-hidden="true">
+    ${p
+      ? svg`<path class="sheet" d=${p.sheet} fill-rule="evenodd"></path><path class="up" d=${p.up}></path><path
+          class="down" d=${p.down}></path>`
+      : nothing}
+  </svg>`;
+
+/** What holds for one body only is dropped with it. */
+function choose(ui: Ui, number: number) {
+  if (number === bodyOf(ui.state)) return;
+  ui.editOptions((o) => ({ ...o, body: number, root: undefined, up: undefined, bend_k: undefined }));
+}
+
+/** Arrow keys, Home and End move along the list; Enter or Space shows the body. */
+function step(e: KeyboardEvent) {
+  const rows = [...(e.currentTarget as HTMLElement).querySelectorAll<HTMLElement>('[role=option]')],
+    at = rows.indexOf(e.target as HTMLElement);
+  const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: rows.length - 1 }[e.key];
+  if (to === undefined) return;
+  rows[Math.min(rows.length - 1, Math.max(0, to))]?.focus();
+  e.preventDefault();
+}
+
+function archiveRow(ui: Ui, sheets: number) {
+  const { archive } = ui.state;
+  return html`<p class="row archive">
+    ${archive
+      ? html`<span role="status">${archive.done} of ${archive.all} bodies</span>
+          <progress data-testid="archive-progress" max=${archive.all} .value=${archive.done}></progress>
+          <button data-testid="archive-cancel" @click=${ui.cancelArchive}>Cancel</button>`
+      : html`<button
+          data-testid="download-all"
+          title="A ZIP with the DXF of every body that is a sheet, and a summary"
+          ?disabled=${sheets === 0}
+          @click=${ui.downloadAll}
+        >
+          Download all
+        </button>`}
+  </p>`;
+}

@@ -1,0 +1,178 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { test } from 'node:test';
+import {
+  allowanceOf,
+  gaugeDeduction,
+  gaugeK,
+  gaugeOf,
+  kRule,
+  materialOf,
+  sameAllowance,
+  withK,
+  type Shop,
+} from '../src/allowance.ts';
+import { areaText, massText } from '../src/amounts.ts';
+import { unconfirmedK } from '../src/default-k.ts';
+import { flangeLengths } from '../src/flange-lengths.ts';
+import { decodeShape, encodeShape } from '../src/shape.ts';
+import { initialState, reduce } from '../src/state.ts';
+import type { BendRow, OpenDocument, PieceReport, Shape } from '../src/types.ts';
+import { soundWorkshop } from '../src/workshop-state.ts';
+import { twoFlanges } from './two-flanges.ts';
+
+const near = (a: number, b: number, tolerance = 1e-9) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
+const example = JSON.parse(readFileSync(new URL('../../examples/shop/example.json', import.meta.url), 'utf8')) as Shop;
+
+test('K of a gauge follows from its deduction: the example of shop-profiles.md', () => {
+  const g = { thickness: 2, inside_radius: 2, deduction: 3.8374 };
+  near(gaugeK(g), 0.325, 5e-5);
+  near(gaugeDeduction(g), 3.8374);
+});
+
+test('a deduction beyond 90° is measured to the mould line or to the tangent plane', () => {
+  const g = { thickness: 2, inside_radius: 2, angle: 120, deduction: 5 },
+    plane = { ...g, deduction_to: 'tangent_plane' } as const,
+    k = (allowance: number) => (allowance / ((2 * Math.PI) / 3) - 2) / 2;
+  near(gaugeK(g), k(2 * 4 * Math.sqrt(3) - 5));
+  near(gaugeK(plane), k(2 * 4 - 5));
+  // docs: "with R = T = 2 mm and 120° the two readings differ by 5.9 mm"
+  near(2 * 4 * Math.sqrt(3) - 2 * 4, 5.9, 0.05);
+  near(gaugeK({ thickness: 2, inside_radius: 2, angle: 60, allowance: 3 }), (3 / (Math.PI / 3) - 2) / 2);
+  near(gaugeK({ thickness: 1, inside_radius: 1, k: 0.4 }), 0.4);
+  near(gaugeDeduction({ thickness: 1, inside_radius: 1, k: 0.4 }), 4 - (Math.PI / 2) * 1.4);
+});
+
+test('a part is of the nearest gauge within the tolerance, in the units of the shop', () => {
+  const steel = materialOf(example, 'Mild Steel')!;
+  assert.equal(gaugeOf(example, steel, 2.04)!.thickness, 2);
+  assert.equal(gaugeOf(example, steel, 2.06), null);
+  assert.equal(gaugeOf({ ...example, thickness_tolerance: 0.3 }, steel, 1.76)!.thickness, 2);
+  const inch = { materials: [], units: 'inch' as const },
+    thin = { name: 'a', gauges: [{ thickness: 0.06, inside_radius: 0.06, k: 0.4 }] };
+  assert.ok(gaugeOf(inch, thin, 0.06 + 0.0019));
+  assert.equal(gaugeOf(inch, thin, 0.06 + 0.0021), null);
+  assert.equal(materialOf(example, undefined), null, 'of two none is chosen');
+  assert.equal(materialOf({ materials: [steel] }, undefined), steel);
+});
+
+test('K comes from one place', () => {
+  const shop = { name: 's', content: {} },
+    all = withK({ body: 2, density: 7.85, k: 0.4 }, { shop, material: 'steel' });
+  assert.equal(kRule(all), 'shop');
+  assert.deepEqual(allowanceOf(all), { shop, material: 'steel', density: 7.85 });
+  assert.equal(all.body, 2);
+  assert.equal(kRule(withK(all, { din6935: true })), 'din6935');
+  assert.equal(kRule(withK(all, {})), 'default');
+  assert.ok(sameAllowance({ k: 0.4, body: 1 }, { k: 0.4 }));
+  assert.ok(!sameAllowance({ k: 0.4 }, {}));
+});
+
+test('what is set for every part holds for parts, not for other files', () => {
+  const state = reduce(initialState('light'), { type: 'every-part', options: { k: 0.4, density: 7.85 } }),
+    document = (kind: string): OpenDocument => ({ id: 'd1', kind, name: 'a' });
+  const opened = (kind: string, body?: number) =>
+    reduce(state, { type: 'opened', document: document(kind), spec: null, body }).input.options;
+  assert.deepEqual(opened('unfold'), { k: 0.4, density: 7.85 });
+  assert.deepEqual(opened('unfold', 3), { k: 0.4, density: 7.85, body: 3 });
+  assert.deepEqual(opened('connect'), {});
+});
+
+test('files of the workshop are kept once by kind and name, the last one first', () => {
+  const file = (kind: 'shop' | 'k_table', name: string, text = '') => ({ kind, name, text });
+  let { workshop } = initialState('light');
+  const add = (f: ReturnType<typeof file>) =>
+    (workshop = reduce({ ...initialState('light'), workshop }, { type: 'table-file', file: f }).workshop);
+  add(file('shop', 'a'));
+  add(file('k_table', 'a'));
+  add(file('shop', 'a', 'new'));
+  assert.deepEqual(workshop.files, [file('shop', 'a', 'new'), file('k_table', 'a')]);
+  assert.deepEqual(soundWorkshop(JSON.parse(JSON.stringify(workshop))), workshop);
+  assert.deepEqual(soundWorkshop({ files: [{ kind: 'other' }, null], dxf: 3 }), {
+    dxf: {},
+    files: [],
+    everyPart: null,
+  });
+});
+
+const decoded = (change: (bend: BendRow) => void = () => undefined): Shape => {
+  const { header, arrays } = twoFlanges();
+  change(header.report.flat!.bends[0]!);
+  return decodeShape(encodeShape(header, arrays));
+};
+
+test('outside lengths, less the deduction, are the length of the blank', () => {
+  const shape = decoded((bend) => (bend.deduction = 4.4)),
+    [first, second] = flangeLengths(shape).get('B1')!;
+  // 40 and 30 beside a bend of 8: the setback is half of 8 + 4.4
+  near(first, 40 + 6.2, 1e-5);
+  near(second, 30 + 6.2, 1e-5);
+  near(first + second - 4.4, shape.report.flat!.size[0], 1e-5);
+  assert.equal(flangeLengths(decoded((bend) => (bend.deduction = null))).size, 0);
+  assert.equal(flangeLengths(decoded((bend) => (bend.kind = 'cone'))).size, 0);
+});
+
+test('a flange that ends in another bend goes on to its mould line', () => {
+  // A channel: 20, bend of 4, web of 50, bend of 4, 30; all 100 wide.
+  const xs = [0, 20, 24, 74, 78, 108],
+    points = xs.slice(1).flatMap((x, i) => [xs[i]!, 0, x, 0, x, 100, xs[i]!, 100]),
+    rows = [0, 3, 1, 4, 2],
+    { header, arrays } = twoFlanges();
+  const bend = (id: string, deduction: number) => ({ ...header.report.flat!.bends[0]!, id, allowance: 4, deduction });
+  const shape = decodeShape(
+    encodeShape(
+      {
+        ...header,
+        parts: ['F1', 'F2', 'F3', 'B1', 'B2'].map((name) => ({
+          name,
+          kind: name.startsWith('F') ? 'flange' : 'bend',
+          faces: [],
+        })),
+        report: {
+          ...header.report,
+          flat: { ...header.report.flat!, size: [108, 100], bends: [bend('B1', 3), bend('B2', 5)] },
+        },
+      },
+      {
+        ...arrays,
+        points: Float32Array.from(points),
+        ring_starts: Uint32Array.from([0, 4, 8, 12, 16, 20]),
+        polygon_starts: Uint32Array.from([0, 1, 2, 3, 4, 5]),
+        facet_starts: Uint32Array.from([0, 1, 2, 3, 4, 5]),
+        // The web is the root: its bends hang on it on either side.
+        facet_parent: Int32Array.from([1, 2, -1, 2, 3]),
+        facet_hinge: Float32Array.from([20, 24, 0, 74, 78].flatMap((x) => [x, 0, x, 100])),
+        facet_part: Uint32Array.from(rows),
+      },
+    ),
+  );
+  const lengths = flangeLengths(shape);
+  near(lengths.get('B1')![0] + lengths.get('B1')![1], 23.5 + 50 + 3.5 + 4.5, 1e-4);
+  near(lengths.get('B2')![0] + lengths.get('B2')![1], 34.5 + 50 + 3.5 + 4.5, 1e-4);
+  // 20 + 50 + 30 outside, less both deductions: the blank
+  near(23.5 + 58 + 34.5 - 3 - 5, 108);
+});
+
+test('a K that nobody chose is to be confirmed', () => {
+  const report = (...sources: string[]) =>
+    ({ flat: { bends: sources.map((k_source) => ({ k_source, k_factor: 0.44 })) } }) as unknown as PieceReport;
+  assert.equal(unconfirmedK(report('constant', 'default')), 0.44);
+  assert.equal(unconfirmedK(report('constant', 'DIN 6935')), null);
+  assert.equal(unconfirmedK(report()), null);
+  assert.equal(unconfirmedK(null), null);
+});
+
+test('areas and masses have the unit that suits them', () => {
+  assert.equal(areaText(6386.34, 'mm', 'mm'), '6386 mm²');
+  assert.equal(areaText(123456, 'mm', 'mm'), '0.1235 m²');
+  assert.equal(areaText(12.345, 'mm', 'mm'), '12.35 mm²');
+  assert.equal(areaText(2.5, 'inch', 'mm'), '1613 mm²');
+  assert.equal(areaText(25.4 ** 2, 'mm', 'inch'), '1 in²');
+  assert.equal(areaText(2880, 'inch', 'inch'), '20 ft²');
+  assert.equal(areaText(undefined, 'mm', 'mm'), '–');
+  assert.equal(massText(0.1005, 'mm'), '100.5 g');
+  assert.equal(massText(12.3456, 'mm'), '12.35 kg');
+  assert.equal(massText(0.45359237, 'inch'), '1 lb');
+  assert.equal(massText(0.45359237 / 2, 'inch'), '8 oz');
+  assert.equal(massText(null, 'mm'), '–');
+});

@@ -1,0 +1,13 @@
+import { createRequire } from 'node:module';
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+
+/** What axe-core says against the page as it is now, a line each. */
+export async function violations(page) {
+  if (!(await page.evaluate(() => 'axe' in window))) await page.addScriptTag({ path: axe });
+  return page.evaluate(async () =>
+    (await window.axe.run()).violations.flatMap(({ id, nodes }) =>
+      nodes.map((n) => `${id}: ${n.target} ${(n.any[0] ?? n.all[0] ?? n.none[0])?.message ?? ''}`),
+    ),
+  );
+}

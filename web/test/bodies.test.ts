@@ -1,0 +1,117 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { pictureOf, sameOptions, sharedOptions, statusOfShape } from '../src/bodies.ts';
+import { safeName, stems, summaryCsv } from '../src/body-files.ts';
+import { decodeShape } from '../src/shape.ts';
+import type { Report } from '../src/types.ts';
+import { zip } from '../src/zip.ts';
+import { twoFlangesShape } from './two-flanges.ts';
+
+const report = (body: string, thickness: number, more: Partial<Report> = {}): Report => ({
+  format: 'planish/report',
+  version: 1,
+  command: 'unfold',
+  input: 'a.step',
+  body,
+  body_number: 1,
+  quantity: 2,
+  units: 'mm',
+  status: 'ok',
+  reason: null,
+  sheet: { thickness, k_factor: 0.44, flanges: 2, bends: 1, volume: 1, mass: null },
+  flat: { area: 6000, perimeter: 320, size: [100, 60], cutting: { outer: 320, inner: 0 }, openings: 0, bends: [] },
+  verification: { volume_ratio: 1, length_error: 1.4e-14, refold_deviation: 0.00005 },
+  checks: [],
+  ...more,
+});
+
+test('names of files are those of the program', () => {
+  assert.equal(safeName('door, "left"'), 'door_left');
+  assert.equal(safeName('..Träger 3/4"'), 'Träger_3_4');
+  assert.equal(safeName('???'), 'body');
+  assert.equal(safeName('x'.repeat(300)).length, 100);
+});
+
+test('bodies of one name get files of their own, in any unit', () => {
+  const refused = report('A', 2, { status: 'refused', flat: null }),
+    inch = report('a', 0, { units: 'inch', sheet: { ...report('', 0).sheet!, thickness: 2 / 25.4 } });
+  assert.deepEqual(stems([report('A', 2), inch, refused, report('a', 2), report('A', 1.5)]), [
+    'A_t2',
+    'a_t2-2',
+    '',
+    'a_t2-3',
+    'A_t1.5',
+  ]);
+});
+
+test('the summary has a row a body, numbers as the program writes them', () => {
+  const refused = report('lid; "small"', 2, {
+      status: 'refused',
+      sheet: null,
+      flat: null,
+      verification: null,
+      reason: { code: 'not_a_sheet', message: 'it is no sheet, but a block' },
+    }),
+    rows = summaryCsv([
+      { report: report('A', 2), files: ['A_t2.dxf'] },
+      { report: refused, files: [] },
+    ]).split('\n');
+  assert.equal(rows[1], '1,A,2,ok,,,mm,2,100,60,6000,320,0,0,1,,1,1.4e-14,5e-05,0,A_t2.dxf');
+  assert.equal(rows[2], '1,"lid; ""small""",2,refused,not_a_sheet,"it is no sheet, but a block",mm,,,,,,,,,,,,,0,');
+});
+
+test('what is said of one body only does not go with another', () => {
+  const shop = { content: {} },
+    all = { body: 3, k: 0.4, root: 7, up: 'other', bend_k: { B1: 0.3 }, shop } as const;
+  assert.deepEqual(sharedOptions(all), { k: 0.4, shop });
+  assert.ok(sameOptions({ body: 1, k: 0.4, shop }, { body: 2, k: 0.4, shop }));
+  assert.ok(!sameOptions({ k: 0.4 }, {}));
+  assert.ok(!sameOptions({ shop }, { shop: { content: {} } }));
+});
+
+test('a pattern has a picture, its y axis down, and no more points than are seen', () => {
+  const shape = decodeShape(twoFlangesShape()),
+    ring = Array.from({ length: 4000 }, (_, i) => (2 * Math.PI * i) / 4000);
+  const seen = pictureOf({
+    ...shape,
+    contour_points: Float32Array.from(ring.flatMap((a) => [200 + 200 * Math.cos(a), 50 * Math.sin(a)])),
+    contour_starts: new Uint32Array([0, 4000]),
+    contour_part: new Int32Array([-1]),
+    bend_lines: new Float32Array([200, -50, 200, 50]),
+    bend_line_part: new Uint32Array([shape.parts.findIndex((p) => p.kind === 'bend')]),
+    parts: shape.parts.map((p) => ({ ...p, direction: 'down' })),
+  })!;
+  assert.deepEqual([seen.width, seen.height], [100, 25]);
+  assert.equal(seen.down, 'M50 25L50 0');
+  assert.equal(seen.up, '');
+  const points = seen.sheet.slice(1, -1).split('L');
+  assert.ok(points.length > 100 && points.length < 300, String(points.length));
+  assert.equal(pictureOf({ ...shape, contour_part: new Int32Array() }), undefined);
+});
+
+test('a refusal is said with its reason', () => {
+  const shape = decodeShape(twoFlangesShape()),
+    reason = { code: 'not_a_sheet', message: 'no' };
+  const status = statusOfShape(
+    { ...shape, report: { ...shape.report, status: 'refused', reason, sheet: null, flat: null } },
+    {},
+  );
+  assert.deepEqual(status, { status: 'refused', code: 'not_a_sheet', message: 'no', of: {}, units: 'mm' });
+});
+
+test('an archive holds its files, and their checksums', async () => {
+  const text = (s: string) => new TextEncoder().encode(s),
+    made = await zip([
+      { name: 'a.txt', bytes: text('123456789') },
+      { name: 'leer', bytes: text('') },
+    ]);
+  const view = new DataView(await made.arrayBuffer());
+  assert.equal(view.getUint32(0, true), 0x04034b50);
+  assert.equal(view.getUint32(14, true), 0xcbf43926, 'CRC-32 of 123456789');
+  const end = view.byteLength - 22,
+    first = view.getUint32(end + 16, true);
+  assert.equal(view.getUint32(end, true), 0x06054b50);
+  assert.equal(view.getUint16(end + 10, true), 2);
+  assert.equal(view.getUint32(first, true), 0x02014b50);
+  assert.equal(first + view.getUint32(end + 12, true), end);
+});

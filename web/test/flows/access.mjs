@@ -1,0 +1,103 @@
+import assert from 'node:assert/strict';
+import { violations } from '../axe.mjs';
+import { example, opened, rested, state } from '../driving.mjs';
+
+const square = (id, outline) => ({ id, outline });
+
+/** Two walls that cover each other when flat. */
+const walls = Buffer.from(
+  JSON.stringify({
+    format: 'planish/plates',
+    version: 1,
+    thickness: 2,
+    plates: [
+      square('floor', [
+        [0, 0, 0],
+        [100, 0, 0],
+        [100, 100, 0],
+        [0, 100, 0],
+      ]),
+      square('up', [
+        [106, 0, 6],
+        [106, 200, 6],
+        [106, 200, 100],
+        [106, 0, 100],
+      ]),
+      square('down', [
+        [0, 106, -6],
+        [200, 106, -6],
+        [200, 106, -100],
+        [0, 106, -100],
+      ]),
+    ],
+  }),
+);
+
+/** Everyone can use the page: no state of it has a violation, in either theme. */
+export async function access({ page }) {
+  const found = [];
+  const look = async (what) => {
+    for (const theme of ['light', 'dark']) {
+      await page.evaluate((t) => {
+        document.documentElement.dataset.theme = t;
+        window.planish.store.dispatch({ type: 'theme', theme: t });
+      }, theme);
+      await page.waitForTimeout(50);
+      for (const line of await violations(page)) found.push(`${what}, ${theme}: ${line}`);
+    }
+  };
+  const tabs = async (what) => {
+    for (const tab of ['input', 'bends', 'order', 'findings', 'certificate']) {
+      await page.click(`[data-testid=tab-${tab}]`);
+      await page.waitForTimeout(50);
+      await look(`${what}, ${tab}`);
+    }
+  };
+  await look('start');
+  await page.keyboard.press('?');
+  await look('help');
+  await page.keyboard.press('Escape');
+  await page.click('[data-testid=examples-menu]');
+  await look('examples');
+  await page.keyboard.press('Escape');
+  for (const name of ['bracket.step', 'connect/a_folded.json', 'transition/a_square_to_round.json', 'slit/arch.json']) {
+    await example(page, name);
+    await tabs(name);
+  }
+  await page.click('[data-testid=download-menu]');
+  await look('downloads');
+  await page.keyboard.press('Escape');
+  await example(page, 'connect/a_folded.json');
+  await page.click('[data-testid=plate-right]');
+  await rested(page);
+  await look('a plate');
+  // Refused, with what it proposes; and with findings of each kind, one of them open.
+  await page.setInputFiles('[data-testid=file-input]', {
+    name: 'walls.json',
+    mimeType: 'application/json',
+    buffer: walls,
+  });
+  await opened(page, 'walls.json');
+  await tabs('refused');
+  await page.click('[data-testid=remedy-overlapping]');
+  await rested(page);
+  await page.click('[data-testid=tab-findings]');
+  await page.click('[data-testid=finding-1] button');
+  await look('findings');
+  // Wherever one is, the keys lead on: the dialog takes the focus and gives it back.
+  await page.focus('[data-testid=help]');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.activeElement?.closest('dialog')); // the dialog has the focus
+  await page.keyboard.press('Escape');
+  assert.equal(await page.evaluate(() => document.activeElement?.dataset.testid), 'help', 'and gives it back');
+  assert.equal(await state(page, 's.help'), false);
+  await page.focus('[data-testid=tab-findings]');
+  await page.keyboard.press('ArrowRight');
+  assert.equal(await state(page, 's.tab'), 'certificate');
+  assert.match(
+    await page.getAttribute('.flat .canvas', 'aria-label'),
+    /^Flat pattern of walls.json, [\d.]+ by [\d.]+ mm/,
+  );
+  assert.match(await page.getAttribute('.folded .canvas', 'aria-label'), /^Folded part walls.json: 3 flanges, 2 bends/);
+  assert.ok(!found.length, [...new Set(found)].join('\n'));
+}
