@@ -135,6 +135,7 @@ export class FlatView {
       { passive: false },
     );
     canvas.addEventListener('pointerleave', () => {
+      this.hover = null;
       this.on.hover(null);
       this.on.measureHover(null);
     });
@@ -182,7 +183,8 @@ export class FlatView {
     this.hover = e;
     if (waiting) return;
     requestAnimationFrame(() => {
-      const { clientX, clientY } = this.hover!,
+      if (!this.hover) return;
+      const { clientX, clientY } = this.hover,
         r = this.canvas.getBoundingClientRect(),
         [sx, sy] = [clientX - r.left, clientY - r.top],
         { shape } = this.scene;

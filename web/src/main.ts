@@ -39,7 +39,8 @@ document.documentElement.dataset.theme = store.state.theme;
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
   <div class="view folded"><div class="canvas" role="img"></div>
-  <div class="buttons"></div><div class="tools"></div><div class="measured"></div><div class="machine"></div><div class="fold"></div></div>
+  <div class="buttons"></div><div class="tools"></div><div class="measured"></div>
+  <div class="machine"></div><div class="fold"></div></div>
   <div class="divider"></div>
   <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;

@@ -60,8 +60,10 @@ export class Measuring {
   hover(view: MeasuredView, ref: Ref | null) {
     const same = ref && this.hovered?.view === view && JSON.stringify(this.hovered.ref) === JSON.stringify(ref);
     if (same || (!ref && !this.hovered)) return;
+    if (!ref && this.hovered?.view !== view) return; // the pointer is in the other view already
     this.hovered = ref && { view, ref };
-    this.redraw(view);
+    this.redraw('flat');
+    this.redraw('folded');
   }
 
   pick(view: MeasuredView, ref: Ref | null) {

@@ -4,7 +4,7 @@ import { edgeForms } from './edges.ts';
 
 export type MeasuredView = 'flat' | 'folded';
 
-/** What was picked to measure from or to. `upper`: on which side of the sheet; in the flat pattern it is the upper one. */
+/** What was picked to measure from or to. `upper`: on which side of the sheet; in the pattern the upper one. */
 export type Ref =
   | { kind: 'corner'; edge: number; end: 0 | 1; upper: boolean }
   | { kind: 'middle'; edge: number; upper: boolean }
@@ -85,7 +85,7 @@ function bendLine(
   return { type: 'line', a: [ax, ay, 0], b: [bx, by, 0] };
 }
 
-/** Of a cylindrical bend, from a flange beside it: above the line where it begins, by the radius in the middle of the sheet. */
+/** Of a cylindrical bend, from a flange beside it: above where it begins, by the radius of the sheet's middle. */
 function bendAxis(of: Measured, part: number): Thing | null {
   const { shape, thickness, bends, units } = of,
     row = bends.find((b) => b.id === shape.parts[part]?.name);

@@ -39,7 +39,8 @@ export function measureList(ui: Ui) {
 function hint(ui: Ui): string {
   const { first } = ui.state.measure;
   if (!first) return 'Pick a corner, an edge, a hole, a bend or, in the folded part, a flange.';
-  return `From the ${name(ui, first.ref)}: pick a second one, or the same again for its own size. Esc drops it.`;
+  const the = first.ref.kind === 'flange' || first.ref.kind === 'bend' ? '' : 'the ';
+  return `From ${the}${name(ui, first.ref)}: pick a second one, or the same again for its own size. Esc drops it.`;
 }
 
 function row(ui: Ui, { id, a, b, view }: Measure) {
