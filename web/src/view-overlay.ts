@@ -3,16 +3,19 @@ export class ViewOverlay {
   private readonly canvas = document.createElement('canvas');
   private readonly c: CanvasRenderingContext2D;
   private frame = 0;
-  private readonly box: HTMLElement;
+  private size: [number, number] = [0, 0]; // asking for it in a frame would lay out the page once more
   private readonly paint: (c: CanvasRenderingContext2D) => boolean; // whether there was anything to draw
   constructor(box: HTMLElement, name: string, paint: (c: CanvasRenderingContext2D) => boolean) {
-    this.box = box;
     this.paint = paint;
     this.canvas.dataset.testid = name;
     this.canvas.className = 'overlay';
     this.canvas.setAttribute('aria-hidden', 'true');
     this.c = this.canvas.getContext('2d')!;
     box.append(this.canvas);
+    new ResizeObserver(() => {
+      this.size = [box.clientWidth, box.clientHeight];
+      this.draw();
+    }).observe(box);
   }
 
   draw() {
@@ -23,7 +26,7 @@ export class ViewOverlay {
   now() {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
-    const { clientWidth: w, clientHeight: h } = this.box,
+    const [w, h] = this.size,
       ratio = window.devicePixelRatio,
       [width, height] = [Math.round(w * ratio), Math.round(h * ratio)];
     if (this.canvas.width !== width || this.canvas.height !== height) {
