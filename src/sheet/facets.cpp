@@ -291,19 +291,6 @@ std::optional<FaceId> largest_face(const Sheet& sheet, const Layout& layout) {
 /// From the reference surface to the middle of the material.
 double middle_depth(const Sheet& sheet) { return 0.5 * sheet.thickness - sheet.reference_depth; }
 
-/// From the flat pattern to a flange's place in space.
-Eigen::Isometry3d flange_in_space(const Sheet& sheet, const Layout& layout, FaceId face) {
-  const Frame& frame = std::get<Frame>(sheet[face].surface);
-  const Isometry2 from_pattern = layout.placement[face].inverse();
-  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity(), space = placed;
-  placed.linear().topLeftCorner<2, 2>() = from_pattern.linear();
-  placed.linear()(2, 2) = from_pattern.linear().determinant() < 0.0 ? -1.0 : 1.0;
-  placed.translation().head<2>() = from_pattern.translation();
-  space.linear() << frame.x, frame.y, frame.z;
-  space.translation() = frame.origin - middle_depth(sheet) * frame.z;
-  return space * placed;
-}
-
 /// Begins with the largest face, or in sheets without flanges with the middle of a bend. Returns
 /// the node added.
 int hang_root(const Sheet& sheet, const Layout& layout, FacetTree& tree) {
@@ -356,6 +343,18 @@ Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& o
   for (int number = 0; number < std::ssize(sheet.joints); ++number)
     if (!std::binary_search(kept.begin(), kept.end(), number)) tree.add_band(sheet.joints[number]);
   return std::move(tree).take();
+}
+
+Eigen::Isometry3d flange_in_space(const Sheet& sheet, const Layout& layout, FaceId face) {
+  const Frame& frame = std::get<Frame>(sheet[face].surface);
+  const Isometry2 from_pattern = layout.placement[face].inverse();
+  Eigen::Isometry3d placed = Eigen::Isometry3d::Identity(), space = placed;
+  placed.linear().topLeftCorner<2, 2>() = from_pattern.linear();
+  placed.linear()(2, 2) = from_pattern.linear().determinant() < 0.0 ? -1.0 : 1.0;
+  placed.translation().head<2>() = from_pattern.translation();
+  space.linear() << frame.x, frame.y, frame.z;
+  space.translation() = frame.origin - middle_depth(sheet) * frame.z;
+  return space * placed;
 }
 
 std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share) {

@@ -253,6 +253,53 @@ def pressed_plate():
     return file.text()
 
 
+def channel_profile(width, height, thickness, radius):
+    """A U, outside `width` wide and `height` high. Flat length: width + 2 height − 4 (t + r) + π (r + k t)."""
+    w, h, t, s = width, height, thickness, thickness + radius
+    return (s, 0.0), [Line((w - s, 0.0)), Arc((w, s), (w - s, s), True), Line((w, h)), Line((w - t, h)), Line((w - t, s)),
+                      Arc((w - s, t), (w - s, s), False), Line((s, t)), Arc((t, s), (s, s), False), Line((t, h)), Line((0.0, h)),
+                      Line((0.0, s)), Arc((s, 0.0), (s, s), True)]
+
+
+class Lying(StepFile):
+    """Prisms drawn out along x, their profiles in (y, z), with vertical holes."""
+
+    lies = False
+
+    def point(self, p):
+        return super().point((p[2], p[0], p[1]) if self.lies else p)
+
+    def direction(self, d):
+        return super().direction((d[2], d[0], d[1]) if self.lies else d)
+
+
+def perforated_channel(width=280.0, height=30.0, thickness=2.0, radius=2.0, depth=420.0, holes=(), hole=2.5):
+    """A channel along x, its base at z = 0 to `thickness`, y from 0 to `width`; round `holes` (x, y) of radius `hole` in the base."""
+    file = Lying()
+    walls, rings = [], {}
+    for center in holes:
+        low, high = file.ring(center, 0.0, hole), file.ring(center, thickness, hole)
+        axis = file.placement((*center, 0.0), (0, 0, 1), (1, 0, 0))
+        walls.append(file.round_wall(file.add(f"CYLINDRICAL_SURFACE('',{axis},{hole:.12f})"), low, high, False))
+        rings[center] = (file._bound("FACE_BOUND", [(low[0], True)]), file._bound("FACE_BOUND", [(high[0], False)]))
+    file.lies = True
+    shell = file.prism(*channel_profile(width, height, thickness, radius), depth)
+    # The base has its holes: its faces are those of the first side and of the seventh.
+    faces = [int(f[1:]) for f in file.entities[int(shell[1:]) - 1].split("(")[2].rstrip(")").split(",")]
+    for side, level in ((0, 0), (6, 1)):
+        file.entities[faces[side] - 1] = file.entities[faces[side] - 1].replace(
+            "),", "".join(f",{bounds[level]}" for bounds in rings.values()) + "),", 1)
+    file.entities[int(shell[1:]) - 1] = f"CLOSED_SHELL('',({','.join([f'#{f}' for f in faces] + walls)}))"
+    file.lies = False
+    file.product("perforated channel", shell)
+    return file.text()
+
+
+def thousand_openings():
+    """A channel with 40 × 25 holes of Ø 5 at a pitch of 10."""
+    return perforated_channel(holes=[(15.0 + 10 * i, 20.0 + 10 * j) for i in range(40) for j in range(25)])
+
+
 def surface_only():
     file = StepFile()
     shell = file.prism(*rectangle_profile(30.0, 20.0), 10.0)

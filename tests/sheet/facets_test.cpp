@@ -84,6 +84,25 @@ TEST(Facets, FoldToWhereTheFlangesAreInSpace) {
     }
 }
 
+TEST(Facets, KnowWhereFlangesAreExactlyWhateverIsFoldedAsPolygons) {
+  for (const auto& [name, sheet] : samples())
+    for (const UpSide up : {UpSide::reference, UpSide::other}) {
+      const auto [layout, pattern] = laid(sheet, up);
+      for (const FaceId id : sheet.faces.ids()) {
+        const auto* frame = std::get_if<Frame>(&sheet[id].surface);
+        if (!frame || !std::holds_alternative<FlangeId>(sheet[id].part_of)) continue;
+        const Eigen::Isometry3d place = flange_in_space(sheet, layout, id);
+        EXPECT_NEAR(place.linear().determinant(), 1.0, 1e-12) << name;
+        for (const Curve2& curve : layout.outline(id)) {
+          const Vec2 flat = start_of(curve);
+          const Vec3 wanted = frame->point(layout.fold(sheet, id, flat)) -
+                              (0.5 * sheet.thickness - sheet.reference_depth) * frame->z;
+          EXPECT_LT((placed(place, flat) - wanted).norm(), 1e-9) << name;
+        }
+      }
+    }
+}
+
 TEST(Facets, ComeNearerWithSmallerTurns) {
   const Sheet sheet = cone_joined();
   const auto [layout, pattern] = laid(sheet);

@@ -25,6 +25,9 @@ class Browser(StudioTest):
         super().setUpClass()
         cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         (cls.folder / "pressed.step").write_text(step_files.pressed_plate())
+        (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
+        (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
+        (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
@@ -138,6 +141,27 @@ class Browser(StudioTest):
 
     def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
         self.flow("circle")
+
+    def test_a_thousand_openings_are_orbited_folded_and_hovered(self):
+        self.flow("thousand")
+
+    def test_what_is_under_the_pointer_lights_up_in_both_views(self):
+        self.flow("hover")
+
+    def test_the_pattern_is_measured(self):
+        self.flow("measure")
+
+    def test_the_folded_part_is_measured(self):
+        self.flow("measurefolded")
+
+    def test_a_section_shows_the_thickness_and_glass_what_is_behind(self):
+        self.flow("section")
+
+    def test_the_cube_shows_and_chooses_from_where_one_looks(self):
+        self.flow("cube")
+
+    def test_the_views_share_the_room_as_they_are_dragged(self):
+        self.flow("split")
 
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         self.flow("forms")

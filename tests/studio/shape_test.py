@@ -132,6 +132,21 @@ class Shapes(StudioTest):
         self.assertAlmostEqual(max(math.dist(p, q) for p, q in itertools.combinations(folded, 2)),
                                max(math.dist(p, q) for p, q in itertools.combinations(corners, 2)), delta=2 * half)
 
+    def test_flanges_know_exactly_where_they_are(self):
+        """Every vertex of the solid is a corner of a flange that is moved there, half a thickness up or down, at any K."""
+        document, _ = self.studio.open_example("bracket.step")
+        for k in (0.3, 0.5):
+            shape = self.studio.shape(document, "draft", k=k)
+            half, corners = shape.report["sheet"]["thickness"] / 2, []
+            for f, row in enumerate(shape.arrays["facet_part"]):
+                part = shape.json["parts"][row]
+                self.assertEqual("place" in part, part["kind"] == "flange")
+                if "place" in part:
+                    m = rows(part["place"], 4)
+                    corners += [tuple(c + s * half * m[i][2] for i, c in enumerate(moved(m, p))) for p in facet_points(shape, f) for s in (-1, 1)]
+            for corner in step_corners(EXAMPLES / "bracket.step"):
+                self.assertLess(min(math.dist(corner, c) for c in corners), 2e-5, str(corner))
+
     def test_a_flat_sheet_lies_in_the_plane_of_its_root(self):
         document, _ = self.studio.open_example("bracket.step")
         shape = self.studio.shape(document, "draft")

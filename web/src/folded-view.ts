@@ -1,32 +1,23 @@
-import {
-  Box3,
-  Color,
-  Matrix4,
-  Object3D,
-  OrthographicCamera,
-  Plane,
-  Raycaster,
-  Scene,
-  Sphere,
-  Vector2,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
-import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { Box3, Color, type Matrix4, Plane, Scene, Vector3, WebGLRenderer } from 'three';
+import { FoldedCamera, type StandardView } from './folded-camera.ts';
+import { FoldedLook, type LookEvents } from './folded-look.ts';
+import { CubeView } from './cube-view.ts';
+import { cutAt, isKept } from './section.ts';
+import type { ViewState } from './view-state.ts';
+import { PlateGizmo } from './plate-gizmo.ts';
 import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
-import { distanceToSegment, type PickedLine } from './lines.ts';
+import type { PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
+import { isLarge } from './sheet-lod.ts';
+import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
 import { frameDrawn } from './timings.ts';
 import type { Stage } from './stage.ts';
 import type { AnchorSpec, OrderAnswer, Shape, Vec3 } from './types.ts';
 
-export type StandardView = 'front' | 'top' | 'right' | 'iso';
-
-export interface FoldedViewEvents {
+export interface FoldedViewEvents extends LookEvents {
   /** Whether the line was used; else the part behind it is picked. */
   pickLine(line: PickedLine): boolean;
   pickFacet(facet: number | null, upper: boolean, at: Vec3 | null): void;
@@ -54,30 +45,14 @@ export interface Picked {
   part: number | null;
   edge: number | null;
 }
-interface Point {
-  x: number;
-  y: number;
-}
-
-/** From where one looks, with z up; the pole is never quite reached, since orbiting keeps up what is up. */
-const directions: Record<StandardView, Vec3> = {
-  front: [0, -1, 0],
-  top: [0, -1e-4, 1],
-  right: [1, 0, 0],
-  iso: [1, -1.25, 0.95],
-};
-/** From low in front of the machine, beside the operator: the sides of a bend are seen, not their edges. */
-const beforeMachine: Vec3 = [1, -0.9, 0.42];
-
 /** The folded sheet. Draws when something changed, never by the clock. */
 export class FoldedView {
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
-  private orbit: OrbitControls;
-  private upright: 'y' | 'z' = 'z';
-  private readonly gizmo: TransformControls;
-  private readonly grip = new Object3D();
+  private readonly eye: FoldedCamera;
+  private readonly plateGizmo: PlateGizmo;
+  private readonly under: FoldedLook;
+  private readonly cube: CubeView;
   private readonly sheet = new SheetObject();
   private readonly handles = new HandleObjects();
   private readonly machine = new MachineObject();
@@ -95,13 +70,11 @@ export class FoldedView {
     ridges: 10,
   };
   private palette: Palette;
-  private gripStart = new Matrix4();
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;
-  private radius = 100;
-  // Until the user zooms or pans; `set`: the zoom that was set.
-  private fitted: { target: Vector3; zoom: number; set: number } | null = null;
-
+  private readonly above: ViewOverlay;
+  private moving = false; // something is being dragged
+  private lively = 0; // timer: orbiting or folding has not paused
   private readonly box: HTMLElement;
   private readonly events: FoldedViewEvents;
   constructor(box: HTMLElement, palette: Palette, events: FoldedViewEvents) {
@@ -109,24 +82,47 @@ export class FoldedView {
     this.events = events;
     this.palette = palette;
     this.renderer = new WebGLRenderer({ antialias: !drawnInSoftware });
-    this.setMoving(false);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const canvas = this.renderer.domElement;
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
-    this.camera.up.set(0, 0, 1);
-    this.scene.add(this.sheet.group, this.handles.group, this.machine.group, this.grip);
-    this.orbit = this.orbiting();
-    this.gizmo = new TransformControls(this.camera, canvas);
-    this.gizmo.setSize(0.8);
-    this.scene.add(this.gizmo.getHelper());
+    this.above = new ViewOverlay(box, 'folded-overlay', (c) => this.paintAbove(c));
+    this.scene.add(this.sheet.group, this.handles.group, this.machine.group);
+    this.eye = new FoldedCamera(
+      canvas,
+      () => this.bounds(),
+      () => {
+        this.stir();
+        this.draw();
+        this.events.zoomed();
+      },
+    );
+    this.renderer.localClippingEnabled = true;
+    this.cube = new CubeView(box.parentElement!, palette, (side) => {
+      this.eye.lookFromSide(side);
+      this.draw();
+    });
+    this.under = new FoldedLook(canvas, this.sheet, this.eye, events);
+    this.plateGizmo = new PlateGizmo(this.eye.camera, canvas, this.scene, {
+      draw: () => this.draw(),
+      grab: (grabbed) => {
+        this.eye.orbit.enabled = !grabbed;
+        if (grabbed) return;
+        this.events.dragEnd();
+        this.attachGizmo();
+      },
+      drag: (moved) => {
+        if (this.overlay.plate) this.events.dragPlate(this.overlay.plate, moved, performance.now());
+      },
+    });
     this.listen(canvas);
     new ResizeObserver(() => this.resize()).observe(box);
     this.resize();
-    this.look('iso');
+    this.eye.look('iso');
   }
 
   setShape(shape: Shape | null, share: number, thickness: number, picked: Picked, held = 0) {
-    this.shape = shape;
+    this.shape = this.under.shape = shape;
     this.picked = picked;
     this.sheet.group.visible = shape !== null;
     if (shape) {
@@ -139,15 +135,37 @@ export class FoldedView {
 
   /** Whether something is being dragged: software rendering then draws fewer pixels. */
   setMoving(moving: boolean) {
-    const ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
-    if (ratio === this.renderer.getPixelRatio()) return;
-    this.renderer.setPixelRatio(ratio);
+    if (moving === this.moving) return;
+    this.moving = moving;
+    this.adapt();
+  }
+
+  /** Orbiting and folding of large parts are drawn with fewer corners, until they pause. */
+  private stir() {
+    if (!this.shape || !isLarge(this.shape)) return;
+    clearTimeout(this.lively);
+    this.lively = window.setTimeout(() => {
+      this.lively = 0;
+      this.adapt();
+    }, 160);
+    this.adapt();
+  }
+
+  /** How many pixels and corners are drawn: circles are left by a quarter of a pixel at rest. */
+  private adapt() {
+    const moving = this.moving || this.lively > 0,
+      ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
+    const other = this.sheet.setTolerance((moving ? 0.75 : 0.25) / (this.scale * window.devicePixelRatio));
+    if (other) this.sheet.paint(this.palette, this.picked.part, this.picked.edge, this.hit);
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+    else if (!other) return;
     this.draw();
   }
 
   setShare(share: number) {
+    this.stir();
     this.sheet.setShare(share);
-    this.keepInSight();
+    this.eye.keepInSight();
     this.draw();
   }
 
@@ -160,22 +178,38 @@ export class FoldedView {
     this.draw();
   }
 
+  /** What of the sheet is cut away, and whether one sees through it. */
+  setSection({ section: { on, along, at, flipped }, seeThrough }: ViewState, inMachine: boolean) {
+    this.sheet.setGlass(seeThrough, this.palette);
+    this.sheet.setSection(on && !inMachine ? (positions) => cutAt(positions, along, at, flipped) : null);
+    this.under.isShown = (x, y, z) => !this.sheet.cut || isKept(this.sheet.cut, x, y, z);
+    this.draw();
+  }
+
+  /** Towards the eye. */
+  get direction(): Vec3 {
+    return this.eye.direction;
+  }
+
   /** The sheet in the machine; without a stage it is as folded by `share`. Another stroke is fitted unless it plays. */
   setStage(order: OrderAnswer | null, stage: Stage | null, share: number, playing = false) {
     const was = this.machine.group.visible,
-      other = stage?.stroke !== this.machine.shown && !playing && this.isFitted,
+      other = stage?.stroke !== this.machine.shown && !playing && this.eye.isFitted,
       hit = stage?.hit?.part ?? null;
     this.machine.set(order, stage);
     this.machine.paint(this.palette);
+    this.stir();
     if (stage) this.sheet.setPose(stage.pose);
     else this.sheet.setShare(share);
     if (hit !== this.hit) {
       this.hit = hit;
       this.sheet.paint(this.palette, this.picked.part, this.picked.edge, hit);
     }
-    if (was !== this.machine.group.visible) this.lookFrom(was ? directions.iso : beforeMachine);
-    else if (other) this.fit();
-    else this.keepInSight();
+    if (was !== this.machine.group.visible) {
+      if (was) this.eye.look('iso');
+      else this.eye.lookAtMachine();
+    } else if (other) this.eye.fit();
+    else this.eye.keepInSight();
     this.draw();
   }
 
@@ -187,21 +221,7 @@ export class FoldedView {
   }
 
   fit() {
-    const box = this.bounds();
-    if (box.isEmpty()) return;
-    const sphere = box.getBoundingSphere(new Sphere());
-    this.radius = Math.max(sphere.radius, 1e-3);
-    const direction = this.camera.position.clone().sub(this.orbit.target).normalize();
-    this.orbit.target.copy(sphere.center);
-    this.camera.position.copy(sphere.center).addScaledVector(direction, 4 * this.radius);
-    this.camera.near = -8 * this.radius;
-    this.camera.far = 16 * this.radius;
-    this.camera.zoom = 0.88 * this.fittingZoom(box, direction, sphere.center);
-    this.camera.updateProjectionMatrix();
-    this.orbit.update();
-    // beyond there is nothing to be seen
-    [this.orbit.minZoom, this.orbit.maxZoom] = [this.camera.zoom / 50, this.camera.zoom * 2000];
-    this.fitted = { target: this.orbit.target.clone(), zoom: this.camera.zoom, set: this.camera.zoom };
+    this.eye.fit();
     this.draw();
   }
 
@@ -213,118 +233,45 @@ export class FoldedView {
     return box;
   }
 
+  get hovered() {
+    return this.under.hovered;
+  }
+
+  get gizmo() {
+    return this.plateGizmo.controls;
+  }
+
+  get camera() {
+    return this.eye.camera;
+  }
+
   /** Pixels a millimetre. */
   get scale() {
-    return this.camera.zoom;
-  }
-
-  /** Whether the view is as fitted, except for its direction. */
-  private get isFitted() {
-    return (
-      this.fitted !== null &&
-      this.fitted.set === this.camera.zoom &&
-      this.fitted.target.distanceTo(this.orbit.target) < 1e-6 * this.radius
-    );
-  }
-
-  /**
-   * A sheet grows as it unfolds: the view zooms out as far as needed, and returns once the sheet is folded.
-   */
-  private keepInSight() {
-    const box = this.bounds();
-    if (!this.fitted || !this.isFitted || box.isEmpty()) return;
-    const { target, zoom } = this.fitted,
-      reach = Math.max(
-        this.radius,
-        box.getBoundingSphere(new Sphere()).radius + box.getCenter(new Vector3()).distanceTo(target),
-      );
-    this.camera.near = -8 * reach;
-    this.camera.far = 16 * reach;
-    this.camera.zoom = this.fitted.set = Math.min(
-      zoom,
-      0.96 * this.fittingZoom(box, this.camera.position.clone().sub(target).normalize(), target),
-    );
-    this.camera.updateProjectionMatrix();
+    return this.eye.camera.zoom;
   }
 
   look(view: StandardView) {
-    this.lookFrom(directions[view]);
-  }
-
-  private lookFrom([x, y, z]: Vec3) {
-    const direction = this.upright === 'z' ? new Vector3(x, y, z) : new Vector3(x, z, y);
-    this.camera.position.copy(this.orbit.target).addScaledVector(direction.normalize(), 4 * this.radius);
-    this.orbit.update();
-    this.fit();
+    this.eye.look(view);
+    this.draw();
   }
 
   /** The axis of space that is upright. */
   setUp(up: 'y' | 'z') {
-    if (up === this.upright) return;
-    this.upright = up;
-    this.camera.up.set(0, up === 'y' ? 1 : 0, up === 'z' ? 1 : 0);
-    const { target } = this.orbit;
-    this.orbit.dispose();
-    this.orbit = this.orbiting(); // it takes its axis once, when it is made
-    this.orbit.target.copy(target);
-    this.look('iso');
-  }
-
-  private orbiting(): OrbitControls {
-    const orbit = new OrbitControls(this.camera, this.renderer.domElement);
-    orbit.zoomToCursor = true;
-    orbit.addEventListener('change', () => {
-      this.draw();
-      this.events.zoomed();
-    });
-    return orbit;
+    this.eye.setUp(up);
+    this.draw();
   }
 
   /** Where a point in space appears, in client coordinates; for tests. */
   project(at: Vec3): { x: number; y: number } {
-    const p = this.toScreen(at),
+    const p = this.eye.toScreen(at),
       r = this.renderer.domElement.getBoundingClientRect();
     return { x: r.left + p.x, y: r.top + p.y };
-  }
-
-  /** The zoom at which the box just fills the view centred on `center`. */
-  private fittingZoom(box: Box3, direction: Vector3, center: Vector3): number {
-    const right = new Vector3().crossVectors(this.camera.up, direction).normalize(),
-      top = new Vector3().crossVectors(direction, right);
-    let w = 1e-6,
-      h = 1e-6;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new Vector3(
-        i & 1 ? box.max.x : box.min.x,
-        i & 2 ? box.max.y : box.min.y,
-        i & 4 ? box.max.z : box.min.z,
-      ).sub(center);
-      w = Math.max(w, Math.abs(corner.dot(right)));
-      h = Math.max(h, Math.abs(corner.dot(top)));
-    }
-    return Math.min(this.camera.right / w, this.camera.top / h);
   }
 
   private listen(canvas: HTMLCanvasElement) {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));
     canvas.addEventListener('pointerup', (e) => this.up(e));
-    this.gizmo.addEventListener('change', () => {
-      if (!this.gizmo.dragging) this.draw();
-    }); // else the next geometry does
-    this.gizmo.addEventListener('dragging-changed', (e) => {
-      this.orbit.enabled = !e.value;
-      if (e.value) this.gripStart.copy(this.grip.matrixWorld);
-      else {
-        this.events.dragEnd();
-        this.attachGizmo();
-      }
-    });
-    this.gizmo.addEventListener('objectChange', () => {
-      this.grip.updateMatrix();
-      const moved = this.grip.matrix.clone().multiply(this.gripStart.clone().invert());
-      if (this.overlay.plate) this.events.dragPlate(this.overlay.plate, moved, performance.now());
-    });
   }
 
   private down(e: PointerEvent) {
@@ -339,8 +286,8 @@ export class FoldedView {
     const plane = new Plane();
     if (anchor !== null) {
       const at = new Vector3(...this.anchorAt(this.overlay.anchors[anchor]!));
-      plane.setFromNormalAndCoplanarPoint(this.camera.getWorldDirection(new Vector3()), at);
-      this.orbit.enabled = false;
+      plane.setFromNormalAndCoplanarPoint(this.eye.camera.getWorldDirection(new Vector3()), at);
+      this.eye.orbit.enabled = false;
       this.renderer.domElement.setPointerCapture(e.pointerId);
       this.events.pickAnchor(anchor);
     }
@@ -348,8 +295,9 @@ export class FoldedView {
   }
 
   private move(e: PointerEvent) {
-    if (!this.press || this.press.anchor === null) return;
-    const at = this.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
+    if (!this.press) return this.under.hover(e);
+    if (this.press.anchor === null) return;
+    const at = this.eye.ray(e).ray.intersectPlane(this.press.plane, new Vector3());
     const { scale } = this.overlay;
     if (at) this.events.dragAnchor(this.press.anchor, [at.x / scale, at.y / scale, at.z / scale], performance.now());
   }
@@ -359,15 +307,17 @@ export class FoldedView {
     this.press = null;
     if (!press || e.button !== 0) return;
     if (press.anchor !== null) {
-      this.orbit.enabled = true;
+      this.eye.orbit.enabled = true;
       this.events.dragEnd();
       return;
     }
-    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.gizmo.dragging || this.gizmo.axis) return;
+    if (Math.hypot(e.clientX - press.x, e.clientY - press.y) > 4 || this.plateGizmo.isHeld) return;
     this.click(e);
   }
 
   private click(e: PointerEvent) {
+    const measured = this.events.measured();
+    if (measured) return this.events.measurePick(measured.of && this.under.refUnder(measured.of, e));
     if (this.shape && this.overlay.handles) {
       const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
         end = this.nearest(
@@ -377,36 +327,30 @@ export class FoldedView {
         );
       if (end !== null) return this.events.pickRidgeEnd(ends[end]!);
     }
-    const line = this.lineUnder(e);
-    if (line && this.events.pickLine(line)) return;
-    const hit = this.sheet.empty ? undefined : this.ray(e).intersectObject(this.sheet.skin, false)[0];
-    const found = hit?.faceIndex === undefined || hit.faceIndex === null ? null : this.sheet.facetOf(hit.faceIndex);
-    this.events.pickFacet(found?.facet ?? null, found?.upper ?? true, hit ? (hit.point.toArray() as Vec3) : null);
+    const { line, skin } = this.under.under(e);
+    if (line && this.events.pickLine(line.line)) return;
+    this.events.pickFacet(skin?.facet ?? null, skin?.upper ?? true, skin?.at ?? null);
   }
 
-  /** The line nearest to the pointer of those that are near and not hidden by the sheet. */
-  private lineUnder(e: PointerEvent): PickedLine | null {
-    const r = this.renderer.domElement.getBoundingClientRect(),
-      x = e.clientX - r.left,
-      y = e.clientY - r.top;
-    const near = this.sheet
-      .lines()
-      .flatMap(({ line, ends }) => {
-        const [a, b] = ends.map((end) => this.toScreen(end)) as [Point, Point],
-          { distance, along } = distanceToSegment(x, y, a.x, a.y, b.x, b.y);
-        return distance < 5
-          ? [{ line, distance, at: new Vector3(...ends[0]).lerp(new Vector3(...ends[1]), along) }]
-          : [];
-      })
-      .sort((a, b) => a.distance - b.distance);
-    return near.slice(0, 12).find(({ at }) => this.isSeen(at))?.line ?? null;
+  /** Lights up an edge or a part. */
+  setHover(under: PickedLine | null) {
+    this.under.hovered = under;
+    const row = under && 'part' in under ? under.part : null;
+    if (this.sheet.light(row, this.palette.selected)) this.draw();
+    this.above.draw();
   }
 
-  private isSeen(at: Vector3): boolean {
-    const direction = this.camera.getWorldDirection(new Vector3()),
-      ray = new Raycaster(at.clone().addScaledVector(direction, -8 * this.radius), direction);
-    const hit = ray.intersectObject(this.sheet.skin, false)[0];
-    return !hit || hit.distance > 8 * this.radius - Math.max(this.sheet.depth, 0.004 * this.radius);
+  drawAbove() {
+    this.above.draw();
+  }
+
+  private paintAbove(c: CanvasRenderingContext2D): boolean {
+    const lit = this.under.paint(c, this.palette.selected);
+    const measured = this.events.paintAbove(c, (at) => {
+      const p = this.eye.toScreen(at);
+      return [p.x, p.y];
+    });
+    return lit || measured;
   }
 
   private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
@@ -414,7 +358,7 @@ export class FoldedView {
     let best: number | null = null,
       least = within;
     places.forEach((place, i) => {
-      const p = this.toScreen(place),
+      const p = this.eye.toScreen(place),
         d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
       if (d < least) {
         least = d;
@@ -425,22 +369,6 @@ export class FoldedView {
   }
 
   private anchorAt = (a: AnchorSpec): Vec3 => a.at.map((v) => v * this.overlay.scale) as Vec3;
-
-  private toScreen(at: Vec3) {
-    const p = new Vector3(...at).project(this.camera),
-      canvas = this.renderer.domElement;
-    return { x: ((p.x + 1) / 2) * canvas.clientWidth, y: ((1 - p.y) / 2) * canvas.clientHeight };
-  }
-
-  private ray(e: PointerEvent): Raycaster {
-    const r = this.renderer.domElement.getBoundingClientRect(),
-      ray = new Raycaster();
-    ray.setFromCamera(
-      new Vector2(((e.clientX - r.left) / r.width) * 2 - 1, 1 - ((e.clientY - r.top) / r.height) * 2),
-      this.camera,
-    );
-    return ray;
-  }
 
   private showHandles() {
     const shown = this.overlay.handles ? (this.shape?.handles ?? {}) : {};
@@ -454,27 +382,10 @@ export class FoldedView {
     );
   }
 
-  /**
-   * The gizmo stands in the middle of the plate and is left alone while it is dragged: then it leads and the plate
-   * follows.
-   */
   private attachGizmo() {
-    if (this.gizmo.dragging) return;
-    const plate = this.overlay.handles
-      ? this.shape?.handles.plates?.find((p) => p.id === this.overlay.plate)
-      : undefined;
-    if (!plate) {
-      this.gizmo.detach();
-      return;
-    }
-    const middle = new Vector3();
-    for (const c of plate.corners) middle.add(new Vector3(...c));
-    this.grip.position.copy(middle.divideScalar(plate.corners.length));
-    this.grip.quaternion.identity();
-    this.grip.scale.set(1, 1, 1);
-    this.grip.updateMatrixWorld(true);
-    this.gizmo.setMode(this.overlay.gizmo);
-    this.gizmo.attach(this.grip);
+    const { plate, handles, gizmo } = this.overlay,
+      own = handles ? this.shape?.handles.plates?.find((p) => p.id === plate) : undefined;
+    this.plateGizmo.attach(own?.corners, gizmo);
   }
 
   /** After new geometry: handles may have moved with it. */
@@ -486,12 +397,7 @@ export class FoldedView {
     const { clientWidth: w, clientHeight: h } = this.box;
     if (w === 0 || h === 0) return;
     this.renderer.setSize(w, h);
-    this.camera.left = -w / 2;
-    this.camera.right = w / 2;
-    this.camera.top = h / 2;
-    this.camera.bottom = -h / 2;
-    this.camera.updateProjectionMatrix();
-    if (this.isFitted) this.fit();
+    this.eye.resize(w, h);
     this.draw();
   }
 
@@ -499,7 +405,9 @@ export class FoldedView {
     this.frame ||= requestAnimationFrame(() => {
       this.frame = 0;
       this.renderer.setClearColor(new Color(this.palette.background));
-      this.renderer.render(this.scene, this.camera);
+      this.renderer.render(this.scene, this.eye.camera);
+      this.above.now();
+      this.cube.set(this.eye.attitude(), this.palette);
       frameDrawn();
     });
   }

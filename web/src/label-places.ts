@@ -37,15 +37,25 @@ function placeIn(shape: Shape, f: number, least: number): Place | null {
   // The middle is tried first; another place must be clearly better to replace it.
   const middle: Vec2 = [(x0 + x1) / 2, (y0 + y1) / 2];
   const consider = (at: Vec2, gain: number) => {
-    if (!insideFacet(shape, f, at[0], at[1])) return;
-    const room = Math.min(...segments.map((s) => distanceToSegment(...at, ...s).distance));
-    if (room > least && room > (best?.room ?? 0) * gain) best = { at, room };
+    const wanted = Math.max(least, (best?.room ?? 0) * gain),
+      room = roomAt(segments, at, wanted);
+    if (room > wanted && insideFacet(shape, f, at[0], at[1])) best = { at, room };
   };
   consider(middle, 1);
   for (let i = 0; i < grid; ++i)
     for (let j = 0; j < grid; ++j)
       consider([x0 + ((i + 0.5) / grid) * (x1 - x0), y0 + ((j + 0.5) / grid) * (y1 - y0)], 1.25);
   return best;
+}
+
+/** The distance from the nearest segment; one that is not above `wanted` is no longer looked for. */
+function roomAt(segments: Segment[], [x, y]: Vec2, wanted: number): number {
+  let room = Infinity;
+  for (const [ax, ay, bx, by] of segments) {
+    room = Math.min(room, distanceToSegment(x, y, ax, ay, bx, by).distance);
+    if (room <= wanted) break;
+  }
+  return room;
 }
 
 type Segment = [number, number, number, number];

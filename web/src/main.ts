@@ -8,14 +8,17 @@ import { phases } from './stage.ts';
 import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
+import { escapeMeasuring, measureList } from './panels/measures.ts';
 import { flatText, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
 import { messageBar } from './panels/message-bar.ts';
 import { foldBar, helpDialog, showHelp, viewButtons } from './panels/overlays.ts';
 import { startScreen } from './panels/start.ts';
 import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
+import { switchSection, viewTools } from './panels/section.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
+import { arrange, divider, rememberedView, rememberView, suggestedFor } from './split.ts';
 import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
@@ -34,7 +37,9 @@ document.documentElement.dataset.theme = store.state.theme;
 const root = document.getElementById('app')!;
 root.innerHTML = `<header></header><section class="messages" aria-label="Messages"></section><main>
   <div class="view folded"><div class="canvas" role="img"></div>
-  <div class="buttons"></div><div class="machine"></div><div class="fold"></div></div>
+  <div class="buttons"></div><div class="tools"></div><div class="measured"></div>
+  <div class="machine"></div><div class="fold"></div></div>
+  <div class="divider"></div>
   <div class="view flat"><div class="canvas" role="img"></div><div class="title"></div></div>
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
@@ -118,6 +123,24 @@ store.subscribe((state, before) => {
   });
 });
 
+let arrangedFor: string | undefined;
+store.subscribe((state, before) => {
+  const { document: d, view } = state,
+    suggested = d && d.id !== arrangedFor ? suggestedFor(state, part('main')) : null;
+  if (suggested) {
+    arrangedFor = d!.id;
+    if (suggested !== view.suggested) return store.dispatch({ type: 'view', view: { suggested } });
+  }
+  if (view === before.view) return;
+  arrange(part('main'), view);
+  if (view.split !== before.view.split || view.arrangement !== before.view.arrangement) rememberView(api, view);
+});
+arrange(part('main'), store.state.view);
+rememberedView(api).then(
+  (view) => store.dispatch({ type: 'view', view }),
+  () => undefined,
+);
+
 let pickedBefore = store.state.selection;
 
 function draw() {
@@ -135,6 +158,13 @@ function draw() {
   render(isInMachine(store.state) ? strokeBar(ui) : foldBar(ui), part('.fold'));
   render(isInMachine(store.state) ? machineLegend(ui) : nothing, part('.machine'));
   render(viewButtons(ui), part('.buttons'));
+  render(
+    viewTools(ui, () => views.folded.direction),
+    part('.tools'),
+  );
+  render(divider(ui, part('main')), part('.divider'));
+  render(measureList(ui), part('.measured'));
+  root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
   render(startScreen(ui), part('.over'));
   render(helpDialog(ui), part('.dialogs'));
@@ -255,6 +285,9 @@ window.addEventListener('keydown', (e) => {
   const view = views1[Number(key) - 1];
   if (view) ui.look(view);
   else if (key === 'f') ui.fit();
+  else if (key === 'x') switchSection(ui, views.folded.direction);
+  else if (key === 'g') store.dispatch({ type: 'view', view: { seeThrough: !store.state.view.seeThrough } });
+  else if (key === 'd') store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
   else if (key === ' ' && !target.matches('button, summary')) {
     if (isInMachine(store.state)) playStrokes();
     else animate();
@@ -280,6 +313,7 @@ function escape(target: HTMLElement) {
     m.removeAttribute('open');
     if (m.contains(target)) m.querySelector('summary')!.focus();
   });
+  if (!store.state.help && escapeMeasuring(ui)) return;
   store.dispatch({ type: 'help', help: false });
   store.dispatch({ type: 'pick', pick: 'none' });
   store.dispatch({ type: 'select', selection: {} });

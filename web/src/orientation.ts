@@ -62,8 +62,13 @@ function turned(shape: Shape, quarters: number): Shape {
     for (let i = 0; i < a.length; i += stride) [out[i], out[i + 1]] = turnedPlace([a[i]!, a[i + 1]!], quarters);
     return out;
   };
-  const { root } = shape,
-    [c, s] = turnedPlace([1, 0], quarters);
+  const [c, s] = turnedPlace([1, 0], quarters);
+  // takes the turned pattern to the same place
+  const same = (m: number[]) =>
+    m.map((v, i) => {
+      const at = i - (i % 4);
+      return i % 4 === 0 ? m[at]! * c - m[at + 1]! * s : i % 4 === 1 ? m[at]! * s + m[at + 1]! * c : v;
+    });
   return {
     ...shape,
     turn: (shape.turn + quarters) % 4,
@@ -74,10 +79,7 @@ function turned(shape: Shape, quarters: number): Shape {
     contour_points: points(shape.contour_points),
     bend_lines: points(shape.bend_lines),
     overlaps: points(shape.overlaps),
-    // the root takes the turned pattern to the same place
-    root: root.map((v, i) => {
-      const at = i - (i % 4);
-      return i % 4 === 0 ? root[at]! * c - root[at + 1]! * s : i % 4 === 1 ? root[at]! * s + root[at + 1]! * c : v;
-    }),
+    root: same(shape.root),
+    parts: shape.parts.map((p) => (p.place ? { ...p, place: same(p.place) } : p)),
   };
 }

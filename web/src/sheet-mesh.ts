@@ -217,20 +217,37 @@ export interface Pose {
  * Both skins at share `s` of the fold: the upper one's corners, then the lower one's, `thickness` apart; facet `held`
  * stays in place.
  */
-export const foldSheet = (mesh: SheetMesh, share: number, thickness: number, held = 0): FoldedSheet =>
-  skinsOf(mesh, transformsHolding(mesh.shape, share, held), share, thickness);
+export const foldSheet = (
+  mesh: SheetMesh,
+  share: number,
+  thickness: number,
+  held = 0,
+  into?: FoldedSheet,
+): FoldedSheet => skinsOf(mesh, transformsHolding(mesh.shape, share, held), share, thickness, into);
 
 /** The same in a pose of its own. */
-export const poseSheet = (mesh: SheetMesh, { share, held, at }: Pose, thickness: number): FoldedSheet =>
-  skinsOf(mesh, transformsAt(mesh.shape, share, held, at), share, thickness);
+export const poseSheet = (
+  mesh: SheetMesh,
+  { share, held, at }: Pose,
+  thickness: number,
+  into?: FoldedSheet,
+): FoldedSheet => skinsOf(mesh, transformsAt(mesh.shape, share, held, at), share, thickness, into);
 
-function skinsOf(mesh: SheetMesh, transforms: Float64Array, share: Share, thickness: number): FoldedSheet {
+/** `into`: arrays to write to, if they have the length. */
+function skinsOf(
+  mesh: SheetMesh,
+  transforms: Float64Array,
+  share: Share,
+  thickness: number,
+  into?: FoldedSheet,
+): FoldedSheet {
   const { corners, cornerFacet, shape } = mesh;
   const slopes = mitreSlopes(shape, share);
   const count = cornerFacet.length,
     half = thickness / 2;
-  const positions = new Float32Array(6 * count),
-    normals = new Float32Array(6 * count);
+  const fits = into?.positions.length === 6 * count,
+    positions = fits ? into.positions : new Float32Array(6 * count),
+    normals = fits ? into.normals : new Float32Array(6 * count);
   for (let c = 0; c < count; ++c) {
     const o = 16 * cornerFacet[c]!;
     let mx = 0,

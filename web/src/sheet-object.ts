@@ -1,8 +1,26 @@
-import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Mesh, type Box3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  Plane,
+  Vector3,
+  type Box3,
+  type Material,
+  type ShaderMaterial,
+} from 'three';
 import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
 import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { markedWith, type PickedLine } from './lines.ts';
+import { setRim } from './rim.ts';
+import { isLarge, simplified } from './sheet-lod.ts';
+import { capOf, type Cut } from './section.ts';
 import { sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, poseSheet, type FoldedSheet, type Pose, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
@@ -15,7 +33,7 @@ export interface SheetLine {
 }
 
 /** Two corners that a line runs between. */
-interface CornerLine {
+export interface CornerLine {
   line: PickedLine;
   a: number;
   b: number;
@@ -30,11 +48,23 @@ export class SheetObject {
   private readonly creases: LineSegments;
   private readonly forms: LineSegments; // outlines of formed features
   private readonly solid: Mesh;
+  private readonly cap = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ side: DoubleSide }));
+  private section: ((positions: Float32Array) => Cut) | null = null;
+  private glass = false;
+  /** What is cut away, while there is a section. */
+  cut: Cut | null = null;
   private readonly marked = new LineSegments2(
     new LineSegmentsGeometry(),
     new LineMaterial({ linewidth: 3.5, depthTest: false }),
   );
   private mesh: SheetMesh | null = null;
+  private shape: Shape | null = null;
+  private tolerance = 0; // how far corners of a large shape that are left out may leave its circles, mm
+  private readonly levels = new Map<number, SheetMesh>(); // of the shape, by this
+  private pose: Pose | number = 1; // or the share
+  private folded: FoldedSheet | null = null;
+  /** Grows with each change of what is drawn where. */
+  version = 0;
   private thickness = 1;
   private held = 0;
   private known: CornerLine[] | null = null; // made when they are asked for
@@ -44,56 +74,147 @@ export class SheetObject {
   private hit: number | null = null; // the part that collides
 
   constructor() {
-    this.skin = new Mesh(new BufferGeometry(), sheetMaterial(false));
-    this.rim = new Mesh(new BufferGeometry(), sheetMaterial(true));
-    this.solid = new Mesh(new BufferGeometry(), sheetMaterial(true));
+    this.skin = new Mesh(new BufferGeometry(), sheetMaterial(true));
+    this.rim = new Mesh(new BufferGeometry(), sheetMaterial(false));
+    this.solid = new Mesh(new BufferGeometry(), sheetMaterial(false));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.forms = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.marked.renderOrder = 1;
-    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.marked);
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.cap, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
   setShape(shape: Shape, thickness: number, share: number, held: number) {
     this.thickness = thickness;
     this.held = held;
-    this.mesh = makeSheetMesh(shape);
+    this.shape = shape;
+    this.levels.clear();
+    this.pose = share;
+    this.setMesh(shape, this.level());
+    replaceGeometry(this.solid, spaceGeometry(shape));
+    this.solid.visible = this.mesh!.triangles.length === 0;
+  }
+
+  /** How far corners of large shapes that are left out may leave circles, mm; 0: none is left out. */
+  setTolerance(tolerance: number) {
+    this.tolerance = tolerance > 0 ? 2 ** Math.floor(Math.log2(tolerance)) : 0;
+    const { shape } = this,
+      mesh = this.level();
+    if (!shape || !mesh || mesh === this.mesh) return false;
+    this.setMesh(shape, mesh);
+    return true;
+  }
+
+  private level(): SheetMesh | null {
+    const { shape, levels } = this;
+    if (!shape) return null;
+    const tolerance = isLarge(shape) ? this.tolerance : 0,
+      known = levels.get(tolerance) ?? makeSheetMesh(tolerance ? simplified(shape, tolerance) : shape);
+    levels.set(tolerance, known);
+    return known;
+  }
+
+  private setMesh(shape: Shape, mesh: SheetMesh | null) {
+    this.mesh = mesh ?? makeSheetMesh(shape);
     this.known = null;
+    this.folded = null;
     const { triangles, cuts, forms, creases, cornerFacet } = this.mesh;
     const n = cornerFacet.length;
     replaceGeometry(this.skin, bothSkins(triangles, n));
     this.skin.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(6 * n), 3));
+    this.skin.geometry.setAttribute('row', new BufferAttribute(rowsOf(this.mesh), 1));
     replaceGeometry(this.outline, doubled(cuts, n));
     replaceGeometry(this.forms, doubled(forms, n));
     replaceGeometry(this.creases, doubled(creases, n));
     replaceGeometry(this.rim, new BufferGeometry());
-    replaceGeometry(this.solid, spaceGeometry(shape));
-    this.solid.visible = triangles.length === 0;
-    this.setShare(share);
+    this.refold();
   }
 
   setShare(share: number) {
-    if (this.mesh) this.setSkins(this.mesh, foldSheet(this.mesh, share, this.thickness, this.held));
+    this.pose = share;
+    this.refold();
   }
 
   setPose(pose: Pose) {
-    if (this.mesh) this.setSkins(this.mesh, poseSheet(this.mesh, pose, this.thickness));
+    this.pose = pose;
+    this.refold();
   }
 
-  private setSkins(mesh: SheetMesh, { positions, normals }: FoldedSheet) {
-    const position = new BufferAttribute(positions, 3);
-    this.skin.geometry.setAttribute('position', position);
-    this.skin.geometry.setAttribute('normal', new BufferAttribute(normals, 3));
-    this.outline.geometry.setAttribute('position', position);
-    this.creases.geometry.setAttribute('position', position);
-    this.forms.geometry.setAttribute('position', position);
-    setRim(this.rim.geometry, mesh.cuts, positions);
+  private refold() {
+    const { mesh, pose, thickness, held, folded } = this;
+    if (!mesh) return;
+    const into = folded ?? undefined;
+    const skins =
+      typeof pose === 'number' ? foldSheet(mesh, pose, thickness, held, into) : poseSheet(mesh, pose, thickness, into);
+    if (skins.positions !== folded?.positions) this.take(skins);
+    else
+      for (const name of ['position', 'normal'])
+        (this.skin.geometry.getAttribute(name) as BufferAttribute).needsUpdate = true;
+    setRim(this.rim.geometry, mesh.cuts, skins.positions);
     if (this.rim.geometry.getAttribute('tint')?.count !== this.rim.geometry.getAttribute('position').count)
       this.tintRim();
     this.skin.geometry.boundingSphere = null;
     this.skin.geometry.boundingBox = null;
+    this.cutAgain();
     this.mark();
+  }
+
+  private take(skins: FoldedSheet) {
+    this.folded = skins;
+    const position = new BufferAttribute(skins.positions, 3);
+    this.skin.geometry.setAttribute('position', position);
+    this.skin.geometry.setAttribute('normal', new BufferAttribute(skins.normals, 3));
+    for (const lines of [this.outline, this.creases, this.forms]) lines.geometry.setAttribute('position', position);
+  }
+
+  /** The section, by the corners of the sheet as it is folded; null: none. */
+  setSection(section: ((positions: Float32Array) => Cut) | null) {
+    this.section = section;
+    this.cutAgain();
+  }
+
+  private cutAgain() {
+    const { mesh, folded, cap } = this,
+      cut = (mesh && folded && this.section?.(folded.positions)) ?? null,
+      planes = cut ? [new Plane(new Vector3(...cut.normal), cut.constant)] : [];
+    this.cut = cut;
+    ++this.version;
+    for (const object of [this.skin, this.rim, this.outline, this.creases, this.forms, this.marked])
+      (object.material as Material).clippingPlanes = planes;
+    cap.visible = cut !== null;
+    if (!cut || !mesh || !folded) return;
+    cap.geometry.dispose();
+    cap.geometry = new BufferGeometry();
+    cap.geometry.setAttribute('position', new BufferAttribute(capOf(mesh, folded.positions, cut), 3));
+  }
+
+  /** Whether one sees through the sheet. */
+  setGlass(glass: boolean, palette: Palette) {
+    this.glass = glass;
+    (this.outline.material as LineBasicMaterial).color.set(glass ? palette.outline : palette.edge);
+    for (const { material } of [this.skin, this.rim]) {
+      const own = material as ShaderMaterial;
+      own.transparent = glass;
+      own.depthWrite = !glass;
+      own.uniforms.opacity!.value = glass ? 0.32 : 1;
+    }
+  }
+
+  /** Lights up a part, by its row; null: none. Says whether that changes something; nothing is made for it. */
+  light(row: number | null, color: string): boolean {
+    const { uniforms } = this.skin.material as ShaderMaterial,
+      before = uniforms.lit!.value as number;
+    uniforms.lit!.value = row ?? -1;
+    (uniforms.light!.value as Color).set(color);
+    return before !== uniforms.lit!.value;
+  }
+
+  /** Corners of the skins as they are drawn, and what lies between them. */
+  get drawn(): { mesh: SheetMesh; positions: Float32Array; lines: CornerLine[] } | null {
+    if (!this.mesh || !this.folded) return null;
+    this.known ??= cornerLines(this.mesh);
+    return { mesh: this.mesh, positions: this.folded.positions, lines: this.known };
   }
 
   /** `hit`: the part that collides. */
@@ -103,16 +224,18 @@ export class SheetObject {
     this.hit = hit;
     this.tintRim();
     setTint(this.solid.geometry, new Color(palette.flange));
-    (this.outline.material as LineBasicMaterial).color.set(palette.edge);
+    (this.outline.material as LineBasicMaterial).color.set(this.glass ? palette.outline : palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
     (this.forms.material as LineBasicMaterial).color.set(palette.form);
     this.marked.material.color.set(palette.selected);
+    (this.cap.material as MeshBasicMaterial).color.set(palette.section);
     this.picked = { part: selected, edge };
     this.mark();
     const color = this.skin.geometry.getAttribute('tint') as BufferAttribute | undefined;
     if (!this.mesh || !color) return;
     const { shape, cornerFacet } = this.mesh,
       n = cornerFacet.length;
+    const rows = this.skin.geometry.getAttribute('row').array;
     const [flange, bend, flangeUnder, bendUnder, mark, collides] = [
       palette.flange,
       palette.bend,
@@ -122,7 +245,7 @@ export class SheetObject {
       palette.hit,
     ].map((c) => new Color(c));
     for (let c = 0; c < n; ++c) {
-      const part = shape.facet_part[cornerFacet[c]!]!,
+      const part = rows[c]!,
         isBend = shape.parts[part]?.kind === 'bend';
       const own = part === hit ? collides! : part === selected ? mark! : null;
       const upper = own ?? (isBend ? bend! : flange!),
@@ -151,11 +274,8 @@ export class SheetObject {
     const { part, edge } = this.picked,
       on = this.mesh !== null && (part !== null || edge !== null),
       marked = on ? markedWith(this.mesh!.shape, edge) : null;
-    const ends = !on
-      ? []
-      : this.lines()
-          .filter(({ line }) => ('edge' in line ? marked!.has(line.edge) : line.part === part))
-          .flatMap((l) => l.ends.flat());
+    const own = on ? this.linesOf((line) => ('edge' in line ? marked!.has(line.edge) : line.part === part)) : [],
+      ends = own.flatMap((l) => l.ends.flat());
     this.marked.visible = ends.length > 0;
     if (!ends.length) return;
     this.marked.geometry.dispose();
@@ -164,34 +284,28 @@ export class SheetObject {
 
   /** All lines that can be picked, on both skins, at the present share of the fold. */
   lines(): SheetLine[] {
-    const position = this.skin.geometry.getAttribute('position') as BufferAttribute | undefined;
-    if (!this.mesh || !position) return [];
-    const n = this.mesh.cornerFacet.length,
-      at = (corner: number): Vec3 => [position.getX(corner), position.getY(corner), position.getZ(corner)];
-    this.known ??= cornerLines(this.mesh);
-    return this.known.flatMap(
-      ({ line, a, b }) =>
-        [
-          { line, ends: [at(a), at(b)] },
-          { line, ends: [at(n + a), at(n + b)] },
-        ] as SheetLine[],
-    );
+    return this.linesOf(() => true);
   }
 
-  /** The facet under triangle `face` of the skin, and whether it is its upper side. */
-  facetOf(face: number): { facet: number; upper: boolean } | null {
-    if (!this.mesh) return null;
-    const half = this.mesh.triangleFacet.length;
-    const facet = this.mesh.triangleFacet[face % half];
-    return facet === undefined ? null : { facet, upper: face < half };
+  linesOf(whose: (line: PickedLine) => boolean): SheetLine[] {
+    const { drawn } = this;
+    if (!drawn) return [];
+    const { positions: p, mesh, lines } = drawn,
+      n = mesh.cornerFacet.length,
+      at = (corner: number): Vec3 => [p[3 * corner]!, p[3 * corner + 1]!, p[3 * corner + 2]!];
+    return lines
+      .filter(({ line }) => whose(line))
+      .flatMap(
+        ({ line, a, b }) =>
+          [
+            { line, ends: [at(a), at(b)] },
+            { line, ends: [at(n + a), at(n + b)] },
+          ] as SheetLine[],
+      );
   }
 
   get depth() {
     return this.thickness;
-  }
-
-  get empty() {
-    return !this.mesh || (this.mesh.triangles.length === 0 && this.mesh.shape.space_triangles.length === 0);
   }
 
   boundsInto(box: Box3) {
@@ -261,32 +375,22 @@ function doubled(pairs: Uint32Array, n: number): BufferGeometry {
   return new BufferGeometry().setIndex(new BufferAttribute(index, 1));
 }
 
-function setRim(geometry: BufferGeometry, rim: Uint32Array, skins: Float32Array) {
-  const quads = rim.length / 2,
-    half = skins.length / 2;
-  const position = new Float32Array(18 * quads),
-    normal = new Float32Array(18 * quads);
-  for (let q = 0; q < quads; ++q) {
-    const a = 3 * rim[2 * q]!,
-      b = 3 * rim[2 * q + 1]!;
-    const at = [a, b, half + b, a, half + b, half + a];
-    at.forEach((from, i) => {
-      for (let k = 0; k < 3; ++k) position[18 * q + 3 * i + k] = skins[from + k]!;
-    });
-    const [ux, uy, uz] = [0, 1, 2].map((k) => skins[b + k]! - skins[a + k]!) as [number, number, number];
-    const [vx, vy, vz] = [0, 1, 2].map((k) => skins[half + a + k]! - skins[a + k]!) as [number, number, number];
-    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx],
-      l = Math.hypot(n[0]!, n[1]!, n[2]!) || 1;
-    for (let i = 0; i < 18; ++i) normal[18 * q + i] = n[i % 3]! / l;
-  }
-  geometry.setAttribute('position', new BufferAttribute(position, 3));
-  geometry.setAttribute('normal', new BufferAttribute(normal, 3));
+/** The part of each corner, of the upper skin and of the lower one. */
+function rowsOf({ shape, cornerFacet }: SheetMesh): Float32Array {
+  const n = cornerFacet.length,
+    rows = new Float32Array(2 * n);
+  for (let c = 0; c < n; ++c) rows[c] = rows[n + c] = shape.facet_part[cornerFacet[c]!]!;
+  return rows;
 }
 
 function setTint(geometry: BufferGeometry, tint: Color) {
   const count = geometry.getAttribute('position')?.count ?? 0,
     values = new Float32Array(3 * count);
-  for (let i = 0; i < count; ++i) values.set([tint.r, tint.g, tint.b], 3 * i);
+  for (let i = 0; i < 3 * count; i += 3) {
+    values[i] = tint.r;
+    values[i + 1] = tint.g;
+    values[i + 2] = tint.b;
+  }
   geometry.setAttribute('tint', new BufferAttribute(values, 3));
 }
 

@@ -16,6 +16,8 @@ import type {
 import { statusOfShape, type Bodies, type BodyStatus } from './bodies.ts';
 import type { Recent } from './recents.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
+import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
+import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
 import { emptyWorkshop, reduceWorkshop, type Workshop, type WorkshopAction } from './workshop-state.ts';
@@ -79,6 +81,8 @@ export interface State extends History {
   hidden: Severity[]; // of findings that are left out
   fold: number;
   order: OrderState;
+  measure: MeasureState;
+  view: ViewState;
   workshop: Workshop;
   settingK: { kind: 'shop' | 'k_table'; file: string | null } | null; // where K shall come from, still to be chosen
   sheetsOnly: boolean; // in the list of bodies
@@ -104,6 +108,8 @@ export interface State extends History {
 
 export type Action =
   | OrderAction
+  | MeasureAction
+  | ViewAction
   | WorkshopAction
   | { type: 'setting-k'; settingK: State['settingK'] }
   | { type: 'sheets-only'; sheetsOnly: boolean }
@@ -163,6 +169,8 @@ export function initialState(theme: Theme): State {
     hidden: [],
     fold: 1,
     order: noOrder,
+    measure: noMeasures,
+    view: initialView,
     workshop: emptyWorkshop,
     settingK: null,
     sheetsOnly: false,
@@ -262,6 +270,15 @@ export function reduce(state: State, action: Action): State {
       return { ...state, theme: action.theme };
     case 'help':
       return { ...state, help: action.help };
+    case 'measure-mode':
+    case 'measure-pick':
+    case 'measure-drop':
+    case 'measure-remove':
+    case 'measure-clear':
+      return { ...state, measure: reduceMeasure(state.measure, action) };
+    case 'section':
+    case 'view':
+      return { ...state, view: reduceView(state.view, action) };
     case 'setting-k':
       return { ...state, settingK: action.settingK };
     case 'sheets-only':
@@ -297,6 +314,7 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     bodies: bodies ?? {},
     tab: state.document?.kind === document.kind ? state.tab : 'input',
     order: { ...noOrder, brake: state.order.brake },
+    view: { ...state.view, section: noSection },
     workshop: state.workshop,
   };
 }
@@ -359,11 +377,13 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
   const shown =
     hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are renumbered if their number changes.
-  const edge = shown.edge_length.length === state.shape?.edge_length.length ? state.selection.edge : null,
+  const alike = shown.edge_length.length === state.shape?.edge_length.length,
+    edge = alike ? state.selection.edge : null,
     part = pickedBend(state, shape.report);
   return {
     ...state,
     shape: shown,
+    measure: alike && state.shapeOf === shapeOf ? state.measure : forgotten(state.measure),
     shapeOf,
     selection:
       edge === state.selection.edge && part === state.selection.part

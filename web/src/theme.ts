@@ -30,6 +30,8 @@ export interface Palette {
   beam: string;
   finger: string;
   hit: string;
+  measure: string;
+  section: string;
 }
 const names: Record<keyof Palette, string> = {
   background: '--view',
@@ -62,6 +64,8 @@ const names: Record<keyof Palette, string> = {
   beam: '--beam',
   finger: '--finger',
   hit: '--hit',
+  measure: '--measure',
+  section: '--section',
 };
 
 export function readPalette(): Palette {

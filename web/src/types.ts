@@ -145,6 +145,7 @@ export interface Part {
   direction?: 'up' | 'down';
   faces: number[];
   plate?: string;
+  place?: number[]; // of a flange: the matrix, row by row, from the flat pattern to the middle of its material
 }
 
 export interface Handles {

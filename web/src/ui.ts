@@ -1,7 +1,7 @@
 import type { Recent } from './recents.ts';
 import type { Action, State, Theme } from './state.ts';
 import type { ApiProblem, OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
-import type { StandardView } from './folded-view.ts';
+import type { StandardView } from './folded-camera.ts';
 
 /** What panels may see and do. `edit` with `live` is part of a drag, which `commit` ends. */
 export interface Ui {

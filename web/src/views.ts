@@ -6,6 +6,7 @@ import { FlatView, type PickedInFlat, type PickInFlat } from './flat-view.ts';
 import { FoldedView } from './folded-view.ts';
 import type { RidgeEnd } from './handles.ts';
 import type { PickedLine } from './lines.ts';
+import { Measuring } from './measure/measuring.ts';
 import { bendText, edgeText, pickedRow } from './picked.ts';
 import { chordFor } from './chord.ts';
 import { knownPiece, pieceOf } from './report.ts';
@@ -13,6 +14,8 @@ import { isInMachine, type State } from './state.ts';
 import { findingsOf, markedFindings } from './panels/findings.ts';
 import { Stages } from './stage.ts';
 import { readPalette } from './theme.ts';
+import type { MeasuringEvents } from './measure/events.ts';
+import type { MeasuredView } from './measure/things.ts';
 import type { PlatesSpec, Shape, SlitSpec, Vec3 } from './types.ts';
 import type { Ui } from './ui.ts';
 import { millimetres } from './units.ts';
@@ -27,13 +30,18 @@ export class Views {
   private shown: string | null = null;
   private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private stages: Stages | null = null; // of the order that is shown in the machine
+  private readonly measuring: Measuring;
+  private hovered: PickedLine | null = null;
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
   constructor(ui: Ui, folded: HTMLElement, flat: HTMLElement, dragged: (at: number) => void, zoomed: () => void) {
     this.ui = ui;
     this.dragged = dragged;
+    this.measuring = new Measuring(ui, (view) => this[view].drawAbove());
     this.folded = new FoldedView(folded, this.palette, {
       pickLine: (line) => this.pickLine(line),
+      hover: (under) => this.hover(under),
+      ...this.measuringIn('folded'),
       pickFacet: (facet, upper) => this.pickFacet(facet, upper),
       pickAnchor: (anchor) => this.ui.dispatch({ type: 'select', selection: { anchor } }),
       pickRidgeEnd: (end) => this.addAnchorAt(end),
@@ -48,6 +56,8 @@ export class Views {
     this.flat = new FlatView(flat, this.palette, {
       pick: (picked, facet) => this.pickInFlat(picked, facet),
       describe: (picked) => this.describe(picked),
+      hover: (under) => this.hover(under),
+      ...this.measuringIn('flat'),
       zoomed,
     });
   }
@@ -69,6 +79,7 @@ export class Views {
     const first =
       this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
+    this.hover(null); // rows and numbers may be others
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
     this.showMachine(state);
@@ -93,6 +104,15 @@ export class Views {
         this.folded.look('iso');
       }
     }
+    if (state.measure !== before.measure || state.units !== before.units) {
+      this.hover(null);
+      for (const view of ['flat', 'folded'] as const) {
+        if (!state.measure.on) this.measuring.hover(view, null);
+        this[view].drawAbove();
+      }
+    }
+    if (state.view !== before.view || isInMachine(state) !== isInMachine(before))
+      this.folded.setSection(state.view, isInMachine(state));
     this.folded.setMoving(state.pending !== null);
     if (state.fold !== before.fold) this.folded.setShare(state.fold);
     if (isInMachine(state) !== isInMachine(before) || state.order !== before.order) this.showMachine(state);
@@ -222,6 +242,24 @@ export class Views {
     const { state } = this.ui;
     if ('finding' in picked) return findingsOf(state)[picked.finding]?.message ?? '';
     return ('edge' in picked ? edgeText(state, picked.edge) : bendText(state, picked.part)) ?? '';
+  }
+
+  private measuringIn(view: MeasuredView): MeasuringEvents {
+    return {
+      measured: () => (this.ui.state.measure.on ? { of: this.measuring.in(view) } : null),
+      measureHover: (ref) => this.measuring.hover(view, ref),
+      measurePick: (ref) => this.measuring.pick(view, ref),
+      paintAbove: (c, project) => this.measuring.paint(view, c, project, this.palette),
+    };
+  }
+
+  /** What lies under the pointer in one view lights up in both. */
+  private hover(under: PickedLine | null) {
+    const same = JSON.stringify(under) === JSON.stringify(this.hovered);
+    this.hovered = under;
+    if (same) return;
+    this.folded.setHover(under);
+    this.flat.setHover(under);
   }
 
   private pickPart(row: number | null) {

@@ -5,6 +5,10 @@ import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
+import * as frames from './flows/frames.mjs';
+import * as hover from './flows/hover.mjs';
+import * as look from './flows/look.mjs';
+import * as measure from './flows/measure.mjs';
 import * as lists from './flows/lists.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
@@ -27,6 +31,10 @@ const flows = {
   ...panels,
   ...page,
   ...features,
+  ...frames,
+  ...hover,
+  ...measure,
+  ...look,
   ...lists,
   ...right,
   ...server,

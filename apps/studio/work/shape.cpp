@@ -17,15 +17,6 @@ ShapeArray array_of(const std::string& name, const char* type, const std::vector
   return {name, type, std::move(bytes)};
 }
 
-Json root_json(const std::optional<Eigen::Isometry3d>& root) {
-  if (!root) return nullptr;
-  Json json = Json::array();
-  for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column)
-      json.push_back(root->matrix()(row, column));
-  return json;
-}
-
 Json arrays_json(const Shape& shape) {
   Json json = Json::object();
   std::size_t at = 0;
@@ -46,7 +37,7 @@ std::string header(const Shape& shape, double seconds) {
   };
   add("arrays", arrays_json(shape));
   add("parts", shape.parts);
-  add("root", root_json(shape.root));
+  add("root", shape.root ? rows_json(*shape.root) : Json());
   text += ",\"handles\": " + shape.handles;
   add("pierces", shape.pierces ? Json(*shape.pierces) : Json(nullptr));
   add("seconds", seconds);
@@ -56,6 +47,14 @@ std::string header(const Shape& shape, double seconds) {
 }
 
 }  // namespace
+
+Json rows_json(const Eigen::Isometry3d& motion) {
+  Json json = Json::array();
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      json.push_back(motion.matrix()(row, column));
+  return json;
+}
 
 void Shape::add(const std::string& name, const std::vector<float>& values) {
   arrays.push_back(array_of(name, "f32", values));

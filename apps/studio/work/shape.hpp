@@ -40,6 +40,9 @@ struct Shape {
 /// itself, and how often it is pierced. Adds nothing for a report without a pattern.
 void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& options);
 
+/// The 4×4 matrix of a motion, row by row.
+Json rows_json(const Eigen::Isometry3d& motion);
+
 /// Adds a solid to show.
 void add_space(Shape& shape, const Mesh& mesh);
 

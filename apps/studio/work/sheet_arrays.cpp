@@ -60,6 +60,14 @@ void add_directions(Shape& shape, const Sheet& sheet, const FlatPattern& flat) {
                                                              : "down";
 }
 
+/// Where flanges are in space, exactly: of a flange of several faces the first one's.
+void add_places(Shape& shape, const Sheet& sheet, const Layout& layout) {
+  for (const FlangeId id : sheet.flanges.ids())
+    if (!sheet[id].faces.empty())
+      shape.parts[row_of(sheet, id)]["place"] = rows_json(
+          flange_in_space(sheet, layout, sheet[id].faces.front()));
+}
+
 struct PolygonArrays {
   std::vector<float> points;
   Numbers ring_starts{0}, polygon_starts{0}, facet_starts{0};
@@ -219,6 +227,7 @@ void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& opti
   if (sheet.faces.empty() || report.flat.outer.loop.empty()) return;
   shape.pierces = 1 + report.flat.openings.size() + report.flat.slits.size();
   const Facets facets = facets_of(sheet, report.layout, options);
+  add_places(shape, sheet, report.layout);
   add_facets(shape, sheet, facets);
   add_directions(shape, sheet, report.flat);
   add_contours(shape, report, facets, options.chord);

@@ -63,6 +63,10 @@ struct FacetOptions {
 /// layout of that sheet and options above 0.
 Facets facets_of(const Sheet& sheet, const Layout& layout, const FacetOptions& options = {});
 
+/// From the flat pattern (z = 0) to a face of a flange in space, in the middle of the material;
+/// exact, whatever facets lie between it and the root. Requires the layout of that sheet.
+Eigen::Isometry3d flange_in_space(const Sheet& sheet, const Layout& layout, FaceId face);
+
 /// For each facet, the motion from the flat pattern into space with every angle at `share` of its
 /// folded value: from 0 (flat, in the root's plane) to 1.
 std::vector<Eigen::Isometry3d> folded(const Facets& facets, double share = 1.0);

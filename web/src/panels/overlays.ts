@@ -6,6 +6,8 @@ const keys: [string, string][] = [
   ['Ctrl Z', 'undo'],
   ['Ctrl Shift Z, Ctrl Y', 'redo'],
   ['F', 'fit both views'],
+  ['D', 'measure; Esc ends it'],
+  ['X, G', 'section, see through the sheet'],
   ['1 2 3 4', 'front, top, right, iso'],
   ['Space', 'fold and unfold; play the strokes'],
   ['Alt ↑, Alt ↓', 'move a stroke in the bend order'],

@@ -6,9 +6,11 @@ export async function slit({ page }) {
   await page.evaluate(() => {
     window.planishTimings.length = 0;
   });
+  await page.locator('[data-testid=curve-seat-2]').scrollIntoViewIfNeeded();
   const circle = await page.locator('[data-testid=curve-seat-2]').boundingBox();
   await drag(page, { x: circle.x + circle.width / 2, y: circle.y + circle.height / 2 }, { x: 12, y: -6 }, 20);
   await rested(page);
+  assert.ok(await page.evaluate(() => window.planishTimings.length), 'the sheet follows the drag');
   timings('slit, seat curve', await page.evaluate(() => window.planishTimings));
   const end = await state(
     page,

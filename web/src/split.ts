@@ -1,0 +1,91 @@
+import { html } from 'lit-html';
+import type { Api } from './api.ts';
+import { arrangementFor, arrangementOf, evenly, type Arrangement, type ViewState } from './view-state.ts';
+import type { State } from './state.ts';
+import type { Ui } from './ui.ts';
+import './split.css';
+
+const file = 'views.json';
+const step = 0.02;
+const pause = 300; // ms, after which what was changed is kept
+
+/** What this machine remembers of the arrangement. */
+export async function rememberedView(api: Api): Promise<Partial<ViewState>> {
+  const { split, arrangement } = (await api.kept<Partial<ViewState>>(file)) ?? {};
+  return {
+    ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
+    ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
+  };
+}
+
+let waiting = 0;
+export function rememberView(api: Api, { split, arrangement }: ViewState) {
+  clearTimeout(waiting);
+  waiting = window.setTimeout(() => void api.keep(file, { split, arrangement }).catch(() => undefined), pause);
+}
+
+/** The arrangement that suits the pattern of another file, or piece, in an area. */
+export function suggestedFor({ shape }: State, area: HTMLElement): Arrangement | null {
+  const p = shape?.points;
+  if (!p?.length) return null;
+  const range = (k: number) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = k; i < p.length; i += 2) {
+      low = Math.min(low, p[i]!);
+      high = Math.max(high, p[i]!);
+    }
+    return Math.max(high - low, 1e-6);
+  };
+  return arrangementFor([range(0), range(1)], area.clientWidth, area.clientHeight);
+}
+
+/** Shows both views as they are arranged. */
+export function arrange(area: HTMLElement, view: ViewState) {
+  const stacked = arrangementOf(view) === 'stacked';
+  area.classList.toggle('stacked', stacked);
+  area.style.setProperty('--first', `${view.split}fr`);
+  area.style.setProperty('--second', `${1 - view.split}fr`);
+}
+
+/** Between both views: dragged, or moved by arrow keys. */
+export function divider(ui: Ui, area: HTMLElement) {
+  const { view } = ui.state,
+    stacked = arrangementOf(view) === 'stacked',
+    set = (split: number) => ui.dispatch({ type: 'view', view: { split } });
+  const drag = (e: PointerEvent) => {
+    const handle = e.currentTarget as HTMLElement;
+    if (e.button !== 0) return;
+    handle.setPointerCapture(e.pointerId);
+    const move = (m: PointerEvent) => {
+      const r = area.getBoundingClientRect();
+      set(stacked ? (m.clientY - r.top) / r.height : (m.clientX - r.left) / r.width);
+    };
+    handle.addEventListener('pointermove', move);
+    handle.addEventListener('lostpointercapture', () => handle.removeEventListener('pointermove', move), {
+      once: true,
+    });
+  };
+  const press = (e: KeyboardEvent) => {
+    const by = { ArrowLeft: -step, ArrowUp: -step, ArrowRight: step, ArrowDown: step }[e.key];
+    if (by !== undefined) set(view.split + by);
+    else if (e.key === 'Home') set(0);
+    else if (e.key === 'End') set(1);
+    else if (e.key === 'Enter') set(evenly);
+    else return;
+    e.preventDefault();
+  };
+  return html`<div
+    role="separator"
+    tabindex="0"
+    data-testid="divider"
+    aria-label="Share of the folded part"
+    aria-orientation=${stacked ? 'horizontal' : 'vertical'}
+    aria-valuemin="15"
+    aria-valuemax="85"
+    aria-valuenow=${Math.round(100 * view.split)}
+    title="Drag to share the room; double-click: as it was at first"
+    @pointerdown=${drag}
+    @keydown=${press}
+    @dblclick=${() => ui.dispatch({ type: 'view', view: { split: evenly, arrangement: null } })}
+  ></div>`;
+}

@@ -1,0 +1,169 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { alone, between, type Answer } from '../src/measure/answer.ts';
+import { edgeForms } from '../src/measure/edges.ts';
+import { isSame, noMeasures, reduceMeasure } from '../src/measure/state.ts';
+import { labelText, wholeText } from '../src/measure/text.ts';
+import { inPlace, thingOf, type Measured, type Thing } from '../src/measure/things.ts';
+import { decodeShape } from '../src/shape.ts';
+import type { Vec3 } from '../src/types.ts';
+import { twoFlangesShape } from './two-flanges.ts';
+
+const point = (...at: Vec3): Thing => ({ type: 'point', at }),
+  line = (a: Vec3, b: Vec3): Thing => ({ type: 'line', a, b }),
+  hole = (at: Vec3, radius: number, normal: Vec3 = [0, 0, 1], whole = true): Thing => ({
+    type: 'circle',
+    at,
+    normal,
+    radius,
+    whole,
+  }),
+  plane = (at: Vec3, normal: Vec3): Thing => ({ type: 'plane', at, normal });
+
+const near = (value: number, wanted: number, off = 1e-9) =>
+  assert.ok(Math.abs(value - wanted) < off, `${value}, not ${wanted}`);
+const more = (answer: Answer | null) =>
+  Object.fromEntries((answer?.more ?? []).map(({ name, value }) => [name, Number(value.toFixed(9))]));
+
+/** Whichever is picked first. */
+function both(a: Thing, b: Thing, flat = true): Answer {
+  const [there, back] = [between(a, b, flat), between(b, a, flat)];
+  assert.ok(there && back);
+  near(there.value, back.value);
+  return there;
+}
+
+test('points: their distance, and its steps along the axes', () => {
+  const flat = both(point(1, 2, 0), point(4, 6, 0));
+  near(flat.value, 5);
+  assert.deepEqual(more(flat), { dx: 3, dy: 4 });
+  const space = both(point(0, 0, 0), point(2, 3, 6), false);
+  near(space.value, 7);
+  assert.deepEqual(more(space), { dx: 2, dy: 3, dz: 6 });
+});
+
+test('a point and an edge: perpendicular, also beyond its ends', () => {
+  const answer = both(point(30, 7, 0), line([0, 0, 0], [10, 0, 0]));
+  near(answer.value, 7);
+  assert.deepEqual(answer.beyond, [
+    [
+      [10, 0, 0],
+      [30, 0, 0],
+    ],
+  ]);
+  assert.deepEqual(both(point(5, 7, 0), line([0, 0, 0], [10, 0, 0])).beyond, []);
+});
+
+test('edges: a distance if parallel, else the angle on the side on which they lie', () => {
+  near(both(line([0, 0, 0], [10, 0, 0]), line([40, 3, 0], [20, 3, 0])).value, 3);
+  for (const angle of [0.5, 30, 90, 120, 179]) {
+    const [c, s] = [Math.cos((angle * Math.PI) / 180), Math.sin((angle * Math.PI) / 180)],
+      answer = both(line([1, 0, 0], [9, 0, 0]), line([8 * c, 8 * s, 0], [2 * c, 2 * s, 0]));
+    assert.equal(answer.of, 'angle');
+    near(answer.value, angle, 1e-6);
+  }
+  const skew = both(line([-5, 0, 0], [5, 0, 0]), line([0, -5, 4], [0, 5, 4]), false);
+  near(skew.value, 90);
+  assert.deepEqual(more(skew), { apart: 4 });
+});
+
+test('holes: centres, diameters, and what is left between the rims', () => {
+  const answer = both(hole([0, 0, 0], 3), hole([30, 40, 0], 5));
+  near(answer.value, 50);
+  assert.deepEqual(more(answer), { dx: 30, dy: 40, 'between rims': 42, Ø: 10 });
+  assert.equal(wholeText(answer, 'mm'), '50 mm, dx 30, dy 40, between rims 42, Ø 6, Ø 10');
+  const toEdge = both(hole([0, 12, 0], 3), line([-20, 0, 0], [20, 0, 0]));
+  near(toEdge.value, 12);
+  assert.deepEqual(more(toEdge), { 'to the rim': 9, Ø: 6 });
+  const within = both(hole([0, 0, 0], 10), hole([2, 0, 0], 3));
+  assert.equal(more(within)['between rims'], 5, 'one within the other: the narrowest place');
+  const across = both(hole([0, 0, 0], 3), hole([30, 0, 5], 3, [1, 0, 0]), false);
+  assert.equal(more(across)['between rims'], undefined, 'of holes in different planes there is no such place');
+  const fillet = both(hole([0, 12, 0], 3, [0, 0, 1], false), line([-20, 0, 0], [20, 0, 0]));
+  assert.deepEqual(more(fillet), { R: 3 });
+});
+
+test('one thing alone has its own size', () => {
+  assert.equal(labelText(alone(hole([0, 0, 0], 3.3))!, 'mm'), 'Ø 6.6 mm');
+  assert.equal(labelText(alone(hole([0, 0, 0], 12.7, [0, 0, 1], false))!, 'inch'), 'R 0.5 in');
+  assert.equal(labelText(alone(line([0, 0, 0], [3, 4, 0]))!, 'mm'), '5 mm');
+  assert.equal(alone(point(0, 0, 0)), null);
+});
+
+test('flanges: the angle that they enclose, or the distance of the sides picked', () => {
+  for (const bend of [10, 45, 90, 135]) {
+    const a = (bend * Math.PI) / 180,
+      answer = both(
+        plane([-20, 0, 0], [0, 0, 1]),
+        plane([20 * Math.cos(a), 0, 20 * Math.sin(a)], [-Math.sin(a), 0, Math.cos(a)]),
+        false,
+      );
+    near(answer.value, 180 - bend, 1e-6);
+    assert.deepEqual(more(answer), { bend });
+    answer.corner!.at.forEach((v) => near(v, 0, 1e-9));
+  }
+  near(both(plane([1, 0, 5], [0, 1, 0]), plane([7, 60, 3], [0, -1, 0]), false).value, 60);
+  near(both(plane([0, 0, 0], [0, 0, 1]), point(3, 4, 7), false).value, 7);
+  near(both(plane([0, 0, 0], [0, 0, 1]), line([0, 0, 5], [9, 0, 5]), false).value, 5);
+  near(both(plane([0, 0, 0], [0, 0, 1]), line([0, 0, 5], [5, 0, 10]), false).value, 45, 1e-6);
+});
+
+/** Two flanges whose second one stands where it truly does: R 4.2, t 2, so 40 + 5.2 along, and 5.2 up. */
+function measured(): Measured {
+  const shape = decodeShape(twoFlangesShape());
+  shape.parts[0]!.place = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  shape.parts[2]!.place = [0, 0, -1, 45.2, 0, 1, 0, 0, 1, 0, 0, 5.2 - 48, 0, 0, 0, 1];
+  shape.edge_circle = new Float32Array(4 * shape.edge_length.length);
+  return { shape, thickness: 2, bends: shape.report.flat!.bends, units: 'mm' };
+}
+
+test('in the folded part things are where flanges have them, on the side picked', () => {
+  const of = measured(),
+    forms = edgeForms(of.shape);
+  assert.ok(forms.every((f) => f.straight && f.ends));
+  assert.deepEqual(forms[2]!.ends!.map((p) => p[0]).sort(), [40, 48], 'an edge of a bend runs across its facets');
+  const top = thingOf(of, 'folded', { kind: 'edge', edge: 7, upper: false });
+  assert.ok(top?.type === 'line');
+  near(top.a[0], 46.2);
+  near(top.a[2], 5.2 + 30);
+  assert.equal(thingOf(of, 'folded', { kind: 'edge', edge: 2, upper: true }), null, 'a bend has no place of its own');
+  const flange = (part: number, upper: boolean) =>
+    thingOf(of, 'folded', { kind: 'flange', part, upper, at: [10, 10] })!;
+  near(both(flange(0, true), flange(2, true), false).value, 90, 1e-6);
+  // its axis: as far above the first flange as it is before the second
+  const axis = thingOf(of, 'folded', { kind: 'bend', part: 1, line: 0 });
+  assert.ok(axis?.type === 'line');
+  [axis.a, axis.b].forEach((p) => {
+    near(p[0], 40);
+    near(p[2], 5.2);
+  });
+  const at = inPlace(of.shape, 2, [45.2, 12, 5.2 + 8]);
+  near(at![0], 56);
+  near(at![1], 12);
+});
+
+test('two picks are a measure, the same twice is one of it alone; other views begin anew', () => {
+  const pick = (edge: number, view: 'flat' | 'folded' = 'flat') =>
+    ({ type: 'measure-pick', view, ref: { kind: 'edge', edge, upper: true } }) as const;
+  let state = reduceMeasure({ ...noMeasures, on: true }, pick(1));
+  assert.equal(state.kept.length, 0);
+  state = reduceMeasure(state, pick(2, 'folded'));
+  assert.deepEqual([state.kept.length, state.first?.view], [0, 'folded']);
+  state = reduceMeasure(state, pick(3, 'folded'));
+  state = reduceMeasure(reduceMeasure(state, pick(4)), pick(4));
+  assert.deepEqual(
+    state.kept.map((m) => [m.id, m.view, m.b && 'edge' in m.b ? m.b.edge : null]),
+    [
+      [1, 'folded', 3],
+      [2, 'flat', null],
+    ],
+  );
+  assert.deepEqual(
+    reduceMeasure(state, { type: 'measure-remove', id: 1 }).kept.map((m) => m.id),
+    [2],
+  );
+  assert.equal(reduceMeasure(state, { type: 'measure-mode', on: false }).kept.length, 2, 'what was measured stays');
+  assert.equal(reduceMeasure(state, { type: 'measure-clear' }).kept.length, 0);
+  const flange = { kind: 'flange', part: 1, upper: true, at: [1, 2] as [number, number] } as const;
+  assert.ok(isSame(flange, { ...flange, at: [3, 4] }));
+});
