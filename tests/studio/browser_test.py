@@ -221,6 +221,18 @@ class Browser(StudioTest):
     def test_a_rule_has_one_mark_until_it_is_chosen(self):
         self.flow("marks")
 
+    def test_every_state_of_the_page_is_for_everyone(self):
+        self.flow("access")
+
+    def test_a_new_file_of_each_kind_can_be_begun(self):
+        self.flow("begin")
+
+    def test_files_opened_lately_are_there_again(self):
+        self.flow("recent")
+
+    def test_the_last_eight_files_are_kept(self):
+        self.flow("many")
+
     def test_the_page_works_under_its_policy(self):
         self.flow("policy")
 

@@ -54,12 +54,6 @@ export class Api {
     while (reader && !(await reader.read()).done);
     return answer.status !== 204;
   };
-  /** What the page keeps on this machine under a name; null: nothing. */
-  kept = async <T>(name: string): Promise<T | null> => {
-    const all = await this.json<{ name: string }[]>('GET', '/api/kept');
-    return all.some((file) => file.name === name) ? this.json<T>('GET', `/api/kept/${name}`) : null;
-  };
-  keep = (name: string, value: unknown) => this.call('PUT', `/api/kept/${name}`, JSON.stringify(value));
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
   private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {

@@ -1,10 +1,12 @@
 import type { Api } from './api.ts';
 import type { Recent } from './recents.ts';
 import type { Store } from './state.ts';
+import { keepView, soundView } from './split.ts';
 import { soundWorkshop } from './workshop-state.ts';
 
 const workshop = 'workshop.json';
 export const recentList = 'recent.json';
+export const viewFile = 'views.json';
 
 /** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
 export async function bringKept(api: Api, store: Store) {
@@ -16,10 +18,13 @@ export async function bringKept(api: Api, store: Store) {
       return null; // damaged, or of another version
     }
   };
-  const [kept, recents] = [await read(workshop), await read(recentList)];
+  const [kept, recents, view] = await Promise.all([workshop, recentList, viewFile].map(read));
   if (kept) store.dispatch({ type: 'workshop', workshop: soundWorkshop(kept) });
   if (Array.isArray(recents)) store.dispatch({ type: 'recents', recents: recents.filter(isSound) });
+  if (view && typeof view === 'object') store.dispatch({ type: 'view', view: soundView(view) });
   store.subscribe((state, before) => {
+    if (state.view.split !== before.view.split || state.view.arrangement !== before.view.arrangement)
+      keepView(api, state.view);
     if (state.workshop === before.workshop) return;
     api
       .keep(workshop, new Blob([JSON.stringify(state.workshop)]))

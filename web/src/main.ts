@@ -18,7 +18,7 @@ import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { switchSection, viewTools } from './panels/section.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
-import { arrange, divider, rememberedView, rememberView, suggestedFor } from './split.ts';
+import { arrange, divider, suggestedFor } from './split.ts';
 import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
@@ -133,13 +133,8 @@ store.subscribe((state, before) => {
   }
   if (view === before.view) return;
   arrange(part('main'), view);
-  if (view.split !== before.view.split || view.arrangement !== before.view.arrangement) rememberView(api, view);
 });
 arrange(part('main'), store.state.view);
-rememberedView(api).then(
-  (view) => store.dispatch({ type: 'view', view }),
-  () => undefined,
-);
 
 let pickedBefore = store.state.selection;
 

@@ -73,7 +73,7 @@ export class Recents {
 
   private async write(recents: Recent[]) {
     const kept = recents.slice(0, most),
-      gone = this.all.filter((r) => !kept.some((k) => k.key === r.key)).concat(recents.slice(most));
+      gone = this.all.filter((r) => !kept.some((k) => k.key === r.key));
     await this.api.keep(recentList, new Blob([JSON.stringify(kept)]));
     this.store.dispatch({ type: 'recents', recents: kept });
     for (const { key, beside } of gone)

@@ -1,27 +1,28 @@
 import { html } from 'lit-html';
 import type { Api } from './api.ts';
+import { viewFile } from './kept-here.ts';
 import { arrangementFor, arrangementOf, evenly, type Arrangement, type ViewState } from './view-state.ts';
 import type { State } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
 
-const file = 'views.json';
 const step = 0.02;
 const pause = 300; // ms, after which what was changed is kept
 
-/** What this machine remembers of the arrangement. */
-export async function rememberedView(api: Api): Promise<Partial<ViewState>> {
-  const { split, arrangement } = (await api.kept<Partial<ViewState>>(file)) ?? {};
-  return {
-    ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
-    ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
-  };
-}
+/** What was kept of the arrangement: only what can be meant. */
+export const soundView = ({ split, arrangement }: Partial<ViewState>): Partial<ViewState> => ({
+  ...(typeof split === 'number' && split > 0 && split < 1 ? { split } : {}),
+  ...(arrangement === 'beside' || arrangement === 'stacked' ? { arrangement } : {}),
+});
 
 let waiting = 0;
-export function rememberView(api: Api, { split, arrangement }: ViewState) {
+/** Keeps the arrangement, once it rests. */
+export function keepView(api: Api, { split, arrangement }: ViewState) {
   clearTimeout(waiting);
-  waiting = window.setTimeout(() => void api.keep(file, { split, arrangement }).catch(() => undefined), pause);
+  waiting = window.setTimeout(
+    () => void api.keep(viewFile, new Blob([JSON.stringify({ split, arrangement })])).catch(() => undefined),
+    pause,
+  );
 }
 
 /** The arrangement that suits the pattern of another file, or piece, in an area. */

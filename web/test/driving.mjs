@@ -44,6 +44,7 @@ export async function fresh({ name = 'other', bypassCSP = true } = {}) {
   });
   page.on('pageerror', (e) => said.push(e.message));
   await serveDist(page, address);
+  await forgetKept();
   await page.goto(address);
   await page.waitForSelector('[data-testid=examples-menu]');
   await page.waitForTimeout(300);
@@ -87,6 +88,14 @@ export async function documentsOf(address) {
   const { origin, hash } = new URL(address);
   const answer = await fetch(`${origin}/api/documents`, { headers: { 'X-Planish-Token': hash.slice(1) } });
   return (await answer.json()).map((d) => d.id);
+}
+
+/** A machine on which nothing is kept of earlier flows. */
+async function forgetKept() {
+  const { origin, hash } = new URL(address),
+    headers = { 'X-Planish-Token': hash.slice(1) };
+  for (const { name } of await (await fetch(`${origin}/api/kept`, { headers })).json())
+    await fetch(`${origin}/api/kept/${encodeURIComponent(name)}`, { method: 'DELETE', headers });
 }
 
 /** Names of the documents that are open at the server. */

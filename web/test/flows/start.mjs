@@ -1,4 +1,5 @@
 import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { folder, open, opened, state } from '../driving.mjs';
 
 /** Nothing is open: examples have pictures, and each kind of file can be begun anew. */
@@ -65,4 +66,25 @@ export async function recent({ page }) {
   await page.waitForFunction(() => !document.querySelector('[data-testid=recents]'));
   await start();
   assert.deepEqual(await names(), []);
+}
+
+/** Of many files the last eight are kept, and nothing of the others stays. */
+export async function many({ page }) {
+  const spec = JSON.parse(readFileSync(new URL('../../../examples/connect/c_ripped.json', import.meta.url), 'utf8'));
+  for (let i = 0; i < 10; ++i) {
+    const path = `${folder(page)}/plate${i}.json`;
+    writeFileSync(path, JSON.stringify({ ...spec, thickness: 2 + i / 10 }));
+    await open(page, [path]);
+  }
+  await page.waitForTimeout(500);
+  assert.deepEqual(
+    await state(page, 's.recents.map((r) => r.name)'),
+    [9, 8, 7, 6, 5, 4, 3, 2].map((i) => `plate${i}.json`),
+  );
+  const kept = await page.evaluate(async () =>
+    (await (await fetch('/api/kept', { headers: { 'X-Planish-Token': location.hash.slice(1) } })).json()).map(
+      (f) => f.name,
+    ),
+  );
+  assert.equal(kept.filter((name) => name.startsWith('recent-')).length, 8);
 }
