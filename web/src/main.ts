@@ -335,5 +335,5 @@ async function stay() {
   for (let needed = true; needed; await new Promise((resolve) => setTimeout(resolve, 5000)))
     needed = await api.stay().catch(() => true);
 }
-void navigator.locks.request('planish-open', stay);
+void navigator.locks.request(`planish-open ${location.hash}`, stay); // pages of an earlier server may be open too
 Object.assign(window, { planish: { store, views } }); // for tests, and for the curious
