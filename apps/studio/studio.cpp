@@ -4,6 +4,7 @@
 #include "server/browser.hpp"
 #include "server/first_document.hpp"
 #include "server/http_server.hpp"
+#include "server/kept_files.hpp"
 #include "server/presence.hpp"
 #include "server/temp_folder.hpp"
 
@@ -65,7 +66,8 @@ Result<void> run_studio(const StudioOptions& options) {
   const auto port = server.bind(options.port);
   if (!port) return tl::unexpected(port.error());
   const Access access(*port, *token);
-  Api api(access, store);
+  KeptFiles kept(kept_folder());
+  Api api(access, store, kept);
   Presence presence;
   server.serve(api, options.end_after ? &presence : nullptr);
   const std::string address = fmt::format("http://127.0.0.1:{}/#{}", *port, *token);

@@ -5,6 +5,7 @@ import io
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -336,6 +337,55 @@ class CommandLine(StudioTest):
         with Studio("--port", port) as chosen:
             self.assertEqual(chosen.port, port)
             self.assertEqual(chosen.get("/api/documents").json(), [])
+
+
+
+class Kept(StudioTest):
+    def test_what_is_kept_is_there_at_the_next_start(self):
+        with tempfile.TemporaryDirectory() as state:
+            with Studio(state=pathlib.Path(state) / "new") as studio:
+                self.assertEqual(studio.get("/api/kept").json(), [])
+                self.assertEqual(list(pathlib.Path(state).iterdir()), [])  # nothing is written before
+                self.assertEqual(studio.ask("PUT", "/api/kept/b.json", b"old").status, 204)
+                self.assertEqual(studio.ask("PUT", "/api/kept/b.json", b"\0new\xff").status, 204)
+                self.assertEqual(studio.ask("PUT", "/api/kept/a%20b", b"").status, 204)
+                shutil.copytree(pathlib.Path(state) / "new", pathlib.Path(state) / "kept")
+            with Studio(state=pathlib.Path(state) / "kept") as studio:
+                self.assertEqual(studio.get("/api/kept").json(), [{"name": "a b", "size": 0}, {"name": "b.json", "size": 5}])
+                self.assertEqual(studio.get("/api/kept/b.json").body, b"\0new\xff")
+                self.assertEqual(studio.ask("DELETE", "/api/kept/b.json").status, 204)
+                self.assert_error(studio.get("/api/kept/b.json"), 404, "not_found")
+                self.assert_error(studio.ask("DELETE", "/api/kept/b.json"), 404, "not_found")
+                folder = pathlib.Path(state) / "kept/planish/studio"
+                self.assertEqual([path.name for path in folder.iterdir()], ["a b"])
+
+    def test_others_cannot_look_and_names_stay_in_the_folder(self):
+        self.assert_error(self.studio.get("/api/kept", headers={"X-Planish-Token": None}), 403, "forbidden")
+        self.assertEqual(self.studio.ask("PUT", "/api/kept/a", b"x").status, 204)
+        folder = pathlib.Path(self.studio.state) / "planish/studio"
+        self.assertEqual(folder.stat().st_mode & 0o777, 0o700)
+        for name in ("..%2Fa", ".a", "%2Fetc%2Fpasswd", "a%00b"):
+            self.assertIn(self.studio.ask("PUT", f"/api/kept/{name}", b"x").status, (200, 400, 404), name)
+            self.assertIn(self.studio.get(f"/api/kept/{name}").status, (400, 404), name)
+        self.assertEqual([path.name for path in folder.rglob("*")], ["a"])
+        self.assertEqual([path.name for path in pathlib.Path(self.studio.state).iterdir()], ["planish"])
+
+    def test_there_is_an_end_to_it(self):
+        self.assert_error(self.studio.ask("PUT", "/api/kept/large", bytes((24 << 20) + 1)), 413, "too_large")
+        for number in range(64):
+            self.studio.ask("PUT", f"/api/kept/{number}", b"x")
+        self.assert_error(self.studio.ask("PUT", "/api/kept/another", b"x"), 429, "too_many_files")
+        self.assertEqual(self.studio.ask("PUT", "/api/kept/7", b"again").status, 204)
+        for entry in self.studio.get("/api/kept").json():
+            self.studio.ask("DELETE", f"/api/kept/{entry['name']}")
+
+    def test_a_folder_that_cannot_be_made_is_said(self):
+        with tempfile.NamedTemporaryFile() as file, Studio(state=file.name + "-") as studio:
+            pathlib.Path(studio.state).symlink_to(file.name)
+            self.assert_error(studio.ask("PUT", "/api/kept/a", b"x"), 500, "cannot_write")
+            self.assertEqual(studio.get("/api/kept").json(), [])
+            pathlib.Path(studio.state).unlink()
+            pathlib.Path(studio.state).mkdir()
 
 
 if __name__ == "__main__":

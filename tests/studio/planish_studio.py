@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import struct
 import subprocess
@@ -67,9 +68,10 @@ class Shape:
 class Studio:
     """A running `planish studio`; a context manager."""
 
-    def __init__(self, *arguments, folder=None):
+    def __init__(self, *arguments, folder=None, state=None):
         self.folder = folder or tempfile.mkdtemp(prefix="planish-test-")
-        environment = dict(os.environ, TMPDIR=str(self.folder))
+        self.state = state or tempfile.mkdtemp(prefix="planish-test-state-")
+        environment = dict(os.environ, TMPDIR=str(self.folder), XDG_STATE_HOME=str(self.state))
         self.process = subprocess.Popen([CLI, "studio", "--no-browser", *map(str, arguments)], env=environment,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.line = self.process.stdout.readline()
@@ -86,6 +88,7 @@ class Studio:
         self.stop()
         with contextlib.suppress(OSError):
             os.rmdir(self.folder)
+        shutil.rmtree(self.state)
 
     def stop(self, how=signal.SIGTERM):
         if self.process.poll() is None:

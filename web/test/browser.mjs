@@ -12,6 +12,7 @@ import * as panels from './flows/panels.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
+import * as start from './flows/start.mjs';
 import * as transition from './flows/transition.mjs';
 import * as unfold from './flows/unfold.mjs';
 
@@ -30,6 +31,7 @@ const flows = {
   ...right,
   ...server,
   ...access,
+  ...start,
 };
 
 /** Waits until a page that was left has closed its documents, which it asks for without waiting for the answer. */

@@ -1,6 +1,6 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 
-const types = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
+const types = { html: 'text/html', js: 'text/javascript', css: 'text/css', webp: 'image/webp' };
 
 /** The page as it is in web/dist, at a server's address: with STUDIO_DIST set tests need not build the program anew. */
 export async function serveDist(page, address) {
@@ -10,11 +10,10 @@ export async function serveDist(page, address) {
     (url) => url.origin === origin && !url.pathname.startsWith('/api'),
     (route) => {
       const path = new URL(route.request().url()).pathname,
-        name = path === '/' ? 'index.html' : path.slice(1);
-      return route.fulfill({
-        body: readFileSync(new URL(`../dist/${name}`, import.meta.url)),
-        contentType: types[name.split('.').at(-1)],
-      });
+        name = path === '/' ? 'index.html' : path.slice(1),
+        file = new URL(`../dist/${name}`, import.meta.url);
+      if (!existsSync(file)) return route.continue();
+      return route.fulfill({ body: readFileSync(file), contentType: types[name.split('.').at(-1)] });
     },
   );
 }

@@ -29,7 +29,7 @@ Answer nothing_there(const std::string& path) {
 }
 
 std::string_view type_of(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kTypes{
       {{".html", "text/html; charset=utf-8"},
        {".js", "text/javascript; charset=utf-8"},
        {".css", "text/css; charset=utf-8"},
@@ -40,6 +40,7 @@ std::string_view type_of(std::string_view name) {
        {".woff2", "font/woff2"},
        {".wasm", "application/wasm"},
        {".webmanifest", "application/manifest+json"},
+       {".webp", "image/webp"},
        {".txt", "text/plain; charset=utf-8"},
        {".xyz", "text/plain; charset=utf-8"},
        {".map", "application/json"},
@@ -65,6 +66,15 @@ Answer examples(const ApiRequest& request) {
   constexpr std::string_view kFolder = "/api/examples/";
   if (request.path.size() <= kFolder.size()) return example_list();
   return embedded_answer("examples/" + request.path.substr(kFolder.size()), request.path);
+}
+
+Answer kept(KeptFiles& files, const ApiRequest& request, const std::string& name,
+            const std::string& body) {
+  if (name.empty() && request.method == "GET") return files.list();
+  if (!name.empty() && request.method == "GET") return files.read(name);
+  if (!name.empty() && request.method == "PUT") return files.write(name, body);
+  if (!name.empty() && request.method == "DELETE") return files.remove(name);
+  return nothing_there(request.path);
 }
 
 /// Answers /api/documents/…, by method and the parts of the path after "documents".
@@ -104,6 +114,8 @@ Answer Api::answer(const ApiRequest& request, std::string body) {
   if (first == "examples" && request.method == "GET") return examples(request);
   if (first == "description" && at.size() == 1 && request.method == "GET")
     return description(job::built_in());
+  if (first == "kept" && at.size() <= 2)
+    return kept(kept_, request, at.size() == 2 ? at[1] : "", body);
   if (first != "documents") return nothing_there(request.path);
   at.erase(at.begin());
   return documents(store_, request, at, std::move(body));

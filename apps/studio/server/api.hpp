@@ -3,6 +3,7 @@
 #include "../work/answer.hpp"
 #include "access.hpp"
 #include "document_store.hpp"
+#include "kept_files.hpp"
 
 #include <string>
 
@@ -21,7 +22,8 @@ constexpr std::size_t kLargestBody = std::size_t{64} << 20;
 /// Everything in docs/studio-api.md, and the page itself. Thread-safe.
 class Api {
  public:
-  Api(Access access, DocumentStore& store) : access_(std::move(access)), store_(store) {}
+  Api(Access access, DocumentStore& store, KeptFiles& kept)
+      : access_(std::move(access)), store_(store), kept_(kept) {}
 
   /// 403 for callers without access, before their body is read; empty for all others.
   std::optional<Answer> turned_away(const ApiRequest& request) const;
@@ -30,6 +32,7 @@ class Api {
  private:
   Access access_;
   DocumentStore& store_;
+  KeptFiles& kept_;
 };
 
 /// `kind` and `title` of every example, by name.

@@ -1,29 +1,5 @@
-import { html, nothing } from 'lit-html';
+import { html } from 'lit-html';
 import type { Ui } from '../ui.ts';
-import { chooseFile } from './top-bar.ts';
-
-export function startScreen(ui: Ui) {
-  if (ui.state.document) return nothing;
-  const firsts = ui.state.description.makers.flatMap(({ name }) =>
-    ui.state.examples.filter((e) => e.kind === name).slice(0, 3),
-  );
-  return html`<div class="start" data-testid="start">
-    <h2>Drop a file here</h2>
-    <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>
-    <p><button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button></p>
-    ${firsts.length
-      ? html`<h3>or start with an example</h3>
-          <div class="tiles">
-            ${firsts.map(
-              (e) =>
-                html`<button data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>
-                  <b>${e.title}</b><small>${e.kind}</small>
-                </button>`,
-            )}
-          </div>`
-      : nothing}
-  </div>`;
-}
 
 const keys: [string, string][] = [
   ['Ctrl O', 'open a file'],

@@ -1,0 +1,47 @@
+import { html, nothing } from 'lit-html';
+import { fileOf, templates } from '../templates.ts';
+import type { Example } from '../types.ts';
+import type { Ui } from '../ui.ts';
+import { chooseFile } from './top-bar.ts';
+
+const most = 3; // examples of a kind
+
+/** What is there while nothing is open: a place to drop files, what can be begun anew, and examples. */
+export function startScreen(ui: Ui) {
+  const { document: d, description, examples } = ui.state;
+  if (d) return nothing;
+  return html`<div class="start" data-testid="start">
+    <h2>Drop a file here</h2>
+    <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>
+    <p class="begin">
+      <button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button>
+      ${templates.map(
+        (t) => html`<button data-testid="new-${t.kind}" @click=${() => ui.openFiles([fileOf(t)])}>${t.text}</button>`,
+      )}
+    </p>
+    ${examples.length
+      ? html`<h3>or start with an example</h3>
+          <div class="tiles">
+            ${description.makers.flatMap(({ name }) =>
+              examples
+                .filter((e) => e.kind === name)
+                .slice(0, most)
+                .map((e) => tile(ui, e)),
+            )}
+          </div>`
+      : nothing}
+  </div>`;
+}
+
+const kinds: Record<string, string> = {
+  unfold: 'STEP part',
+  connect: 'bent plate',
+  transition: 'transition',
+  slit: 'slit sheet',
+};
+
+const tile = (ui: Ui, e: Example) =>
+  html`<button class="tile" data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>
+    <img src="pictures/${e.name.replace(/\.\w+$/, '.webp')}" alt="" width="176" height="100" loading="lazy" />
+    <b>${e.title}</b><small>${kinds[e.kind] ?? e.kind}</small>
+  </button>`;
