@@ -22,12 +22,11 @@ constexpr auto kStudioExamples = R"(Examples:
 
 It serves this machine alone and ends with Ctrl-C. More in docs/cli.md.)";
 
-const job::Option kPort{
-    .name = "port",
-    .kind = job::OptionKind::whole,
-    .group = "",
-    .description = "port of the page's address; default 8731, or any free port if that is taken",
-    .range = {"a whole number from 1 to 65535", 1, 65535}};
+const job::Option kPort{.name = "port",
+                        .kind = job::OptionKind::whole,
+                        .group = "",
+                        .description = "port of the page's address; default: any free port",
+                        .range = {"a whole number from 1 to 65535", 1, 65535}};
 const job::Option kTimeLimit{.name = "time_limit",
                              .kind = job::OptionKind::whole,
                              .group = "",

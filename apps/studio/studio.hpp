@@ -11,7 +11,7 @@ namespace planish::studio {
 
 struct StudioOptions {
   std::optional<std::filesystem::path> file;  ///< opened as the first document
-  int port = 0;                               ///< 0: the usual one, or any free one
+  int port = 0;                               ///< 0: any free one
   std::chrono::seconds time_limit{120};       ///< for one task of a worker
   bool open_browser = true;
   std::optional<std::chrono::seconds> end_after;  ///< without a page that is open

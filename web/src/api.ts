@@ -47,6 +47,10 @@ export class Api {
     while (reader && !(await reader.read()).done);
     return answer.status !== 204;
   };
+  /** What is kept on this machine from one start to the next: files by name. */
+  kept = () => this.json<{ name: string; size: number }[]>('GET', '/api/kept');
+  readKept = async (name: string) => (await this.call('GET', `/api/kept/${encodeURIComponent(name)}`)).text();
+  keep = (name: string, text: string) => this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, text);
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
   private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {

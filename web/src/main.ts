@@ -20,17 +20,14 @@ import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import './panels/lists.css';
-import { keepWorkshop, keptWorkshop } from './workshop-state.ts';
+import { WorkshopKeeper } from './workshop-kept.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
 const api = new Api(location.hash.slice(1));
-const store = new Store({
-  ...initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'),
-  workshop: keptWorkshop(),
-});
+const store = new Store(initialState(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light'));
 document.documentElement.dataset.theme = store.state.theme;
 
 const root = document.getElementById('app')!;
@@ -315,9 +312,6 @@ window.addEventListener('pagehide', () => documents.leave(store.state.document?.
 store.subscribe((state, before) => {
   const changed = state.input !== before.input || before.pending !== null; // a drag that ends
   if (changed && !state.pending) keepHistory(state);
-  if (state.workshop !== before.workshop)
-    keepWorkshop(state.workshop) ||
-      store.dispatch({ type: 'note', note: 'The browser has no room left to keep this for the next part.' });
 });
 
 draw();
@@ -329,12 +323,12 @@ api.examples().then(
   (examples) => store.dispatch({ type: 'examples', examples }),
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
 );
-void documents.begin();
+void new WorkshopKeeper(api, store).load().then(() => documents.begin());
 
 /** Lets the server know that a page is open. Browsers allow few connections to a server, so one of its pages does. */
 async function stay() {
   for (let needed = true; needed; await new Promise((resolve) => setTimeout(resolve, 5000)))
     needed = await api.stay().catch(() => true);
 }
-void navigator.locks.request(`planish-open ${location.hash}`, stay); // pages of an earlier server may be open too
+void navigator.locks.request('planish-open', stay);
 Object.assign(window, { planish: { store, views } }); // for tests, and for the curious

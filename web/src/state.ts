@@ -266,6 +266,7 @@ export function reduce(state: State, action: Action): State {
     case 'table-file':
     case 'table-forgotten':
     case 'every-part':
+    case 'workshop':
       return { ...state, workshop: reduceWorkshop(state.workshop, action) };
     default:
       return { ...state, order: reduceOrder(state.order, action) };

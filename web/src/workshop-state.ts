@@ -10,7 +10,7 @@ export interface TableFile {
 export type TableKind = 'shop' | 'k_table' | 'tools';
 const kinds: TableKind[] = ['shop', 'k_table', 'tools'];
 
-/** What belongs to this machine, not to a file: it is kept by the browser from one day to the next. */
+/** What belongs to this machine, not to a file: it is kept from one day to the next. */
 export interface Workshop {
   dxf: DxfChoices;
   files: TableFile[]; // the one used last first
@@ -21,7 +21,8 @@ export type WorkshopAction =
   | { type: 'dxf'; dxf: DxfChoices }
   | { type: 'table-file'; file: TableFile }
   | { type: 'table-forgotten'; file: TableFile }
-  | { type: 'every-part'; options: Options | null };
+  | { type: 'every-part'; options: Options | null }
+  | { type: 'workshop'; workshop: Workshop };
 
 export const emptyWorkshop: Workshop = { dxf: {}, files: [], everyPart: null };
 
@@ -35,6 +36,8 @@ export function reduceWorkshop(workshop: Workshop, action: WorkshopAction): Work
       return { ...workshop, files: without(workshop.files, action.file) };
     case 'every-part':
       return { ...workshop, everyPart: action.options };
+    case 'workshop':
+      return action.workshop;
   }
 }
 
@@ -42,16 +45,6 @@ const without = (files: TableFile[], { kind, name }: TableFile) =>
   files.filter((f) => f.kind !== kind || f.name !== name);
 
 export const filesOf = (workshop: Workshop, kind: TableKind) => workshop.files.filter((f) => f.kind === kind);
-
-const place = 'planish-workshop';
-
-export function keptWorkshop(): Workshop {
-  try {
-    return soundWorkshop(JSON.parse(localStorage.getItem(place) ?? '{}'));
-  } catch {
-    return emptyWorkshop;
-  }
-}
 
 /** What was kept, which an older or a newer page may have written: only what can be meant. */
 export function soundWorkshop(kept: unknown): Workshop {
@@ -63,14 +56,4 @@ export function soundWorkshop(kept: unknown): Workshop {
       : [],
     everyPart: typeof everyPart === 'object' ? everyPart : null,
   };
-}
-
-/** False if the browser has no room for it. */
-export function keepWorkshop(workshop: Workshop): boolean {
-  try {
-    localStorage.setItem(place, JSON.stringify(workshop));
-    return true;
-  } catch {
-    return false;
-  }
 }

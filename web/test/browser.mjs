@@ -1,7 +1,7 @@
 // The page against a running server: node test/browser.mjs ADDRESS [FLOW …]. What a flow downloads is written to a
 // folder of its name in STUDIO_FILES; STUDIO_PROCESS is the server's process, whose workers one flow ends.
 import assert from 'node:assert/strict';
-import { browser, documentsOf, folder, fresh } from './driving.mjs';
+import { browser, documentsOf, folder, forgetWorkshop, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
@@ -48,6 +48,7 @@ async function letGo(open) {
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
   if (wanted.length && !wanted.includes(name)) continue;
+  await forgetWorkshop(address);
   const begun = performance.now(),
     open = await documentsOf(address),
     given = await fresh({ name });

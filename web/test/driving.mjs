@@ -89,6 +89,12 @@ export async function documentsOf(address) {
   return (await answer.json()).map((d) => d.id);
 }
 
+/** What one flow keeps of the workshop, the next shall not find. */
+export const forgetWorkshop = (address) => {
+  const { origin, hash } = new URL(address);
+  return fetch(`${origin}/api/kept/workshop.json`, { method: 'DELETE', headers: { 'X-Planish-Token': hash.slice(1) } });
+};
+
 /** Names of the documents that are open at the server. */
 export const openAtServer = (page) =>
   page.evaluate(async () =>

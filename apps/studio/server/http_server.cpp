@@ -11,8 +11,6 @@ namespace planish::studio {
 namespace {
 
 constexpr auto kHost = "127.0.0.1";
-// What a browser keeps belongs to an address with its port: the same one is there again tomorrow.
-constexpr int kUsualPort = 8731;
 constexpr auto kAnyPath = R"(/.*)";
 constexpr std::size_t kLongestTarget = 2048;
 
@@ -174,9 +172,9 @@ HttpServer::~HttpServer() {
 
 Result<int> HttpServer::bind(int port) {
   httplib::Server& server = content_->server;
-  const int wanted = port == 0 ? kUsualPort : port;
-  if (server.bind_to_port(kHost, wanted)) return wanted;
-  const int taken = port == 0 ? server.bind_to_any_port(kHost) : -1;
+  const int taken = port == 0                          ? server.bind_to_any_port(kHost)
+                    : server.bind_to_port(kHost, port) ? port
+                                                       : -1;
   if (taken > 0) return taken;
   return fail(
       ErrorCode::bad_option,
