@@ -40,6 +40,13 @@ export class Api {
   file = async (id: string, artifact: string, request: Request) =>
     (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request))).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
+  /** What is kept on this machine from one start to the next. */
+  kept = async (name: string) => (await this.call('GET', `/api/kept/${encodeURIComponent(name)}`)).arrayBuffer();
+  keptNames = () => this.json<{ name: string; size: number }[]>('GET', '/api/kept');
+  keep = (name: string, content: Blob) =>
+    // What is small is kept even if the page is left now.
+    this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, content, { keepalive: content.size < 60_000 });
+  forget = (name: string) => this.call('DELETE', `/api/kept/${encodeURIComponent(name)}`);
   /** An answer that lasts as long as the page, so that the server knows of it. False: it need not know. */
   stay = async (): Promise<boolean> => {
     const answer = await this.call('GET', '/api/presence');
@@ -47,10 +54,6 @@ export class Api {
     while (reader && !(await reader.read()).done);
     return answer.status !== 204;
   };
-  /** What is kept on this machine from one start to the next: files by name. */
-  kept = () => this.json<{ name: string; size: number }[]>('GET', '/api/kept');
-  readKept = async (name: string) => (await this.call('GET', `/api/kept/${encodeURIComponent(name)}`)).text();
-  keep = (name: string, text: string) => this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, text);
   cancel = (id: string) => this.call('POST', `/api/documents/${id}/cancel`);
 
   private async shape(id: string, what: string, request: Request, signal?: AbortSignal): Promise<Shape> {

@@ -2,6 +2,7 @@ import { Api, ApiError } from './api.ts';
 import type { Bodies } from './bodies.ts';
 import { patience, poll, problemOf } from './compute.ts';
 import { keepDocument, keptDocument } from './kept.ts';
+import type { Recent, Recents } from './recents.ts';
 import { partOptions, type Store } from './state.ts';
 import { lookAt } from './survey.ts';
 import type { OpenDocument, SlitSpec, Spec } from './types.ts';
@@ -17,27 +18,39 @@ const looking = 5000; // ms in which a sheet among the bodies is found, or the f
 export class Documents {
   private readonly api: Api;
   private readonly store: Store;
+  private readonly recents: Recents;
   private adopted: string | null = null;
   private file: Given | null = null;
   private beside: Record<string, ArrayBuffer> = {};
   private flight = new AbortController(); // of the file that is being opened
-  constructor(api: Api, store: Store) {
+  constructor(api: Api, store: Store, recents: Recents) {
     this.api = api;
     this.store = store;
+    this.recents = recents;
   }
 
-  async openFiles(files: File[]) {
+  async openFiles(files: File[], isNew = false) {
     await this.attempt(files[0]?.name ?? '', async (signal) => {
       const given = await Promise.all(files.map(async (f) => ({ name: f.name, bytes: await f.arrayBuffer() })));
       const [main, ...others] = given.filter((g) => !isPoints(g.name)),
         points = given.filter((g) => isPoints(g.name));
-      if (main) await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
-      else await this.addPoints(points);
+      if (main) {
+        await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
+        if (!isNew) this.recents.opened(main.name, main.bytes, this.beside);
+      } else await this.addPoints(points);
       if (others.length)
         this.store.dispatch({
           type: 'note',
           note: `One file at a time: ${others.map((g) => g.name).join(', ')} was left out.`,
         });
+    });
+  }
+
+  async openRecent(recent: Recent) {
+    await this.attempt(recent.name, async (signal) => {
+      const { main, beside } = await this.recents.bytesOf(recent);
+      await this.open({ name: recent.name, bytes: main }, async (name) => beside[name] ?? null, signal);
+      this.recents.opened(recent.name, main, this.beside);
     });
   }
 

@@ -20,7 +20,8 @@ import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
 import './panels/lists.css';
-import { WorkshopKeeper } from './workshop-kept.ts';
+import { bringKept } from './kept-here.ts';
+import { Recents } from './recents.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
 import { Views } from './views.ts';
@@ -66,7 +67,10 @@ const ui: Ui = {
   commit: () => store.dispatch({ type: 'commit' }),
   faceUp: (upper) => void faceUp(upper),
   openFiles: (files) => void documents.openFiles([...files]),
+  openNew: (file) => void documents.openFiles([file], true),
   openExample: (name) => void documents.openExample(name),
+  openRecent: (recent) => void documents.openRecent(recent),
+  forgetRecents: () => recents.forget(),
   download,
   downloadAll: () => void archive.start(),
   cancelArchive: () => archive.cancel(),
@@ -98,7 +102,8 @@ const computation = new Computation(
   () => documents.reopen(),
   (shown) => views.chord(shown),
 );
-const documents = new Documents(api, store);
+const recents = new Recents(api, store);
+const documents = new Documents(api, store, recents);
 new Survey(api, store);
 const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
@@ -323,7 +328,7 @@ api.examples().then(
   (examples) => store.dispatch({ type: 'examples', examples }),
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
 );
-void new WorkshopKeeper(api, store).load().then(() => documents.begin());
+void bringKept(api, store).then(() => documents.begin());
 
 /** Lets the server know that a page is open. Browsers allow few connections to a server, so one of its pages does. */
 async function stay() {

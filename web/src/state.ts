@@ -14,6 +14,7 @@ import type {
   Vec3,
 } from './types.ts';
 import { statusOfShape, type Bodies, type BodyStatus } from './bodies.ts';
+import type { Recent } from './recents.ts';
 import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
 import { asBefore } from './orientation.ts';
 import { millimetres, type DisplayUnit } from './units.ts';
@@ -90,6 +91,7 @@ export interface State extends History {
   theme: Theme;
   description: Description; // without rows until the server has sent it
   examples: Example[];
+  recents: Recent[];
   opening: Opening | null;
   problem: ApiProblem | null;
   stale: boolean; // what is shown does not belong to this input, which could not be computed
@@ -108,6 +110,7 @@ export type Action =
   | { type: 'archive'; archive: State['archive'] }
   | { type: 'description'; description: Description }
   | { type: 'examples'; examples: Example[] }
+  | { type: 'recents'; recents: Recent[] }
   | { type: 'opening'; opening: Opening | null }
   | { type: 'opened'; document: OpenDocument; spec: Spec | null; body?: number; bodies?: Bodies }
   | { type: 'body'; id: string; number: number; status: BodyStatus }
@@ -172,6 +175,7 @@ export function initialState(theme: Theme): State {
     theme,
     description: { makers: [], artifacts: [] },
     examples: [],
+    recents: [],
     opening: null,
     problem: null,
     stale: false,
@@ -191,6 +195,8 @@ export function reduce(state: State, action: Action): State {
       return { ...state, description: action.description };
     case 'examples':
       return { ...state, examples: action.examples };
+    case 'recents':
+      return { ...state, recents: action.recents };
     case 'opening':
       return { ...state, opening: action.opening };
     case 'opened':
@@ -284,6 +290,7 @@ function opened(state: State, { document, spec, body, bodies }: Extract<Action, 
     ...initialState(state.theme),
     description: state.description,
     examples: state.examples,
+    recents: state.recents,
     units: unitsOf(document, spec),
     document,
     input: { spec, options: { ...partOptions(state, document), ...(body === undefined ? {} : { body }) } },

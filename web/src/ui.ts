@@ -1,3 +1,4 @@
+import type { Recent } from './recents.ts';
 import type { Action, State, Theme } from './state.ts';
 import type { ApiProblem, OrderedStroke, Options, PlatesSpec, SlitSpec, Spec, TransitionSpec } from './types.ts';
 import type { StandardView } from './folded-view.ts';
@@ -14,7 +15,10 @@ export interface Ui {
   /** The side that faces up now, or the other one, from now on. */
   faceUp(upper: boolean): void;
   openFiles(files: FileList | File[]): void;
+  openNew(file: File): void;
   openExample(name: string): void;
+  openRecent(recent: Recent): void;
+  forgetRecents(): void;
   /** `artifact`: of the description, or "spec", the edited input. */
   download(artifact: string, suffix: string, more?: Partial<Options>): void;
   /** The DXF of every sheet of an assembly, as one archive. */

@@ -10,7 +10,7 @@ export interface TableFile {
 export type TableKind = 'shop' | 'k_table' | 'tools';
 const kinds: TableKind[] = ['shop', 'k_table', 'tools'];
 
-/** What belongs to this machine, not to a file: it is kept from one day to the next. */
+/** What belongs to this machine, not to a file: it is kept there from one start to the next. */
 export interface Workshop {
   dxf: DxfChoices;
   files: TableFile[]; // the one used last first
@@ -34,10 +34,10 @@ export function reduceWorkshop(workshop: Workshop, action: WorkshopAction): Work
       return { ...workshop, files: [action.file, ...without(workshop.files, action.file)] };
     case 'table-forgotten':
       return { ...workshop, files: without(workshop.files, action.file) };
-    case 'every-part':
-      return { ...workshop, everyPart: action.options };
     case 'workshop':
       return action.workshop;
+    case 'every-part':
+      return { ...workshop, everyPart: action.options };
   }
 }
 

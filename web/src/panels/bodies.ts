@@ -65,7 +65,7 @@ function row(ui: Ui, b: BodyInfo, known: BodyStatus | undefined, shown: boolean)
     title=${known?.message ?? name}
     @click=${() => choose(ui, b.number)}
   >
-    ${picture(known?.picture)}
+    ${drawing(known?.picture)}
     <span class="what"
       ><b><span class="number">${b.number} ·</span> ${name}</b><small>${sizes.join(' · ')}</small
       ><small class="said">${said(known)}</small></span
@@ -84,8 +84,8 @@ const said = (known: BodyStatus | undefined): string =>
         : 'sheet';
 
 /** The pattern; of a body without one an empty frame. */
-const picture = (p: Picture | undefined) =>
-  html`<svg viewBox="-2 -2 ${(p?.width ?? 0) + 4} ${(p?.height ?? 0) + 4}" aria-hidden="true">
+export const drawing = (p: Picture | undefined) =>
+  html`<svg class="pattern" viewBox="-2 -2 ${(p?.width ?? 0) + 4} ${(p?.height ?? 0) + 4}" aria-hidden="true">
     ${p
       ? svg`<path class="sheet" d=${p.sheet} fill-rule="evenodd"></path><path class="up" d=${p.up}></path><path
           class="down" d=${p.down}></path>`

@@ -1,14 +1,16 @@
 import { html, nothing } from 'lit-html';
 import { fileOf, templates } from '../templates.ts';
 import type { Example } from '../types.ts';
+import type { Recent } from '../recents.ts';
 import type { Ui } from '../ui.ts';
+import { drawing } from './bodies.ts';
 import { chooseFile } from './top-bar.ts';
 
 const most = 3; // examples of a kind
 
 /** What is there while nothing is open: a place to drop files, what can be begun anew, and examples. */
 export function startScreen(ui: Ui) {
-  const { document: d, description, examples } = ui.state;
+  const { document: d, description, examples, recents } = ui.state;
   if (d) return nothing;
   return html`<div class="start" data-testid="start">
     <h2>Drop a file here</h2>
@@ -16,9 +18,23 @@ export function startScreen(ui: Ui) {
     <p class="begin">
       <button class="primary" data-testid="start-open" @click=${chooseFile}>Choose a file …</button>
       ${templates.map(
-        (t) => html`<button data-testid="new-${t.kind}" @click=${() => ui.openFiles([fileOf(t)])}>${t.text}</button>`,
+        (t) => html`<button data-testid="new-${t.kind}" @click=${() => ui.openNew(fileOf(t))}>${t.text}</button>`,
       )}
     </p>
+    ${recents.length
+      ? html`<h3>
+            Opened lately
+            <button
+              class="link"
+              data-testid="forget-recents"
+              title="Removes what is kept of them"
+              @click=${ui.forgetRecents}
+            >
+              Forget them
+            </button>
+          </h3>
+          <div class="tiles" data-testid="recents">${recents.map((r) => recentTile(ui, r))}</div>`
+      : nothing}
     ${examples.length
       ? html`<h3>or start with an example</h3>
           <div class="tiles">
@@ -39,6 +55,11 @@ const kinds: Record<string, string> = {
   transition: 'transition',
   slit: 'slit sheet',
 };
+
+const recentTile = (ui: Ui, r: Recent) =>
+  html`<button class="tile" data-testid="recent-${r.name}" @click=${() => ui.openRecent(r)}>
+    ${drawing(r.picture)}<b>${r.name}</b><small>${kinds[r.kind] ?? r.kind}</small>
+  </button>`;
 
 const tile = (ui: Ui, e: Example) =>
   html`<button class="tile" data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { folder, opened, state } from '../driving.mjs';
+import { folder, open, opened, state } from '../driving.mjs';
 
 /** Nothing is open: examples have pictures, and each kind of file can be begun anew. */
 export async function begin({ page }) {
@@ -27,4 +27,42 @@ export async function begin({ page }) {
     await page.reload();
     await page.waitForSelector('[data-testid=start]');
   }
+}
+
+/** Files that were opened are there again, at the next start too, with what lay beside them. */
+export async function recent({ page }) {
+  const start = async () => {
+    await page.evaluate(() => sessionStorage.clear());
+    await page.reload();
+    await page.waitForSelector('[data-testid=start]');
+    await page.waitForFunction(() => window.planish.store.state.description.makers.length);
+  };
+  const names = () => page.locator('[data-testid=recents] .tile b').allTextContents();
+  const examples = new URL('../../../examples/', import.meta.url).pathname;
+  await open(page, [`${examples}bracket.step`]);
+  await open(page, [`${examples}transition/a_square_to_round.json`]);
+  await open(page, [`${examples}bracket.step`]);
+  await page.waitForTimeout(500);
+  await start();
+  assert.deepEqual(await names(), ['bracket.step', 'a_square_to_round.json'], 'the last first, each once');
+  assert.equal(await page.locator('[data-testid=recents] path.sheet').count(), 2, 'with pictures');
+  await page.screenshot({ path: `${folder(page)}/recent.png` });
+  await page.click('[data-testid="recent-a_square_to_round.json"]');
+  await opened(page, 'a_square_to_round.json');
+  assert.equal(await state(page, 's.shape.report.status'), 'ok');
+  const slit = ['slit/scanned_chair.json', ...[0, 1, 2, 3, 4, 5].map((i) => `slit/low_chair_scan${i}.xyz`)];
+  await open(
+    page,
+    slit.map((name) => examples + name),
+  );
+  await page.waitForTimeout(500);
+  await start();
+  await page.click('[data-testid="recent-scanned_chair.json"]');
+  await opened(page, 'scanned_chair.json');
+  assert.equal(await state(page, 's.problem'), null, 'the scans came with it');
+  await start();
+  await page.click('[data-testid=forget-recents]');
+  await page.waitForFunction(() => !document.querySelector('[data-testid=recents]'));
+  await start();
+  assert.deepEqual(await names(), []);
 }

@@ -1,0 +1,33 @@
+import type { Api } from './api.ts';
+import type { Recent } from './recents.ts';
+import type { Store } from './state.ts';
+import { soundWorkshop } from './workshop-state.ts';
+
+const workshop = 'workshop.json';
+export const recentList = 'recent.json';
+
+/** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
+export async function bringKept(api: Api, store: Store) {
+  const names = new Set((await api.keptNames().catch(() => [])).map((f) => f.name));
+  const read = async (name: string): Promise<unknown> => {
+    try {
+      return names.has(name) ? JSON.parse(new TextDecoder().decode(await api.kept(name))) : null;
+    } catch {
+      return null; // damaged, or of another version
+    }
+  };
+  const [kept, recents] = [await read(workshop), await read(recentList)];
+  if (kept) store.dispatch({ type: 'workshop', workshop: soundWorkshop(kept) });
+  if (Array.isArray(recents)) store.dispatch({ type: 'recents', recents: recents.filter(isSound) });
+  store.subscribe((state, before) => {
+    if (state.workshop === before.workshop) return;
+    api
+      .keep(workshop, new Blob([JSON.stringify(state.workshop)]))
+      .catch(() =>
+        store.dispatch({ type: 'note', note: 'This machine has no room left to keep this for the next part.' }),
+      );
+  });
+}
+
+const isSound = (recent: Recent) =>
+  typeof recent?.key === 'string' && typeof recent.name === 'string' && Array.isArray(recent.beside);

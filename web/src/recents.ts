@@ -1,0 +1,95 @@
+import type { Api } from './api.ts';
+import { pictureOf, type Picture } from './bodies.ts';
+import { recentList } from './kept-here.ts';
+import type { State, Store } from './state.ts';
+import type { Kind } from './types.ts';
+
+/** A file that was opened lately. Its bytes, and those of the files beside it, are kept on this machine. */
+export interface Recent {
+  key: string; // of its name and bytes
+  name: string;
+  kind: Kind;
+  beside: string[];
+  picture?: Picture;
+}
+
+const most = 8;
+const fileOf = (key: string, number = 0) => `recent-${key}-${number}`;
+
+/** Files that were opened lately, the last first; those that cannot be kept are left out. */
+export class Recents {
+  private readonly api: Api;
+  private readonly store: Store;
+  private pending: Promise<unknown> = Promise.resolve();
+  private latest: { key: string; document: string } | null = null;
+
+  constructor(api: Api, store: Store) {
+    this.api = api;
+    this.store = store;
+    store.subscribe((state, before) => {
+      if (state.result !== before.result) this.pictured(state);
+    });
+  }
+
+  /** A file that was opened as a document, with the files beside it. */
+  opened(name: string, bytes: ArrayBuffer, beside: Record<string, ArrayBuffer>) {
+    const { id, kind } = this.store.state.document!;
+    this.then(async () => {
+      const key = await keyOf(name, bytes),
+        others = Object.entries(beside),
+        known = this.all.find((r) => r.key === key);
+      if (!known || known.beside.join() !== others.map(([n]) => n).join()) {
+        await this.api.keep(fileOf(key), new Blob([bytes]));
+        for (const [i, [, other]] of others.entries()) await this.api.keep(fileOf(key, i + 1), new Blob([other]));
+      }
+      this.latest = { key, document: id };
+      const own = { ...known, key, name, kind, beside: others.map(([n]) => n) };
+      await this.write([own, ...this.all.filter((r) => r.key !== key)]);
+      this.pictured(this.store.state);
+    });
+  }
+
+  async bytesOf({ key, beside }: Recent): Promise<{ main: ArrayBuffer; beside: Record<string, ArrayBuffer> }> {
+    const entries = beside.map(async (name, i) => [name, await this.api.kept(fileOf(key, i + 1))] as const);
+    return { main: await this.api.kept(fileOf(key)), beside: Object.fromEntries(await Promise.all(entries)) };
+  }
+
+  forget() {
+    this.then(() => this.write([]));
+  }
+
+  private get all() {
+    return this.store.state.recents;
+  }
+
+  /** The picture of a file is that of its first result. */
+  private pictured({ document, result }: State) {
+    const { latest } = this;
+    if (!result || !latest || document?.id !== latest.document) return;
+    const picture = pictureOf(result);
+    this.latest = null;
+    if (picture) this.then(() => this.write(this.all.map((r) => (r.key === latest.key ? { ...r, picture } : r))));
+  }
+
+  private async write(recents: Recent[]) {
+    const kept = recents.slice(0, most),
+      gone = this.all.filter((r) => !kept.some((k) => k.key === r.key)).concat(recents.slice(most));
+    await this.api.keep(recentList, new Blob([JSON.stringify(kept)]));
+    this.store.dispatch({ type: 'recents', recents: kept });
+    for (const { key, beside } of gone)
+      for (let i = 0; i <= beside.length; ++i) await this.api.forget(fileOf(key, i)).catch(() => undefined);
+  }
+
+  /** One thing after the other. A machine on which nothing can be kept has no recent files, and that is all. */
+  private then(work: () => Promise<void>) {
+    this.pending = this.pending
+      .catch(() => undefined)
+      .then(work)
+      .catch(() => undefined);
+  }
+}
+
+async function keyOf(name: string, bytes: ArrayBuffer): Promise<string> {
+  const digest = await crypto.subtle.digest('SHA-256', await new Blob([name, '\n', bytes]).arrayBuffer());
+  return [...new Uint8Array(digest).subarray(0, 12)].map((b) => b.toString(16).padStart(2, '0')).join('');
+}
