@@ -1,15 +1,18 @@
 #!/usr/bin/python3
 """Reads shapes as the page does, folds them, and compares the folded corners with those of the STEP file."""
 
+import csv
 import itertools
 import json
 import math
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from planish_studio import EXAMPLES, StudioTest, main  # noqa: E402
+from planish_studio import CLI, EXAMPLES, StudioTest, main  # noqa: E402
 
 ALL = ["bracket.step", "connect/a_folded.json", "connect/b_lofted.json", "connect/ten_plates.json", "transition/a_square_to_round.json",
        "transition/h_hexagon_to_round.json", "slit/chair.json"]
@@ -98,6 +101,21 @@ class Shapes(StudioTest):
                 total += area
         flat = shape.report["flat"] or shape.report["pieces"][0]["flat"]
         self.assertAlmostEqual(total, flat["area"], delta=1e-3 * flat["area"])
+
+    def test_pierces_are_those_of_the_part_list(self):
+        """Contours and slits, as `planish pack` counts them."""
+        for name in ("bracket.step", "connect/a_folded.json", "slit/arch.json"):
+            document, spec = self.studio.open_example(name)
+            with tempfile.TemporaryDirectory() as folder:
+                subprocess.run([CLI, "pack", EXAMPLES / name, "-o", f"{folder}/pack", "--no-plan", "--no-drawings"], check=True, capture_output=True, timeout=200)
+                with open(f"{folder}/pack/parts.csv", newline="") as file:
+                    rows = [row for row in csv.DictReader(file) if row["file"] != "total"]
+            for verb in ("draft", "result"):
+                self.assertEqual([str(self.studio.shape(document, verb, spec).json["pierces"])], [row["pierces"] for row in rows], (name, verb))
+        sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
+        import step_files
+        refused = self.studio.open("block.step", step_files.block()).json()["id"]
+        self.assertIsNone(self.studio.shape(refused, "result").json["pierces"])
 
     def test_arrays_fit_each_other(self):
         for name in ALL:

@@ -24,7 +24,10 @@ export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside:
   });
 }
 
-/** Keeps the input with what undo and redo go through, the farthest steps last: of large inputs as many as there is room for. */
+/**
+ * Keeps the input with what undo and redo go through, the farthest steps last: of large inputs as many as there is room
+ * for.
+ */
 export function keepHistory({ input, past, future }: Pick<State, 'input' | 'past' | 'future'>) {
   for (let steps = past.length + future.length; ; steps >>= 1) {
     const text = JSON.stringify({ input, past: steps ? past.slice(-steps) : [], future: future.slice(0, steps) });

@@ -166,7 +166,7 @@ function fileRow(ui: Ui, kind: FromFile, label: string, accept: string) {
         ? html`<button
             class="link"
             data-testid="${kind}-forget"
-            title="This browser no longer keeps ${file.name}; the part keeps what it has of it"
+            title="${file.name} is no longer kept on this machine; the part keeps what it has of it"
             @click=${() => ui.dispatch({ type: 'table-forgotten', file })}
           >
             Forget it
