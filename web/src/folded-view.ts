@@ -5,7 +5,7 @@ import { CubeView } from './cube-view.ts';
 import { cutAt, isKept } from './section.ts';
 import type { ViewState } from './view-state.ts';
 import { PlateGizmo } from './plate-gizmo.ts';
-import { HandleObjects, ridgeEnds, type RidgeEnd } from './handles.ts';
+import { HandleObjects, noOverlay, ridgeEnds, type Overlay, type RidgeEnd } from './handles.ts';
 import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
 import type { PickedLine } from './lines.ts';
@@ -29,17 +29,6 @@ export interface FoldedViewEvents extends LookEvents {
   zoomed(): void;
 }
 
-export interface Overlay {
-  anchors: AnchorSpec[];
-  scale: number; // millimetres in a unit of the anchors
-  plate: string | null;
-  numbered: string[]; // plates whose edges bear their numbers
-  anchor: number | null;
-  gizmo: 'translate' | 'rotate';
-  ridges: number; // of a strip before it is subdivided
-  handles: boolean; // whether handles fit what is shown: not while it is partly folded
-}
-
 /** What is marked: a row of parts, the number of an edge. */
 export interface Picked {
   part: number | null;
@@ -59,16 +48,7 @@ export class FoldedView {
   private picked: Picked = { part: null, edge: null };
   private hit: number | null = null; // the part that collides
   private shape: Shape | null = null;
-  private overlay: Overlay = {
-    anchors: [],
-    scale: 1,
-    plate: null,
-    numbered: [],
-    anchor: null,
-    gizmo: 'translate',
-    handles: true,
-    ridges: 10,
-  };
+  private overlay: Overlay = noOverlay;
   private palette: Palette;
   private press: { x: number; y: number; anchor: number | null; plane: Plane } | null = null;
   private frame = 0;

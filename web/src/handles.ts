@@ -16,6 +16,28 @@ import {
 import type { Palette } from './theme.ts';
 import type { AnchorSpec, Handles, Vec3 } from './types.ts';
 
+export interface Overlay {
+  anchors: AnchorSpec[];
+  scale: number; // millimetres in a unit of the anchors
+  plate: string | null;
+  numbered: string[]; // plates whose edges bear their numbers
+  anchor: number | null;
+  gizmo: 'translate' | 'rotate';
+  ridges: number; // of a strip before it is subdivided
+  handles: boolean; // whether handles fit what is shown: not while it is partly folded
+}
+
+export const noOverlay: Overlay = {
+  anchors: [],
+  scale: 1,
+  plate: null,
+  numbered: [],
+  anchor: null,
+  gizmo: 'translate',
+  handles: true,
+  ridges: 10,
+};
+
 /** Curves and points beside the sheet: handles to drag, and the curves that the sheet follows. */
 export class HandleObjects {
   readonly group = new Group();

@@ -19,6 +19,7 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { markedWith, type PickedLine } from './lines.ts';
 import { setRim } from './rim.ts';
+import { replaceGeometry, bothSkins, doubled, rowsOf, setTint, spaceGeometry } from './sheet-geometry.ts';
 import { isLarge, simplified } from './sheet-lod.ts';
 import { capOf, type Cut } from './section.ts';
 import { sheetMaterial } from './sheet-material.ts';
@@ -350,55 +351,4 @@ function liesOn({ shape, corners }: SheetMesh, a: number, b: number, part: numbe
     const along = (vx * ux + vy * uy) / length;
     return Math.abs(vx * uy - vy * ux) < 0.01 * length && along > -0.01 && along < length + 0.01;
   });
-}
-
-function replaceGeometry(object: Mesh | LineSegments, geometry: BufferGeometry) {
-  object.geometry.dispose();
-  object.geometry = geometry;
-}
-
-function bothSkins(triangles: Uint32Array, n: number): BufferGeometry {
-  const index = new Uint32Array(2 * triangles.length);
-  index.set(triangles);
-  for (let i = 0; i < triangles.length; i += 3) {
-    index[triangles.length + i] = n + triangles[i]!;
-    index[triangles.length + i + 1] = n + triangles[i + 2]!;
-    index[triangles.length + i + 2] = n + triangles[i + 1]!;
-  }
-  return new BufferGeometry().setIndex(new BufferAttribute(index, 1));
-}
-
-function doubled(pairs: Uint32Array, n: number): BufferGeometry {
-  const index = new Uint32Array(2 * pairs.length);
-  index.set(pairs);
-  for (let i = 0; i < pairs.length; ++i) index[pairs.length + i] = n + pairs[i]!;
-  return new BufferGeometry().setIndex(new BufferAttribute(index, 1));
-}
-
-/** The part of each corner, of the upper skin and of the lower one. */
-function rowsOf({ shape, cornerFacet }: SheetMesh): Float32Array {
-  const n = cornerFacet.length,
-    rows = new Float32Array(2 * n);
-  for (let c = 0; c < n; ++c) rows[c] = rows[n + c] = shape.facet_part[cornerFacet[c]!]!;
-  return rows;
-}
-
-function setTint(geometry: BufferGeometry, tint: Color) {
-  const count = geometry.getAttribute('position')?.count ?? 0,
-    values = new Float32Array(3 * count);
-  for (let i = 0; i < 3 * count; i += 3) {
-    values[i] = tint.r;
-    values[i + 1] = tint.g;
-    values[i + 2] = tint.b;
-  }
-  geometry.setAttribute('tint', new BufferAttribute(values, 3));
-}
-
-function spaceGeometry(shape: Shape): BufferGeometry {
-  let geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(shape.space_points, 3));
-  geometry.setIndex(new BufferAttribute(shape.space_triangles, 1));
-  geometry = geometry.toNonIndexed(); // every triangle shaded by its own plane
-  geometry.computeVertexNormals();
-  return geometry;
 }

@@ -25,7 +25,7 @@ const sectioned = (page) =>
     return count;
   });
 
-/** A section in both themes: what is cut has a colour of its own, as thick as the sheet; what is cut away is not picked. */
+/** A section in both themes: its colour is as thick as the sheet; what is cut away is not picked. */
 export async function section({ page }) {
   await open(page, [`${folder(page)}/../channel.step`]);
   await page.click('[data-testid=view-right]'); // towards −x: a U
