@@ -12,6 +12,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tarfile
@@ -323,10 +324,11 @@ class InBareDebian(InRoot):
 
     def test_the_studio_answers(self):
         process = subprocess.Popen(self.root.command("planish", "studio", "--no-browser", f"{EXAMPLES}/bracket.step"),
-                                   stdout=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL)
+                                   stdout=subprocess.PIPE, text=True, stdin=subprocess.DEVNULL, start_new_session=True)
         self.addCleanup(process.stdout.close)
         self.addCleanup(process.wait)
-        self.addCleanup(process.kill)  # unshare ignores SIGTERM
+        # unshare ignores SIGTERM, and what it runs outlives it, since it has become another user's.
+        self.addCleanup(os.killpg, process.pid, signal.SIGKILL)
         port, token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/#(\w+)\n", process.stdout.readline()).groups()
 
         def ask(method, path, body=None):
