@@ -1,12 +1,10 @@
 import type { Api } from './api.ts';
-import type { Recent } from './recents.ts';
+import { recentList, type Recent } from './recents.ts';
 import type { Store } from './state.ts';
-import { keepView, soundView } from './split.ts';
+import { keepView, soundView, viewFile } from './split.ts';
 import { soundWorkshop } from './workshop-state.ts';
 
 const workshop = 'workshop.json';
-export const recentList = 'recent.json';
-export const viewFile = 'views.json';
 
 /** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
 export async function bringKept(api: Api, store: Store) {

@@ -1,6 +1,5 @@
 import type { Api } from './api.ts';
 import { pictureOf, type Picture } from './bodies.ts';
-import { recentList } from './kept-here.ts';
 import type { State, Store } from './state.ts';
 import type { Kind } from './types.ts';
 
@@ -13,6 +12,7 @@ export interface Recent {
   picture?: Picture;
 }
 
+export const recentList = 'recent.json';
 const most = 8;
 const fileOf = (key: string, number = 0) => `recent-${key}-${number}`;
 
@@ -82,10 +82,7 @@ export class Recents {
 
   /** One thing after the other. A machine on which nothing can be kept has no recent files, and that is all. */
   private then(work: () => Promise<void>) {
-    this.pending = this.pending
-      .catch(() => undefined)
-      .then(work)
-      .catch(() => undefined);
+    this.pending = this.pending.then(work).catch(() => undefined);
   }
 }
 

@@ -1,11 +1,11 @@
 import { html } from 'lit-html';
 import type { Api } from './api.ts';
-import { viewFile } from './kept-here.ts';
 import { arrangementFor, arrangementOf, evenly, type Arrangement, type ViewState } from './view-state.ts';
 import type { State } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
 
+export const viewFile = 'views.json';
 const step = 0.02;
 const pause = 300; // ms, after which what was changed is kept
 

@@ -2,6 +2,8 @@
 
 #include "../work/attachments.hpp"
 
+#include <planish/io/flat_writers.hpp>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/stat.h>
@@ -17,16 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of files being written; no plain name begins so.
-constexpr auto kUnfinished = ".unfinished";
-
 Answer not_kept(const std::string& name) {
   return failure(404, "not_found", fmt::format("nothing is kept as {}", name), name);
 }
 
-Answer cannot_keep(const std::string& name, const fs::path& folder) {
-  return failure(500, "cannot_write",
-                 fmt::format("{} cannot be written in {}", name, folder.string()), name);
+Answer cannot_keep(const std::string& name, const std::string& why) {
+  return failure(500, "cannot_write", why, name);
 }
 
 std::vector<fs::directory_entry> files_in(const fs::path& folder) {
@@ -37,13 +35,6 @@ std::vector<fs::directory_entry> files_in(const fs::path& folder) {
       files.push_back(entry);
   std::ranges::sort(files);
   return files;
-}
-
-bool write_file(const fs::path& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  file.close();
-  return file.good();
 }
 
 }  // namespace
@@ -75,7 +66,7 @@ Answer KeptFiles::write(const std::string& name, const std::string& bytes) {
         fmt::format("{} is too large to be kept; {} MiB are the most", name, kLargestKept >> 20),
         name);
   const std::lock_guard lock(mutex_);
-  if (folder_.empty()) return cannot_keep(name, folder_);
+  if (folder_.empty()) return cannot_keep(name, "there is no home folder to keep anything in");
   const auto present = files_in(folder_);
   const bool known = std::ranges::any_of(
       present, [&](const auto& file) { return file.path().filename() == name; });
@@ -84,13 +75,8 @@ Answer KeptFiles::write(const std::string& name, const std::string& bytes) {
                    name);
   std::error_code failed;
   if (fs::create_directories(folder_, failed)) ::chmod(folder_.c_str(), S_IRWXU);
-  const fs::path unfinished = folder_ / kUnfinished;
-  const bool written = !failed && write_file(unfinished, bytes);
-  if (written) fs::rename(unfinished, folder_ / name, failed);
-  if (!written || failed) {
-    fs::remove(unfinished, failed);
-    return cannot_keep(name, folder_);
-  }
+  if (const auto written = write_file(folder_ / name, bytes); !written)
+    return cannot_keep(name, written.error().message);
   return {204, "", ""};
 }
 

@@ -1,37 +1,7 @@
 import assert from 'node:assert/strict';
 import { violations } from '../axe.mjs';
 import { example, opened, rested, state } from '../driving.mjs';
-
-const square = (id, outline) => ({ id, outline });
-
-/** Two walls that cover each other when flat. */
-const walls = Buffer.from(
-  JSON.stringify({
-    format: 'planish/plates',
-    version: 1,
-    thickness: 2,
-    plates: [
-      square('floor', [
-        [0, 0, 0],
-        [100, 0, 0],
-        [100, 100, 0],
-        [0, 100, 0],
-      ]),
-      square('up', [
-        [106, 0, 6],
-        [106, 200, 6],
-        [106, 200, 100],
-        [106, 0, 100],
-      ]),
-      square('down', [
-        [0, 106, -6],
-        [200, 106, -6],
-        [200, 106, -100],
-        [0, 106, -100],
-      ]),
-    ],
-  }),
-);
+import { walls } from '../walls.mjs';
 
 /** Everyone can use the page: no state of it has a violation, in either theme. */
 export async function access({ page }) {
@@ -75,7 +45,7 @@ export async function access({ page }) {
   await page.setInputFiles('[data-testid=file-input]', {
     name: 'walls.json',
     mimeType: 'application/json',
-    buffer: walls,
+    buffer: Buffer.from(walls),
   });
   await opened(page, 'walls.json');
   await tabs('refused');

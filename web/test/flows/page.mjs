@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { coarse, download, drag, enter, example, folder, fresh, open, opened, rested, state } from '../driving.mjs';
+import { walls } from '../walls.mjs';
 
 /** Evaluated in the page: what is cut off, or covers its neighbour, outside of the views. */
 function untidy() {
@@ -88,38 +89,12 @@ export async function inch({ page }) {
 
 // A file let fall on the window; its pattern covers itself.
 export async function drop({ page }) {
-  const square = (id, points) => ({ id, outline: points }),
-    walls = {
-      format: 'planish/plates',
-      version: 1,
-      thickness: 2,
-      plates: [
-        square('floor', [
-          [0, 0, 0],
-          [100, 0, 0],
-          [100, 100, 0],
-          [0, 100, 0],
-        ]),
-        square('up', [
-          [106, 0, 6],
-          [106, 200, 6],
-          [106, 200, 100],
-          [106, 0, 100],
-        ]),
-        square('down', [
-          [0, 106, -6],
-          [200, 106, -6],
-          [200, 106, -100],
-          [0, 106, -100],
-        ]),
-      ],
-    };
   await page.evaluate((text) => {
     const dataTransfer = new DataTransfer();
     dataTransfer.items.add(new File([text], 'walls.json', { type: 'application/json' }));
     for (const type of ['dragover', 'drop'])
       document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
-  }, JSON.stringify(walls));
+  }, walls);
   await opened(page, 'walls.json');
   await page.waitForSelector('.message.error:has-text("overlap by")');
   for (const theme of ['light', 'dark']) {
