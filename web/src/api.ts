@@ -16,6 +16,7 @@ type More = Pick<RequestInit, 'keepalive' | 'signal'>;
 
 export class Api {
   private readonly token: string;
+  private readonly keeping = new Map<string, Promise<unknown>>(); // by name
   constructor(token: string) {
     this.token = token;
   }
@@ -43,9 +44,15 @@ export class Api {
   /** What is kept on this machine from one start to the next. */
   kept = async (name: string) => (await this.call('GET', `/api/kept/${encodeURIComponent(name)}`)).arrayBuffer();
   keptNames = () => this.json<{ name: string; size: number }[]>('GET', '/api/kept');
-  keep = (name: string, content: Blob) =>
-    // What is small is kept even if the page is left now.
-    this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, content, { keepalive: content.size < 60_000 });
+  keep = (name: string, content: Blob) => {
+    // What is small is kept even if the page is left now; of two contents the later one stays.
+    const write = () =>
+      this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, content, { keepalive: content.size < 60_000 });
+    const earlier = this.keeping.get(name),
+      written = earlier ? earlier.then(write, write) : write();
+    this.keeping.set(name, written);
+    return written;
+  };
   forget = (name: string) => this.call('DELETE', `/api/kept/${encodeURIComponent(name)}`);
   /** An answer that lasts as long as the page, so that the server knows of it. False: it need not know. */
   stay = async (): Promise<boolean> => {

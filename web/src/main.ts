@@ -115,13 +115,18 @@ const orderWork = new OrderWork(api, store, () => documents.reopen());
 
 let waiting = 0;
 let scrolledFor: string | undefined;
+function drawWaiting() {
+  if (!waiting) return;
+  cancelAnimationFrame(waiting);
+  waiting = 0;
+  draw();
+}
 store.subscribe((state, before) => {
   views.changed(state, before);
-  waiting ||= requestAnimationFrame(() => {
-    waiting = 0;
-    draw();
-  });
+  waiting ||= requestAnimationFrame(drawWaiting);
 });
+// What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
+for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, drawWaiting, true);
 
 let arrangedFor: string | undefined;
 store.subscribe((state, before) => {

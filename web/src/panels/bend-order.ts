@@ -46,7 +46,8 @@ const whatItDoes =
 
 function brakeSection(ui: Ui) {
   const { brake } = ui.state.order,
-    set = (patch: Partial<BrakeOptions>) => ui.dispatch({ type: 'brake', brake: withoutHoles({ ...brake, ...patch }) });
+    set = (patch: Partial<BrakeOptions>) =>
+      ui.dispatch({ type: 'brake', brake: withoutHoles({ ...ui.state.order.brake, ...patch }) });
   return section(
     'Press brake',
     html`<div class="pick">

@@ -42,7 +42,8 @@ function dxfPanel(ui: Ui, maker: MakerRow) {
   const { dxf } = ui.state.workshop,
     words = (name: string) => maker.options.find((o) => o.name === name)?.words ?? [],
     takes = (name: keyof DxfChoices) => maker.options.some((o) => o.name === name),
-    set = (patch: DxfChoices) => ui.dispatch({ type: 'dxf', dxf: withoutHoles({ ...dxf, ...patch }) });
+    set = (patch: DxfChoices) =>
+      ui.dispatch({ type: 'dxf', dxf: withoutHoles({ ...ui.state.workshop.dxf, ...patch }) });
   const ofShop = ui.state.input.options.shop ? ([['', 'those of the shop profile']] as const) : [];
   const rows = [
     takes('units') &&

@@ -29,8 +29,17 @@ export async function dxfpanel({ page }) {
   await page.selectOption('[data-testid=dxf-release]', '12');
   await page.waitForSelector('[data-testid=dxf-arcs]'); // release 12 has no splines
   assert.equal(await page.inputValue('[data-testid=dxf-splines]'), 'arcs');
-  await page.selectOption('[data-testid=dxf-profile]', 'onshape');
-  await page.selectOption('[data-testid=dxf-marks]', 'ticks');
+  await page.evaluate(() => {
+    // Faster than the page is drawn: both hold.
+    for (const [id, value] of [
+      ['profile', 'onshape'],
+      ['marks', 'ticks'],
+    ]) {
+      const select = document.querySelector(`[data-testid=dxf-${id}]`);
+      select.value = value;
+      select.dispatchEvent(new Event('change', { bubbles: true }));
+    }
+  });
   await enter(page, 'dxf-tick', '3');
   await enter(page, 'dxf-arcs', '0.02');
   for (const id of ['tangent', 'text', 'turned']) await page.check(`[data-testid=dxf-${id}]`);
