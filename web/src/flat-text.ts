@@ -23,9 +23,18 @@ export function markFindings(
     finding: i,
     severity,
     at: [x, y],
+    of,
     radius: r,
     numbered,
   } of marks) {
+    if (of[0] !== x || of[1] !== y) {
+      c.beginPath();
+      c.moveTo(...of);
+      c.lineTo(x, y);
+      c.strokeStyle = palette[severity];
+      c.lineWidth = 1.5;
+      c.stroke();
+    }
     c.beginPath();
     c.arc(x, y, r, 0, 2 * Math.PI);
     c.fillStyle = palette[severity];

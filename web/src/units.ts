@@ -20,6 +20,10 @@ export function lengthText(value: number | null | undefined, from: LengthUnit | 
   return clean(convert(value, from, to), to === 'inch' ? 3 : 2);
 }
 
+/** The thickness of a sheet, in thousandths of a millimetre, ten-thousandths of an inch. */
+export const gaugeText = (value: number | null | undefined, from: LengthUnit | undefined, to: DisplayUnit) =>
+  typeof value === 'number' ? clean(convert(value, from, to), to === 'inch' ? 4 : 3) : '–';
+
 /** A residual length, of which only the size matters, with its unit. */
 export const residualText = (value: number, from: LengthUnit | undefined, to: DisplayUnit) =>
   `${sizeText(convert(value, from, to))} ${unitName(to)}`;

@@ -26,19 +26,35 @@ test('dimension lines are on the sides away from the pattern', () => {
   assert.ok(!reach.some(({ at, by }) => (at[0] === 100 && by[0] > 1) || (at[1] === 50 && by[1] > 1)));
 });
 
-test('marks of findings that would cover each other lose their numbers, never that of the chosen one', () => {
+test('marks of findings that would cover each other step aside, never that of the chosen one', () => {
   const findings = [finding([0, 0]), finding([5, 0], [100, 0]), finding([6, 0])],
     at = (p: Vec2) => p;
-  const numbered = (selected: number | null) =>
-    findingMarks(findings, at, selected)
-      .filter((m) => m.numbered)
-      .map((m) => [m.finding, m.at[0]]);
-  assert.deepEqual(numbered(null), [[0, 0]]);
-  assert.deepEqual(numbered(2), [[2, 6]]);
-  assert.deepEqual(numbered(1), [
-    [1, 100],
-    [1, 5],
-  ]);
+  const numbered = (selected: number | null) => findingMarks(findings, at, selected).filter((m) => m.numbered);
+  for (const selected of [null, 0, 1, 2]) {
+    const marks = numbered(selected),
+      chosen = marks.filter((m) => m.finding === selected);
+    assert.deepEqual(new Set(marks.map((m) => m.finding)), new Set([0, 1, 2]), 'each has a number');
+    chosen.forEach((m) => assert.deepEqual(m.at, m.of));
+    for (const [i, m] of marks.entries()) {
+      assert.ok(Math.hypot(m.at[0] - m.of[0], m.at[1] - m.of[1]) <= 32, 'near to its place');
+      for (const n of marks.slice(0, i))
+        assert.ok(Math.hypot(m.at[0] - n.at[0], m.at[1] - n.at[1]) >= m.radius + n.radius - 1, 'none covers another');
+    }
+  }
+  assert.deepEqual(
+    numbered(1)
+      .map((m) => m.at[0])
+      .filter((x) => x === 5 || x === 100),
+    [100, 5],
+  );
+  // Places of the chosen finding that lie closer than its numbers are dots.
+  assert.deepEqual(
+    findingMarks([finding([0, 0], [5, 0])], at, 0).map((m) => [m.at[0], m.numbered]),
+    [
+      [5, false],
+      [0, true],
+    ],
+  );
 });
 
 test('a rule has one mark, at its worst place, until it is chosen: then one at each place', () => {

@@ -37,8 +37,9 @@ function drawDistance(c: CanvasRenderingContext2D, project: Project, answer: Ans
   if (answer.ends) arrows(c, a, b);
   const on = (t: number): Vec2 => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])],
     length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-  // a short line would be covered: its text stands beside its end
-  return length < 90 ? [1 + 48 / length, -48 / length, 1 + 80 / length].map(on) : [0.5, 0.36, 0.64, 0.22, 0.78].map(on);
+  // a short line would be covered: its text, which is wider than high, stands beside its end
+  const off = (16 + (32 * Math.abs(b[0] - a[0])) / length) / length;
+  return length < 90 ? [1 + off, -off, 1 + off + 32 / length].map(on) : [0.5, 0.36, 0.64, 0.22, 0.78].map(on);
 }
 
 function arrows(c: CanvasRenderingContext2D, a: Vec2, b: Vec2) {

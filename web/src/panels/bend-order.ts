@@ -169,7 +169,7 @@ function outcome(ui: Ui, answer: OrderAnswer, old: boolean) {
       ${repeat(shown, nameOf, (stroke, i) => strokeItem(ui, shown, rows.get(nameOf(stroke)), stroke, i, answer))}
     </ol>
     ${answer.strokes.length > 1
-      ? html`<p class="hint">Drag a stroke to another place, or press Alt with ↑ or ↓.</p>`
+      ? html`<p class="hint">Drag a stroke to another place, or press Alt with ↑ or ↓.</p>`
       : nothing}
     ${answer.notes.map((n) => html`<p class="hint">${sentence(n)}</p>`)}`;
 }

@@ -4,7 +4,7 @@ import type { BodyStatus, Picture } from '../bodies.ts';
 import { bodyOf } from '../state.ts';
 import type { BodyInfo } from '../types.ts';
 import type { Ui } from '../ui.ts';
-import { lengthText, unitName } from '../units.ts';
+import { gaugeText, lengthText, unitName } from '../units.ts';
 import { section } from './fields.ts';
 
 /** The bodies of an assembly: what became of each, and which one is shown. */
@@ -53,7 +53,7 @@ function row(ui: Ui, b: BodyInfo, known: BodyStatus | undefined, shown: boolean)
     text = (v: number | undefined) => lengthText(v, known?.units, units),
     name = b.name || `body ${b.number}`;
   const sizes = [
-    known?.thickness !== undefined && isSheet(known) ? `t ${text(known.thickness)}` : '',
+    known?.thickness !== undefined && isSheet(known) ? `t ${gaugeText(known.thickness, known.units, units)}` : '',
     known?.size ? `${text(known.size[0])} × ${text(known.size[1])} ${unitName(units)}` : '',
   ].filter(Boolean);
   return html`<button

@@ -4,7 +4,7 @@ import type { Tab } from '../state.ts';
 import type { PieceReport, PlatesSpec, TransitionSpec } from '../types.ts';
 import { areaText, massText } from '../amounts.ts';
 import { unconfirmedK } from '../default-k.ts';
-import { clean, lengthText, unitName } from '../units.ts';
+import { clean, gaugeText, lengthText, unitName } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { bendOrder } from './bend-order.ts';
 import { panels } from './kinds.ts';
@@ -79,7 +79,7 @@ function summary(ui: Ui) {
       report?.flat ? `${text(report.flat.size[0])} × ${text(report.flat.size[1])}` : '–',
       'blank-size',
     ],
-    ['Thickness', text(report?.sheet?.thickness), 'sheet-thickness'],
+    ['Thickness', gaugeText(report?.sheet?.thickness, report?.units, ui.state.units), 'sheet-thickness'],
     [
       'Cut length',
       report?.flat?.cutting ? text(report.flat.cutting.outer + report.flat.cutting.inner) : '–',

@@ -58,8 +58,11 @@ const kinds: Record<string, string> = {
 
 const recentTile = (ui: Ui, r: Recent) =>
   html`<button class="tile" data-testid="recent-${r.name}" @click=${() => ui.openRecent(r)}>
-    ${drawing(r.picture)}<b>${r.name}</b><small>${kinds[r.kind] ?? r.kind}</small>
+    ${drawing(r.picture)}<b title=${r.name}>${breaking(r.name)}</b><small>${kinds[r.kind] ?? r.kind}</small>
   </button>`;
+
+/** A file's name, which may go on in another line after each of its words. */
+const breaking = (name: string) => name.split(/(?<=[_\-. ])/).map((word, i) => (i ? html`<wbr />${word}` : word));
 
 const tile = (ui: Ui, e: Example) =>
   html`<button class="tile" data-testid="start-${e.name}" @click=${() => ui.openExample(e.name)}>
