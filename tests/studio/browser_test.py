@@ -224,6 +224,18 @@ class Browser(StudioTest):
     def test_every_state_of_the_page_is_for_everyone(self):
         self.flow("access")
 
+    def test_both_views_are_for_everyone_while_one_measures_and_cuts(self):
+        self.flow("viewstates")
+
+    def test_lists_and_refusals_are_for_everyone(self):
+        self.flow("liststates")
+
+    def test_the_machine_is_for_everyone(self):
+        self.flow("machinestates")
+
+    def test_panels_are_for_everyone_with_all_that_they_unfold(self):
+        self.flow("panelstates")
+
     def test_a_new_file_of_each_kind_can_be_begun(self):
         self.flow("begin")
 

@@ -11,3 +11,19 @@ export async function violations(page) {
     ),
   );
 }
+
+/** What is found against the page in both themes, a state after the other; `found` has a line each. */
+export function looker(page) {
+  const found = [];
+  const look = async (what) => {
+    for (const theme of ['light', 'dark']) {
+      await page.evaluate((t) => {
+        document.documentElement.dataset.theme = t;
+        window.planish.store.dispatch({ type: 'theme', theme: t });
+      }, theme);
+      await page.waitForTimeout(50);
+      for (const line of await violations(page)) found.push(`${what}, ${theme}: ${line}`);
+    }
+  };
+  return { found, look };
+}

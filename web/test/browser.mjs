@@ -17,6 +17,7 @@ import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
 import * as start from './flows/start.mjs';
+import * as states from './flows/states.mjs';
 import * as transition from './flows/transition.mjs';
 import * as unfold from './flows/unfold.mjs';
 
@@ -39,6 +40,7 @@ const flows = {
   ...right,
   ...server,
   ...access,
+  ...states,
   ...start,
 };
 

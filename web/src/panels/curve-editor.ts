@@ -26,12 +26,19 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
     { selection, units } = ui.state,
     chosen = selection.point?.curve === o.name ? selection.point.index : null;
   const at = ([x, y]: Vec2): Vec2 => [width / 2 + (x - box.x) * scale, height / 2 - (y - box.y) * scale];
+  const choose = (i: number) => ui.dispatch({ type: 'select', selection: { point: { curve: o.name, index: i } } });
+  const press = (i: number) => (e: KeyboardEvent) => {
+    if (e.key !== 'Enter' && e.key !== ' ') return;
+    choose(i);
+    e.preventDefault();
+    e.stopPropagation(); // space would fold
+  };
   const drag = (i: number) => (e: PointerEvent) => {
     const circle = e.target as SVGCircleElement,
       r = circle.ownerSVGElement!.getBoundingClientRect(),
       zoom = width / r.width;
     circle.setPointerCapture(e.pointerId);
-    ui.dispatch({ type: 'select', selection: { point: { curve: o.name, index: i } } });
+    choose(i);
     const move = (m: PointerEvent) => {
       const x = (m.clientX - r.left) * zoom,
         y = (m.clientY - r.top) * zoom;
@@ -63,7 +70,9 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
         const [x, y] = at(p);
         const place = p.map((v, k) => `${o.axes[k]} ${lengthText(v, o.units, units)}`).join(', ');
         return svg`<g><circle class=${i === chosen ? 'on' : ''} cx=${x} cy=${y} r="6"
-          data-testid="curve-${o.name}-${i}" @pointerdown=${drag(i)}><title>${place}</title></circle></g>`;
+          role="button" tabindex="0" aria-label="Point ${i + 1}: ${place}" aria-pressed=${String(i === chosen)}
+          data-testid="curve-${o.name}-${i}" @pointerdown=${drag(i)} @keydown=${press(i)}><title>${place}</title>
+          </circle></g>`;
       })}
     </svg>
     <p class="row curve-note">
@@ -83,7 +92,8 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
 /** The chosen point, in numbers; the row is present without one too, so that nothing moves during a drag. */
 function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
   const p = chosen === null ? undefined : o.control[chosen];
-  if (chosen === null || !p) return html`<p class="hint point">Drag a point, or click it to enter its coordinates.</p>`;
+  if (chosen === null || !p)
+    return html`<p class="hint point">Drag a point, or choose it to enter its coordinates.</p>`;
   const remove = () => {
     ui.edit<SlitSpec>((s) => removePoint(s, o.name, chosen));
     ui.dispatch({ type: 'select', selection: {} });

@@ -1,21 +1,11 @@
 import assert from 'node:assert/strict';
-import { violations } from '../axe.mjs';
+import { looker } from '../axe.mjs';
 import { example, opened, rested, state } from '../driving.mjs';
 import { walls } from '../walls.mjs';
 
 /** Everyone can use the page: no state of it has a violation, in either theme. */
 export async function access({ page }) {
-  const found = [];
-  const look = async (what) => {
-    for (const theme of ['light', 'dark']) {
-      await page.evaluate((t) => {
-        document.documentElement.dataset.theme = t;
-        window.planish.store.dispatch({ type: 'theme', theme: t });
-      }, theme);
-      await page.waitForTimeout(50);
-      for (const line of await violations(page)) found.push(`${what}, ${theme}: ${line}`);
-    }
-  };
+  const { found, look } = looker(page);
   const tabs = async (what) => {
     for (const tab of ['input', 'bends', 'order', 'findings', 'certificate']) {
       await page.click(`[data-testid=tab-${tab}]`);

@@ -80,7 +80,8 @@ export async function points({ page }) {
     await at(),
     before.filter((_, i) => i !== 1),
   );
-  await page.click('[data-testid=curve-seat-0]');
+  await page.focus('[data-testid=curve-seat-0]');
+  await page.keyboard.press('Space');
   assert.ok(await page.isDisabled('[data-testid=curve-seat-remove]'), 'the ends stay');
   await page.keyboard.press('Control+z');
   await page.keyboard.press('Control+z');
