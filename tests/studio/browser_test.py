@@ -154,6 +154,9 @@ class Browser(StudioTest):
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
 
+    def test_one_measures_by_keys_alone(self):
+        self.flow("measurekeys")
+
     def test_a_section_shows_the_thickness_and_glass_what_is_behind(self):
         self.flow("section")
 

@@ -3,7 +3,15 @@ import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
 
 /** The views in words, for those who do not see them. */
-export function foldedText(state: State): string {
+export const foldedText = (state: State): string => partText(state) + measuringText(state);
+export const flatText = (state: State): string => patternText(state) + measuringText(state);
+
+const measuringText = ({ measure }: State) =>
+  measure.on
+    ? '. Arrow keys go from one thing to the next, Enter picks it, V goes to the other view, Escape ends.'
+    : '';
+
+function partText(state: State): string {
   const { document: d, fold } = state;
   if (!d) return 'Folded part: nothing is open';
   if (isInMachine(state)) return `${d.name} in the press brake`;
@@ -12,7 +20,7 @@ export function foldedText(state: State): string {
   return `Folded part ${d.name}${parts}; folded by ${clean(100 * fold, 0)} %`;
 }
 
-export function flatText(state: State): string {
+function patternText(state: State): string {
   const { document: d, units } = state;
   const report = pieceOf(state)?.flat ? pieceOf(state) : knownPiece(state),
     flat = report?.flat;

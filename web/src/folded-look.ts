@@ -78,16 +78,14 @@ export class FoldedLook {
   /** What would be measured from or to: a corner, a middle or a centre before a line, a line before a flange. */
   refUnder(of: Measured, e: PointerEvent): Ref | null {
     const { line, skin } = this.under(e),
-      r = this.canvas.getBoundingClientRect(),
-      slack = this.slack;
-    const toScreen = (...at: Vec3): Vec2 => {
-      const p = this.eye.toScreen(at);
-      return [p.x, p.y];
-    };
-    const snapped = snapAt(of, 'folded', toScreen, [e.clientX - r.left, e.clientY - r.top], (at, _upper, place) => {
-      const front = this.sight.skinAt(...at, this.isShown);
-      return this.isShown(...place) && (!front || front.depth > this.sight.depthOf(place) - slack);
-    });
+      r = this.canvas.getBoundingClientRect();
+    const snapped = snapAt(
+      of,
+      'folded',
+      (...at) => this.toScreen(at),
+      [e.clientX - r.left, e.clientY - r.top],
+      (at, _upper, place) => this.isInFront(at, place),
+    );
     if (snapped) return snapped;
     const edge = line && 'edge' in line.line ? refOfEdge(of, line.line.edge, line.upper) : null,
       part = skin ? of.shape.facet_part[skin.facet]! : null;
@@ -95,6 +93,23 @@ export class FoldedLook {
     if (part === null) return null;
     const at = inPlace(of.shape, part, skin!.at);
     return at ? { kind: 'flange', part, upper: skin!.upper, at } : { kind: 'bend', part, line: 0 };
+  }
+
+  /** Whether a place of the sheet is there to be seen. */
+  isSeen(place: Vec3): boolean {
+    const r = this.canvas.getBoundingClientRect();
+    this.sight.look(this.sheet.drawn, this.sheet.version, this.eye.camera, r.width, r.height);
+    return this.isInFront(this.toScreen(place), place);
+  }
+
+  private isInFront(at: Vec2, place: Vec3): boolean {
+    const front = this.sight.skinAt(...at, this.isShown);
+    return this.isShown(...place) && (!front || front.depth > this.sight.depthOf(place) - this.slack);
+  }
+
+  private toScreen(at: Vec3): Vec2 {
+    const p = this.eye.toScreen(at);
+    return [p.x, p.y];
   }
 
   /** Draws the lines of what is lit up. */

@@ -248,6 +248,11 @@ export class FoldedView {
     return { x: r.left + p.x, y: r.top + p.y };
   }
 
+  /** Whether the sheet is seen there, and not hidden by what lies before it. */
+  isSeen(at: Vec3): boolean {
+    return this.under.isSeen(at);
+  }
+
   private listen(canvas: HTMLCanvasElement) {
     canvas.addEventListener('pointerdown', (e) => this.down(e), true);
     canvas.addEventListener('pointermove', (e) => this.move(e));

@@ -8,6 +8,7 @@ import { phases } from './stage.ts';
 import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
+import { MeasureKeys } from './measure/keys.ts';
 import { escapeMeasuring, measureList } from './panels/measures.ts';
 import { flatText, foldedText } from './described.ts';
 import { flatTitle } from './panels/legend.ts';
@@ -101,6 +102,16 @@ const views = new Views(
   (at) => computation.dragged(at),
   () => store.state.document && computation.zoomed(),
 );
+const light = (part: number | null) => views.light(part === null ? null : { part });
+const measureKeys = new MeasureKeys(ui, views.measuring, {
+  flat: { box: part('.flat .canvas'), toClient: ([x, y]) => views.flat.project([x, y]), isSeen: () => true, light },
+  folded: {
+    box: part('.folded .canvas'),
+    toClient: (at) => views.folded.project(at),
+    isSeen: (at) => views.folded.isSeen(at),
+    light,
+  },
+});
 const computation = new Computation(
   api,
   store,
@@ -123,6 +134,7 @@ function drawWaiting() {
 }
 store.subscribe((state, before) => {
   views.changed(state, before);
+  measureKeys.changed(state, before);
   waiting ||= requestAnimationFrame(drawWaiting);
 });
 // What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
@@ -287,8 +299,11 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'f') ui.fit();
   else if (key === 'x') switchSection(ui, views.folded.direction);
   else if (key === 'g') store.dispatch({ type: 'view', view: { seeThrough: !store.state.view.seeThrough } });
-  else if (key === 'd') store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
-  else if (key === ' ' && !target.matches('button, summary')) {
+  else if (key === 'd') {
+    store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
+    drawWaiting(); // what has the focus is described by then
+    measureKeys.focus();
+  } else if (key === ' ' && !target.matches('button, summary')) {
     if (isInMachine(store.state)) playStrokes();
     else animate();
     e.preventDefault();
@@ -370,4 +385,4 @@ async function stay() {
     needed = await api.stay().catch(() => true);
 }
 void navigator.locks.request('planish-open', stay);
-Object.assign(window, { planish: { store, views } }); // for tests, and for the curious
+Object.assign(window, { planish: { store, views, measureKeys } }); // for tests, and for the curious

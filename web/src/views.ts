@@ -30,7 +30,7 @@ export class Views {
   private shown: string | null = null;
   private resultShown: string | null = null; // for sheets that are solved step by step the first draft may be far off
   private stages: Stages | null = null; // of the order that is shown in the machine
-  private readonly measuring: Measuring;
+  readonly measuring: Measuring;
   private hovered: PickedLine | null = null;
   private plateAtStart: { id: string; spec: PlatesSpec } | null = null;
 
@@ -40,7 +40,7 @@ export class Views {
     this.measuring = new Measuring(ui, (view) => this[view].drawAbove());
     this.folded = new FoldedView(folded, this.palette, {
       pickLine: (line) => this.pickLine(line),
-      hover: (under) => this.hover(under),
+      hover: (under) => this.light(under),
       ...this.measuringIn('folded'),
       pickFacet: (facet, upper) => this.pickFacet(facet, upper),
       pickAnchor: (anchor) => this.ui.dispatch({ type: 'select', selection: { anchor } }),
@@ -56,7 +56,7 @@ export class Views {
     this.flat = new FlatView(flat, this.palette, {
       pick: (picked, facet) => this.pickInFlat(picked, facet),
       describe: (picked) => this.describe(picked),
-      hover: (under) => this.hover(under),
+      hover: (under) => this.light(under),
       ...this.measuringIn('flat'),
       zoomed,
     });
@@ -79,7 +79,7 @@ export class Views {
     const first =
       this.shown !== id || (!state.shapeIsDraft && fresh && state.document?.kind === 'slit' && this.resultShown !== id);
     if (!state.shapeIsDraft) this.resultShown = id;
-    this.hover(null); // rows and numbers may be others
+    this.light(null); // rows and numbers may be others
     this.folded.setShape(state.shape, state.fold, this.thickness(state), this.picked(state), heldFacet(state));
     this.folded.follow();
     this.showMachine(state);
@@ -105,7 +105,7 @@ export class Views {
       }
     }
     if (state.measure !== before.measure || state.units !== before.units) {
-      this.hover(null);
+      this.light(null);
       for (const view of ['flat', 'folded'] as const) {
         if (!state.measure.on) this.measuring.hover(view, null);
         this[view].drawAbove();
@@ -253,8 +253,8 @@ export class Views {
     };
   }
 
-  /** What lies under the pointer in one view lights up in both. */
-  private hover(under: PickedLine | null) {
+  /** What lies under the pointer in one view, or is marked by keys, lights up in both. */
+  light(under: PickedLine | null) {
     const same = JSON.stringify(under) === JSON.stringify(this.hovered);
     this.hovered = under;
     if (same) return;

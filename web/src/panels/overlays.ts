@@ -6,7 +6,7 @@ const keys: [string, string][] = [
   ['Ctrl Z', 'undo'],
   ['Ctrl Shift Z, Ctrl Y', 'redo'],
   ['F', 'fit both views'],
-  ['D', 'measure; Esc ends it'],
+  ['D', 'measure: arrow keys go from one thing to the next, Enter picks it, V goes to the other view, Esc ends'],
   ['X, G', 'section, see through the sheet'],
   ['1 2 3 4', 'front, top, right, iso'],
   ['Space', 'fold and unfold; play the strokes'],

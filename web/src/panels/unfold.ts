@@ -4,7 +4,7 @@ import type { PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
 import { allowanceSection } from './allowance.ts';
 import { bodyList } from './bodies.ts';
-import { section } from './fields.ts';
+import { choice, section } from './fields.ts';
 
 export function unfoldPanel(ui: Ui) {
   const { options } = ui.state.input;
@@ -12,40 +12,58 @@ export function unfoldPanel(ui: Ui) {
   return html`${bodyList(ui)} ${allowanceSection(ui)}
   ${section(
     'Lying flat',
-    html` ${pickRow(
-        ui,
-        'root',
-        'Stays in place',
-        options.root === undefined || options.root === 'largest' ? 'the largest flange' : `face ${options.root}`,
-        () => set({ root: undefined }),
-      )}
-      ${pickRow(
-        ui,
-        'up',
-        'Faces up',
-        options.up === undefined || options.up === 'auto'
-          ? 'chosen by the program'
-          : typeof options.up === 'number'
-            ? `the side of face ${options.up}`
-            : `the ${options.up} side`,
-        () => set({ up: undefined }),
-      )}
+    html`${rootChoice(ui)}
+      <div class="pick">${pickButton(ui, 'root')}<span class="hint">and click it in a view</span></div>
+      <div class="pick">
+        <span>Faces up</span
+        ><b data-testid="up-value"
+          >${options.up === undefined || options.up === 'auto'
+            ? 'chosen by the program'
+            : typeof options.up === 'number'
+              ? `the side of face ${options.up}`
+              : `the ${options.up} side`}</b
+        >
+        ${pickButton(ui, 'up')}
+        <button
+          class="link"
+          data-testid="clear-up"
+          title="Let the program choose"
+          @click=${() => set({ up: undefined })}
+        >
+          Reset
+        </button>
+      </div>
       <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
   )}`;
 }
 
-function pickRow(ui: Ui, mode: PickMode, label: string, value: string, clear: () => void) {
+/** The flange that is not moved by unfolding, by its name. */
+function rootChoice(ui: Ui) {
+  const { input, shape } = ui.state,
+    { root } = input.options,
+    flanges = (shape?.parts ?? []).flatMap((p) => (p.kind === 'flange' && p.faces.length ? [p] : [])),
+    chosen = typeof root === 'number' ? flanges.find((p) => p.faces.includes(root)) : undefined;
+  return choice<string>(
+    'Stays in place',
+    'root',
+    typeof root === 'number' ? String(chosen?.faces[0] ?? root) : 'largest',
+    [
+      ['largest', 'the largest flange'],
+      ...(typeof root === 'number' && !chosen ? [[String(root), `face ${root}`] as const] : []),
+      ...flanges.map((p) => [String(p.faces[0]), p.name] as const),
+    ],
+    (v) => ui.editOptions((o) => ({ ...o, root: v === 'largest' ? undefined : Number(v) })),
+  );
+}
+
+function pickButton(ui: Ui, mode: PickMode) {
   const on = ui.state.pick === mode;
-  return html`<div class="pick">
-    <span>${label}</span><b data-testid="${mode}-value">${value}</b>
-    <button
-      class=${on ? 'on' : ''}
-      data-testid="pick-${mode}"
-      aria-pressed=${on}
-      @click=${() => ui.dispatch({ type: 'pick', pick: on ? 'none' : mode })}
-    >
-      ${on ? 'Click a flange …' : 'Pick'}
-    </button>
-    <button class="link" data-testid="clear-${mode}" title="Let the program choose" @click=${clear}>Reset</button>
-  </div>`;
+  return html`<button
+    class=${on ? 'on' : ''}
+    data-testid="pick-${mode}"
+    aria-pressed=${on}
+    @click=${() => ui.dispatch({ type: 'pick', pick: on ? 'none' : mode })}
+  >
+    ${on ? 'Click a flange …' : 'Pick'}
+  </button>`;
 }

@@ -148,3 +148,121 @@ export async function measurefolded({ page }) {
     'Escape drops what was picked first',
   );
 }
+
+/** Where the thing that is marked is, and what is said of it. */
+const marked = (page, view) =>
+  page.evaluate((v) => {
+    const { measuring } = window.planish.views,
+      { hovered } = measuring;
+    return {
+      ref: hovered?.view === v ? hovered.ref : null,
+      said: document.querySelector('[data-testid=measure-said]').textContent,
+    };
+  }, view);
+
+/** Goes to what is said as `wanted` and lies at a place: towards it, and around what is in the way. */
+async function goTo(page, view, at, wanted) {
+  const to = await state(page, `views.${view}.project(${JSON.stringify(at)})`),
+    seen = new Set();
+  await page.keyboard.press('ArrowUp');
+  for (let presses = 0; presses < 80; ++presses) {
+    const { ref, said } = await marked(page, view);
+    assert.ok(ref, 'something is marked');
+    const [x, y] = await page.evaluate(
+      ([v, r]) => {
+        const stop = window.planish.measureKeys.stops(v).find(({ ref }) => JSON.stringify(ref) === JSON.stringify(r));
+        const p = window.planish.views[v].project(stop.at);
+        return [p.x, p.y];
+      },
+      [view, ref],
+    );
+    const [dx, dy] = [to.x - x, to.y - y];
+    if (Math.hypot(dx, dy) < 3 && wanted.test(said)) return said;
+    const ways = [
+      [dx, 'ArrowRight'],
+      [-dx, 'ArrowLeft'],
+      [dy, 'ArrowDown'],
+      [-dy, 'ArrowUp'],
+    ].sort((a, b) => b[0] - a[0]);
+    const [, key] = ways.find(([, k]) => !seen.has(`${JSON.stringify(ref)} ${k}`)) ?? ways[0];
+    seen.add(`${JSON.stringify(ref)} ${key}`);
+    await page.keyboard.press(key);
+  }
+  throw new Error(`${wanted} was not found by keys`);
+}
+
+/** By keys alone what the mouse measures: two holes, and a hole from a wall of the folded part. */
+export async function measurekeys({ page }) {
+  await open(page, [`${folder(page)}/../channel.step`]);
+  const holes = await state(
+    page,
+    `(() => { const c = s.shape.edge_circle, out = new Map();
+      for (let n = 0; 4 * n < c.length; ++n)
+        if (Math.abs(c[4 * n + 2] - 5) < 1e-6) out.set(c[4 * n].toFixed(3), [c[4 * n], c[4 * n + 1]]);
+      return [...out.values()]; })()`,
+  );
+  assert.equal(holes.length, 2);
+  await page.keyboard.press('d');
+  const text = () => page.locator('[data-testid=measures] li b').last().textContent();
+  const byMouse = await measured(page, 'flat', holes[0], holes[1]);
+  assert.match(byMouse, /^75 mm, .*between rims 65/, 'the distance in the file');
+  await page.click('[data-testid=measure-clear]');
+  await page.mouse.move(3, 3);
+  await page.keyboard.press('Escape');
+  assert.equal(await state(page, 's.measure.on'), false);
+  // From here on nothing but keys.
+  await page.keyboard.press('d');
+  assert.equal(await page.evaluate(() => document.activeElement.matches('.flat .canvas')), true);
+  assert.match(await page.evaluate(() => document.activeElement.ariaLabel), /Arrow keys go from one thing to the next/);
+  assert.match(await goTo(page, 'flat', holes[0], /^circle in F\d, diameter 10 mm$/), /diameter/);
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-testid=measure-hint]:has-text("From the circle")');
+  assert.match(
+    await goTo(page, 'flat', holes[1], /^circle in F\d, diameter 10 mm/),
+    /, 75 mm from circle in F\d$/,
+    'what Enter would measure',
+  );
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('[data-testid=measures] li');
+  assert.equal(await text(), byMouse);
+  assert.equal((await marked(page, 'flat')).said, byMouse, 'and it is said');
+  await untilDrawn(page, 'flat-overlay', 300);
+  await page.screenshot({ path: `${folder(page)}/keys.png` });
+  // In the folded part, of what is seen of it: nothing that the sheet hides is marked.
+  await page.keyboard.press('v');
+  assert.equal(await page.evaluate(() => document.activeElement.matches('.folded .canvas')), true);
+  await goTo(page, 'folded', [80, 65, 2], /^circle in F\d, diameter 10 mm/);
+  await page.keyboard.press('Enter');
+  for (const key of ['ArrowUp', 'ArrowUp', 'ArrowRight', 'ArrowDown', 'ArrowLeft']) {
+    await page.keyboard.press(key);
+    const { ref } = await marked(page, 'folded');
+    assert.ok(
+      await page.evaluate((r) => {
+        const stop = window.planish.measureKeys
+          .stops('folded')
+          .find(({ ref }) => JSON.stringify(ref) === JSON.stringify(r));
+        return !stop.onSheet || window.planish.views.folded.isSeen(stop.at);
+      }, ref),
+    );
+  }
+  // The wall whose inside is seen.
+  const wall = await page.evaluate(
+    () =>
+      window.planish.measureKeys
+        .stops('folded')
+        .find(({ ref, at }) => ref.kind === 'flange' && Math.abs(at[1] - 98) < 1e-3)?.at,
+  );
+  await goTo(page, 'folded', wall, /^F\d, 33 mm from circle in F\d$/);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelectorAll('[data-testid=measures] li').length === 2);
+  assert.equal(await text(), '33 mm');
+  await page.screenshot({ path: `${folder(page)}/keys-folded.png` });
+  // A part that is not wholly folded says why it is not measured; Escape ends it, and the views let the focus go.
+  await page.evaluate(() => window.planish.store.dispatch({ type: 'fold', fold: 0.5 }));
+  await page.keyboard.press('ArrowUp');
+  await page.waitForSelector('[data-testid=message]:has-text("Fold the part wholly")');
+  await page.keyboard.press('Escape');
+  assert.equal(await state(page, 's.measure.on'), false);
+  assert.equal(await page.getAttribute('.flat .canvas', 'role'), 'img');
+  assert.equal(await page.evaluate(() => document.activeElement.matches('.canvas')), false);
+}

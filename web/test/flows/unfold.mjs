@@ -98,4 +98,11 @@ export async function picks({ page }) {
   await page.mouse.click(at.x, at.y);
   await rested(page);
   assert.equal(await state(page, 's.input.options.root'), face, 'a root is picked in the flat pattern too');
+  assert.equal(await page.$eval('[data-testid=root]', (e) => e.selectedOptions[0].textContent), 'F3', 'and named');
+  await page.selectOption('[data-testid=root]', { label: 'F2' });
+  await rested(page);
+  assert.equal(await state(page, `s.shape.parts.find((p) => p.name === 'F2').faces[0] === s.input.options.root`), true);
+  await page.selectOption('[data-testid=root]', 'largest');
+  await rested(page);
+  assert.equal(await state(page, 's.input.options.root'), undefined);
 }
