@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
+import { untilDrawn } from '../drawn.mjs';
 import { folder, open, rested, state } from '../driving.mjs';
-import { untilDrawn } from './hover.mjs';
 
 // The channel of step_files.py: 100 wide, 40 high, t 2, R 3, 160 long along x; holes of Ø 10 at (20, 20) and (80, 65).
 const allowance = (Math.PI / 2) * (3 + 0.44 * 2);
