@@ -77,7 +77,7 @@ async function measure({ page }) {
   await example(page, 'bracket.step');
   await page.keyboard.press('d');
   await click(page, 'flat', [24, 71.309], [56, 71.309]); // both holes
-  await click(page, 'flat', [30, 22], [20, 0]); // an end of the slot, and the edge below
+  await click(page, 'flat', [30, 22], [0, 14]); // an end of the slot, and the edge beside it
   await click(page, 'folded', [15, 15, 0], [30, 52.5, 8]); // two flanges
   await click(page, 'folded', [56, 52.5, 18.5], [52, 40, 0]); // a hole above the flange
   await away(page);
