@@ -147,6 +147,9 @@ class Browser(StudioTest):
     def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
         self.flow("circle")
 
+    def test_the_first_picture_is_that_of_the_part(self):
+        self.flow("first")
+
     def test_a_thousand_openings_are_orbited_folded_and_hovered(self):
         self.flow("thousand")
 
