@@ -104,12 +104,14 @@ Result<void> straighten(SheetBuilder& builder, const SolidEdge& edge, const Bord
                                     // (RecognizeOptions::surface_tolerance)
   const double off = std::max(off_ruling(builder[a.face], builder[a].curve),
                               off_ruling(builder[b.face], builder[b].curve));
-  if (off > kCurved)
+  if (off > kCurved) {
+    const int first = face_as_read(edge, 0) + 1, second = face_as_read(edge, 1) + 1;
     return fail(ErrorCode::doubly_curved,
                 fmt::format("Faces {} and {} meet smoothly along a line that curves by {:.3g} mm; "
                             "no flat blank can be bent into that shape.",
-                            edge.faces[0] + 1, edge.faces[1] + 1, off),
-                fmt::format("faces {} and {}", edge.faces[0] + 1, edge.faces[1] + 1));
+                            first, second, off),
+                fmt::format("faces {} and {}", first, second));
+  }
   for (const BorderRef& ref : {a, b})
     builder[ref].curve = as_ruling(builder[ref.face], builder[ref].curve);
   return {};

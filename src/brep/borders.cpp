@@ -166,7 +166,7 @@ BorderLoop read_borders(const SolidModel& model, const std::vector<CoEdge>& loop
   for (const CoEdge& use : loop) {
     const SpaceCurve& edge = model.edges[use.edge].curve;
     Border border;
-    border.edge = use.edge;
+    border.edge = use.edge + 1;
     border.edge_length = edge.length();
     if (const auto* plane = std::get_if<Frame>(&surface)) {
       border.curve = on_plane(edge, *plane, tolerance);

@@ -44,6 +44,15 @@ Border below_skin(Border border, const SolidFace& face, const Vec3& point) {
   return border;
 }
 
+/// The face as read, before others were merged into it, that runs along an edge in this sense.
+std::optional<int> read_face_at(const SolidModel& model, int face, const CoEdge& use) {
+  const SolidEdge& edge = model.edges[use.edge];
+  for (int side = 0; side < 2; ++side)
+    if (edge.faces[side] == face && edge.forward[side] == use.forward)
+      return face_as_read(edge, side);
+  return {};
+}
+
 /// Beside a chamfer that ends, its short side closes the contour.
 void connect(BorderLoop& borders, const Border& next) {
   if (borders.empty()) return;
@@ -75,6 +84,8 @@ ReadLoop read_loop(const Recognition& of, const LoopRef& ref, const SolidSurface
   for (size_t i = 0; i < loop.size(); ++i) {
     if (uses[i].edge != loop[i].edge)
       read[i] = below_skin(std::move(read[i]), face, of.model.edges[uses[i].edge].curve.start);
+    if (const auto as_read = read_face_at(of.model, ref.face, uses[i]))
+      read[i].source_face = *as_read + 1;
     if (result.widened) connect(result.borders, read[i]);
     result.places.push_back(static_cast<int>(result.borders.size()));
     result.borders.push_back(std::move(read[i]));

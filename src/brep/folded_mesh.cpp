@@ -48,31 +48,33 @@ class Welder {
  public:
   explicit Welder(const TopoDS_Shape& solid) : same_(node_count(solid)) {
     for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next())
-      add(TopoDS::Face(faces.Current()));
+      add(TopoDS::Face(faces.Current()), face_count_++);
   }
 
   /// The triangles over the remaining points, without those that have two corners at one point.
-  Mesh mesh() {
-    Mesh result;
+  MeshOfFaces mesh() {
+    MeshOfFaces result;
     std::vector<int> number(points_.size(), -1);
     const auto numbered = [&](int node) {
       int& n = number[same_.root(node)];
       if (n < 0) {
-        n = static_cast<int>(result.points.size());
-        result.points.push_back(points_[same_.root(node)]);
+        n = static_cast<int>(result.mesh.points.size());
+        result.mesh.points.push_back(points_[same_.root(node)]);
       }
       return n;
     };
-    for (const Triangle& t : triangles_) {
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      const Triangle& t = triangles_[i];
       const Triangle roots{same_.root(t[0]), same_.root(t[1]), same_.root(t[2])};
       if (roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0]) continue;
-      result.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
+      result.mesh.triangles.push_back({numbered(t[0]), numbered(t[1]), numbered(t[2])});
+      result.face.push_back(face_of_[i]);
     }
     return result;
   }
 
  private:
-  void add(const TopoDS_Face& face) {
+  void add(const TopoDS_Face& face, int number) {
     TopLoc_Location place;
     const Handle(Poly_Triangulation) own = BRep_Tool::Triangulation(face, place);
     if (own.IsNull()) return;  // the gap is detected at the end
@@ -84,6 +86,7 @@ class Welder {
       own->Triangle(i).Get(a, b, c);
       if (face.Orientation() == TopAbs_REVERSED) std::swap(b, c);
       triangles_.push_back({first + a - 1, first + b - 1, first + c - 1});
+      face_of_.push_back(number);
     }
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next())
       join(TopoDS::Edge(edges.Current()), own, place, first);
@@ -113,6 +116,8 @@ class Welder {
   UnionFind same_;  ///< nodes at one point
   std::vector<Vec3> points_;
   std::vector<Triangle> triangles_;
+  std::vector<int> face_of_;  ///< by triangle
+  int face_count_ = 0;
   TopTools_IndexedMapOfShape edges_, vertices_;
   std::map<int, std::vector<int>> rows_;  ///< nodes along an edge, as the first face has them
   std::map<int, int> node_at_;            ///< a node at a vertex
@@ -138,22 +143,22 @@ Result<void> check_chord(double chord) {
               fmt::format("The chord of a mesh is {} mm; it must be positive.", chord));
 }
 
-Mesh triangulated(const TopoDS_Shape& solid, double chord) {
+MeshOfFaces triangulated(const TopoDS_Shape& solid, double chord) {
   brep::triangulate(solid, chord);
   return Welder(solid).mesh();
 }
 
 }  // namespace
 
-Result<Mesh> body_mesh(const Body& body, double chord) {
+Result<MeshOfFaces> body_mesh(const Body& body, double chord) {
   if (auto sound = check_chord(chord); !sound) return tl::unexpected(sound.error());
-  return brep::guarded([&]() -> Result<Mesh> {
+  return brep::guarded([&]() -> Result<MeshOfFaces> {
     // The kernel stores triangles in the shape itself, so mesh a copy.
     const TopoDS_Shape measurable = brep::with_parameter_curves(body.shape().solid);
-    Mesh mesh = triangulated(BRepBuilderAPI_Copy(measurable).Shape(), chord);
-    if (mesh.triangles.empty())
+    MeshOfFaces surface = triangulated(BRepBuilderAPI_Copy(measurable).Shape(), chord);
+    if (surface.face.empty())
       return fail(ErrorCode::internal, "The CAD kernel's mesh of the body has no triangles.");
-    return mesh;
+    return surface;
   });
 }
 
@@ -162,7 +167,7 @@ Result<Mesh> folded_mesh(const Sheet& sheet, double chord) {
   return brep::guarded([&]() -> Result<Mesh> {
     const auto solid = brep::thicken(sheet);
     if (!solid) return tl::unexpected(solid.error());
-    Mesh mesh = triangulated(*solid, chord);
+    Mesh mesh = triangulated(*solid, chord).mesh;
     if (const std::size_t open = open_sides(mesh); open > 0 || mesh.triangles.empty())
       return fail(
           ErrorCode::internal,

@@ -124,8 +124,12 @@ SolidModel with_merged(SolidModel model, const std::vector<int>& faces) {
   whole.loops = std::move(loops);
   for (const auto& loop : whole.loops)
     for (const CoEdge& use : loop)
-      for (int& face : model.edges[use.edge].faces)
-        if (members.count(face)) face = leader;
+      for (int side = 0; side < 2; ++side) {
+        SolidEdge& edge = model.edges[use.edge];
+        if (!members.count(edge.faces[side])) continue;
+        edge.merged_faces[side] = face_as_read(edge, side);
+        edge.faces[side] = leader;
+      }
   for (const int e : between) {
     model.edges[e].uses = 0;
     model.edges[e].faces = {-1, -1};

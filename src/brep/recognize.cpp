@@ -186,7 +186,7 @@ Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,
   Recognized result;
   result.sheet = std::move(*sheet);
   result.distance = [model](int edge, const Vec3& point) {
-    return model->edges[edge].curve.distance(point);
+    return model->edges[edge - 1].curve.distance(point);
   };
   return result;
 }

@@ -91,10 +91,17 @@ std::set<int> vertices_on_skins(const SolidModel& model, const Skins& skins) {
   return vertices;
 }
 
+/// A point of an edge.
+struct OwnPoint {
+  int edge = 0;
+  Vec3 at;
+};
+
 /// Points of the part that are not on a skin's border: middles of its edges and free corners.
-std::vector<Vec3> own_points(const SolidModel& model, const EdgesByFace& edges, const Skins& skins,
-                             const std::set<int>& skin_vertices, const RimPart& part) {
-  std::vector<Vec3> points;
+std::vector<OwnPoint> own_points(const SolidModel& model, const EdgesByFace& edges,
+                                 const Skins& skins, const std::set<int>& skin_vertices,
+                                 const RimPart& part) {
+  std::vector<OwnPoint> points;
   std::set<int> seen;
   const auto at_skin = [&](int vertex) { return skin_vertices.count(vertex) > 0; };
   for (const int f : part.faces)
@@ -103,9 +110,9 @@ std::vector<Vec3> own_points(const SolidModel& model, const EdgesByFace& edges, 
       if (!seen.insert(e).second || edge.vertices[0] < 0 || on_skin(skins, edge)) continue;
       const bool wall = at_skin(edge.vertices[0]) && at_skin(edge.vertices[1]);
       if (wall && edge.curve.kind == SpaceCurve::Kind::line) continue;
-      points.push_back(edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2));
-      if (!at_skin(edge.vertices[0])) points.push_back(edge.curve.start);
-      if (!at_skin(edge.vertices[1])) points.push_back(edge.curve.end);
+      points.push_back({e, edge.curve.point((edge.curve.t0 + edge.curve.t1) / 2)});
+      if (!at_skin(edge.vertices[0])) points.push_back({e, edge.curve.start});
+      if (!at_skin(edge.vertices[1])) points.push_back({e, edge.curve.end});
     }
   return points;
 }
@@ -126,12 +133,12 @@ Rim find_rim(const SolidModel& model, const std::vector<Outline>& outlines, cons
   Rim rim = with_loops(connected_parts(model, edges, skins), model, skins);
   for (RimPart& part : rim.parts) {
     const std::set<int> touched = touched_faces(part);
-    const std::vector<Vec3> points = own_points(model, edges, skins, skin_vertices, part);
-    part.within = std::all_of(points.begin(), points.end(), [&](const Vec3& p) {
-      return between(model, outlines, skins, touched, p);
-    });
+    std::set<int> outside;
+    for (const OwnPoint& p : own_points(model, edges, skins, skin_vertices, part))
+      if (!between(model, outlines, skins, touched, p.at)) outside.insert(p.edge);
+    part.within = outside.empty();
     part.openings = openings_through(model, part.faces);
-    if (!part.within) part.refusal = rim_refusal(model, edges, skins, part);
+    if (!part.within) part.refusal = rim_refusal(model, edges, skins, part, outside);
   }
   return rim;
 }

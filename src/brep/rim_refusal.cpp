@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace planish::brep {
@@ -28,12 +29,23 @@ std::vector<Contact> contacts_of(const SolidModel& model,
   return contacts;
 }
 
+/// The face with the largest share of edges outside; of several such the first.
+int outermost(const std::vector<int>& faces, const std::vector<std::vector<int>>& edges,
+              const std::set<int>& outside) {
+  const auto share = [&](int f) {
+    const auto out = std::ranges::count_if(edges[f], [&](int e) { return outside.contains(e); });
+    return static_cast<double>(out) /
+           static_cast<double>(std::max<std::size_t>(edges[f].size(), 1));
+  };
+  return *std::ranges::max_element(faces, {}, share);
+}
+
 std::string face_name(int face) { return fmt::format("face {}", face + 1); }
 
 }  // namespace
 
 Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& edges,
-                  const Skins& skins, const RimPart& part) {
+                  const Skins& skins, const RimPart& part, const std::set<int>& outside) {
   const std::vector<Contact> contacts = contacts_of(model, edges, skins, part);
   for (const Contact& at : contacts)
     if (const auto* curved = std::get_if<DoublyCurved>(&model.faces[at.face].surface))
@@ -50,7 +62,7 @@ Error rim_refusal(const SolidModel& model, const std::vector<std::vector<int>>& 
                           "thick.",
                           at.face + 1, at.skin + 1, skins.thickness),
               face_name(at.face)};
-  const int face = part.faces.front();
+  const int face = outermost(part.faces, edges, outside);
   return {ErrorCode::not_a_sheet,
           fmt::format("At face {} the body extends beyond the sheet of {:.4g} mm; it is not made "
                       "of one sheet.",

@@ -2,6 +2,10 @@
 
 namespace planish::brep {
 
+int face_as_read(const SolidEdge& edge, int side) {
+  return edge.merged_faces[side] >= 0 ? edge.merged_faces[side] : edge.faces[side];
+}
+
 int face_across(const SolidEdge& edge, int face) {
   return edge.faces[0] == face ? edge.faces[1] : edge.faces[0];
 }

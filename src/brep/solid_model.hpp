@@ -37,10 +37,14 @@ struct SpaceCurve {
 struct SolidEdge {
   SpaceCurve curve;
   std::array<int, 2> faces{-1, -1};         ///< faces on both sides, equal for a seam
+  std::array<int, 2> merged_faces{-1, -1};  ///< faces there that have become part of these
   std::array<bool, 2> forward{true, true};  ///< whether that face runs along the curve's sense
   std::array<int, 2> vertices{-1, -1};      ///< at the curve's start and end
   int uses = 0;                             ///< coedges; 2 on a closed solid
 };
+
+/// The face on a side of an edge, 0 or 1, as it was read, before faces became one.
+int face_as_read(const SolidEdge& edge, int side);
 
 /// The face on the other side of an edge of a face: the face itself at a seam, −1 at an open edge.
 int face_across(const SolidEdge& edge, int face);

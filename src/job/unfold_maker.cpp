@@ -41,14 +41,15 @@ class MadeUnfolded : public MadeReport<UnfoldReport> {
       : MadeReport(std::move(report)), body_(body) {}
 
   Result<Mesh> folded_mesh() const override {
-    return body_ ? body_mesh(*body_) : Made::folded_mesh();
+    if (!body_) return Made::folded_mesh();
+    return body_mesh(*body_).map([](MeshOfFaces&& surface) { return std::move(surface.mesh); });
   }
   // Shows what was refused; empty if the kernel cannot mesh it.
-  std::optional<Mesh> refused_solid() const override {
+  std::optional<MeshOfFaces> refused_solid() const override {
     if (!body_) return std::nullopt;
     constexpr double kShare = 1e-3;  // of the extent
-    auto mesh = body_mesh(*body_, kShare * body_->size().norm());
-    return mesh ? std::optional(std::move(*mesh)) : std::nullopt;
+    auto surface = body_mesh(*body_, kShare * body_->size().norm());
+    return surface ? std::optional(std::move(*surface)) : std::nullopt;
   }
 
  private:

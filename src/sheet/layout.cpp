@@ -80,7 +80,8 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
   const auto name = [&](const BorderRef& ref) {
-    const auto source = sheet[ref.face].source_face;
+    const auto of_border = sheet[ref].source_face;
+    const auto source = of_border ? of_border : sheet[ref.face].source_face;
     return source ? fmt::format("face {}", *source) : fmt::format("face {}", index_of(ref.face));
   };
   const std::string a = name(joint.a), b = name(joint.b);

@@ -88,10 +88,10 @@ TEST(BodyMesh, OfWhatWasReadIsThatOfTheFoldedSolid) {
   const auto file = read_step_text(folded_solid_step(sheet, "strip").value(), "strip");
   ASSERT_TRUE(file.has_value());
   const Body& body = file->bodies.front();
-  const auto mesh = body_mesh(body, 0.01);
-  ASSERT_TRUE(mesh.has_value());
-  expect_closed(*mesh);
-  EXPECT_NEAR(volume_in(*mesh), body.volume(), 0.01 * area_of(*mesh));
+  const auto surface = body_mesh(body, 0.01);
+  ASSERT_TRUE(surface.has_value());
+  expect_closed(surface->mesh);
+  EXPECT_NEAR(volume_in(surface->mesh), body.volume(), 0.01 * area_of(surface->mesh));
   EXPECT_EQ(body_mesh(body, 0.0).error().code, ErrorCode::bad_option);
 }
 

@@ -15,7 +15,7 @@ using std::numbers::pi;
 Error refusal_at(const Recognised& seen, int face) {
   const RimPart& part = seen.rim.parts.at(seen.rim.part_of.at(face));
   EXPECT_FALSE(part.within);
-  return rim_refusal(seen.model, edges_by_face(seen.model), seen.skins, part);
+  return part.refusal;
 }
 
 /// A plate with a spherical cap on it; faces: bottom, top, four walls, the cap.
@@ -57,6 +57,19 @@ TEST(RimRefusal, NamesAFaceBelowWhichTheThicknessChanges) {
   EXPECT_EQ(refusal.code, ErrorCode::thickness_not_constant);
   EXPECT_EQ(refusal.where, "face 5");
   EXPECT_NE(refusal.message.find("face 6"), std::string::npos) << refusal.message;
+}
+
+TEST(RimRefusal, NamesTheFaceFarthestOutside) {
+  // Of a sharp angle of 2 mm the upright leg is 3 mm thick above half of its height.
+  const std::vector<Vec2> corners{{0, 0},  {60, 0}, {60, 2}, {2, 2},
+                                  {2, 30}, {3, 30}, {3, 60}, {0, 60}};
+  std::vector<Curve2> profile;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    profile.push_back(Segment{corners[i], corners[(i + 1) % corners.size()]});
+  const Recognised seen = recognised(prism({profile}, 50), 2, 0);
+  const Error refusal = refusal_at(seen, 1);
+  EXPECT_EQ(refusal.code, ErrorCode::not_a_sheet);
+  EXPECT_EQ(refusal.where, "face 8") << refusal.message;  // after both ends and five sides
 }
 
 TEST(RimRefusal, IsOfAnotherBodyElsewhere) {

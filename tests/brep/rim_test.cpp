@@ -54,7 +54,7 @@ TEST(FindRim, SeesABossLeaveTheSheet) {
   const RimPart& boss = part_with(seen, 6);
   EXPECT_FALSE(boss.within);
   EXPECT_EQ(boss.refusal.code, ErrorCode::not_a_sheet);
-  EXPECT_EQ(boss.refusal.where, "face 7");
+  EXPECT_EQ(boss.refusal.where, "face 8");  // its top
 }
 
 TEST(FindRim, SeesACupLeaveTheSheetOnItsFarSide) {

@@ -2,6 +2,7 @@
 each is known by a formula. Written from the standard's entity definitions, without a CAD kernel."""
 
 import math
+import re
 
 HEADER = """ISO-10303-21;
 HEADER;
@@ -217,6 +218,32 @@ def angle(name="angle", leg=50.0, thickness=2.0, radius=2.0, depth=60.0):
 def block(side=30.0):
     file = StepFile()
     file.product("block", file.prism(*rectangle_profile(side, side), side))
+    return file.text()
+
+
+def square_tube(side=40.0, thickness=2.0, length=120.0):
+    """Closed: as faces 1 to 4 its outside, 5 and 6 its ends, 7 to 10 its inside."""
+    file, low, high = StepFile(), thickness, side - thickness
+    outside = file.prism(*rectangle_profile(side, side), length)
+    inside = file.prism((low, low), [Line(p) for p in ((low, high), (high, high), (high, low), (low, low))], length)
+
+    def faces_of(shell):
+        return re.findall(r"#(\d+)", file.entities[int(shell[1:]) - 1])
+
+    own, other = faces_of(outside), faces_of(inside)
+    for end in (-2, -1):
+        bound = re.search(r"\((#\d+)\)", file.entities[int(other[end]) - 1])[1]
+        file.entities[int(own[end]) - 1] = file.entities[int(own[end]) - 1].replace("),", f",{bound}),", 1)
+    file.entities[int(outside[1:]) - 1] = f"CLOSED_SHELL('',({','.join(f'#{f}' for f in own + other[:-2])}))"
+    file.product("tube", outside)
+    return file.text()
+
+
+def stepped_angle(leg=60.0, thickness=2.0, thick=3.0, depth=50.0):
+    """A sharp angle whose upright leg (on the left) grows to `thick` halfway: no sheet, by its faces 4 and 6 inside."""
+    file, half = StepFile(), leg / 2
+    corners = ((leg, 0), (leg, thickness), (thickness, thickness), (thickness, half), (thick, half), (thick, leg), (0, leg), (0, 0))
+    file.product("stepped angle", file.prism((0, 0), [Line(p) for p in corners], depth))
     return file.text()
 
 

@@ -28,6 +28,8 @@ class Browser(StudioTest):
         (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
+        (cls.folder / "tube.step").write_text(step_files.square_tube())
+        (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
@@ -73,6 +75,9 @@ class Browser(StudioTest):
 
     def test_a_stroke_is_moved_and_what_collides_is_red(self):
         self.flow("reorder")
+
+    def test_what_a_refusal_names_is_seen_in_the_part(self):
+        self.flow("refusal")
 
     def test_what_cannot_be_planned_is_said(self):
         self.flow("unplanned")
@@ -141,6 +146,9 @@ class Browser(StudioTest):
 
     def test_circles_are_drawn_to_a_quarter_of_a_pixel_and_say_their_diameter(self):
         self.flow("circle")
+
+    def test_the_first_picture_is_that_of_the_part(self):
+        self.flow("first")
 
     def test_a_thousand_openings_are_orbited_folded_and_hovered(self):
         self.flow("thousand")

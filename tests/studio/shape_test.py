@@ -244,6 +244,20 @@ class Shapes(StudioTest):
         points = rows(shape.arrays["space_points"], 3)
         self.assertGreaterEqual(len(triangles), 12)
         self.assertLess(max(itertools.chain(*triangles)), len(points))
+        # Faces have the numbers that the file gives them: each one's triangles lie across its direction.
+        text = step_files.block()
+        entity = dict(re.findall(r"(#\d+)=(.*?);", text))
+        shell = next(e for e in entity.values() if e.startswith("CLOSED_SHELL"))
+        for number, face in enumerate(re.findall(r"#\d+", shell), 1):
+            plane = entity[re.findall(r"#\d+", entity[face])[-1]]
+            placement = entity[re.findall(r"#\d+", plane)[0]]
+            direction = [float(v) for v in re.search(r"\(([^()]*)\)", entity[re.findall(r"#\d+", placement)[1]])[1].split(",")]
+            own = [t for t, of in zip(triangles, shape.arrays["space_faces"]) if of == number]
+            self.assertEqual(len(own), 2)
+            for corners in own:
+                heights = {round(sum(a * b for a, b in zip(points[c], direction)), 4) for c in corners}
+                self.assertEqual(len(heights), 1, f"face {number}")
+                self.assertGreaterEqual(heights.pop(), 0.0)  # the side to which it faces
 
     def test_what_is_drawn_is_told_from_what_is_cut(self):
         sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))

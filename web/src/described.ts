@@ -1,4 +1,5 @@
 import { knownPiece, pieceOf } from './report.ts';
+import { namedPlaces, unnamed } from './solid-mesh.ts';
 import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
 
@@ -15,6 +16,10 @@ function partText(state: State): string {
   const { document: d, fold } = state;
   if (!d) return 'Folded part: nothing is open';
   if (isInMachine(state)) return `${d.name} in the press brake`;
+  const { faces, edges } = state.problem && !state.stale ? namedPlaces(state.problem) : unnamed,
+    marked = [...faces.map((n) => `face ${n}`), ...edges.map((e) => e.name)].join(', ');
+  if (state.shape?.space_faces.length)
+    return `Part ${d.name}, without a flat pattern${marked && `; marked: ${marked}`}`;
   const { bends, flanges } = pieceOf(state)?.sheet ?? knownPiece(state)?.sheet ?? {};
   const parts = flanges === undefined ? '' : `: ${count(flanges, 'flange')}, ${count(bends ?? 0, 'bend')}`;
   return `Folded part ${d.name}${parts}; folded by ${clean(100 * fold, 0)} %`;

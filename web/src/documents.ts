@@ -66,21 +66,23 @@ export class Documents {
   }
 
   /** The file that was open here before a reload, else the file of the command line. */
-  async begin() {
+  async begin(ready: Promise<void>) {
     const kept = keptDocument();
-    await this.attempt(kept?.name ?? '', async (signal) => {
+    const work = async (signal: AbortSignal) => {
+      const [known] = await Promise.all([kept ? [] : this.api.documents(), ready]);
       if (kept) {
         await this.open(kept, async (name) => kept.beside[name] ?? null, signal);
         return this.store.dispatch({ type: 'history', history: kept.history });
       }
-      const named = (await this.api.documents()).find((d) => d.given);
+      const named = known.find((d) => d.given);
       if (!named) return;
       this.adopted = named.id;
       this.file = named.text
         ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer }
         : null;
       await this.take(named, async () => null, signal);
-    });
+    };
+    await this.attempt(kept?.name ?? '', work, true);
   }
 
   /**
@@ -205,14 +207,14 @@ export class Documents {
   }
 
   /** Opens the latest request; a file still being opened is abandoned. */
-  private async attempt(name: string, work: (signal: AbortSignal) => Promise<void>) {
+  private async attempt(name: string, work: (signal: AbortSignal) => Promise<void>, first = false) {
     this.flight.abort();
     const flight = new AbortController(),
       say: Store['dispatch'] = (action) => {
         if (flight === this.flight) this.store.dispatch(action);
       };
     this.flight = flight;
-    say({ type: 'opening', opening: { name, long: false, progress: null } });
+    say({ type: 'opening', opening: { name, first, long: false, progress: null } });
     try {
       await work(flight.signal);
     } catch (error) {

@@ -87,6 +87,28 @@ export class FoldedCamera {
     this.lookFrom(view === 'iso' && this.upright === 'y' ? [-x, y, z] : [x, y, z]);
   }
 
+  /** The directions of the corners of the view cube, that of the isometric view first. */
+  get corners(): Vec3[] {
+    const [x, y, z] = directions.iso,
+      about = [0, 1, 2, 3].map((quarter): Vec3 => {
+        const [c, s] = [
+          [1, 0],
+          [0, 1],
+          [-1, 0],
+          [0, -1],
+        ][quarter]!;
+        return [c! * x - s! * y, s! * x + c! * y, z];
+      });
+    return [...about, ...about.map(([a, b, c]): Vec3 => [a, b, -c])].map((d) => this.inSpace(d).toArray());
+  }
+
+  /** From a direction of space. */
+  lookTowards(eye: Vec3) {
+    this.camera.position.copy(this.orbit.target).add(new Vector3(...eye).setLength(4 * this.radius));
+    this.orbit.update();
+    this.fit();
+  }
+
   lookAtMachine() {
     this.lookFrom(beforeMachine);
   }
@@ -175,6 +197,19 @@ export class FoldedCamera {
   toScreen(at: Vec3) {
     const p = new Vector3(...at).project(this.camera);
     return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * this.canvas.clientHeight };
+  }
+
+  /** The place that appears nearest to the pointer, if it is within some pixels of it. */
+  nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
+    const r = this.canvas.getBoundingClientRect();
+    let best: number | null = null,
+      least = within;
+    places.forEach((place, i) => {
+      const p = this.toScreen(place),
+        d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
+      if (d < least) [best, least] = [i, d];
+    });
+    return best;
   }
 
   ray(e: PointerEvent): Raycaster {

@@ -10,6 +10,9 @@ import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
 import type { PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
+import type { NamedPlaces } from './solid-mesh.ts';
+import { SolidObject } from './solid-object.ts';
+import { directionThatShows } from './solid-sight.ts';
 import { isLarge } from './sheet-lod.ts';
 import { ViewOverlay } from './view-overlay.ts';
 import type { Palette } from './theme.ts';
@@ -43,10 +46,12 @@ export class FoldedView {
   private readonly under: FoldedLook;
   private readonly cube: CubeView;
   private readonly sheet = new SheetObject();
+  private readonly solid = new SolidObject();
   private readonly handles = new HandleObjects();
   private readonly machine = new MachineObject();
   private picked: Picked = { part: null, edge: null };
   private hit: number | null = null; // the part that collides
+  private glass = false;
   private shape: Shape | null = null;
   private overlay: Overlay = noOverlay;
   private palette: Palette;
@@ -67,7 +72,7 @@ export class FoldedView {
     canvas.dataset.testid = 'folded-canvas';
     box.append(canvas);
     this.above = new ViewOverlay(box, 'folded-overlay', (c) => this.paintAbove(c));
-    this.scene.add(this.sheet.group, this.handles.group, this.machine.group);
+    this.scene.add(this.sheet.group, this.solid.group, this.handles.group, this.machine.group);
     this.eye = new FoldedCamera(
       canvas,
       () => this.bounds(),
@@ -113,6 +118,15 @@ export class FoldedView {
     this.draw();
   }
 
+  /** A solid that is refused, and what is named in the reason. `turn`: so that this is seen. */
+  setSolid(shape: Shape, named: NamedPlaces, turn: boolean) {
+    this.solid.setShape(shape, named);
+    this.solid.paint(this.palette, this.glass);
+    if (turn && named.faces.length + named.edges.length > 0)
+      this.eye.lookTowards(directionThatShows(shape, named, this.eye.corners));
+    this.draw();
+  }
+
   /** Whether something is being dragged: software rendering then draws fewer pixels. */
   setMoving(moving: boolean) {
     if (moving === this.moving) return;
@@ -154,13 +168,16 @@ export class FoldedView {
     this.picked = picked;
     this.sheet.paint(palette, picked.part, picked.edge, this.hit);
     this.machine.paint(palette);
+    this.solid.paint(palette, this.glass);
     this.showHandles();
     this.draw();
   }
 
   /** What of the sheet is cut away, and whether one sees through it. */
   setSection({ section: { on, along, at, flipped }, seeThrough }: ViewState, inMachine: boolean) {
+    this.glass = seeThrough;
     this.sheet.setGlass(seeThrough, this.palette);
+    this.solid.paint(this.palette, seeThrough);
     this.sheet.setSection(on && !inMachine ? (positions) => cutAt(positions, along, at, flipped) : null);
     this.under.isShown = (x, y, z) => !this.sheet.cut || isKept(this.sheet.cut, x, y, z);
     this.draw();
@@ -209,6 +226,7 @@ export class FoldedView {
   private bounds(): Box3 {
     const box = new Box3();
     this.sheet.boundsInto(box);
+    this.solid.boundsInto(box);
     this.machine.boundsInto(box);
     return box;
   }
@@ -262,7 +280,7 @@ export class FoldedView {
   private down(e: PointerEvent) {
     if (e.button !== 0) return;
     const anchor = this.overlay.handles
-      ? this.nearest(
+      ? this.eye.nearest(
           e,
           this.overlay.anchors.map((a) => this.anchorAt(a)),
           12,
@@ -305,7 +323,7 @@ export class FoldedView {
     if (measured) return this.events.measurePick(measured.of && this.under.refUnder(measured.of, e));
     if (this.shape && this.overlay.handles) {
       const ends = ridgeEnds(this.shape.handles, this.overlay.ridges),
-        end = this.nearest(
+        end = this.eye.nearest(
           e,
           ends.map((r) => r.at),
           7,
@@ -335,22 +353,8 @@ export class FoldedView {
       const p = this.eye.toScreen(at);
       return [p.x, p.y];
     });
-    return lit || measured;
-  }
-
-  private nearest(e: PointerEvent, places: Vec3[], within: number): number | null {
-    const r = this.renderer.domElement.getBoundingClientRect();
-    let best: number | null = null,
-      least = within;
-    places.forEach((place, i) => {
-      const p = this.eye.toScreen(place),
-        d = Math.hypot(p.x - (e.clientX - r.left), p.y - (e.clientY - r.top));
-      if (d < least) {
-        least = d;
-        best = i;
-      }
-    });
-    return best;
+    const named = this.solid.paintNames(c, this.palette, (at) => this.eye.toScreen(at));
+    return lit || measured || named;
   }
 
   private anchorAt = (a: AnchorSpec): Vec3 => a.at.map((v) => v * this.overlay.scale) as Vec3;

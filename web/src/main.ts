@@ -368,6 +368,7 @@ store.subscribe((state, before) => {
   if (changed && !state.pending) keepHistory(state);
 });
 
+void documents.begin(bringKept(api, store));
 draw();
 api.description().then(
   (description) => store.dispatch({ type: 'description', description }),
@@ -377,7 +378,6 @@ api.examples().then(
   (examples) => store.dispatch({ type: 'examples', examples }),
   (error) => store.dispatch({ type: 'problem', problem: problemOf(error) }),
 );
-void bringKept(api, store).then(() => documents.begin());
 
 /** Lets the server know that a page is open. Browsers allow few connections to a server, so one of its pages does. */
 async function stay() {

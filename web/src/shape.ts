@@ -23,6 +23,7 @@ const empty: Facets = {
   overlaps: new Float32Array(),
   space_points: new Float32Array(),
   space_triangles: new Uint32Array(),
+  space_faces: new Uint32Array(),
 };
 
 /** Names of the arrays that a shape may have. */

@@ -49,3 +49,10 @@ export function sheetMaterial(skin: boolean): ShaderMaterial {
     polygonOffsetUnits: 1,
   });
 }
+
+/** Whether one sees through it. */
+export function setOpacity(material: ShaderMaterial, glass: boolean) {
+  material.transparent = glass;
+  material.depthWrite = !glass;
+  material.uniforms.opacity!.value = glass ? 0.32 : 1;
+}

@@ -19,10 +19,10 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { markedWith, type PickedLine } from './lines.ts';
 import { setRim } from './rim.ts';
-import { replaceGeometry, bothSkins, doubled, rowsOf, setTint, spaceGeometry } from './sheet-geometry.ts';
+import { replaceGeometry, bothSkins, doubled, rowsOf, setTint } from './sheet-geometry.ts';
 import { isLarge, simplified } from './sheet-lod.ts';
 import { capOf, type Cut } from './section.ts';
-import { sheetMaterial } from './sheet-material.ts';
+import { setOpacity, sheetMaterial } from './sheet-material.ts';
 import { foldSheet, makeSheetMesh, poseSheet, type FoldedSheet, type Pose, type SheetMesh } from './sheet-mesh.ts';
 import type { Palette } from './theme.ts';
 import type { Shape, Vec3 } from './types.ts';
@@ -48,7 +48,6 @@ export class SheetObject {
   private readonly outline: LineSegments;
   private readonly creases: LineSegments;
   private readonly forms: LineSegments; // outlines of formed features
-  private readonly solid: Mesh;
   private readonly cap = new Mesh(new BufferGeometry(), new MeshBasicMaterial({ side: DoubleSide }));
   private section: ((positions: Float32Array) => Cut) | null = null;
   private glass = false;
@@ -77,12 +76,11 @@ export class SheetObject {
   constructor() {
     this.skin = new Mesh(new BufferGeometry(), sheetMaterial(true));
     this.rim = new Mesh(new BufferGeometry(), sheetMaterial(false));
-    this.solid = new Mesh(new BufferGeometry(), sheetMaterial(false));
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.creases = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.forms = new LineSegments(new BufferGeometry(), new LineBasicMaterial());
     this.marked.renderOrder = 1;
-    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.solid, this.cap, this.marked);
+    this.group.add(this.skin, this.rim, this.outline, this.creases, this.forms, this.cap, this.marked);
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
@@ -93,8 +91,6 @@ export class SheetObject {
     this.levels.clear();
     this.pose = share;
     this.setMesh(shape, this.level());
-    replaceGeometry(this.solid, spaceGeometry(shape));
-    this.solid.visible = this.mesh!.triangles.length === 0;
   }
 
   /** How far corners of large shapes that are left out may leave circles, mm; 0: none is left out. */
@@ -194,12 +190,7 @@ export class SheetObject {
   setGlass(glass: boolean, palette: Palette) {
     this.glass = glass;
     (this.outline.material as LineBasicMaterial).color.set(glass ? palette.outline : palette.edge);
-    for (const { material } of [this.skin, this.rim]) {
-      const own = material as ShaderMaterial;
-      own.transparent = glass;
-      own.depthWrite = !glass;
-      own.uniforms.opacity!.value = glass ? 0.32 : 1;
-    }
+    for (const { material } of [this.skin, this.rim]) setOpacity(material as ShaderMaterial, glass);
   }
 
   /** Lights up a part, by its row; null: none. Says whether that changes something; nothing is made for it. */
@@ -224,7 +215,6 @@ export class SheetObject {
     this.hitTint.set(palette.hit);
     this.hit = hit;
     this.tintRim();
-    setTint(this.solid.geometry, new Color(palette.flange));
     (this.outline.material as LineBasicMaterial).color.set(this.glass ? palette.outline : palette.edge);
     (this.creases.material as LineBasicMaterial).color.set(palette.crease);
     (this.forms.material as LineBasicMaterial).color.set(palette.form);
@@ -310,12 +300,10 @@ export class SheetObject {
   }
 
   boundsInto(box: Box3) {
-    for (const mesh of [this.skin, this.solid]) {
-      const position = mesh.geometry.getAttribute('position') as BufferAttribute | undefined;
-      if (!position || position.count === 0) continue;
-      mesh.geometry.computeBoundingBox();
-      box.union(mesh.geometry.boundingBox!);
-    }
+    const { geometry } = this.skin;
+    if (!geometry.getAttribute('position')?.count) return;
+    geometry.computeBoundingBox();
+    box.union(geometry.boundingBox!);
   }
 }
 

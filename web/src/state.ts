@@ -64,6 +64,7 @@ export const isInMachine = ({ tab, order, input, shape, pending }: State): boole
 /** A file that is being read; `long` once that takes more than half a second. */
 export interface Opening {
   name: string;
+  first?: boolean; // what the page begins with
   long: boolean;
   progress: Progress | null;
 }

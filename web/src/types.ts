@@ -197,6 +197,7 @@ export interface Facets {
   overlaps: Float32Array;
   space_points: Float32Array;
   space_triangles: Uint32Array;
+  space_faces: Uint32Array; // by triangle, from 1
 }
 
 export interface Shape extends Facets {

@@ -1,3 +1,4 @@
+import { namedPlaces, unnamed } from './solid-mesh.ts';
 import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
@@ -84,6 +85,8 @@ export class Views {
     this.folded.follow();
     this.showMachine(state);
     this.showFlat(state);
+    const { problem, stale } = state;
+    this.folded.setSolid(state.shape!, problem && !stale ? namedPlaces(problem) : unnamed, first);
     if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
       this.shown = id;
       this.folded.fit();

@@ -13,6 +13,7 @@ import * as lists from './flows/lists.mjs';
 import * as order from './flows/order.mjs';
 import * as page from './flows/page.mjs';
 import * as panels from './flows/panels.mjs';
+import * as refusal from './flows/refusal.mjs';
 import * as right from './flows/right.mjs';
 import * as server from './flows/server.mjs';
 import * as slit from './flows/slit.mjs';
@@ -38,6 +39,7 @@ const flows = {
   ...look,
   ...lists,
   ...right,
+  ...refusal,
   ...server,
   ...access,
   ...states,

@@ -66,17 +66,21 @@ void Shape::add(const std::string& name, const std::vector<std::int32_t>& values
   arrays.push_back(array_of(name, "i32", values));
 }
 
-void add_space(Shape& shape, const Mesh& mesh) {
+void add_space(Shape& shape, const MeshOfFaces& solid) {
   std::vector<float> points;
-  for (const Vec3& p : mesh.points)
+  for (const Vec3& p : solid.mesh.points)
     for (int i = 0; i < 3; ++i)
       points.push_back(static_cast<float>(p[i]));
   std::vector<std::uint32_t> triangles;
-  for (const auto& triangle : mesh.triangles)
+  for (const auto& triangle : solid.mesh.triangles)
     for (const int corner : triangle)
       triangles.push_back(static_cast<std::uint32_t>(corner));
   shape.add("space_points", points);
   shape.add("space_triangles", triangles);
+  std::vector<std::uint32_t> faces;
+  for (const int face : solid.face)
+    faces.push_back(static_cast<std::uint32_t>(face + 1));
+  shape.add("space_faces", faces);
 }
 
 std::string encoded(const Shape& shape, double seconds) {

@@ -43,8 +43,8 @@ void add_sheet(Shape& shape, const job::Report& report, const FacetOptions& opti
 /// The 4×4 matrix of a motion, row by row.
 Json rows_json(const Eigen::Isometry3d& motion);
 
-/// Adds a solid to show.
-void add_space(Shape& shape, const Mesh& mesh);
+/// Adds a solid to show, with the number of each triangle's face, from 1 as messages count.
+void add_space(Shape& shape, const MeshOfFaces& solid);
 
 /// The bytes, with the time taken to compute them.
 std::string encoded(const Shape& shape, double seconds);

@@ -107,11 +107,12 @@ Result<std::string> mesh_solid_step(const Mesh& mesh, const std::string& name);
 /// gap).
 Result<Mesh> folded_mesh(const Sheet& sheet, double chord = 0.05);
 
-/// Mesh of a body as read. Like `folded_mesh`, but gaps that the kernel leaves (in bodies that are
-/// not quite closed) remain. Errors: `bad_option` (chord not positive), `internal` (no triangles).
-Result<Mesh> body_mesh(const Body& body, double chord = 0.05);
+/// Mesh of a body as read, by face, numbered as in `info` but from 0. Like `folded_mesh`: faces
+/// share their points along an edge. Gaps that the kernel leaves (in bodies that are not quite
+/// closed) remain. Errors: `bad_option` (chord not positive), `internal` (no triangles).
+Result<MeshOfFaces> body_mesh(const Body& body, double chord = 0.05);
 
-/// The same triangles by face, numbered as in `info` but from 0; every face has its own points.
+/// The same triangles where every face has its own points.
 /// Errors: `bad_option` (chord not positive), `internal` (the kernel's triangles do not close).
 Result<MeshOfFaces> body_faces_mesh(const Body& body, double chord);
 

@@ -57,8 +57,8 @@ class Made {
   virtual std::string handles() const { return "{}"; }
   /// Names that the input gives to flanges, in the sheet's order; empty if it gives none.
   virtual std::vector<std::string> flange_names() const { return {}; }
-  /// For a refused input, the solid to show.
-  virtual std::optional<Mesh> refused_solid() const { return std::nullopt; }
+  /// For a refused input, the solid to show, by face.
+  virtual std::optional<MeshOfFaces> refused_solid() const { return std::nullopt; }
 };
 
 /// The report of the piece that a request shows, from 0; the whole's if a refusal left no pieces.

@@ -30,9 +30,13 @@ using PartId = std::variant<FlangeId, BendId>;
 /// geometry/developable.hpp for bends.
 struct Border {
   Curve2 curve;
-  /// The solid's edge that the border came from; in a sheet that was made, the border's own number.
-  /// A certificate measures against it. Empty for a border that closes a gap in the file.
+  /// The number from 1 of the solid's edge that the border came from; in a sheet that was made, the
+  /// border's own. A certificate measures against it. Empty for a border that closes a gap in the
+  /// file.
   std::optional<int> edge = {};
+  /// The number from 1 of the solid's face on this side of that edge: the face's own, or one that
+  /// was merged into it. Empty: not known.
+  std::optional<int> source_face = {};
   double edge_depth = 0.0;                 ///< of that edge below the reference surface, mm
   std::optional<double> edge_length = {};  ///< measured on that edge, mm; empty: not known
   std::optional<FeatureId> feature = {};   ///< into which the material continues beyond this border

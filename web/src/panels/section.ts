@@ -36,7 +36,7 @@ export function viewTools(ui: Ui, direction: () => Vec3) {
       class=${seeThrough ? 'on' : ''}
       aria-pressed=${String(seeThrough)}
       title="See through the sheet (G)"
-      ?disabled=${none}
+      ?disabled=${none && !shape?.space_faces.length}
       @click=${() => ui.dispatch({ type: 'view', view: { seeThrough: !seeThrough } })}
     >
       Glass

@@ -10,8 +10,8 @@ const most = 3; // examples of a kind
 
 /** What is there while nothing is open: a place to drop files, what can be begun anew, and examples. */
 export function startScreen(ui: Ui) {
-  const { document: d, description, examples, recents } = ui.state;
-  if (d) return nothing;
+  const { document: d, description, examples, recents, opening } = ui.state;
+  if (d || opening?.first) return nothing;
   return html`<div class="start" data-testid="start">
     <h2>Drop a file here</h2>
     <p>A STEP part to unfold, or a plates, transition or slit file (JSON).</p>

@@ -1,5 +1,5 @@
 import assert from 'node:assert/strict';
-import { folder, open, rested, state } from '../driving.mjs';
+import { example, folder, open, rested, state } from '../driving.mjs';
 
 /** Times between the frames that follow a move of the pointer in a page, ms: median and 95th percentile. */
 async function frames(page, action) {
@@ -76,4 +76,33 @@ export async function thousand({ page }) {
   said('hover, folded', await frames(page, () => sweep(page, folded(0.2, 0.45), folded(0.8, 0.55), 120)));
   said('hover, flat', await frames(page, () => sweep(page, flat(0.1, 0.4), flat(0.9, 0.6), 120)));
   assert.equal(await resting(), version, 'no geometry was made for what is hovered');
+}
+
+/** From the address to the first picture: of an empty page, and of one with a part, which never shows the start screen. */
+export async function first({ page }) {
+  await page.addInitScript(() => {
+    const look = () => {
+      window.sawStart ||= document.querySelector('[data-testid=start]') !== null;
+      const drawn = window.planish?.store.state.shape && performance.now();
+      if (drawn) requestAnimationFrame(() => (window.firstShape = performance.now()));
+      else requestAnimationFrame(look);
+    };
+    requestAnimationFrame(look);
+  });
+  const paints = [],
+    shapes = [];
+  for (let i = 0; i < 5; ++i) {
+    await page.reload();
+    await page.waitForSelector('[data-testid=start]');
+    paints.push(await page.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0].startTime));
+  }
+  await example(page, 'bracket.step');
+  for (let i = 0; i < 5; ++i) {
+    await page.reload();
+    await page.waitForFunction(() => window.firstShape);
+    assert.equal(await page.evaluate(() => window.sawStart), false);
+    shapes.push(await page.evaluate(() => window.firstShape));
+  }
+  const median = (times) => times.sort((a, b) => a - b)[2].toFixed(0);
+  console.log(`   first picture: empty page ${median(paints)} ms, with a part ${median(shapes)} ms`);
 }

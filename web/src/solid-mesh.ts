@@ -1,0 +1,83 @@
+import type { ApiProblem, Shape, Vec3 } from './types.ts';
+import { cross, minus, plus, scaled } from './vectors.ts';
+
+/** Faces of a solid by number, and edges by the two faces that meet there, as a message names them. */
+export interface NamedPlaces {
+  faces: number[];
+  edges: { name: string; between: [number, number] }[];
+}
+
+export const unnamed: NamedPlaces = { faces: [], edges: [] };
+
+const face = /\b[Ff]aces? (\d+(?:(?:, | and )(?:face )?\d+)*)/g,
+  edge = /\b(edge(?: \d+)?) between face (\d+) and face (\d+)/g;
+
+/** What the reason of a refusal names. The faces on both sides of an edge are named for the edge's sake only. */
+export function namedPlaces({ message, where }: ApiProblem): NamedPlaces {
+  const text = `${message}\n${where ?? ''}`,
+    edges = new Map<string, NamedPlaces['edges'][number]>();
+  for (const [, name, a, b] of text.matchAll(edge)) {
+    const key = `${a} ${b}`;
+    if (!edges.has(key) || name !== 'edge') edges.set(key, { name: name!, between: [Number(a), Number(b)] });
+  }
+  const numbers = [...text.replace(edge, '').matchAll(face)].flatMap(([, list]) => list!.match(/\d+/g)!.map(Number));
+  return { faces: [...new Set(numbers)], edges: [...edges.values()] };
+}
+
+/** A line between two triangles of different faces; of open bodies also one with a triangle on one side. */
+export interface SolidLine {
+  ends: [number, number]; // points
+  faces: number[];
+}
+
+/** The edges of a solid, piece by piece. */
+export function solidLines({ space_triangles: t, space_faces: faces }: Shape): SolidLine[] {
+  const sides = new Map<string, SolidLine>();
+  for (let i = 0; i < t.length; ++i) {
+    const a = t[i]!,
+      b = t[i % 3 === 2 ? i - 2 : i + 1]!,
+      key = a < b ? `${a} ${b}` : `${b} ${a}`,
+      known = sides.get(key);
+    if (known) known.faces.push(faces[Math.floor(i / 3)]!);
+    else sides.set(key, { ends: [a, b], faces: [faces[Math.floor(i / 3)]!] });
+  }
+  return [...sides.values()].filter(({ faces: [a, b] }) => a !== b);
+}
+
+export const pointOf = ({ space_points: p }: Shape, i: number): Vec3 => [p[3 * i]!, p[3 * i + 1]!, p[3 * i + 2]!];
+
+export const isBetween = ({ faces }: SolidLine, [a, b]: [number, number]) => faces.includes(a) && faces.includes(b);
+
+/** A stretch of a named edge, or a triangle of a named face, whose normal is as long as twice its area. */
+export interface NamedPiece {
+  name: string;
+  middle: Vec3;
+  normal: Vec3 | null;
+  size: number;
+}
+
+/** The pieces of what is named, each one's largest first. */
+export function namedPieces(shape: Shape, named: NamedPlaces): NamedPiece[][] {
+  const { space_triangles: t, space_faces } = shape,
+    corners = (row: ArrayLike<number>) => Array.from(row, (i) => pointOf(shape, i)),
+    lines = named.edges.length ? solidLines(shape) : [];
+  const faces = named.faces.map((number) => {
+    const own: NamedPiece[] = [];
+    space_faces.forEach((of, i) => {
+      if (of !== number) return;
+      const [a, b, c] = corners(t.subarray(3 * i, 3 * i + 3)) as [Vec3, Vec3, Vec3],
+        normal = cross(minus(b, a), minus(c, a));
+      own.push({ name: `face ${number}`, middle: mean([a, b, c]), normal, size: Math.hypot(...normal) });
+    });
+    return own;
+  });
+  const edges = named.edges.map(({ name, between }) =>
+    lines
+      .filter((line) => isBetween(line, between))
+      .map(({ ends }) => corners(ends) as [Vec3, Vec3])
+      .map(([a, b]) => ({ name, middle: mean([a, b]), normal: null, size: Math.hypot(...minus(b, a)) })),
+  );
+  return [...faces, ...edges].filter((p) => p.length > 0).map((p) => p.sort((a, b) => b.size - a.size));
+}
+
+const mean = (all: Vec3[]): Vec3 => scaled(all.reduce(plus), 1 / all.length);

@@ -1,0 +1,73 @@
+import assert from 'node:assert/strict';
+import { drag, folder, open, state } from '../driving.mjs';
+
+// A refused part: what the sentence names is marked in it.
+
+/** How many pixels of the folded view are red, as what is marked, and of these the middle, in its pixels. */
+const marked = (page) =>
+  page.evaluate(async () => {
+    const canvas = document.querySelector('[data-testid=folded-canvas]');
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    window.planish.views.folded.draw();
+    await new Promise((done) => requestAnimationFrame(done));
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+    let [count, x, y] = [0, 0, 0];
+    for (let i = 0; i < data.length; i += 4)
+      // Shaded, or seen through the part: nothing else is red.
+      if (data[i] > data[i + 1] + 25 && data[i] > data[i + 2] + 25) {
+        ++count;
+        x += (i / 4) % canvas.width;
+        y += Math.floor(i / 4 / canvas.width);
+      }
+    return { count, x: x / count / window.devicePixelRatio, y: y / count / window.devicePixelRatio };
+  });
+
+const at = (page, point) =>
+  page.evaluate((p) => {
+    const { x, y } = window.planish.views.folded.project(p),
+      box = document.querySelector('[data-testid=folded-canvas]').getBoundingClientRect();
+    return { x: x - box.left, y: y - box.top };
+  }, point);
+
+export async function refusal({ page }) {
+  await open(page, [`${folder(page)}/../tube.step`]);
+  const message = await page.textContent('[data-testid=message]');
+  const [, a, b] = message.match(/edge between face (\d+) and face (\d+)/);
+  // Faces 7 to 10 are its inside, at 2 mm, in the order in which the file has them.
+  assert.deepEqual([Number(a), Number(b)].sort(), [7, 8], message);
+  const near = async () => {
+    const found = await marked(page),
+      middle = await at(page, [2, 38, 60]);
+    assert.ok(found.count > 50, `${found.count} pixels are marked`);
+    assert.ok(Math.hypot(found.x - middle.x, found.y - middle.y) < 6, JSON.stringify({ found, middle }));
+    return found;
+  };
+  await near();
+  await page.screenshot({ path: `${folder(page)}/edge.png` });
+  // It can be turned, and seen through.
+  const box = await page.locator('[data-testid=folded-canvas]').boundingBox();
+  const before = await state(page, 'views.folded.direction');
+  await drag(page, { x: box.x + 60, y: box.y + box.height - 60 }, { x: 150, y: -40 });
+  assert.notDeepEqual(await state(page, 'views.folded.direction'), before);
+  await near();
+  await page.click('[data-testid=see-through]');
+  await near();
+  await page.click('[data-testid=see-through]');
+  // A face.
+  await open(page, [`${folder(page)}/../stepped.step`]);
+  assert.match(await page.textContent('[data-testid=message]'), /face 6/);
+  const found = await marked(page),
+    corners = [];
+  for (const y of [30, 60]) for (const z of [0, 50]) corners.push(await at(page, [3, y, z]));
+  assert.ok(found.count > 1000, `${found.count} pixels`);
+  for (const k of ['x', 'y']) {
+    const range = corners.map((c) => c[k]);
+    assert.ok(Math.min(...range) < found[k] && found[k] < Math.max(...range), JSON.stringify({ found, corners }));
+  }
+  await page.screenshot({ path: `${folder(page)}/face.png` });
+  // What is opened next has nothing of it.
+  await open(page, [`${folder(page)}/../pressed.step`]);
+  assert.equal((await marked(page)).count, 0);
+}

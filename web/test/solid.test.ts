@@ -1,0 +1,91 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+import { decodeShape, encodeShape } from '../src/shape.ts';
+import { namedPieces, namedPlaces, pointOf, solidLines } from '../src/solid-mesh.ts';
+import { directionThatShows } from '../src/solid-sight.ts';
+import type { Shape, Vec3 } from '../src/types.ts';
+
+const problem = (message: string, where?: string) => ({ code: 'refused', message, where });
+
+test('faces and edges are named as messages name them', () => {
+  const named = (message: string, where?: string) => namedPlaces(problem(message, where));
+  assert.deepEqual(named('The material below face 8, which continues face 7, is not 12 mm thick', 'face 8'), {
+    faces: [8, 7],
+    edges: [],
+  });
+  assert.deepEqual(named('Face 49 (torus) is curved in two directions').faces, [49]);
+  assert.deepEqual(named('Faces 3 and 12 meet smoothly', 'faces 3 and 12').faces, [3, 12]);
+  assert.deepEqual(named('the faces 1, 2 and 3').faces, [1, 2, 3]);
+  assert.deepEqual(
+    named('a rip along the edge between face 6 and face 35 would open it', 'edge 73 between face 6 and face 35'),
+    { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
+  );
+  assert.deepEqual(named('A sheet of 3 mm accounts for 40 % of the surface 12'), { faces: [], edges: [] });
+});
+
+/** A box from the origin; faces 1 to 6: −x, +x, −y, +y, −z, +z. */
+function box(size: Vec3, faces = [1, 2, 3, 4, 5, 6], at: Vec3 = [0, 0, 0]): Shape {
+  const points = Array.from({ length: 8 }, (_, i) =>
+    [i & 1, (i >> 1) & 1, i >> 2].map((s, k) => at[k]! + s * size[k]!),
+  );
+  const quads = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+  ];
+  return withArrays({
+    space_points: new Float32Array(points.flat()),
+    space_triangles: new Uint32Array(quads.flatMap(([a, b, c, d]) => [a!, b!, c!, a!, c!, d!])),
+    space_faces: new Uint32Array(faces.flatMap((f) => [f, f])),
+  });
+}
+
+const withArrays = (arrays: Parameters<typeof encodeShape>[1]): Shape =>
+  decodeShape(encodeShape({} as Parameters<typeof encodeShape>[0], arrays));
+
+const together = (a: Shape, b: Shape): Shape => ({
+  ...a,
+  space_points: new Float32Array([...a.space_points, ...b.space_points]),
+  space_triangles: new Uint32Array([
+    ...a.space_triangles,
+    ...b.space_triangles.map((i) => i + a.space_points.length / 3),
+  ]),
+  space_faces: new Uint32Array([...a.space_faces, ...b.space_faces]),
+});
+
+test('a solid has the edges at which its faces meet', () => {
+  const shape = box([4, 3, 2]),
+    lines = solidLines(shape);
+  assert.equal(lines.length, 12, 'no diagonals');
+  const lengths = lines.map(({ ends: [a, b] }) =>
+    Math.hypot(...pointOf(shape, a).map((v, k) => v - pointOf(shape, b)[k]!)),
+  );
+  assert.deepEqual(lengths.sort(), [2, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4]);
+  const edge = namedPieces(shape, { faces: [], edges: [{ name: 'edge 1', between: [2, 6] }] })[0]![0]!;
+  assert.deepEqual(edge.middle, [4, 1.5, 2]);
+  assert.deepEqual(namedPieces(shape, { faces: [], edges: [{ name: 'edge 2', between: [1, 2] }] }), []);
+});
+
+test('the solid is turned so that what is named is seen, and not without need', () => {
+  const corners: Vec3[] = [
+    [1, -1, 1],
+    [1, 1, 1],
+    [-1, 1, 1],
+    [-1, -1, 1],
+    [1, -1, -1],
+  ];
+  const shape = box([4, 3, 2]),
+    towards = (faces: number[], of = shape) => directionThatShows(of, { faces, edges: [] }, corners);
+  assert.deepEqual(towards([6]), [1, -1, 1]);
+  assert.deepEqual(towards([3]), [1, -1, 1]);
+  assert.deepEqual(towards([4]), [1, 1, 1], 'from behind');
+  assert.deepEqual(towards([1]), [-1, 1, 1]);
+  assert.deepEqual(towards([5]), [1, -1, -1], 'from below');
+  // A wall before it.
+  const hidden = together(shape, box([1, 40, 40], [7, 8, 9, 10, 11, 12], [6, -20, -20]));
+  assert.deepEqual(towards([6], hidden), [-1, 1, 1]);
+  assert.deepEqual(directionThatShows(shape, { faces: [99], edges: [] }, corners), [1, -1, 1]);
+});
