@@ -43,7 +43,7 @@ export class FoldedView {
   private readonly scene = new Scene();
   private readonly eye: FoldedCamera;
   private readonly plateGizmo: PlateGizmo;
-  private readonly under: FoldedLook;
+  readonly under: FoldedLook;
   private readonly cube: CubeView;
   private readonly sheet = new SheetObject();
   private readonly solid = new SolidObject();
@@ -264,11 +264,6 @@ export class FoldedView {
     const p = this.eye.toScreen(at),
       r = this.renderer.domElement.getBoundingClientRect();
     return { x: r.left + p.x, y: r.top + p.y };
-  }
-
-  /** Whether the sheet is seen there, and not hidden by what lies before it. */
-  isSeen(at: Vec3): boolean {
-    return this.under.isSeen(at);
   }
 
   private listen(canvas: HTMLCanvasElement) {

@@ -108,7 +108,7 @@ const measureKeys = new MeasureKeys(ui, views.measuring, {
   folded: {
     box: part('.folded .canvas'),
     toClient: (at) => views.folded.project(at),
-    isSeen: (at) => views.folded.isSeen(at),
+    isSeen: (at) => views.folded.under.isSeen(at),
     light,
   },
 });

@@ -30,6 +30,11 @@ async function unfold({ page }) {
   await away(page);
 }
 
+async function refused({ page, made }) {
+  await open(page, [`${made}/box_tube.step`]);
+  await away(page);
+}
+
 async function overlap({ page }) {
   await page.setInputFiles('[data-testid=file-input]', {
     name: 'walls.json',
@@ -192,6 +197,7 @@ async function strips({ page }) {
 export const scenes = {
   start: begin,
   unfold,
+  refused,
   overlap,
   findings,
   remedy,

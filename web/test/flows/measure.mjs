@@ -241,7 +241,7 @@ export async function measurekeys({ page }) {
         const stop = window.planish.measureKeys
           .stops('folded')
           .find(({ ref }) => JSON.stringify(ref) === JSON.stringify(r));
-        return !stop.onSheet || window.planish.views.folded.isSeen(stop.at);
+        return !stop.onSheet || window.planish.views.folded.under.isSeen(stop.at);
       }, ref),
     );
   }
