@@ -1,5 +1,5 @@
 import { knownPiece, pieceOf } from './report.ts';
-import { namedPlaces, unnamed } from './solid-mesh.ts';
+import { refusedPlaces } from './refused-solid.ts';
 import { isInMachine, type State } from './state.ts';
 import { clean, lengthText, unitName } from './units.ts';
 
@@ -16,10 +16,9 @@ function partText(state: State): string {
   const { document: d, fold } = state;
   if (!d) return 'Folded part: nothing is open';
   if (isInMachine(state)) return `${d.name} in the press brake`;
-  const { faces, edges } = state.problem && !state.stale ? namedPlaces(state.problem) : unnamed,
-    marked = [...faces.map((n) => `face ${n}`), ...edges.map((e) => e.name)].join(', ');
-  if (state.shape?.space_faces.length)
-    return `Part ${d.name}, without a flat pattern${marked && `; marked: ${marked}`}`;
+  const { faces, edges } = refusedPlaces(state),
+    marked = [...faces, ...edges].map((named) => named.name).join(', ');
+  if (state.problem && marked) return `Part ${d.name}, without a flat pattern; marked: ${marked}`;
   const { bends, flanges } = pieceOf(state)?.sheet ?? knownPiece(state)?.sheet ?? {};
   const parts = flanges === undefined ? '' : `: ${count(flanges, 'flange')}, ${count(bends ?? 0, 'bend')}`;
   return `Folded part ${d.name}${parts}; folded by ${clean(100 * fold, 0)} %`;

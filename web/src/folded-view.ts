@@ -10,7 +10,7 @@ import { MachineObject } from './machine-object.ts';
 import { drawnInSoftware } from './graphics.ts';
 import type { PickedLine } from './lines.ts';
 import { SheetObject } from './sheet-object.ts';
-import type { NamedPlaces } from './solid-mesh.ts';
+import type { NamedPlaces, Solid } from './solid-mesh.ts';
 import { SolidObject } from './solid-object.ts';
 import { directionThatShows } from './solid-sight.ts';
 import { isLarge } from './sheet-lod.ts';
@@ -119,11 +119,11 @@ export class FoldedView {
   }
 
   /** A solid that is refused, and what is named in the reason. `turn`: so that this is seen. */
-  setSolid(shape: Shape, named: NamedPlaces, turn: boolean) {
-    this.solid.setShape(shape, named);
+  setSolid(solid: Solid, named: NamedPlaces, turn: boolean) {
+    this.solid.setShape(solid, named);
     this.solid.paint(this.palette, this.glass);
     if (turn && named.faces.length + named.edges.length > 0)
-      this.eye.lookTowards(directionThatShows(shape, named, this.eye.corners));
+      this.eye.lookTowards(directionThatShows(solid, named, this.eye.corners));
     this.draw();
   }
 

@@ -156,7 +156,7 @@ arrange(part('main'), store.state.view);
 let pickedBefore = store.state.selection;
 
 function draw() {
-  root.classList.toggle('stale', store.state.stale);
+  root.classList.toggle('stale', store.state.stale && store.state.shape !== null);
   render(topBar(ui), part('header'));
   render(messageBar(ui), part('.messages'));
   render(sidePanel(ui), part('aside'));

@@ -1,6 +1,6 @@
 import { BufferAttribute, BufferGeometry, type Color, type LineSegments, type Mesh } from 'three';
 import type { SheetMesh } from './sheet-mesh.ts';
-import type { Shape } from './types.ts';
+import type { Solid } from './solid-mesh.ts';
 
 export function replaceGeometry(object: Mesh | LineSegments, geometry: BufferGeometry) {
   object.geometry.dispose();
@@ -44,7 +44,7 @@ export function setTint(geometry: BufferGeometry, tint: Color) {
   geometry.setAttribute('tint', new BufferAttribute(values, 3));
 }
 
-export function spaceGeometry(shape: Shape): BufferGeometry {
+export function spaceGeometry(shape: Solid): BufferGeometry {
   let geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(shape.space_points, 3));
   geometry.setIndex(new BufferAttribute(shape.space_triangles, 1));

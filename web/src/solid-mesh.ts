@@ -1,9 +1,12 @@
 import type { ApiProblem, Shape, Vec3 } from './types.ts';
 import { cross, minus, plus, scaled } from './vectors.ts';
 
+/** The triangles of a solid, each with the number of its face. */
+export type Solid = Pick<Shape, 'space_points' | 'space_triangles' | 'space_faces'>;
+
 /** Faces of a solid by number, and edges by the two faces that meet there, as a message names them. */
 export interface NamedPlaces {
-  faces: number[];
+  faces: { name: string; number: number }[];
   edges: { name: string; between: [number, number] }[];
 }
 
@@ -21,7 +24,10 @@ export function namedPlaces({ message, where }: ApiProblem): NamedPlaces {
     if (!edges.has(key) || name !== 'edge') edges.set(key, { name: name!, between: [Number(a), Number(b)] });
   }
   const numbers = [...text.replace(edge, '').matchAll(face)].flatMap(([, list]) => list!.match(/\d+/g)!.map(Number));
-  return { faces: [...new Set(numbers)], edges: [...edges.values()] };
+  return {
+    faces: [...new Set(numbers)].map((number) => ({ name: `face ${number}`, number })),
+    edges: [...edges.values()],
+  };
 }
 
 /** A line between two triangles of different faces; of open bodies also one with a triangle on one side. */
@@ -31,7 +37,7 @@ export interface SolidLine {
 }
 
 /** The edges of a solid, piece by piece. */
-export function solidLines({ space_triangles: t, space_faces: faces }: Shape): SolidLine[] {
+export function solidLines({ space_triangles: t, space_faces: faces }: Solid): SolidLine[] {
   const sides = new Map<string, SolidLine>();
   for (let i = 0; i < t.length; ++i) {
     const a = t[i]!,
@@ -44,7 +50,7 @@ export function solidLines({ space_triangles: t, space_faces: faces }: Shape): S
   return [...sides.values()].filter(({ faces: [a, b] }) => a !== b);
 }
 
-export const pointOf = ({ space_points: p }: Shape, i: number): Vec3 => [p[3 * i]!, p[3 * i + 1]!, p[3 * i + 2]!];
+export const pointOf = ({ space_points: p }: Solid, i: number): Vec3 => [p[3 * i]!, p[3 * i + 1]!, p[3 * i + 2]!];
 
 export const isBetween = ({ faces }: SolidLine, [a, b]: [number, number]) => faces.includes(a) && faces.includes(b);
 
@@ -57,17 +63,17 @@ export interface NamedPiece {
 }
 
 /** The pieces of what is named, each one's largest first. */
-export function namedPieces(shape: Shape, named: NamedPlaces): NamedPiece[][] {
+export function namedPieces(shape: Solid, named: NamedPlaces): NamedPiece[][] {
   const { space_triangles: t, space_faces } = shape,
     corners = (row: ArrayLike<number>) => Array.from(row, (i) => pointOf(shape, i)),
     lines = named.edges.length ? solidLines(shape) : [];
-  const faces = named.faces.map((number) => {
+  const faces = named.faces.map(({ name, number }) => {
     const own: NamedPiece[] = [];
     space_faces.forEach((of, i) => {
       if (of !== number) return;
       const [a, b, c] = corners(t.subarray(3 * i, 3 * i + 3)) as [Vec3, Vec3, Vec3],
         normal = cross(minus(b, a), minus(c, a));
-      own.push({ name: `face ${number}`, middle: mean([a, b, c]), normal, size: Math.hypot(...normal) });
+      own.push({ name, middle: mean([a, b, c]), normal, size: Math.hypot(...normal) });
     });
     return own;
   });

@@ -14,10 +14,10 @@ import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
 import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 import { replaceGeometry, setTint, spaceGeometry } from './sheet-geometry.ts';
 import { setOpacity, sheetMaterial } from './sheet-material.ts';
-import { isBetween, namedPieces, pointOf, solidLines, unnamed, type NamedPlaces } from './solid-mesh.ts';
+import { isBetween, namedPieces, pointOf, solidLines, unnamed, type NamedPlaces, type Solid } from './solid-mesh.ts';
 import { writeNames } from './name-labels.ts';
 import type { Palette } from './theme.ts';
-import type { Shape, Vec3 } from './types.ts';
+import type { Vec3 } from './types.ts';
 
 /** A solid without a flat pattern, as it was read. The faces and edges that its refusal names are marked. */
 export class SolidObject {
@@ -39,7 +39,7 @@ export class SolidObject {
     for (const o of this.group.children) o.frustumCulled = false;
   }
 
-  setShape(shape: Shape, named: NamedPlaces) {
+  setShape(shape: Solid, named: NamedPlaces) {
     if (shape.space_faces.length === 0 && this.faces.length === 0) return;
     this.faces = shape.space_faces;
     this.named = named;
@@ -68,7 +68,7 @@ export class SolidObject {
     for (const { material } of [this.marked, this.behind]) material.color.set(palette.hit);
     const tint = geometry.getAttribute('tint') as BufferAttribute | undefined,
       { r, g, b } = new Color(palette.hit),
-      own = new Set(this.named.faces);
+      own = new Set(this.named.faces.map((f) => f.number));
     this.faces.forEach((face, i) => {
       if (own.has(face)) for (let k = 3 * i; k < 3 * i + 3; ++k) tint!.setXYZ(k, r, g, b);
     });

@@ -1,12 +1,12 @@
-import { namedPieces, pointOf, type NamedPiece, type NamedPlaces } from './solid-mesh.ts';
-import type { Shape, Vec3 } from './types.ts';
+import { namedPieces, pointOf, type NamedPiece, type NamedPlaces, type Solid } from './solid-mesh.ts';
+import type { Vec3 } from './types.ts';
 import { cross, dot, minus, normalised } from './vectors.ts';
 
 const samples = 8; // pieces of a face or an edge
 const enough = 0.7; // of what the best direction shows: a little more is no reason to turn the part
 
 /** The first of several directions towards the eye from which what is named is well seen, the solid not before it. */
-export function directionThatShows(shape: Shape, named: NamedPlaces, directions: Vec3[]): Vec3 {
+export function directionThatShows(shape: Solid, named: NamedPlaces, directions: Vec3[]): Vec3 {
   const pieces = namedPieces(shape, named).flatMap((own) => own.slice(0, samples)),
     reach = extent(shape),
     seen = directions.map(normalised).map((towards) => {
@@ -22,7 +22,7 @@ export function directionThatShows(shape: Shape, named: NamedPlaces, directions:
 const shownSize = ({ normal, size }: NamedPiece, towards: Vec3) => (normal ? Math.max(0, dot(normal, towards)) : size);
 
 /** Whether another triangle lies before a piece. */
-function isHidden(shape: Shape, { middle, normal }: NamedPiece, towards: Vec3, reach: number): boolean {
+function isHidden(shape: Solid, { middle, normal }: NamedPiece, towards: Vec3, reach: number): boolean {
   if (normal && dot(normal, towards) <= 0) return true;
   const { space_triangles: t } = shape,
     beside = 1e-6 * reach;
@@ -43,7 +43,7 @@ function isHidden(shape: Shape, { middle, normal }: NamedPiece, towards: Vec3, r
 }
 
 /** The longest way through the box of a solid. */
-function extent({ space_points: p }: Shape): number {
+function extent({ space_points: p }: Solid): number {
   const range = [0, 1, 2].map((k) => {
     let [low, high] = [Infinity, -Infinity];
     for (let i = k; i < p.length; i += 3) {

@@ -369,14 +369,16 @@ function redone(state: State): State {
   };
 }
 
+const hasGeometry = (s: Shape | null) => s !== null && (s.facet_parent.length > 0 || s.space_triangles.length > 0);
+
 function shaped(state: State, shape: Shape, draft: boolean): State {
   const { body, piece } = state.input.options,
     shapeOf = `${body ?? ''} ${piece ?? ''}`;
   shape = asBefore(shape, state.shapeOf === shapeOf ? state.shape : null);
-  const hasGeometry = shape.facet_parent.length > 0 || shape.space_triangles.length > 0;
   // After a refusal without a shape the last shape stays visible; the message says that it is not this input's.
-  const shown =
-    hasGeometry || !state.shape ? shape : { ...state.shape, report: shape.report, handles: withPlates(state)!.handles };
+  const last = hasGeometry(state.shape) ? state.shape : null,
+    stale = last !== null && !hasGeometry(shape);
+  const shown = !stale ? shape : { ...last!, report: shape.report, handles: withPlates(state)!.handles };
   // Edges are renumbered if their number changes.
   const alike = shown.edge_length.length === state.shape?.edge_length.length,
     edge = alike ? state.selection.edge : null,
@@ -396,7 +398,7 @@ function shaped(state: State, shape: Shape, draft: boolean): State {
     result: draft ? state.result : shown,
     problem: shape.report.status === 'refused' ? shape.report.reason : null,
     note: shape.report.status === 'refused' ? null : state.note,
-    stale: !hasGeometry && state.shape !== null,
+    stale,
   };
 }
 

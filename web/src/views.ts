@@ -1,4 +1,4 @@
-import { namedPlaces, unnamed } from './solid-mesh.ts';
+import { refusedPlaces, refusedSolid } from './refused-solid.ts';
 import type { Matrix4 } from 'three';
 import { Vector3 } from 'three';
 import { movePlate } from './edits/connect.ts';
@@ -85,13 +85,18 @@ export class Views {
     this.folded.follow();
     this.showMachine(state);
     this.showFlat(state);
-    const { problem, stale } = state;
-    this.folded.setSolid(state.shape!, problem && !stale ? namedPlaces(problem) : unnamed, first);
-    if (first && (shape.facet_parent.length || shape.space_triangles.length)) {
+    if (this.showRefused(state, first) || (first && shape.facet_parent.length)) {
       this.shown = id;
       this.folded.fit();
       this.flat.fit();
     }
+  }
+
+  /** What a refused input has to show; says whether that is the first thing to be seen of it. */
+  private showRefused(state: State, first: boolean): boolean {
+    const solid = refusedSolid(state);
+    this.folded.setSolid(solid, refusedPlaces(state), first);
+    return first && solid.space_faces.length > 0;
   }
 
   changed(state: State, before: State) {
@@ -131,7 +136,11 @@ export class Views {
     )
       this.folded.setOverlay(this.overlay(state));
     if (state.shape && state.shape !== before.shape) this.show(state.shape);
-    else if (
+    else if (!state.shape && (state.problem !== before.problem || state.input !== before.input)) {
+      if (!this.showRefused(state, this.shown !== shownOf(state))) return;
+      this.shown = shownOf(state);
+      this.folded.fit();
+    } else if (
       state.selection !== before.selection ||
       state.theme !== before.theme ||
       state.units !== before.units ||

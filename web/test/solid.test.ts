@@ -1,27 +1,35 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 import { decodeShape, encodeShape } from '../src/shape.ts';
-import { namedPieces, namedPlaces, pointOf, solidLines } from '../src/solid-mesh.ts';
+import { namedPieces, namedPlaces, pointOf, solidLines, type NamedPlaces } from '../src/solid-mesh.ts';
+import { namedPlates } from '../src/refused-solid.ts';
 import { directionThatShows } from '../src/solid-sight.ts';
-import type { Shape, Vec3 } from '../src/types.ts';
+import type { PlatesSpec, Shape, Vec3 } from '../src/types.ts';
 
 const problem = (message: string, where?: string) => ({ code: 'refused', message, where });
+
+const numbers = (named: NamedPlaces) => named.faces.map((f) => f.number);
 
 test('faces and edges are named as messages name them', () => {
   const named = (message: string, where?: string) => namedPlaces(problem(message, where));
   assert.deepEqual(named('The material below face 8, which continues face 7, is not 12 mm thick', 'face 8'), {
-    faces: [8, 7],
+    faces: [
+      { name: 'face 8', number: 8 },
+      { name: 'face 7', number: 7 },
+    ],
     edges: [],
   });
-  assert.deepEqual(named('Face 49 (torus) is curved in two directions').faces, [49]);
-  assert.deepEqual(named('Faces 3 and 12 meet smoothly', 'faces 3 and 12').faces, [3, 12]);
-  assert.deepEqual(named('the faces 1, 2 and 3').faces, [1, 2, 3]);
+  assert.deepEqual(numbers(named('Face 49 (torus) is curved in two directions')), [49]);
+  assert.deepEqual(numbers(named('Faces 3 and 12 meet smoothly', 'faces 3 and 12')), [3, 12]);
+  assert.deepEqual(numbers(named('the faces 1, 2 and 3')), [1, 2, 3]);
   assert.deepEqual(
     named('a rip along the edge between face 6 and face 35 would open it', 'edge 73 between face 6 and face 35'),
     { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
   );
   assert.deepEqual(named('A sheet of 3 mm accounts for 40 % of the surface 12'), { faces: [], edges: [] });
 });
+
+const numbered = (faces: number[]) => faces.map((number) => ({ name: `face ${number}`, number }));
 
 /** A box from the origin; faces 1 to 6: −x, +x, −y, +y, −z, +z. */
 function box(size: Vec3, faces = [1, 2, 3, 4, 5, 6], at: Vec3 = [0, 0, 0]): Shape {
@@ -78,7 +86,7 @@ test('the solid is turned so that what is named is seen, and not without need', 
     [1, -1, -1],
   ];
   const shape = box([4, 3, 2]),
-    towards = (faces: number[], of = shape) => directionThatShows(of, { faces, edges: [] }, corners);
+    towards = (faces: number[], of = shape) => directionThatShows(of, { faces: numbered(faces), edges: [] }, corners);
   assert.deepEqual(towards([6]), [1, -1, 1]);
   assert.deepEqual(towards([3]), [1, -1, 1]);
   assert.deepEqual(towards([4]), [1, 1, 1], 'from behind');
@@ -87,5 +95,23 @@ test('the solid is turned so that what is named is seen, and not without need', 
   // A wall before it.
   const hidden = together(shape, box([1, 40, 40], [7, 8, 9, 10, 11, 12], [6, -20, -20]));
   assert.deepEqual(towards([6], hidden), [-1, 1, 1]);
-  assert.deepEqual(directionThatShows(shape, { faces: [99], edges: [] }, corners), [1, -1, 1]);
+  assert.deepEqual(directionThatShows(shape, { faces: numbered([99]), edges: [] }, corners), [1, -1, 1]);
+});
+
+test('plates are named by the message, or by the place in the file', () => {
+  const spec = {
+    plates: ['base', 'left', 'right "1"'].map((id) => ({ id, outline: [] })),
+    bends: [{ between: ['base', 'left'] }],
+  } as unknown as PlatesSpec;
+  const named = (message: string, where?: string) => namedPlates(problem(message, where), spec).faces;
+  const [base, left] = [
+    { name: 'base', number: 1 },
+    { name: 'left', number: 2 },
+  ];
+  assert.deepEqual(named('plates "left" and "base" lie in one plane'), [left, base]);
+  assert.deepEqual(named('the bends do not join plate "left" to plate "base": add a bend'), [left, base]);
+  assert.deepEqual(named('there is no plate "other"'), []);
+  assert.deepEqual(named('is not plane', 'file.json/plates/0/outline/3'), [base]);
+  assert.deepEqual(named('has no room', 'file.json/bends/0/inside_radius'), [base, left]);
+  assert.deepEqual(named('has no room', 'file.json/bends/7'), []);
 });

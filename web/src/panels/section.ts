@@ -1,3 +1,4 @@
+import { refusedSolid } from '../refused-solid.ts';
 import { html, nothing } from 'lit-html';
 import { isInMachine } from '../state.ts';
 import { arrangementOf, type SectionAxis } from '../view-state.ts';
@@ -36,7 +37,7 @@ export function viewTools(ui: Ui, direction: () => Vec3) {
       class=${seeThrough ? 'on' : ''}
       aria-pressed=${String(seeThrough)}
       title="See through the sheet (G)"
-      ?disabled=${none && !shape?.space_faces.length}
+      ?disabled=${none && !refusedSolid(ui.state).space_faces.length}
       @click=${() => ui.dispatch({ type: 'view', view: { seeThrough: !seeThrough } })}
     >
       Glass

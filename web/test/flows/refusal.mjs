@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
-import { drag, folder, open, state } from '../driving.mjs';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { drag, folder, open, rested, state } from '../driving.mjs';
 
 // A refused part: what the sentence names is marked in it.
 
@@ -67,6 +68,18 @@ export async function refusal({ page }) {
     assert.ok(Math.min(...range) < found[k] && found[k] < Math.max(...range), JSON.stringify({ found, corners }));
   }
   await page.screenshot({ path: `${folder(page)}/face.png` });
+  // Of plates that cannot be joined, those that are named.
+  const plates = JSON.parse(readFileSync(new URL('../../../examples/connect/a_folded.json', import.meta.url)));
+  plates.bends = [{ between: ['base', 'back'] }];
+  writeFileSync(`${folder(page)}/apart.json`, JSON.stringify(plates));
+  await page.setInputFiles('[data-testid=file-input]', [`${folder(page)}/apart.json`]);
+  await page.waitForSelector('[data-testid=message]:has-text("do not join plate")');
+  assert.match(await page.textContent('[data-testid=message]'), /plate "top" to plate "base"/);
+  assert.ok((await marked(page)).count > 5000);
+  await page.screenshot({ path: `${folder(page)}/plates.png` });
+  await page.click('[data-testid=bends-free]');
+  await rested(page);
+  assert.equal(await state(page, 'views.folded.solid.group.visible'), false, 'bends are orange, which is nearly red');
   // What is opened next has nothing of it.
   await open(page, [`${folder(page)}/../pressed.step`]);
   assert.equal((await marked(page)).count, 0);

@@ -1,0 +1,69 @@
+import { ShapeUtils, Vector2 } from 'three';
+import type { State } from './state.ts';
+import { namedPlaces, unnamed, type NamedPlaces, type Solid } from './solid-mesh.ts';
+import type { ApiProblem, PlatesSpec, Vec3 } from './types.ts';
+import { millimetres } from './units.ts';
+import { cross, dot, minus, normalised, plus, scaled } from './vectors.ts';
+
+const none: Solid = {
+  space_points: new Float32Array(),
+  space_triangles: new Uint32Array(),
+  space_faces: new Uint32Array(),
+};
+
+/** What is to be seen of an input that is refused: the solid as read, or the plates. Empty while there is a sheet. */
+export function refusedSolid({ shape, problem, document, input }: State): Solid {
+  if (shape?.facet_parent.length) return none;
+  if (shape?.space_faces.length) return shape;
+  if (document?.kind !== 'connect' || !problem || !input.spec) return none;
+  const { plates, units } = input.spec as PlatesSpec;
+  return solidOf(plates.map((p) => p.outline.map((c) => scaled(c, millimetres(units)))));
+}
+
+/** What the refusal names of it. */
+export function refusedPlaces({ shape, problem, document, input }: State): NamedPlaces {
+  if (!problem || !document || shape?.facet_parent.length) return unnamed;
+  return document.kind === 'connect' ? namedPlates(problem, input.spec as PlatesSpec) : namedPlaces(problem);
+}
+
+const plate = /\bplates? "([^"]+)"(?: and "([^"]+)")?/g,
+  pointer = /\/(plates|bends)\/(\d+)/;
+
+/** Plates by their names in the message, or by the place in the file. */
+export function namedPlates({ message, where }: ApiProblem, { plates, bends }: PlatesSpec): NamedPlaces {
+  let ids = [...message.matchAll(plate)].flatMap(([, a, b]) => (b === undefined ? [a!] : [a!, b]));
+  const [, list, at] = pointer.exec(where ?? '') ?? [];
+  if (list === 'plates') ids.push(plates[Number(at)]?.id ?? '');
+  if (list === 'bends') ids.push(...(bends?.[Number(at)]?.between ?? []));
+  ids = [...new Set(ids)].filter((id) => plates.some((p) => p.id === id));
+  return { faces: ids.map((id) => ({ name: id, number: plates.findIndex((p) => p.id === id) + 1 })), edges: [] };
+}
+
+/** Plates without thickness, as faces of a solid in their order. */
+function solidOf(outlines: Vec3[][]): Solid {
+  const points: number[] = [],
+    triangles: number[] = [],
+    faces: number[] = [];
+  outlines.forEach((outline, i) => {
+    const first = points.length / 3,
+      own = ShapeUtils.triangulateShape(inPlane(outline), []);
+    points.push(...outline.flat());
+    triangles.push(...own.flat().map((corner) => first + corner!));
+    faces.push(...own.map(() => i + 1));
+  });
+  return {
+    space_points: new Float32Array(points),
+    space_triangles: new Uint32Array(triangles),
+    space_faces: new Uint32Array(faces),
+  };
+}
+
+/** A polygon in its plane. */
+function inPlane(outline: Vec3[]): Vector2[] {
+  const normal = normalised(
+    outline.reduce<Vec3>((sum, p, i) => plus(sum, cross(p, outline[(i + 1) % outline.length]!)), [0, 0, 0]),
+  );
+  const u = normalised(minus(outline[1] ?? [1, 0, 0], outline[0] ?? [0, 0, 0])),
+    v = cross(normal, u);
+  return outline.map((p) => new Vector2(dot(p, u), dot(p, v)));
+}
