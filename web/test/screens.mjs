@@ -23,7 +23,7 @@ const webp = (page, png) =>
     await image.decode();
     const canvas = new OffscreenCanvas(image.width, image.height);
     canvas.getContext('2d').drawImage(image, 0, 0);
-    const blobs = await Promise.all([0.85, 1].map((quality) => canvas.convertToBlob({ type: 'image/webp', quality })));
+    const blobs = await Promise.all([0.8, 1].map((quality) => canvas.convertToBlob({ type: 'image/webp', quality })));
     const [least] = blobs.sort((a, b) => a.size - b.size);
     return [...new Uint8Array(await least.arrayBuffer())];
   }, png.toString('base64'));
