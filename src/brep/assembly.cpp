@@ -149,11 +149,10 @@ Result<void> add_joints(SheetBuilder& builder, const SheetMap& map, const Recogn
                   ? found->second
                   : builder.add_bend(sharp_bend(*dihedral(of.model, joint.edge)));
       sharp_bends.emplace(key, *sharp);
-      builder.add_mitre_volume(mitre_volume(of, joint.edge));
     } else if (joint.a != joint.b) {
       if (auto done = straighten(builder, of.model.edges[joint.edge], a, b); !done) return done;
     }
-    builder.join(a, b, sharp);
+    builder.join(a, b, sharp, sharp ? mitre_volume(of, joint.edge) : 0.0);
   }
   return {};
 }

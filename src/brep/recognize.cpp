@@ -7,6 +7,7 @@
 #include "thickness.hpp"
 
 #include <planish/brep/step.hpp>
+#include <planish/sheet/rip.hpp>
 
 #include <fmt/format.h>
 
@@ -168,6 +169,7 @@ Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& o
   const double tolerance = options.thickness_tolerance;
   for (const Reading& reading : readings_of(model, outlines, tolerance)) {
     auto sheet = sheet_of(reading, model, outlines, tolerance);
+    if (sheet) sheet = ripped(std::move(*sheet), options.rip_edges);
     if (sheet) {
       auto accounted = accounts_for_solid(*sheet);
       if (accounted) return sheet;

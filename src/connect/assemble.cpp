@@ -72,11 +72,11 @@ void add_fold(SheetBuilder& sheet, const Parts& parts, BendId id, int bend,
     PLANISH_ASSERT(border != borders.end());
     both[side] = border->second;
   }
-  sheet.join(both[0], both[1], id);
   // The mitre outside holds more than the arc of material that bends to it.
   const Fold& fold = *parts.fits[bend].fold;
   const double turn = parts.fits[bend].report.angle.radians(), t = parts.thickness;
-  sheet.add_mitre_volume((fold.high - fold.low) * t * t * (std::tan(0.5 * turn) - 0.5 * turn));
+  sheet.join(both[0], both[1], id,
+             (fold.high - fold.low) * t * t * (std::tan(0.5 * turn) - 0.5 * turn));
 }
 
 Bend bend_of(const FittedBend& fitted, int sense) {

@@ -6,7 +6,10 @@
 #include <planish/job/options.hpp>
 #include <planish/job/rules_json.hpp>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
 
 namespace planish::job {
@@ -102,6 +105,24 @@ const std::vector<Option>& shop_options() {
   return table;
 }
 
+Done set_rip_edges(Request& to, const OptionValue& value) {
+  const std::string& text = text_of(value);
+  to.rip_edges.clear();
+  const char* at = text.data();
+  for (const char* const end = at + text.size();; ++at) {
+    int edge = 0;
+    const auto [stop, error] = std::from_chars(at, end, edge);
+    if (error != std::errc() || edge < 1 || (stop != end && *stop != ','))
+      return fail(ErrorCode::bad_option,
+                  fmt::format("`rip_edges` must be numbers of edges with commas between them, as "
+                              "in 21,56, not \"{}\"",
+                              text),
+                  "rip_edges");
+    to.rip_edges.push_back(edge);
+    if ((at = stop) == end) return {};
+  }
+}
+
 const std::vector<Option>& bend_options() {
   static const std::vector<Option> table{
       {.name = "k",
@@ -157,6 +178,12 @@ const std::vector<Option>& bend_options() {
          to.root = text_of(value);
          return {};
        }},
+      {.name = "rip_edges",
+       .kind = OptionKind::name,
+       .group = "Bends",
+       .description = "edges along which a closed part is cut open, by their numbers in the file, "
+                      "as in 21,56",
+       .set = set_rip_edges},
       {.name = "up",
        .kind = OptionKind::face,
        .group = "Bends",

@@ -5,6 +5,9 @@
 #include <planish/brep/step.hpp>
 #include <planish/job/unfold.hpp>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace planish::job {
 namespace {
 
@@ -19,11 +22,23 @@ UnfoldReport begun(const Body& body, const Request& request) {
   return report;
 }
 
+std::string note_of_rips(const std::vector<int>& edges) {
+  return fmt::format(
+      "The part is cut open along {} {}; walls that were folded sharply there meet "
+      "by their inside edges.",
+      edges.size() == 1 ? "edge" : "edges", fmt::join(edges, ", "));
+}
+
 std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<Recognized>& found,
                           const Request& request, const Progress& progress) {
-  if (!found) return found.error();
+  if (!found) {
+    Error why = found.error();
+    if (why.code == ErrorCode::bad_option) why.where = "rip_edges";
+    return why;
+  }
   report.summary = summary_of(found->sheet);
   report.notes = found->notes;
+  if (!request.rip_edges.empty()) report.notes.push_back(note_of_rips(request.rip_edges));
   // Of a shop's materials that which the file names, unless one was chosen.
   Request mine = request;
   if (mine.shop && !mine.shop->material) take_material(mine, body.material());
@@ -51,7 +66,7 @@ Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
   UnfoldReport report = begun(body, request);
   const auto work = [&] {
     progress.at("finding the sheet", 0.2);
-    return fill(report, body, recognize(body), request, progress);
+    return fill(report, body, recognize(body, {.rip_edges = request.rip_edges}), request, progress);
   };
   if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
   return report;

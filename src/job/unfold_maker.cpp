@@ -70,7 +70,8 @@ class UnfoldWork : public Work {
     const auto index = choose_body(file_, request.body);
     if (!index) return tl::unexpected(index.error());
     const Body& body = file_.bodies[*index];
-    auto report = unfold_recognized(body, sheet_of(*index, progress), request, progress);
+    auto report = unfold_recognized(body, sheet_of(*index, request.rip_edges, progress), request,
+                                    progress);
     if (!report) return tl::unexpected(report.error());
     report->input = request.input.string();
     report->number = *index + 1;
@@ -81,17 +82,19 @@ class UnfoldWork : public Work {
   bool free_spare() override { return std::exchange(file_.content, nullptr) != nullptr; }
 
  private:
-  /// Recognised once per body.
-  const Result<Recognized>& sheet_of(int body, const Progress& progress) {
-    const auto known = found_.find(body);
+  /// Recognised once per body and rips.
+  const Result<Recognized>& sheet_of(int body, const std::vector<int>& rips,
+                                     const Progress& progress) {
+    const auto known = found_.find({body, rips});
     if (known != found_.end()) return known->second;
     progress.at("finding the sheet", 0.2);
-    return found_.emplace(body, recognize(file_.bodies[body])).first->second;
+    auto found = recognize(file_.bodies[body], {.rip_edges = rips});
+    return found_.emplace(std::pair(body, rips), std::move(found)).first->second;
   }
 
   std::string name_;
   StepFile file_;
-  std::map<int, Result<Recognized>> found_;
+  std::map<std::pair<int, std::vector<int>>, Result<Recognized>> found_;
 };
 
 Result<std::unique_ptr<Work>> open(const InputFile& input, const Progress& progress) {
@@ -125,6 +128,7 @@ Maker unfold_maker() {
                                        {"material"},
                                        {"bend_k"},
                                        {"root"},
+                                       {"rip_edges"},
                                        {"up"},
                                        {"extruded"},
                                        {"relief"},

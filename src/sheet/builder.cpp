@@ -25,10 +25,12 @@ FaceId SheetBuilder::add_face(Face face) {
   return id;
 }
 
-void SheetBuilder::join(const BorderRef& a, const BorderRef& b, std::optional<BendId> sharp) {
+void SheetBuilder::join(const BorderRef& a, const BorderRef& b, std::optional<BendId> sharp,
+                        double mitre_volume) {
   PLANISH_ASSERT(sheet_.has(a) && sheet_.has(b));
   PLANISH_ASSERT(!sharp || sheet_[*sharp].faces.empty());
-  sheet_.joints.push_back({a, b, sharp});
+  sheet_.joints.push_back({a, b, sharp, mitre_volume});
+  sheet_.mitres_volume += mitre_volume;
 }
 
 FeatureId SheetBuilder::add_feature(FormedFeature feature) {

@@ -28,9 +28,11 @@ RawContour walk(const Layout& layout, const Topology& topology, BorderId start,
     seen[at] = true;
     contour.add(layout.image(topology[at]), topology[at], false);
     const Topology::Step step = topology.along_contour(at);
-    if (step.across_sharp) {
+    // Along the end of each sharp bend, by the corner of the face between two of them.
+    for (const BorderId beyond : step.beyond_sharp) {
+      const bool last = beyond == step.beyond_sharp.back();
       const Vec2 from = end_of(contour.loop.back());
-      const Vec2 to = start_of(layout.image(topology[step.border]));
+      const Vec2 to = start_of(layout.image(topology[last ? step.border : beyond]));
       contour.add(Segment{from, to}, topology[at], true);
     }
     at = step.border;

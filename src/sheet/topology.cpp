@@ -60,11 +60,12 @@ BorderId Topology::id_of(const BorderRef& ref) const {
 }
 
 Topology::Step Topology::along_contour(BorderId id) const {
-  Step step{next(id), false};
+  Step step{next(id)};
   // Around a corner there are at most as many faces as borders.
   for (std::size_t guard = 0; !is_free(step.border) && guard < rows_.size(); ++guard) {
-    step.across_sharp |= rows_[step.border].sharp;
+    const bool sharp = rows_[step.border].sharp;
     step.border = next(*twin(step.border));
+    if (sharp) step.beyond_sharp.push_back(step.border);
   }
   return step;
 }

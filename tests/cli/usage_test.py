@@ -100,7 +100,7 @@ class WrongUsage(CliTest):
             self.assertIn("--format names dxf twice", self.wrong("unfold", "part.step", "--format", *formats))
 
     def test_what_the_part_does_not_have_names_the_option(self):
-        for option, value in (("--bend-k", "B99=0.4"), ("--root", "99"), ("--up", "99"), ("--body", "99"),
+        for option, value in (("--bend-k", "B99=0.4"), ("--root", "99"), ("--rip-edges", "99"), ("--up", "99"), ("--body", "99"),
                               ("--body", "door")):
             self.assertIn(option, self.wrong("unfold", "part.step", option, value))
 

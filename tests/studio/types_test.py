@@ -12,13 +12,15 @@ import sys
 import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
+import step_files  # noqa: E402
 from planish_studio import CLI, EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
 
 WEB = SOURCE / "web"
 SPECS = {"connect": "PlatesSpec", "transition": "TransitionSpec", "slit": "SlitSpec"}
 # Every option, with a value that the kind takes.
 OPTIONS = {
-    "unfold": {"body": 1, "root": "largest", "up": "other", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch",
+    "unfold": {"body": 1, "root": "largest", "up": "other", "rip_edges": "21", "din6935": True, "bend_k": {"B1": 0.4}, "density": 7.85, "units": "inch",
                "extruded": "through", "shop": {"name": "shop.json", "content": {"format": "planish/shop", "materials": [{"name": "steel", "gauges": [{"thickness": 2, "inside_radius": 2, "k": 0.4}]}]}},
                "process": "punch", "relief": "round", "rip_width": 0.3,
                "material": {"content": {"tension": {"power_law": {"strength": 500, "exponent": 0.2}}}}},
@@ -110,7 +112,9 @@ class Types(StudioTest):
             for key, value in options.items():
                 # The length of ticks goes with ticks.
                 given = {"bend_marks": "ticks"} if key == "tick_length" else {}
-                answer = self.studio.post(document, "draft", spec, **given, **{key: value})
+                # A rip needs a closed part.
+                part = self.studio.open("tube.step", step_files.square_tube()).json()["id"] if key == "rip_edges" else document
+                answer = self.studio.post(part, "draft", spec, **given, **{key: value})
                 self.assertTrue(answer.is_good, (kind, key, answer.body[:300]))
         self.assertEqual(self.studio.post(document, "draft", spec, no_such_option=1).status, 400)
 

@@ -23,7 +23,7 @@ export interface Picture {
 }
 
 /** What is said of one body only goes with it when another is looked at. */
-const ofOneBody = new Set(['body', 'root', 'up', 'bend_k', 'piece']);
+const ofOneBody = new Set(['body', 'root', 'up', 'bend_k', 'rip_edges', 'piece']);
 
 /** The options that hold for every body of an assembly. */
 export const sharedOptions = (options: Options): Options =>

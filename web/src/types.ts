@@ -63,6 +63,7 @@ export interface OptionFile<Content> {
 export interface Options {
   body?: number | string;
   root?: 'largest' | number;
+  rip_edges?: string; // as in 21,56
   up?: 'auto' | 'reference' | 'other' | number;
   k?: number;
   k_table?: OptionFile<string>;

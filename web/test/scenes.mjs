@@ -1,12 +1,10 @@
 // The states of the page that docs/studio.md shows, by the names of their pictures.
-import { copyFileSync } from 'node:fs';
-import { example, folder, open, opened, rested, state } from './driving.mjs';
+import { example, open, opened, rested, state } from './driving.mjs';
 import { serveDist } from './serve-dist.mjs';
 import { channel } from './channel.mjs';
 import { walls } from './walls.mjs';
 
 const examples = new URL('../../examples/', import.meta.url).pathname;
-const realParts = process.env.PLANISH_PARTS;
 
 const tab = (page, name) => page.click(`[data-testid=tab-${name}]`);
 const away = (page) => page.mouse.move(3, 3); // the pointer lights nothing up
@@ -46,25 +44,17 @@ async function overlap({ page }) {
   await page.waitForSelector('[data-testid=finding-1]');
 }
 
-/** A real part, by the name that its designer gave it. */
-function real(page, id, name) {
-  if (!realParts) throw new Error('PLANISH_PARTS is the folder of real parts; tools/fetch_parts.py fetches them');
-  copyFileSync(`${realParts}/${id}.step`, `${folder(page)}/${name}`);
-  return [`${folder(page)}/${name}`];
-}
-
-async function findings({ page }) {
-  await open(page, real(page, 'sm135_whopping-Voron_Trident-kinematic-left', 'Trident_kinematic-left.step'));
+async function findings({ page, made }) {
+  await open(page, [`${made}/hexagon_tray.step`]);
   await tab(page, 'findings');
-  await page.click('[data-testid=show-info]');
   await page.click('[data-testid=finding-1] button');
   await away(page);
 }
 
-async function remedy({ page }) {
-  await open(page, real(page, 'sm165_zynthian-hw_keystone-PN1042-18250-single-hol', 'keystone-PN1042.step'));
-  await tab(page, 'findings');
-  await page.click('[data-testid=finding-1] button');
+async function remedy({ page, made }) {
+  await open(page, [`${made}/shelled_box.step`]);
+  await page.click('[data-testid=remedy-rip-edge]');
+  await rested(page);
   await away(page);
 }
 

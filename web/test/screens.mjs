@@ -1,6 +1,5 @@
 // Pictures of the page for docs/studio.md: node test/screens.mjs ADDRESS [NAME …]
 // Each state is taken light and dark, at 1280 × 720 and at 2560 × 1440, to docs/studio/NAME-{light,dark}[-large].webp.
-// PLANISH_PARTS is a folder of real parts (tools/fetch_parts.py), of which two are shown.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { browser, fresh } from './driving.mjs';

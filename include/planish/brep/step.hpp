@@ -58,6 +58,7 @@ struct RecognizeOptions {
   double surface_tolerance = 0.01;  ///< mm: a spline surface this near a plane, cylinder, … counts
                                     ///< as one
   double thickness_tolerance = 0.02;  ///< of the thickness: spread allowed between skins
+  std::vector<int> rip_edges = {};    ///< along which the sheet is cut open (sheet/rip.hpp)
 };
 
 /// A recognised sheet with the distances that `certify` needs.

@@ -78,6 +78,7 @@ struct Request : PatternChecks {
   std::vector<std::pair<std::string, double>> bend_k;  ///< K of single bends by id ("B1");
                                                        ///< overrides `allowance`
   std::string root = "largest";                        ///< "largest" or a face number
+  std::vector<int> rip_edges;                          ///< of the solid, along which it is cut open
   std::string up = "auto";  ///< "auto", "reference", "other", or the number of the face to face up
   ExtrudedHoles extruded = ExtrudedHoles::pilot;  ///< what is cut within formed features
   ReliefOptions relief;

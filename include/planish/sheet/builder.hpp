@@ -24,7 +24,9 @@ class SheetBuilder {
   FaceId add_face(Face face);
   /// Joins two borders that are one edge, run in opposite directions; `sharp` is a bend without
   /// faces.
-  void join(const BorderRef& a, const BorderRef& b, std::optional<BendId> sharp = {});
+  /// `mitre_volume`: what a sharply folded corner holds beyond a bend's arc, mm³.
+  void join(const BorderRef& a, const BorderRef& b, std::optional<BendId> sharp = {},
+            double mitre_volume = 0.0);
   /// Adds a feature; mark the borders beyond which it lies with its id.
   FeatureId add_feature(FormedFeature feature);
   void add_label(PointLabel label);
@@ -46,7 +48,6 @@ class SheetBuilder {
   void set_genus(std::optional<int> genus) { sheet_.genus = genus; }
   /// What another feature adds to the plain sheet, mm³; empty if it cannot be measured.
   void add_form_volume(std::optional<double> volume);
-  void add_mitre_volume(double volume) { sheet_.mitres_volume += volume; }
 
   /// The finished sheet; call once. Error: that of `check`.
   Result<Sheet> build() &&;

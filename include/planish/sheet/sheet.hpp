@@ -70,6 +70,7 @@ struct Joint {
   BorderRef a;
   BorderRef b;
   std::optional<BendId> sharp = {};
+  double mitre_volume = 0.0;  ///< what the corner holds beyond a bend's arc, mm³
 };
 
 /// A planar part: its coplanar faces, connected or bridged by bends.

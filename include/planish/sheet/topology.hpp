@@ -34,11 +34,11 @@ class Topology {
   /// The joint that the border is in, as in `Sheet::joints`.
   std::optional<int> joint(BorderId id) const { return rows_[id].joint; }
 
-  /// The free border that follows a free border along the contour of the whole sheet, and whether a
-  /// sharp bend is crossed on the way.
+  /// The free border that follows a free border along the contour of the whole sheet, and of each
+  /// sharp bend that is crossed on the way the border that begins beyond it.
   struct Step {
     BorderId border;
-    bool across_sharp = false;
+    std::vector<BorderId> beyond_sharp = {};
   };
   Step along_contour(BorderId id) const;
 

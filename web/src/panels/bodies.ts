@@ -95,7 +95,14 @@ export const drawing = (p: Picture | undefined) =>
 /** What holds for one body only is dropped with it. */
 function choose(ui: Ui, number: number) {
   if (number === bodyOf(ui.state)) return;
-  ui.editOptions((o) => ({ ...o, body: number, root: undefined, up: undefined, bend_k: undefined }));
+  ui.editOptions((o) => ({
+    ...o,
+    body: number,
+    root: undefined,
+    up: undefined,
+    bend_k: undefined,
+    rip_edges: undefined,
+  }));
 }
 
 /** Arrow keys, Home and End move along the list; Enter or Space shows the body. */

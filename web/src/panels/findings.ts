@@ -62,7 +62,7 @@ function finding(ui: Ui, f: Finding, i: number) {
       <b aria-label="${names[f.severity][0]} ${i + 1}">${i + 1}</b
       ><span>${sentence(f.message)}<small>${f.code}${places > 1 ? `, ${places} places` : ''}</small></span>
     </button>
-    ${remedies(ui, f.code)}${chosen ? placesOf(f) : nothing}
+    ${remedies(ui, f)}${chosen ? placesOf(f) : nothing}
   </li>`;
 }
 

@@ -29,7 +29,7 @@ export function messageBar(ui: Ui) {
         : busy
           ? bar(ui, progress, 'computing')
           : shown && !ui.state.stale
-            ? remedies(ui, shown.code)
+            ? remedies(ui, shown)
             : unfinished(ui.state)
               ? html`<button
                   data-testid="finish"

@@ -37,13 +37,31 @@ const known: Record<string, Remedy[]> = {
   ],
 };
 
+/** A closed part is cut open along the edge that its refusal names. */
+function ripsAt(code: string, where: string | null | undefined, { rip_edges }: Options): Remedy[] {
+  const edge = code === 'closed_loop' ? /\bedge (\d+)/.exec(where ?? '')?.[1] : undefined;
+  if (!edge) return [];
+  return [
+    {
+      id: 'rip-edge',
+      text: 'Rip here',
+      title: `Cut the part open along edge ${edge}, the red one`,
+      options: { rip_edges: rip_edges ? `${rip_edges},${edge}` : edge },
+    },
+  ];
+}
+
 /** Buttons for what would change something: the remedies that the maker takes and that are not in force. */
-export function remedies(ui: Ui, code: string) {
+export function remedies(ui: Ui, { code, where }: { code: string; where?: string | null }) {
   const { document: d, description, input } = ui.state,
     taken = description.makers.find((m) => m.name === d?.kind)?.options.map((o) => o.name) ?? [];
   const inForce: Partial<Options> = { relief: 'rip', ...input.options };
   // Corners of which cuts were taken away overlap by little; others are not mended by any cut.
-  const all = [...(code === 'overlap' && input.options.relief === 'none' ? corners : []), ...(known[code] ?? [])];
+  const all = [
+    ...ripsAt(code, where, input.options),
+    ...(code === 'overlap' && input.options.relief === 'none' ? corners : []),
+    ...(known[code] ?? []),
+  ];
   const offered = all.filter(({ options }) =>
     Object.entries(options).every(([name, value]) => taken.includes(name) && inForce[name as keyof Options] !== value),
   );

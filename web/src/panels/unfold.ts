@@ -1,4 +1,4 @@
-import { html } from 'lit-html';
+import { html, nothing } from 'lit-html';
 import type { Options } from '../types.ts';
 import type { PickMode } from '../state.ts';
 import type { Ui } from '../ui.ts';
@@ -33,6 +33,20 @@ export function unfoldPanel(ui: Ui) {
           Reset
         </button>
       </div>
+      ${options.rip_edges
+        ? html`<div class="pick">
+            <span>Ripped along</span><b data-testid="rip-edges">edge ${options.rip_edges.replaceAll(',', ', ')}</b
+            ><span></span>
+            <button
+              class="link"
+              data-testid="clear-rips"
+              title="Close it again"
+              @click=${() => set({ rip_edges: undefined })}
+            >
+              Reset
+            </button>
+          </div>`
+        : nothing}
       <p class="row"><button data-testid="up-turn" @click=${() => ui.faceUp(false)}>Turn over</button></p>`,
   )}`;
 }

@@ -78,7 +78,7 @@ export async function thousand({ page }) {
   assert.equal(await resting(), version, 'no geometry was made for what is hovered');
 }
 
-/** From the address to the first picture: of an empty page, and of one with a part, which never shows the start screen. */
+/** From the address to the first picture: of an empty page, and of one with a part, which shows no start screen. */
 export async function first({ page }) {
   await page.addInitScript(() => {
     const look = () => {

@@ -56,6 +56,14 @@ export async function refusal({ page }) {
   await page.click('[data-testid=see-through]');
   await near();
   await page.click('[data-testid=see-through]');
+  // One click opens it where the sentence says; undo closes it again.
+  await page.click('[data-testid=remedy-rip-edge]');
+  await rested(page);
+  assert.match(await page.textContent('[data-testid=blank-size]'), /148\.1\d × 120/);
+  assert.match(await page.textContent('[data-testid=rip-edges]'), /edge 21/);
+  await page.screenshot({ path: `${folder(page)}/ripped.png` });
+  await page.click('[data-testid=undo]');
+  await page.waitForSelector('[data-testid=remedy-rip-edge]');
   // A face.
   await open(page, [`${folder(page)}/../stepped.step`]);
   assert.match(await page.textContent('[data-testid=message]'), /face 6/);
