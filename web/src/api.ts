@@ -38,8 +38,8 @@ export class Api {
   result = (id: string, request: Request, signal?: AbortSignal) => this.shape(id, 'result', request, signal);
   plan = (id: string, request: Request, signal?: AbortSignal) =>
     this.json<OrderAnswer>('POST', `/api/documents/${id}/plan`, JSON.stringify(request), { signal });
-  file = async (id: string, artifact: string, request: Request) =>
-    (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request))).blob();
+  file = async (id: string, artifact: string, request: Request, signal?: AbortSignal) =>
+    (await this.call('POST', `/api/documents/${id}/files/${artifact}`, JSON.stringify(request), { signal })).blob();
   progress = (id: string) => this.json<Progress | null>('GET', `/api/documents/${id}/progress`);
   /** What is kept on this machine from one start to the next. */
   kept = async (name: string) => (await this.call('GET', `/api/kept/${encodeURIComponent(name)}`)).arrayBuffer();

@@ -11,6 +11,7 @@ import { zip, type ZipFile } from './zip.ts';
 /** The DXF of every body that is a sheet, with a summary, as one ZIP: what `planish unfold --all` writes. */
 export class Archive {
   private cancelled = false;
+  private flight = new AbortController(); // of the request that is running
 
   private readonly api: Api;
   private readonly store: Store;
@@ -24,19 +25,24 @@ export class Archive {
   cancel() {
     this.cancelled = true;
     const { document, archive } = this.store.state;
-    if (document && archive) void this.api.cancel(document.id).catch(() => undefined);
+    if (!document || !archive) return;
+    void this.api.cancel(document.id).catch(() => undefined);
+    this.flight.abort(); // its answer would be logged as a failure
   }
 
   async start() {
     const { document, archive } = this.store.state;
     if (archive || !document?.info) return;
     this.cancelled = false;
+    this.flight = new AbortController();
     try {
       const files = await this.filesOf(document, document.info.bodies);
       if (files) this.save(await zip(files), `${document.name.replace(/\.[^.]*$/, '')}.zip`);
       this.store.dispatch({ type: 'note', note: files ? said(files.length - 1) : 'cancelled' });
     } catch (error) {
-      this.store.dispatch({ type: 'problem', problem: problemOf(error) });
+      this.store.dispatch(
+        this.cancelled ? { type: 'note', note: 'cancelled' } : { type: 'problem', problem: problemOf(error) },
+      );
     }
     this.store.dispatch({ type: 'archive', archive: null });
   }
@@ -75,7 +81,9 @@ export class Archive {
   private async make(document: OpenDocument, body: BodyInfo, own: Options, dxf: Options) {
     const options = { ...own, ...dxf, body: body.number },
       bytes = async (artifact: string) =>
-        new Uint8Array(await (await this.api.file(document.id, artifact, { options })).arrayBuffer());
+        new Uint8Array(
+          await (await this.api.file(document.id, artifact, { options }, this.flight.signal)).arrayBuffer(),
+        );
     try {
       const report = JSON.parse(new TextDecoder().decode(await bytes('json'))) as Report;
       return { report, drawing: hasPattern(report) ? await bytes('dxf') : null };
