@@ -148,7 +148,7 @@ export class FoldedView {
   /** How many pixels and corners are drawn: circles are left by a quarter of a pixel at rest. */
   private adapt() {
     const moving = this.moving || this.lively > 0,
-      ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.6 : 1);
+      ratio = Math.min(window.devicePixelRatio, 2) * (moving && drawnInSoftware ? 0.5 : 1);
     const other = this.sheet.setTolerance((moving ? 0.75 : 0.25) / (this.scale * window.devicePixelRatio));
     if (other) this.sheet.paint(this.palette, this.picked.part, this.picked.edge, this.hit);
     if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
