@@ -15,6 +15,8 @@ const directions: Record<StandardView, Vec3> = {
 /** From low in front of the machine, beside the operator: the sides of a bend are seen, not their edges. */
 const beforeMachine: Vec3 = [1, -0.9, 0.42];
 
+const buttons = 66; // px, the height that they take at the top of the view
+
 /** From where the folded sheet is seen: orbiting, fitting, and between space and screen. */
 export class FoldedCamera {
   readonly camera = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
@@ -24,6 +26,7 @@ export class FoldedCamera {
   // Until the user zooms or pans; `set`: the zoom that was set.
   private fitted: { target: Vector3; zoom: number; set: number } | null = null;
 
+  private room = 1; // half of the height for what is fitted, px
   private readonly canvas: HTMLCanvasElement;
   private readonly bounds: () => Box3; // of all that is to be seen
   private readonly moved: () => void;
@@ -180,15 +183,19 @@ export class FoldedCamera {
       w = Math.max(w, Math.abs(corner.dot(right)));
       h = Math.max(h, Math.abs(corner.dot(top)));
     }
-    return Math.min(this.camera.right / w, this.camera.top / h);
+    return Math.min(this.camera.right / w, this.room / h);
   }
 
   resize(width: number, height: number) {
     const { camera } = this;
     camera.left = -width / 2;
     camera.right = width / 2;
+    // What is fitted stays clear of the buttons at the top.
+    const taken = Math.min(buttons, height / 4);
+    this.room = (height - taken) / 2;
     camera.top = height / 2;
     camera.bottom = -height / 2;
+    camera.setViewOffset(width, height, 0, -taken / 2, width, height);
     camera.updateProjectionMatrix();
     if (this.isFitted) this.fit();
   }

@@ -3,6 +3,7 @@ import {
   BufferGeometry,
   Color,
   DoubleSide,
+  FrontSide,
   Group,
   LineBasicMaterial,
   LineSegments,
@@ -90,7 +91,17 @@ export class SheetObject {
     this.shape = shape;
     this.levels.clear();
     this.pose = share;
+    this.closeGaps();
     this.setMesh(shape, this.level());
+  }
+
+  /**
+   * Strips of a bend begin where others have no corner: between them pixels may be left out, which then show the skin
+   * behind, from within. Large parts have too much to draw for that, and of glass all is seen.
+   */
+  private closeGaps() {
+    const open = this.glass || (this.shape !== null && isLarge(this.shape));
+    (this.skin.material as Material).side = open ? FrontSide : DoubleSide;
   }
 
   /** How far corners of large shapes that are left out may leave circles, mm; 0: none is left out. */
@@ -189,6 +200,7 @@ export class SheetObject {
   /** Whether one sees through the sheet. */
   setGlass(glass: boolean, palette: Palette) {
     this.glass = glass;
+    this.closeGaps();
     (this.outline.material as LineBasicMaterial).color.set(glass ? palette.outline : palette.edge);
     for (const { material } of [this.skin, this.rim]) setOpacity(material as ShaderMaterial, glass);
   }
