@@ -132,7 +132,7 @@ export async function measurefolded({ page }) {
   await page.keyboard.press('d');
   await page.focus('[data-testid=fold-slider]');
   await page.keyboard.press('ArrowLeft');
-  const p = await place(page, 'folded', base);
+  const p = await place(page, 'folded', [60, 75, 2]);
   await page.mouse.click(p.x, p.y);
   await page.waitForSelector('[data-testid=message]:has-text("Fold the part wholly")');
   await untilDrawn(page, 'folded-overlay', 0);
