@@ -12,16 +12,21 @@ export async function violations(page) {
   );
 }
 
+/** The page in a theme, drawn. */
+export async function inTheme(page, theme) {
+  await page.evaluate((t) => {
+    document.documentElement.dataset.theme = t;
+    window.planish.store.dispatch({ type: 'theme', theme: t });
+  }, theme);
+  await page.waitForTimeout(50);
+}
+
 /** What is found against the page in both themes, a state after the other; `found` has a line each. */
 export function looker(page) {
   const found = [];
   const look = async (what) => {
     for (const theme of ['light', 'dark']) {
-      await page.evaluate((t) => {
-        document.documentElement.dataset.theme = t;
-        window.planish.store.dispatch({ type: 'theme', theme: t });
-      }, theme);
-      await page.waitForTimeout(50);
+      await inTheme(page, theme);
       for (const line of await violations(page)) found.push(`${what}, ${theme}: ${line}`);
     }
   };

@@ -4,10 +4,9 @@ import { alone, between, type Answer } from '../src/measure/answer.ts';
 import { edgeForms } from '../src/measure/edges.ts';
 import { isSame, noMeasures, reduceMeasure } from '../src/measure/state.ts';
 import { labelText, wholeText } from '../src/measure/text.ts';
-import { inPlace, thingOf, type Measured, type Thing } from '../src/measure/things.ts';
-import { decodeShape } from '../src/shape.ts';
+import { inPlace, thingOf, type Thing } from '../src/measure/things.ts';
 import type { Vec3 } from '../src/types.ts';
-import { twoFlangesShape } from './two-flanges.ts';
+import { measured } from './two-flanges.ts';
 
 const point = (...at: Vec3): Thing => ({ type: 'point', at }),
   line = (a: Vec3, b: Vec3): Thing => ({ type: 'line', a, b }),
@@ -107,15 +106,6 @@ test('flanges: the angle that they enclose, or the distance of the sides picked'
   near(both(plane([0, 0, 0], [0, 0, 1]), line([0, 0, 5], [9, 0, 5]), false).value, 5);
   near(both(plane([0, 0, 0], [0, 0, 1]), line([0, 0, 5], [5, 0, 10]), false).value, 45, 1e-6);
 });
-
-/** Two flanges whose second one stands where it truly does: R 4.2, t 2, so 40 + 5.2 along, and 5.2 up. */
-function measured(): Measured {
-  const shape = decodeShape(twoFlangesShape());
-  shape.parts[0]!.place = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  shape.parts[2]!.place = [0, 0, -1, 45.2, 0, 1, 0, 0, 1, 0, 0, 5.2 - 48, 0, 0, 0, 1];
-  shape.edge_circle = new Float32Array(4 * shape.edge_length.length);
-  return { shape, thickness: 2, bends: shape.report.flat!.bends, units: 'mm' };
-}
 
 test('in the folded part things are where flanges have them, on the side picked', () => {
   const of = measured(),

@@ -1,18 +1,9 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { apart, arrows, nearestTo, stopsOf, towards } from '../src/measure/stops.ts';
-import { thingOf, type Measured } from '../src/measure/things.ts';
-import { decodeShape } from '../src/shape.ts';
+import { thingOf } from '../src/measure/things.ts';
 import type { Vec2 } from '../src/types.ts';
-import { twoFlangesShape } from './two-flanges.ts';
-
-function measured(): Measured {
-  const shape = decodeShape(twoFlangesShape());
-  shape.parts[0]!.place = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  shape.parts[2]!.place = [0, 0, -1, 45.2, 0, 1, 0, 0, 1, 0, 0, 5.2 - 48, 0, 0, 0, 1];
-  shape.edge_circle = new Float32Array(4 * shape.edge_length.length);
-  return { shape, thickness: 2, bends: shape.report.flat!.bends, units: 'mm' };
-}
+import { measured } from './two-flanges.ts';
 
 /** What can be reached from a place by arrow keys alone. */
 function reached(places: Vec2[], from: number): Set<number> {

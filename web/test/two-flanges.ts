@@ -1,4 +1,5 @@
-import { encodeShape } from '../src/shape.ts';
+import type { Measured } from '../src/measure/things.ts';
+import { decodeShape, encodeShape } from '../src/shape.ts';
 import type { Facets, Report, ShapeHeader } from '../src/types.ts';
 
 /**
@@ -134,3 +135,12 @@ export const twoFlangesShape = (n?: number, angle?: number) => {
   const { header, arrays } = twoFlanges(n, angle);
   return encodeShape(header, arrays);
 };
+
+/** Two flanges whose second one stands where it truly does: R 4.2, t 2, so 40 + 5.2 along, and 5.2 up. */
+export function measured(): Measured {
+  const shape = decodeShape(twoFlangesShape());
+  shape.parts[0]!.place = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  shape.parts[2]!.place = [0, 0, -1, 45.2, 0, 1, 0, 0, 1, 0, 0, 5.2 - 48, 0, 0, 0, 1];
+  shape.edge_circle = new Float32Array(4 * shape.edge_length.length);
+  return { shape, thickness: 2, bends: shape.report.flat!.bends, units: 'mm' };
+}

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { violations } from '../axe.mjs';
+import { inTheme, violations } from '../axe.mjs';
 import { download, enter, example, folder, open, rested, state } from '../driving.mjs';
 
 // Lists and choices: how a DXF is written, the bodies of an assembly, where K comes from.
@@ -8,11 +8,7 @@ import { download, enter, example, folder, open, rested, state } from '../drivin
 /** Nothing is out of reach of a screen reader or too pale, in either theme. */
 async function accessible(page) {
   for (const theme of ['dark', 'light']) {
-    await page.evaluate((t) => {
-      document.documentElement.dataset.theme = t;
-      window.planish.store.dispatch({ type: 'theme', theme: t });
-    }, theme);
-    await page.waitForTimeout(50);
+    await inTheme(page, theme);
     assert.deepEqual(await violations(page), [], theme);
   }
 }

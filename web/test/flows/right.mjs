@@ -1,6 +1,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { download, drag, enter, example, folder, open, rested, state } from '../driving.mjs';
+import { perforated } from '../perforated.mjs';
 
 // What is shown and said must be so: curves, circles, units, refused values, the bodies of an assembly.
 
@@ -267,47 +268,7 @@ export async function chosen({ page }) {
 
 /** A plate with 200 holes too near to each other: one mark for the rule, and one for each place once it is chosen. */
 export async function marks({ page }) {
-  const file = `${folder(page)}/perforated.json`,
-    hole = (i) => {
-      const [x, y] = [3 + 4 * (i % 20), 3 + 4 * Math.floor(i / 20)];
-      return [
-        [x, y, 0],
-        [x + 3.8, y, 0],
-        [x + 3.8, y + 3.8, 0],
-        [x, y + 3.8, 0],
-      ];
-    };
-  writeFileSync(
-    file,
-    JSON.stringify({
-      format: 'planish/plates',
-      version: 1,
-      units: 'mm',
-      thickness: 2,
-      plates: [
-        {
-          id: 'A',
-          outline: [
-            [0, 0, 0],
-            [90, 0, 0],
-            [90, 50, 0],
-            [0, 50, 0],
-          ],
-          holes: Array.from({ length: 200 }, (_, i) => hole(i)),
-        },
-        {
-          id: 'B',
-          outline: [
-            [0, 54, 4],
-            [90, 54, 4],
-            [90, 54, 40],
-            [0, 54, 40],
-          ],
-        },
-      ],
-    }),
-  );
-  await open(page, [file]);
+  await open(page, [perforated(`${folder(page)}/perforated.json`, { holes: 200, from: 3, high: 40 })]);
   const [rules, places] = await state(
       page,
       `[s.result.report.checks.length,

@@ -3,6 +3,7 @@ import { writeFileSync } from 'node:fs';
 import { looker } from '../axe.mjs';
 import { channel } from '../channel.mjs';
 import { coarse, example, folder, open, opened, rested, state } from '../driving.mjs';
+import { perforated } from '../perforated.mjs';
 import { serveDist } from '../serve-dist.mjs';
 
 // What the page looks like in the midst of work has no violation either, in either theme.
@@ -90,7 +91,7 @@ export async function liststates({ page }) {
   await look('DXF');
   await page.keyboard.press('Escape');
   // Holes that are too near to each other and to a bend: rules with many places.
-  await open(page, [perforated(page)]);
+  await open(page, [perforated(`${folder(page)}/perforated.json`, { holes: 60, from: 35, high: 10 })]);
   await page.click('[data-testid=tab-findings]');
   const most = await state(
     page,
@@ -222,46 +223,4 @@ export async function panelstates({ page }) {
   await page.click('[data-testid=tab-bends]');
   await look('strips in the table');
   assert.ok(!found.length, [...new Set(found)].join('\n'));
-}
-
-/** A plate with rows of holes beside a bend. */
-function perforated(page) {
-  const path = `${folder(page)}/perforated.json`,
-    square = (x, y) =>
-      [
-        [0, 0],
-        [1, 0],
-        [1, 1],
-        [0, 1],
-      ].map(([u, v]) => [x + 3.8 * u, y + 3.8 * v, 0]);
-  writeFileSync(
-    path,
-    JSON.stringify({
-      format: 'planish/plates',
-      version: 1,
-      thickness: 2,
-      plates: [
-        {
-          id: 'A',
-          outline: [
-            [0, 0, 0],
-            [90, 0, 0],
-            [90, 50, 0],
-            [0, 50, 0],
-          ],
-          holes: Array.from({ length: 60 }, (_, i) => square(3 + 4 * (i % 20), 35 + 4 * Math.floor(i / 20))),
-        },
-        {
-          id: 'B',
-          outline: [
-            [0, 54, 4],
-            [90, 54, 4],
-            [90, 54, 10],
-            [0, 54, 10],
-          ],
-        },
-      ],
-    }),
-  );
-  return path;
 }
