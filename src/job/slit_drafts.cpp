@@ -10,11 +10,15 @@ SlitDesign moved_scans(SlitDesign design, const Eigen::Isometry3d& motion) {
   return design;
 }
 
+/// A gain of the objective that cannot be seen while something is dragged.
+constexpr double kUnseen = 1e-5;
+
 }  // namespace
 
 Result<void> SlitDrafts::solve(const Progress& progress) {
   SlitSolveOptions options;
   options.seconds = 0.05;
+  options.function_tolerance = kUnseen;
   const auto solved = session_->solve(options, progress);
   if (!solved) return tl::unexpected(solved.error());
   return {};

@@ -124,18 +124,23 @@ new Survey(api, store);
 const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
 
-let waiting = 0;
+let waiting = 0; // the frame in which the page is drawn
+let later = 0; // the frame after which it is
 let scrolledFor: string | undefined;
+const drawSoon = () => (waiting ||= requestAnimationFrame(drawWaiting));
 function drawWaiting() {
-  if (!waiting) return;
+  if (!waiting && !later) return;
   cancelAnimationFrame(waiting);
-  waiting = 0;
+  cancelAnimationFrame(later);
+  waiting = later = 0;
   draw();
 }
 store.subscribe((state, before) => {
   views.changed(state, before);
   measureKeys.changed(state, before);
-  waiting ||= requestAnimationFrame(drawWaiting);
+  // A drag is drawn with the geometry it leads to, if that comes within a frame: drawing would delay it.
+  if (state.pending === null || state.shape !== before.shape) drawSoon();
+  else later ||= requestAnimationFrame(drawSoon);
 });
 // What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
 for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, drawWaiting, true);

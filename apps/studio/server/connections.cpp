@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 
 namespace planish::studio {
 namespace {
@@ -23,6 +26,8 @@ class TimedStream : public httplib::Stream {
       : socket_(socket), stopped_(std::move(stopped)) {}
 
   void allow(Clock::duration time) { deadline_ = Clock::now() + time; }
+  /// Bytes read so far.
+  std::size_t count() const { return count_; }
 
   bool is_readable() const override { return at_ < filled_ || waits_for(POLLIN); }
   bool is_writable() const override { return waits_for(POLLOUT); }
@@ -44,7 +49,7 @@ class TimedStream : public httplib::Stream {
   std::function<bool()> stopped_;
   Clock::time_point deadline_ = Clock::time_point::max();
   std::array<char, 4096> buffer_{};  // headers are read by the byte
-  std::size_t at_ = 0, filled_ = 0;
+  std::size_t at_ = 0, filled_ = 0, count_ = 0;
 };
 
 bool TimedStream::waits_for(short event) const {
@@ -73,11 +78,26 @@ ssize_t TimedStream::read(char* to, std::size_t size) {
   const std::size_t count = std::min(size, filled_ - at_);
   std::copy_n(buffer_.data() + at_, count, to);
   at_ += count;
+  count_ += count;
   return static_cast<ssize_t>(count);
 }
 
 ssize_t TimedStream::write(const char* from, std::size_t size) {
   return waits_for(POLLOUT) ? ::send(socket_, from, size, MSG_NOSIGNAL) : -1;
+}
+
+/// Nothing where the request does not say it by one plain number.
+std::optional<std::size_t> size_of_body(const httplib::Request& request) {
+  constexpr auto kLength = "Content-Length";
+  if (request.has_header("Transfer-Encoding")) return std::nullopt;
+  const auto lengths = request.get_header_value_count(kLength);
+  if (lengths == 0) return 0;
+  const std::string text = request.get_header_value(kLength);
+  std::size_t size = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (lengths > 1 || read.ec != std::errc() || read.ptr != text.data() + text.size())
+    return std::nullopt;
+  return size;
 }
 
 }  // namespace
@@ -116,11 +136,19 @@ void ConnectionThreads::shutdown() {
 
 bool ConnectionServer::process_and_close_socket(socket_t socket) {
   TimedStream stream(socket, [this] { return svr_sock_ == INVALID_SOCKET; });
-  stream.allow(kHeaders);
-  constexpr bool kLast = true;
-  bool closed = false;
-  const bool done = process_request(stream, kLast, closed,
-                                    [&](httplib::Request&) { stream.allow(kRequest); });
+  bool done = true, goes_on = true;
+  for (int left = kMostRequests; goes_on && left > 0; --left) {
+    stream.allow(kHeaders);
+    if (!stream.is_readable()) break;
+    stream.allow(kHeaders);
+    std::optional<std::size_t> end;  // of the request, in the bytes of the connection
+    bool closed = false;
+    done = process_request(stream, left == 1, closed, [&](httplib::Request& request) {
+      stream.allow(kRequest);
+      if (const auto body = size_of_body(request)) end = stream.count() + *body;
+    });
+    goes_on = done && !closed && end == stream.count();
+  }
   ::shutdown(socket, SHUT_RDWR);
   ::close(socket);
   return done;

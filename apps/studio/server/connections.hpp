@@ -29,12 +29,14 @@ class ConnectionThreads : public httplib::TaskQueue {
   bool ended_ = false;
 };
 
-/// A server whose connections carry one request each (the unread rest of a rejected request would
-/// be taken for the next one) and end by themselves: after `kIdle` without data, when the headers
-/// take longer than `kHeaders`, or the whole request longer than `kRequest`.
+/// A server whose connections carry one request after the other, as long as each is read to its
+/// end (the unread rest of a rejected one would be taken for the next). They end by themselves:
+/// after `kIdle` without data, when headers take longer than `kHeaders`, a whole request longer
+/// than `kRequest`, or after `kMostRequests`.
 class ConnectionServer : public httplib::Server {
  public:
   static constexpr std::chrono::seconds kIdle{5}, kHeaders{10}, kRequest{120};
+  static constexpr int kMostRequests = 10'000;
 
  private:
   bool process_and_close_socket(socket_t socket) override;

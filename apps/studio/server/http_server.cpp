@@ -157,6 +157,8 @@ HttpServer::HttpServer() : content_(std::make_unique<Content>()) {
   httplib::Server& server = content_->server;
   server.new_task_queue = [] { return new ConnectionThreads; };
   server.set_tcp_nodelay(true);
+  server.set_keep_alive_timeout(ConnectionServer::kIdle.count());
+  server.set_keep_alive_max_count(ConnectionServer::kMostRequests);
   server.set_payload_max_length(kLargestBody);
   // By default the library lets a second server take the same port and half of the requests.
   server.set_socket_options([](socket_t socket) {
