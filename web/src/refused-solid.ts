@@ -16,8 +16,7 @@ export function refusedSolid({ shape, problem, document, input }: State): Solid 
   if (shape?.facet_parent.length) return none;
   if (shape?.space_faces.length) return shape;
   if (document?.kind !== 'connect' || !problem || !input.spec) return none;
-  const { plates, units } = input.spec as PlatesSpec;
-  return solidOf(plates.map((p) => p.outline.map((c) => scaled(c, millimetres(units)))));
+  return solidOf(input.spec as PlatesSpec);
 }
 
 /** What the refusal names of it. */
@@ -39,8 +38,19 @@ export function namedPlates({ message, where }: ApiProblem, { plates, bends }: P
   return { faces: ids.map((id) => ({ name: id, number: plates.findIndex((p) => p.id === id) + 1 })), edges: [] };
 }
 
+const solids = new WeakMap<PlatesSpec, Solid>();
+
 /** Plates without thickness, as faces of a solid in their order. */
-function solidOf(outlines: Vec3[][]): Solid {
+function solidOf(spec: PlatesSpec): Solid {
+  const known = solids.get(spec);
+  if (known) return known;
+  const scale = millimetres(spec.units),
+    solid = solidOfOutlines(spec.plates.map((p) => p.outline.map((c) => scaled(c, scale))));
+  solids.set(spec, solid);
+  return solid;
+}
+
+function solidOfOutlines(outlines: Vec3[][]): Solid {
   const points: number[] = [],
     triangles: number[] = [],
     faces: number[] = [];

@@ -14,11 +14,9 @@ export function messageBar(ui: Ui) {
       class="message ${shown ? 'error' : ''}"
       role="status"
       data-testid="message"
-      title=${sentence(shown?.message ?? '')}
+      title=${shown ? `${textOf(shown)} ${placeOf(shown)}` : ''}
       >${shown
-        ? html`${sentence(shown.message)}${wantsScans(shown)
-              ? '; drop its files of points on the page too'
-              : nothing}<small>[${shown.code}]${shown.where ? ` ${shown.where}` : ''}</small>`
+        ? html`${textOf(shown)}<small>${placeOf(shown)}</small>`
         : opening?.name
           ? `Opening ${opening.name} …`
           : (note ?? hint(ui.state))}</span
@@ -48,6 +46,11 @@ export const sentence = (message: string): string =>
 
 /** A draft whose result was abandoned. */
 const unfinished = (s: State) => s.document !== null && s.shapeIsDraft && !s.computing && !s.pending && !s.problem;
+
+const textOf = (p: ApiProblem) =>
+  sentence(p.message) + (wantsScans(p) ? '; drop its files of points on the page too' : '');
+
+const placeOf = (p: ApiProblem) => `[${p.code}]${p.where ? ` ${p.where}` : ''}`;
 
 const wantsScans = (p: ApiProblem) => p.code === 'cannot_read' && /\/scan\/\d+\/points$/.test(p.where ?? '');
 
