@@ -253,6 +253,9 @@ class Browser(StudioTest):
     def test_files_opened_lately_are_there_again(self):
         self.flow("recent")
 
+    def test_pages_that_are_open_at_once_share_what_is_kept(self):
+        self.flow("pages")
+
     def test_the_last_eight_files_are_kept(self):
         self.flow("many")
 

@@ -1,10 +1,12 @@
 import type { Api } from './api.ts';
 import { recentList, type Recent } from './recents.ts';
-import type { Store } from './state.ts';
+import type { State, Store } from './state.ts';
 import { keepView, soundView, viewFile } from './split.ts';
 import { soundWorkshop } from './workshop-state.ts';
 
 const workshop = 'workshop.json';
+
+type Shared = Pick<State, 'workshop' | 'recents'>;
 
 /** Brings what was kept on this machine at an earlier start, and keeps what changes from then on. */
 export async function bringKept(api: Api, store: Store) {
@@ -20,10 +22,20 @@ export async function bringKept(api: Api, store: Store) {
   if (kept) store.dispatch({ type: 'workshop', workshop: soundWorkshop(kept) });
   if (Array.isArray(recents)) store.dispatch({ type: 'recents', recents: recents.filter(isSound) });
   if (view && typeof view === 'object') store.dispatch({ type: 'view', view: soundView(view) });
+  const others = new BroadcastChannel('planish-kept'); // pages of this browser: each takes over what another one keeps
+  let heard: Partial<Shared> = {};
+  others.onmessage = ({ data }: MessageEvent<Partial<Shared>>) => {
+    heard = data;
+    if (data.workshop) store.dispatch({ type: 'workshop', workshop: data.workshop });
+    if (data.recents) store.dispatch({ type: 'recents', recents: data.recents });
+  };
   store.subscribe((state, before) => {
+    if (state.recents !== before.recents && state.recents !== heard.recents)
+      others.postMessage({ recents: state.recents });
     if (state.view.split !== before.view.split || state.view.arrangement !== before.view.arrangement)
       keepView(api, state.view);
-    if (state.workshop === before.workshop) return;
+    if (state.workshop === before.workshop || state.workshop === heard.workshop) return;
+    others.postMessage({ workshop: state.workshop });
     api
       .keep(workshop, new Blob([JSON.stringify(state.workshop)]))
       .catch(() =>

@@ -88,3 +88,32 @@ export async function many({ page }) {
   );
   assert.equal(kept.filter((name) => name.startsWith('recent-')).length, 8);
 }
+
+/** Pages that are open at once share the files opened lately and the workshop: none undoes what another one keeps. */
+export async function pages({ page, context }) {
+  const address = page.url(),
+    other = await context.newPage();
+  await other.goto(address);
+  await other.waitForFunction(() => window.planish.store.state.description.makers.length);
+  await page.bringToFront();
+  await open(page, [new URL('../../../examples/bracket.step', import.meta.url).pathname]);
+  await page.waitForTimeout(500);
+  const table = `${folder(page)}/steel.csv`;
+  writeFileSync(table, 'r/t, k\n1, 0.3\n2, 0.4\n');
+  await page.selectOption('[data-testid=k-rule]', 'k_table');
+  await page.setInputFiles('[data-testid=k_table-open]', table);
+  await page.waitForFunction(() => window.planish.store.state.workshop.files.length === 1);
+  await other.bringToFront();
+  await other.waitForSelector('[data-testid="recent-bracket.step"]');
+  await open(other, [new URL('../../../examples/transition/a_square_to_round.json', import.meta.url).pathname]);
+  await other.click('[data-testid=download-menu]');
+  await other.selectOption('[data-testid=dxf-profile]', 'onshape');
+  await other.waitForTimeout(500);
+  await page.bringToFront();
+  await page.evaluate(() => sessionStorage.clear());
+  await page.reload();
+  await page.waitForSelector('[data-testid="recent-a_square_to_round.json"]');
+  await page.waitForSelector('[data-testid="recent-bracket.step"]');
+  assert.deepEqual(await state(page, '[s.workshop.files.length, s.workshop.dxf.profile]'), [1, 'onshape']);
+  await other.close();
+}
