@@ -21,17 +21,18 @@ export const measureButton = (ui: Ui) =>
 
 /** What is to be picked next, and what was measured. */
 export function measureList(ui: Ui) {
-  const { measure } = ui.state;
-  if (!measure.on && !measure.kept.length) return nothing;
+  const { on, kept } = ui.state.measure;
+  if (!on && !kept.length) return nothing;
   return html`<section class="measures" aria-label="Measures" data-testid="measures">
-    ${measure.on ? html`<p data-testid="measure-hint" role="status">${hint(ui)}</p>` : nothing}
-    <ol>
-      ${measure.kept.map((m) => row(ui, m))}
-    </ol>
-    ${measure.kept.length
-      ? html`<button data-testid="measure-clear" @click=${() => ui.dispatch({ type: 'measure-clear' })}>
-          Clear all
-        </button>`
+    ${on ? html`<p data-testid="measure-hint" role="status">${hint(ui)}</p>` : nothing}
+    ${kept.length
+      ? html`<details open>
+          <summary>${kept.length === 1 ? '1 measure' : `${kept.length} measures`}</summary>
+          <ol>
+            ${kept.map((m) => row(ui, m))}
+          </ol>
+          <button data-testid="measure-clear" @click=${() => ui.dispatch({ type: 'measure-clear' })}>Clear all</button>
+        </details>`
       : nothing}
   </section>`;
 }
