@@ -65,3 +65,20 @@ def bent(length=80.0, width=50.0, height=40.0, thickness=2.0, radius=3.0):
         return width * (length + height + math.pi / 2 * (r + k * t))
 
     return solid, area
+
+
+def tray(length=100.0, width=60.0, height=40.0, thickness=2.0):
+    """A closed sharp tray, and the area of its pattern for K, cut open at its four corners: by closed form."""
+    import math
+
+    import FreeCAD as App
+    import Part
+
+    inside = length - 2 * thickness, width - 2 * thickness
+    solid = Part.makeBox(length, width, height).cut(Part.makeBox(*inside, height, App.Vector(thickness, thickness, thickness)))
+
+    def area(k):
+        around = 2 * sum(inside)
+        return inside[0] * inside[1] + around * (height - thickness) + around * math.pi / 2 * k * thickness
+
+    return solid, area

@@ -92,6 +92,25 @@ class Unfold(Document):
         self.assert_near(distances[0], 40 + math.pi)
         self.assert_near(distances[1], 80 + math.pi)
 
+    def test_a_closed_tray_is_cut_open_along_the_edges_that_its_refusals_name(self):
+        shape, area = inside.tray()
+        source, edges = self.solid(shape), []
+        for _ in range(4):
+            with self.assertRaises(planish.Error) as refused:
+                planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
+            self.assertEqual(refused.exception.code, "closed_loop")
+            edges += places.named(refused.exception.where, "Edge")
+        flat = planish_workbench.unfold(source, k_factor=0.5, rip_edges=edges)
+        self.assert_near(flat.Shape.Area, area(0.5))
+        self.assertEqual(flat.RipEdges, ",".join(map(str, edges)))
+        for edge in edges:  # corners of the tray, outside or inside
+            self.assert_near(shape.Edges[edge - 1].Length, 40 if shape.Edges[edge - 1].BoundBox.ZMin < 1 else 38)
+        name = flat.Name
+        flat = self.reopened().getObject(name)
+        flat.KFactor = 0.3
+        self.document.recompute()
+        self.assert_near(flat.Shape.Area, area(0.3))
+
     def test_openings_are_holes_and_the_program_finds_the_same(self):
         source = self.solid(inside.bracket())
         flat = planish_workbench.unfold(source, k_factor=0.44)
@@ -270,7 +289,7 @@ class Findings(Document):
         self.assertEqual(flat.Status, "refused")
         row, = places.rows(flat)
         names = places.faces(flat, row)
-        self.assertEqual(bool(names), bool(places.named(f"{flat.Where} {flat.Problem}")))
+        self.assertEqual(bool(names), bool(places.named(f"{flat.Where} {flat.Problem}", "Face")))
         for name in names:
             self.assertGreater(source.Shape.getElement(name).Area, 0)
 

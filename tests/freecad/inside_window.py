@@ -146,6 +146,23 @@ class Window(unittest.TestCase):
         self.assertAlmostEqual(flat.KFactor, before)
         self.assertAlmostEqual(flat.Shape.Area, area(before), delta=1e-6)
 
+    def test_a_closed_tray_is_opened_by_unfolding_what_each_refusal_selects(self):
+        shape, area = inside.tray()
+        self.solid(shape)
+        self.choose("Bracket")
+        for corners in range(1, 5):
+            Gui.runCommand("Planish_Unfold")
+            self.assertEqual(len(self.said), corners)
+            chosen, = Gui.Selection.getSelectionEx()
+            self.assertEqual([name[:4] for name in chosen.SubElementNames], corners * ["Edge"])
+        Gui.runCommand("Planish_Unfold")
+        self.assertEqual(len(self.said), 4)
+        self.panel().fields["KFactor"].setValue(0.5)
+        wait(1500)
+        flat = self.document.Unfold
+        self.assertAlmostEqual(flat.Shape.Area, area(0.5), delta=1e-6)
+        self.assertEqual(self.panel().fields["RipEdges"].text(), flat.RipEdges)
+
     def test_the_row_of_a_finding_selects_the_face(self):
         face = inside.bracket().Faces[1]
         middle, normal = face.CenterOfMass, face.normalAt(0, 0)

@@ -167,12 +167,13 @@ class Unfold(Pattern):
         ("App::PropertyEnumeration", "Up", "The skin that faces up; auto: the one from which more bends go up", UP),
         ("App::PropertyEnumeration", "Relief", "How corners without relief are mended whose patterns overlap a little", RELIEF),
         ("App::PropertyEnumeration", "Extruded", "What is cut of holes through forms", EXTRUDED),
+        ("App::PropertyString", "RipEdges", "Edges along which a closed solid is cut open, as its refusal names them: 21,56", ""),
     ]
 
     def made(self, document_object):
         return planish().unfold(solid_of(document_object), name=_name(document_object.Source),
                                 up=document_object.Up, relief=document_object.Relief, extruded=document_object.Extruded,
-                                **bending(document_object))
+                                rip_edges=document_object.RipEdges or None, **bending(document_object))
 
     def show(self, document_object, part):
         super().show(document_object, part)

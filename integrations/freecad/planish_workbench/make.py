@@ -14,15 +14,18 @@ SAME = 1e-6  # relative, for solids that may be alike
 BESIDE = 20.0  # mm
 
 
-def unfold(source, k_factor=None, *, k_table=None, shop=None, body=1, up="auto", relief="rip", extruded="pilot", beside=False):
+def unfold(source, k_factor=None, *, k_table=None, shop=None, body=1, up="auto", relief="rip", extruded="pilot", rip_edges=(),
+           beside=False):
     """Lays a solid flat: a document object with `Shape` (the plane face), `KFactor`, `Report` and the other results.
 
-    source: an object with a solid, a body, a part or a link. body: which of its solids, from 1. beside: puts the pattern
-    beside the solid; otherwise it lies at the origin. Raises what planish raises (`code`, `message`, `where`; faces are
+    source: an object with a solid, a body, a part or a link. body: which of its solids, from 1. rip_edges: numbers of its
+    edges, from 1, along which a closed one is cut open. beside: puts the pattern beside the solid; otherwise it lies at the
+    origin. Raises what planish raises (`code`, `message`, `where`; faces are
     those of the solid, from 1), and Refusal. Then the document is as it was.
     """
     def set_up(made):
         made.Source, made.Body, made.Up, made.Relief, made.Extruded = source, body, up, relief, extruded
+        made.RipEdges = ",".join(map(str, rip_edges))
         _bending(made, k_factor, k_table, shop)
 
     made = _made(source.Document, "Part::FeaturePython", "Unfold", features.Unfold, set_up, f"{source.Label} flat")

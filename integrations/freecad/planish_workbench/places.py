@@ -18,7 +18,8 @@ from .library import planish
 
 ALIKE = 1e-3  # mm, and relative for areas: between a face and its image
 MARGIN = 1e-3  # mm, by which strips of bends reach beyond their lines
-NAMED = re.compile(r"\b[Ff]aces? (\d+(?:(?:, | and )(?:face )?\d+)*)")
+NAMED = {"Face": re.compile(r"\b[Ff]aces? (\d+(?:(?:, | and )(?:face )?\d+)*)"),
+         "Edge": re.compile(r"\b[Ee]dges? (\d+(?:(?:, | and )(?:edge )?\d+)*)")}
 
 
 @dataclasses.dataclass
@@ -50,16 +51,16 @@ def faces(made, row):
     source = getattr(made, "Source", None)
     if source is None:
         return []
-    numbers = named(f"{row.where} {row.message}")
+    numbers = named(f"{row.where} {row.message}", "Face")
     if not numbers and row.at and hasattr(made, "Flat"):
         numbers = faces_at(sources.solid(source, made.Body), made.Flat, json.loads(made.Report)["flat"]["bends"], row.at,
                            made.Thickness.Value)
-    return sources.face_names(source, made.Body, sorted(set(numbers)))
+    return sources.element_names(source, made.Body, "Face", sorted(set(numbers)))
 
 
-def named(text):
-    """The numbers of faces that a text names."""
-    return [int(number) for group in NAMED.findall(text) for number in re.findall(r"\d+", group)]
+def named(text, kind):
+    """The numbers of faces ("Face") or edges ("Edge") that a text names."""
+    return sorted({int(number) for group in NAMED[kind].findall(text) for number in re.findall(r"\d+", group)})
 
 
 def faces_at(solid, flat, bends, points, thickness):

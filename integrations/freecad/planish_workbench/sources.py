@@ -34,20 +34,35 @@ def solid(source, number=1):
     return solids[number - 1]
 
 
-def face_names(source, number, faces):
-    """Names ("Face7") in the object of faces of its solid, both counted from 1."""
+def element_names(source, number, kind, elements):
+    """Names ("Face7", "Edge3") in the object of faces or edges of its solid, both counted from 1."""
+    places = _places(source, number, kind)
+    return [f"{kind}{places[one]}" for one in elements if one in places]
+
+
+def element_numbers(source, number, kind, names):
+    """Numbers in a solid of the object of its faces or edges of these names; those of other kinds are left out."""
+    numbers = {f"{kind}{place}": one for one, place in _places(source, number, kind).items()}
+    return [numbers[name] for name in names if name in numbers]
+
+
+def _places(source, number, kind):
+    """The number in the object of each face or edge of its solid, by its number there."""
+    def elements(shape):
+        return getattr(shape, f"{kind}s")
+
     shape = global_shape(source)
     solids = shape.Solids
     if not 1 <= number <= len(solids):
-        return []
-    if len(solids) == 1 and len(shape.Faces) == len(solids[0].Faces):
-        return [f"Face{face}" for face in faces if 1 <= face <= len(shape.Faces)]
-    own = solids[number - 1].Faces
+        return {}
+    own = elements(solids[number - 1])
+    if len(solids) == 1 and len(elements(shape)) == len(own):
+        return {one: one for one in range(1, len(own) + 1)}
     places = {}
-    for index, face in enumerate(shape.Faces, 1):
-        places.setdefault(face.hashCode(), []).append((index, face))
-    return [f"Face{index}" for face in faces if 1 <= face <= len(own)
-            for index, other in places.get(own[face - 1].hashCode(), ()) if other.isSame(own[face - 1])]
+    for index, element in enumerate(elements(shape), 1):
+        places.setdefault(element.hashCode(), []).append((index, element))
+    return {one: index for one, element in enumerate(own, 1)
+            for index, other in places.get(element.hashCode(), ()) if other.isSame(element)}
 
 
 def leaves(document):

@@ -62,9 +62,12 @@ def selected_pattern():
     raise Refusal("selection", "Select a flat pattern, a bent plate or a transition of Planish.")
 
 
-def point_out(source, number, error):
-    """Selects the faces that an error names."""
-    names = sources.face_names(source, number, places.named(f"{error.where} {error.message}"))
+def point_out(source, number, error, rips=()):
+    """Selects the edges that an error names, beside those ripped already, or else the faces."""
+    text = f"{error.where} {error.message}"
+    edges = places.named(text, "Edge")
+    names = sources.element_names(source, number, "Edge", [*rips, *edges]) if edges else \
+        sources.element_names(source, number, "Face", places.named(text, "Face"))
     if names:
         Gui.Selection.clearSelection()
     for name in names:
@@ -102,14 +105,16 @@ class Command:
 
 
 class Unfold(Command):
-    text, tip, picture = "Unfold", "Lay the selected solid flat", "Unfold"
+    text, tip, picture = "Unfold", "Lay the selected solid flat, cut open along its selected edges", "Unfold"
 
     def work(self, document):
         source, number = selected_solid()
+        rips = [edge for one, names in selected() if one is source
+                for edge in sources.element_numbers(source, number, "Edge", names)]
         try:
-            return make.unfold(source, body=number, beside=True)
+            return make.unfold(source, body=number, rip_edges=rips, beside=True)
         except planish().Error as error:
-            point_out(source, number, error)
+            point_out(source, number, error, rips)
             raise
 
 

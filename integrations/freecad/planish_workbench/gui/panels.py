@@ -14,7 +14,7 @@ DELAY = 300  # ms, between the last change and the recompute
 SEVERITY = {"error": (200, 30, 30), "warning": (190, 120, 0), "info": (90, 90, 90)}
 FIELDS = {
     "unfold": [("K-factor", "KFactor"), ("Bend table", "KTable"), ("Shop profile", "Shop"), ("Side up", "Up"),
-               ("Corners", "Relief"), ("Holes in forms", "Extruded")],
+               ("Corners", "Relief"), ("Holes in forms", "Extruded"), ("Rip edges", "RipEdges")],
     "connect": [("Thickness", "SheetThickness"), ("Inside radius", "InsideRadius"), ("Faces are", "FacesAre"),
                 ("Lateral boundaries", "Lateral"), ("K-factor", "KFactor"), ("Bend table", "KTable"), ("Shop profile", "Shop")],
     "transition": [("Thickness", "SheetThickness"), ("Sizes are", "SizesAre"), ("Pieces", "Pieces"),
@@ -95,6 +95,9 @@ class Panel:
             field.currentTextChanged.connect(lambda text: self.change(name, text))
         elif kind == "App::PropertyFile":
             field = FileField(value, lambda path: self.change(name, path))
+        elif kind == "App::PropertyString":
+            field = QtGui.QLineEdit(value)
+            field.editingFinished.connect(lambda: self.change(name, field.text()))
         elif kind == "App::PropertyInteger":
             field = QtGui.QSpinBox()
             field.setRange(-1, 10000)
