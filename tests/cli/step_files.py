@@ -345,6 +345,15 @@ def two_angles_and_a_block():
     return file.text()
 
 
+def two_angles_one_short():
+    """A block, an angle, and an angle whose legs are shorter than a die takes."""
+    file = StepFile()
+    file.product("block", file.prism(*rectangle_profile(20.0, 30.0), 30.0))
+    file.product("angle", file.prism(*angle_profile(30.0, 2.0, 2.0), 40.0, at=(0, 200, 0)))
+    file.product("short", file.prism(*angle_profile(4.3, 2.0, 2.0), 40.0, at=(0, 400, 0)))
+    return file.text()
+
+
 def assembly_of_sixty():
     """Angles of sizes of their own, each seventh body, from the fourth, a block."""
     file = StepFile()

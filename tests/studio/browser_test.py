@@ -30,6 +30,7 @@ class Browser(StudioTest):
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
         (cls.folder / "tube.step").write_text(step_files.square_tube())
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
+        (cls.folder / "short.step").write_text(step_files.two_angles_one_short())
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
         address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
         done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
@@ -206,6 +207,15 @@ class Browser(StudioTest):
         self.assertEqual(len(made), 52)
         for name, content in made.items():
             self.assertEqual(content.decode(), (wanted / name).read_text().replace("./", ""), name)
+
+    def test_a_body_has_one_status_before_and_after_it_is_opened(self):
+        self.flow("status")
+
+    def test_the_list_shows_the_body_that_is_chosen(self):
+        self.flow("listed")
+
+    def test_what_has_no_pattern_has_a_picture_of_its_solid(self):
+        self.flow("solids")
 
     def test_a_shop_says_k_and_mass(self):
         self.flow("allowance")

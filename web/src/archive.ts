@@ -93,11 +93,14 @@ export class Archive {
     }
   }
 
-  /** What the list says of a body: its report has more to say than a draft, but no picture. */
+  /** What the list says of a body: its report has no picture. */
   private known(body: BodyInfo, report: Report, of: Options): BodyStatus {
     const before = this.store.state.bodies[body.number];
     if (report.status === 'refused')
-      return refused(report.reason ?? { code: 'refused', message: 'it was refused' }, of);
+      return {
+        ...refused(report.reason ?? { code: 'refused', message: 'it was refused' }, of),
+        ...(before?.picture ? { picture: before.picture } : {}),
+      };
     return {
       ...(before ?? { of }),
       status: report.status,

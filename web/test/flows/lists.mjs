@@ -60,7 +60,8 @@ export async function bodies({ page }) {
   await page.waitForSelector('[data-testid=body-60] .said:has-text("sheet")');
   assert.equal(await page.locator('[data-testid=bodies] [role=option]').count(), 60);
   assert.match(await row(4).textContent(), /block 4\s*no flat pattern: not a sheet\s*× 1/);
-  assert.equal(await row(4).locator('path').count(), 0, 'what has no pattern has no picture');
+  assert.equal(await row(4).locator('path').count(), 0, 'what has no pattern is shown as a solid');
+  assert.match(await row(4).locator('image').getAttribute('href'), /^data:image/);
   assert.match(await row(5).locator('path.sheet').getAttribute('d'), /^M[\d. ]+L/);
   assert.match(await row(5).locator('path.up').getAttribute('d'), /^M/);
   assert.equal(await row(1).getAttribute('aria-selected'), 'true');
