@@ -28,6 +28,7 @@ class Browser(StudioTest):
         (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
+        (cls.folder / "small.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(8, 30)], 2.5))
         (cls.folder / "tube.step").write_text(step_files.square_tube())
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
         (cls.folder / "short.step").write_text(step_files.two_angles_one_short())
@@ -159,6 +160,9 @@ class Browser(StudioTest):
 
     def test_the_pattern_is_measured(self):
         self.flow("measure")
+
+    def test_the_rim_of_a_small_hole_is_taken_where_the_pointer_is_on_it(self):
+        self.flow("rims")
 
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
