@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The page in a browser without a window, from opening a file to a downloaded DXF (web/test/browser.mjs)."""
 
+import csv
+import io
 import json
 import os
 import pathlib
@@ -199,7 +201,7 @@ class Browser(StudioTest):
         self.assertEqual(path.read_bytes(), (self.folder / "wanted.dxf").read_bytes())
 
     def test_bodies_are_listed_and_downloaded_at_once(self):
-        """The archive holds what `unfold --all` writes."""
+        """The archive holds what `unfold --all` writes, its summary rounded."""
         self.flow("bodies")
         with zipfile.ZipFile(self.folder / "bodies" / "sixty.zip") as archive:
             self.assertIsNone(archive.testzip())
@@ -210,7 +212,28 @@ class Browser(StudioTest):
         self.assertEqual(sorted(made), sorted(path.name for path in wanted.iterdir() if path.name != "summary.json"))
         self.assertEqual(len(made), 52)
         for name, content in made.items():
-            self.assertEqual(content.decode(), (wanted / name).read_text().replace("./", ""), name)
+            if name != "summary.csv":
+                self.assertEqual(content.decode(), (wanted / name).read_text(), name)
+        self.same_summary(made["summary.csv"].decode(), (wanted / "summary.csv").read_text())
+
+    def same_summary(self, made, wanted):
+        """The program's figures, rounded as the page shows them, and pierces."""
+        made, wanted = (list(csv.DictReader(io.StringIO(text, newline=""))) for text in (made, wanted))
+        self.assertEqual(list(made[0]), [name for known in wanted[0] for name in ([known, "pierces"] if known == "openings" else [known])])
+        self.assertEqual(len(made), len(wanted))
+        decimals = {"thickness": 3, "volume_ratio": 6} | dict.fromkeys(("length", "width", "outer_cutting", "inner_cutting"), 2)
+        for own, row in zip(made, wanted):
+            for name, value in row.items():
+                if name in decimals and value:
+                    self.assertAlmostEqual(float(own[name]), float(value), delta=0.501 * 10 ** -decimals[name], msg=name)
+                    self.assertLessEqual(len(own[name].partition(".")[2]), decimals[name], name)
+                elif name == "area" and value:
+                    self.assertAlmostEqual(float(own[name]) / float(value), 1, delta=5e-4)
+                elif name in ("length_error", "refold_deviation") and value:
+                    self.assertAlmostEqual(float(own[name]), float(value), delta=float(value) / 2, msg=name)
+                else:
+                    self.assertEqual(own[name], value.replace("./", ""), name)
+            self.assertEqual(own["pierces"], "1" if row["files"] else "", row["body"])
 
     def test_a_body_has_one_status_before_and_after_it_is_opened(self):
         self.flow("status")

@@ -9,6 +9,7 @@ export interface BodyStatus {
   units?: LengthUnit;
   thickness?: number;
   size?: Vec2; // of the blank
+  pierces?: number;
   picture?: Picture;
   of: Options; // what was asked for
 }
@@ -49,6 +50,7 @@ export function statusOfShape(shape: Shape, of: Options): BodyStatus {
     units: report.units,
     ...(sheet ? { thickness: sheet.thickness } : {}),
     ...(flat ? { size: flat.size } : {}),
+    ...(shape.pierces === null ? {} : { pierces: shape.pierces }),
     ...(picture ? { picture } : {}),
   };
 }
