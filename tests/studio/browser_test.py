@@ -83,6 +83,9 @@ class Browser(StudioTest):
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
 
+    def test_what_is_refused_has_the_room(self):
+        self.flow("roomy")
+
     def test_what_cannot_be_planned_is_said(self):
         self.flow("unplanned")
 
