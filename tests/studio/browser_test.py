@@ -32,6 +32,7 @@ class Browser(StudioTest):
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
         (cls.folder / "small.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(8, 30)], 2.5))
         (cls.folder / "tube.step").write_text(step_files.square_tube())
+        (cls.folder / "curled.step").write_text(step_files.curled())
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
         (cls.folder / "short.step").write_text(step_files.two_angles_one_short())
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
@@ -256,6 +257,9 @@ class Browser(StudioTest):
         for key in ("sheet", "flat", "checks"):
             self.assertEqual(made[key], wanted[key])
         self.assertGreater(made["sheet"]["mass"], 0)
+
+    def test_the_table_says_what_a_deduction_is_measured_to(self):
+        self.flow("deductions")
 
     def test_a_bend_table_and_outside_lengths(self):
         self.flow("bendtable")
