@@ -4,6 +4,7 @@ import { alone, between, type Answer } from '../src/measure/answer.ts';
 import { edgeForms } from '../src/measure/edges.ts';
 import { isSame, noMeasures, reduceMeasure } from '../src/measure/state.ts';
 import { snapAt } from '../src/measure/snap.ts';
+import { placeOfText, type Taken } from '../src/measure/text-place.ts';
 import { labelText, wholeText } from '../src/measure/text.ts';
 import { inPlace, thingOf, type Thing } from '../src/measure/things.ts';
 import type { Vec2, Vec3 } from '../src/types.ts';
@@ -205,4 +206,30 @@ test('on the rim of a small hole it is the hole that is taken, not what is near'
   assert.equal(at(3, 3, 2)?.kind, 'circle', 'its centre');
   assert.equal(at(0.1, 0.1, 1.4)?.kind, 'corner', 'what is nearer than the rim');
   assert.equal(at(1, 1, 2.4)?.kind, 'corner', 'a rim that is only near');
+});
+
+test('texts of measures cover no other text, and stay in the view', () => {
+  const taken: Taken = [],
+    view: Vec2 = [400, 300];
+  const put = (...places: Vec2[]) => {
+    const placed = placeOfText(places, [60, 20], taken, view);
+    taken.push(placed.box);
+    return placed;
+  };
+  assert.deepEqual(put([200, 150], [250, 150]).at, [200, 150], 'where it belongs');
+  assert.deepEqual(put([200, 150], [290, 150]).at, [290, 150], 'the next place that is offered');
+  for (let i = 0; i < 20; ++i) {
+    const { at, offered } = put([200, 150]);
+    assert.ok(!offered && Math.hypot(at[0] - 200, at[1] - 150) < 160, at.join());
+  }
+  for (const [i, a] of taken.entries())
+    for (const b of taken.slice(i + 1))
+      assert.ok(a.x >= b.x + b.w || b.x >= a.x + a.w || a.y >= b.y + b.h || b.y >= a.y + a.h, `${i}`);
+  const { at, box } = put([-5, 20]);
+  assert.ok(box.x >= 0 && box.y >= 0, at.join());
+  assert.deepEqual(
+    placeOfText([[1000, 1000]], [60, 20], [], view).at,
+    [1000, 1000],
+    'what is out of sight stays there',
+  );
 });
