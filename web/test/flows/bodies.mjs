@@ -1,5 +1,6 @@
 import assert from 'node:assert/strict';
 import { inTheme, violations } from '../axe.mjs';
+import { serveDist } from '../serve-dist.mjs';
 import { folder, open, rested, state } from '../driving.mjs';
 
 // The list of bodies: what it says of each before it is opened, which one it shows, and pictures of solids.
@@ -115,6 +116,7 @@ export async function solids({ page }) {
   assert.equal(await state(page, 's.shape.report.status'), 'refused');
   await page.waitForFunction(() => window.planish.store.state.recents[0]?.picture?.image);
   await page.evaluate(() => sessionStorage.clear());
+  await serveDist(page, process.argv[2]);
   await page.reload();
   await page.waitForSelector('[data-testid="recent-stepped.step"] image');
   await page.screenshot({ path: `${folder(page)}/recent.png` });

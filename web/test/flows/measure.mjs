@@ -98,7 +98,7 @@ export async function measure({ page }) {
   await page.waitForFunction(() => !document.querySelector('[data-testid=measures] li'));
 }
 
-/** The rim of a hole that appears small is taken where the pointer is on it, in spite of the middle of the edge beside it. */
+/** The rim of a hole that appears small is taken where the pointer is on it, not the middle of the edge beside it. */
 export async function rims({ page }) {
   await open(page, [`${folder(page)}/../small.step`]);
   await page.keyboard.press('d');
@@ -106,10 +106,12 @@ export async function rims({ page }) {
   // The hole of Ø 5 is 8 from the end of the base, in the middle.
   const { at, end, scale } = await state(
     page,
-    `(() => { const f = s.shape, c = f.edge_circle, n = [...f.edge_length.keys()].find((e) => Math.abs(c[4 * e + 2] - 2.5) < 1e-6);
-    const at = [c[4 * n], c[4 * n + 1]], middles = [...f.edge_length.keys()].filter((e) => Math.abs(f.edge_length[e] - 50) < 1e-3)
-      .map((e) => { const i = f.edge_number.indexOf(e); return [(f.edges[4 * i] + f.edges[4 * i + 2]) / 2, (f.edges[4 * i + 1] + f.edges[4 * i + 3]) / 2]; });
-    const off = (m) => Math.hypot(m[0] - at[0], m[1] - at[1]);
+    `(() => { const f = s.shape, c = f.edge_circle, edges = [...f.edge_length.keys()],
+      n = edges.find((e) => Math.abs(c[4 * e + 2] - 2.5) < 1e-6), at = [c[4 * n], c[4 * n + 1]],
+      line = (e) => f.edges.slice(4 * f.edge_number.indexOf(e), 4 * f.edge_number.indexOf(e) + 4),
+      middle = ([ax, ay, bx, by]) => [(ax + bx) / 2, (ay + by) / 2],
+      middles = edges.filter((e) => Math.abs(f.edge_length[e] - 50) < 1e-3).map((e) => middle(line(e))),
+      off = (m) => Math.hypot(m[0] - at[0], m[1] - at[1]);
     return { at, end: middles.sort((a, b) => off(a) - off(b))[0], scale: views.flat.scale }; })()`,
   );
   const away = Math.hypot(end[0] - at[0], end[1] - at[1]);
