@@ -45,6 +45,7 @@ root.innerHTML = `<header></header><section class="messages" aria-label="Message
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
+let givenUp = false; // what is dragged, until it is let go
 const ui: Ui = {
   get state() {
     return store.state;
@@ -52,7 +53,7 @@ const ui: Ui = {
   dispatch: store.dispatch,
   edit: (change, live = false) => {
     const { input } = store.state;
-    if (!input.spec) return;
+    if (!input.spec || (live && givenUp)) return;
     if (live) computation.dragged(performance.now());
     store.dispatch({
       type: 'edit',
@@ -62,6 +63,7 @@ const ui: Ui = {
   },
   editOptions: (change, live = false) => {
     const { input } = store.state;
+    if (live && givenUp) return;
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
   refusal: (options) => {
@@ -128,22 +130,39 @@ let waiting = 0; // the frame in which the page is drawn
 let later = 0; // the frame after which it is
 let scrolledFor: string | undefined;
 const drawSoon = () => (waiting ||= requestAnimationFrame(drawWaiting));
+let typed = false; // an edit that no drag made is to be drawn
 function drawWaiting() {
   if (!waiting && !later) return;
   cancelAnimationFrame(waiting);
   cancelAnimationFrame(later);
   waiting = later = 0;
+  typed = false;
   draw();
 }
 store.subscribe((state, before) => {
   views.changed(state, before);
   measureKeys.changed(state, before);
+  typed ||= state.input !== before.input && state.pending === null;
   // A drag is drawn with the geometry it leads to, if that comes within a frame: drawing would delay it.
   if (state.pending === null || state.shape !== before.shape) drawSoon();
   else later ||= requestAnimationFrame(drawSoon);
 });
+// What was typed is entered before something else is chosen, for which its field may be needed.
+const enterTyped = ({ target }: Event) => {
+  const field = document.activeElement;
+  if (field instanceof HTMLInputElement && field !== target && isUnentered(field)) field.blur();
+};
+window.addEventListener('pointerdown', enterTyped, true);
 // What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
-for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, drawWaiting, true);
+for (const event of ['pointerdown', 'keydown', 'change', 'click']) window.addEventListener(event, drawWaiting, true);
+for (const event of ['input', 'pointermove']) window.addEventListener(event, () => typed && drawWaiting(), true);
+let held = 0; // buttons of the pointer
+for (const event of ['pointerdown', 'pointerup', 'pointercancel'] as const)
+  window.addEventListener(event, (e) => (held = e.type === 'pointercancel' ? 0 : e.buttons), true);
+for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, takeUp, true);
+function takeUp(e: Event) {
+  if (e.type === 'pointerdown' || !held) givenUp = false;
+}
 
 let arrangedFor: string | undefined;
 store.subscribe((state, before) => {
@@ -183,7 +202,9 @@ function draw() {
   render(measureList(ui), part('.measured'));
   root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
-  render(startScreen(ui), part('.over'));
+  const over = startScreen(ui);
+  render(over, part('.over'));
+  for (const below of root.querySelectorAll<HTMLElement>('.view, .divider')) below.inert = over !== nothing;
   render(helpDialog(ui), part('.dialogs'));
   showHelp(store.state.help);
   describeViews();
@@ -292,8 +313,8 @@ window.addEventListener('keydown', (e) => {
   const key = e.key.toLowerCase();
   if (e.ctrlKey || e.metaKey) {
     if (key === 'o') chooseFile();
-    else if (typing || !(key === 'z' || key === 'y')) return;
-    else store.dispatch({ type: key === 'y' || e.shiftKey ? 'redo' : 'undo' });
+    else if (!(key === 'z' || key === 'y') || isUnentered(target)) return;
+    else step(key === 'y' || e.shiftKey ? 'redo' : 'undo', target);
     e.preventDefault();
     return;
   }
@@ -308,7 +329,7 @@ window.addEventListener('keydown', (e) => {
     store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
     drawWaiting(); // what has the focus is described by then
     measureKeys.focus();
-  } else if (key === ' ' && !target.matches('button, summary')) {
+  } else if (key === ' ' && !target.matches('button, summary, input[type=checkbox]')) {
     if (isInMachine(store.state)) playStrokes();
     else animate();
     e.preventDefault();
@@ -322,10 +343,31 @@ window.addEventListener('keydown', (e) => {
 const before = new WeakMap<EventTarget, string>();
 for (const type of ['focusin', 'change'] as const)
   window.addEventListener(type, ({ target }) => {
-    if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value);
+    if (!(target instanceof HTMLInputElement && target.type === 'text')) return;
+    before.set(target, target.value);
+    unentered.delete(target);
   });
 
+/** Fields in which something is typed that was not entered: undo is theirs. */
+const unentered = new WeakSet<EventTarget>();
+window.addEventListener('input', ({ target }) => {
+  if (target instanceof HTMLInputElement && target.type === 'text') unentered.add(target);
+});
+const isUnentered = (field: EventTarget) =>
+  unentered.has(field) && (field as HTMLInputElement).value !== before.get(field);
+
+function step(type: 'undo' | 'redo', target: HTMLElement) {
+  givenUp = store.state.pending !== null;
+  store.dispatch({ type });
+  drawWaiting();
+  if (before.has(target)) before.set(target, (target as HTMLInputElement).value);
+}
+
 function escape(target: HTMLElement) {
+  if (store.state.pending) {
+    givenUp = true;
+    return store.dispatch({ type: 'give-up' });
+  }
   const text = before.get(target);
   if (text !== undefined) (target as HTMLInputElement).value = text;
   target.blur();
@@ -348,6 +390,14 @@ function removeChosen() {
   else return;
   store.dispatch({ type: 'select', selection: {} });
 }
+
+/** Where the focus goes whose place has gone: the name of what is open. */
+store.subscribe((state, before) => {
+  if (state.document?.id === before.document?.id) return;
+  requestAnimationFrame(() => {
+    if (document.activeElement === document.body) part('.name').focus();
+  });
+});
 
 window.addEventListener('pointerdown', (e) => {
   root.querySelectorAll('details.menu[open]').forEach((m) => {
