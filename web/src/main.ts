@@ -154,8 +154,15 @@ const enterTyped = ({ target }: Event) => {
 };
 window.addEventListener('pointerdown', enterTyped, true);
 // What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
-for (const event of ['pointerdown', 'keydown', 'change', 'click']) window.addEventListener(event, drawWaiting, true);
-for (const event of ['input', 'pointermove']) window.addEventListener(event, () => typed && drawWaiting(), true);
+for (const event of ['pointerdown', 'keydown', 'click']) window.addEventListener(event, drawWaiting, true);
+for (const event of ['change', 'input', 'pointermove'])
+  window.addEventListener(
+    event,
+    ({ type, target }) => {
+      if ((typed || type === 'change') && !(target instanceof HTMLSelectElement)) drawWaiting(); // see `choice`
+    },
+    true,
+  );
 let held = 0; // buttons of the pointer
 for (const event of ['pointerdown', 'pointerup', 'pointercancel'] as const)
   window.addEventListener(event, (e) => (held = e.type === 'pointercancel' ? 0 : e.buttons), true);

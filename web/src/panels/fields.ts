@@ -175,6 +175,7 @@ export function lengthSlider(
   });
 }
 
+/** One of several; drawn anew it shows what is chosen in the state, not what was just chosen in it. */
 export function choice<T extends string>(
   label: string,
   testid: string,
