@@ -5,6 +5,8 @@ import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
+import { drawsPage } from './drawing.ts';
+import { giveUp, isGivenUp } from './holding.ts';
 import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
@@ -28,6 +30,7 @@ import { bringKept } from './kept-here.ts';
 import { Recents } from './recents.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
+import { beginsAnew, isUnentered, putBack } from './typing.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
@@ -45,7 +48,6 @@ root.innerHTML = `<header></header><section class="messages" aria-label="Message
   <div class="over"></div></main><aside></aside><div class="dialogs"></div>`;
 const part = (selector: string) => root.querySelector<HTMLElement>(selector)!;
 
-let givenUp = false; // what is dragged, until it is let go
 const ui: Ui = {
   get state() {
     return store.state;
@@ -53,7 +55,7 @@ const ui: Ui = {
   dispatch: store.dispatch,
   edit: (change, live = false) => {
     const { input } = store.state;
-    if (!input.spec || (live && givenUp)) return;
+    if (!input.spec || (live && isGivenUp())) return;
     if (live) computation.dragged(performance.now());
     store.dispatch({
       type: 'edit',
@@ -63,7 +65,7 @@ const ui: Ui = {
   },
   editOptions: (change, live = false) => {
     const { input } = store.state;
-    if (live && givenUp) return;
+    if (live && isGivenUp()) return;
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
   refusal: (options) => {
@@ -126,50 +128,12 @@ new Survey(api, store);
 const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
 
-let waiting = 0; // the frame in which the page is drawn
-let later = 0; // the frame after which it is
 let scrolledFor: string | undefined;
-const drawSoon = () => (waiting ||= requestAnimationFrame(drawWaiting));
-let typed = false; // an edit that no drag made is to be drawn
-function drawWaiting() {
-  if (!waiting && !later) return;
-  cancelAnimationFrame(waiting);
-  cancelAnimationFrame(later);
-  waiting = later = 0;
-  typed = false;
-  draw();
-}
 store.subscribe((state, before) => {
   views.changed(state, before);
   measureKeys.changed(state, before);
-  typed ||= state.input !== before.input && state.pending === null;
-  // A drag is drawn with the geometry it leads to, if that comes within a frame: drawing would delay it.
-  if (state.pending === null || state.shape !== before.shape) drawSoon();
-  else later ||= requestAnimationFrame(drawSoon);
 });
-// What was typed is entered before something else is chosen, for which its field may be needed.
-const enterTyped = ({ target }: Event) => {
-  const field = document.activeElement;
-  if (field instanceof HTMLInputElement && field !== target && isUnentered(field)) field.blur();
-};
-window.addEventListener('pointerdown', enterTyped, true);
-// What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
-for (const event of ['pointerdown', 'keydown', 'click']) window.addEventListener(event, drawWaiting, true);
-for (const event of ['change', 'input', 'pointermove'])
-  window.addEventListener(
-    event,
-    ({ type, target }) => {
-      if ((typed || type === 'change') && !(target instanceof HTMLSelectElement)) drawWaiting(); // see `choice`
-    },
-    true,
-  );
-let held = 0; // buttons of the pointer
-for (const event of ['pointerdown', 'pointerup', 'pointercancel'] as const)
-  window.addEventListener(event, (e) => (held = e.type === 'pointercancel' ? 0 : e.buttons), true);
-for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, takeUp, true);
-function takeUp(e: Event) {
-  if (e.type === 'pointerdown' || !held) givenUp = false;
-}
+const drawWaiting = drawsPage(store, draw);
 
 let arrangedFor: string | undefined;
 store.subscribe((state, before) => {
@@ -346,37 +310,19 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
-/** The original text of the field being edited: Escape restores it. */
-const before = new WeakMap<EventTarget, string>();
-for (const type of ['focusin', 'change'] as const)
-  window.addEventListener(type, ({ target }) => {
-    if (!(target instanceof HTMLInputElement && target.type === 'text')) return;
-    before.set(target, target.value);
-    unentered.delete(target);
-  });
-
-/** Fields in which something is typed that was not entered: undo is theirs. */
-const unentered = new WeakSet<EventTarget>();
-window.addEventListener('input', ({ target }) => {
-  if (target instanceof HTMLInputElement && target.type === 'text') unentered.add(target);
-});
-const isUnentered = (field: EventTarget) =>
-  unentered.has(field) && (field as HTMLInputElement).value !== before.get(field);
-
 function step(type: 'undo' | 'redo', target: HTMLElement) {
-  givenUp = store.state.pending !== null;
+  if (store.state.pending) giveUp();
   store.dispatch({ type });
   drawWaiting();
-  if (before.has(target)) before.set(target, (target as HTMLInputElement).value);
+  beginsAnew(target);
 }
 
 function escape(target: HTMLElement) {
   if (store.state.pending) {
-    givenUp = true;
+    giveUp();
     return store.dispatch({ type: 'give-up' });
   }
-  const text = before.get(target);
-  if (text !== undefined) (target as HTMLInputElement).value = text;
+  putBack(target);
   target.blur();
   root.querySelectorAll('details.menu[open]').forEach((m) => {
     m.removeAttribute('open');
