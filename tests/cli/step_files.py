@@ -288,6 +288,37 @@ def channel_profile(width, height, thickness, radius):
                       Line((0.0, s)), Arc((s, 0.0), (s, s), True)]
 
 
+def strip_profile(thickness, *moves):
+    """A strip that is bent to its left: lengths of flanges, and (inside radius, degrees) of bends."""
+    outside, inside = [], []
+    at, way = (0.0, 0.0), 0.0
+
+    def across(off):
+        return (at[0] - off * math.sin(way), at[1] + off * math.cos(way))
+
+    starts = [(across(0.0), across(thickness))]
+    for move in moves:
+        center = None
+        if isinstance(move, tuple):
+            radius, turn = move[0], math.radians(move[1])
+            center = across(thickness + radius)
+            way += turn
+            at = (center[0] + (thickness + radius) * math.sin(way), center[1] - (thickness + radius) * math.cos(way))
+        else:
+            at = (at[0] + move * math.cos(way), at[1] + move * math.sin(way))
+        starts.append((across(0.0), across(thickness)))
+        outside.append(Arc(starts[-1][0], center, True) if center else Line(starts[-1][0]))
+        inside.append(Arc(starts[-2][1], center, False) if center else Line(starts[-2][1]))
+    return starts[0][0], [*outside, Line(starts[-1][1]), *reversed(inside), Line(starts[0][0])]
+
+
+def curled():
+    """Two flanges with a bend of 120° between them, and a curl of 200° at the end."""
+    file = StepFile()
+    file.product("curled", file.prism(*strip_profile(2.0, 30.0, (2.0, 120.0), 20.0, (3.0, 200.0)), 40.0))
+    return file.text()
+
+
 class Lying(StepFile):
     """Prisms drawn out along x, their profiles in (y, z), with vertical holes."""
 
@@ -342,6 +373,15 @@ def two_angles_and_a_block():
     file.product("angle copy", file.prism(*same, 60.0, at=(100.0, 20.0, -7.0)))
     file.product("door, \"left\"", file.prism(*angle_profile(40.0, 1.5, 3.0), 25.0, at=(300, 0, 0)))
     file.product("block", file.prism(*rectangle_profile(30.0, 30.0), 30.0, at=(500, 0, 0)))
+    return file.text()
+
+
+def two_angles_one_short():
+    """A block, an angle, and an angle whose legs are shorter than a die takes."""
+    file = StepFile()
+    file.product("block", file.prism(*rectangle_profile(20.0, 30.0), 30.0))
+    file.product("angle", file.prism(*angle_profile(30.0, 2.0, 2.0), 40.0, at=(0, 200, 0)))
+    file.product("short", file.prism(*angle_profile(4.3, 2.0, 2.0), 40.0, at=(0, 400, 0)))
     return file.text()
 
 

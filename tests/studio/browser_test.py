@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """The page in a browser without a window, from opening a file to a downloaded DXF (web/test/browser.mjs)."""
 
+import csv
+import io
 import json
 import os
 import pathlib
@@ -46,8 +48,11 @@ class Browser(StudioTest):
         (cls.folder / "thousand.step").write_text(step_files.thousand_openings())
         (cls.folder / "channel.step").write_text(step_files.perforated_channel(100, 40, 2, 3, 160, [(20, 20), (80, 65)], 5))
         (cls.folder / "wide.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(300, 30)], 5))
+        (cls.folder / "small.step").write_text(step_files.perforated_channel(60, 20, 2, 3, 600, [(8, 30)], 2.5))
         (cls.folder / "tube.step").write_text(step_files.square_tube())
+        (cls.folder / "curled.step").write_text(step_files.curled())
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
+        (cls.folder / "short.step").write_text(step_files.two_angles_one_short())
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
         cls.said = flows(cls.studio, cls.folder)
 
@@ -93,6 +98,9 @@ class Browser(StudioTest):
 
     def test_what_a_refusal_names_is_seen_in_the_part(self):
         self.flow("refusal")
+
+    def test_what_is_refused_has_the_room(self):
+        self.flow("roomy")
 
     def test_what_cannot_be_planned_is_said(self):
         self.flow("unplanned")
@@ -174,6 +182,9 @@ class Browser(StudioTest):
     def test_the_pattern_is_measured(self):
         self.flow("measure")
 
+    def test_the_rim_of_a_small_hole_is_taken_where_the_pointer_is_on_it(self):
+        self.flow("rims")
+
     def test_the_folded_part_is_measured(self):
         self.flow("measurefolded")
 
@@ -209,7 +220,7 @@ class Browser(StudioTest):
         self.assertEqual(path.read_bytes(), (self.folder / "wanted.dxf").read_bytes())
 
     def test_bodies_are_listed_and_downloaded_at_once(self):
-        """The archive holds what `unfold --all` writes."""
+        """The archive holds what `unfold --all` writes, its summary rounded."""
         self.flow("bodies")
         with zipfile.ZipFile(self.folder / "bodies" / "sixty.zip") as archive:
             self.assertIsNone(archive.testzip())
@@ -220,7 +231,37 @@ class Browser(StudioTest):
         self.assertEqual(sorted(made), sorted(path.name for path in wanted.iterdir() if path.name != "summary.json"))
         self.assertEqual(len(made), 52)
         for name, content in made.items():
-            self.assertEqual(content.decode(), (wanted / name).read_text().replace("./", ""), name)
+            if name != "summary.csv":
+                self.assertEqual(content.decode(), (wanted / name).read_text(), name)
+        self.same_summary(made["summary.csv"].decode(), (wanted / "summary.csv").read_text())
+
+    def same_summary(self, made, wanted):
+        """The program's figures, rounded as the page shows them, and pierces."""
+        made, wanted = (list(csv.DictReader(io.StringIO(text, newline=""))) for text in (made, wanted))
+        self.assertEqual(list(made[0]), [name for known in wanted[0] for name in ([known, "pierces"] if known == "openings" else [known])])
+        self.assertEqual(len(made), len(wanted))
+        decimals = {"thickness": 3, "volume_ratio": 6} | dict.fromkeys(("length", "width", "outer_cutting", "inner_cutting"), 2)
+        for own, row in zip(made, wanted):
+            for name, value in row.items():
+                if name in decimals and value:
+                    self.assertAlmostEqual(float(own[name]), float(value), delta=0.501 * 10 ** -decimals[name], msg=name)
+                    self.assertLessEqual(len(own[name].partition(".")[2]), decimals[name], name)
+                elif name == "area" and value:
+                    self.assertAlmostEqual(float(own[name]) / float(value), 1, delta=5e-4)
+                elif name in ("length_error", "refold_deviation") and value:
+                    self.assertAlmostEqual(float(own[name]), float(value), delta=float(value) / 2, msg=name)
+                else:
+                    self.assertEqual(own[name], value.replace("./", ""), name)
+            self.assertEqual(own["pierces"], "1" if row["files"] else "", row["body"])
+
+    def test_a_body_has_one_status_before_and_after_it_is_opened(self):
+        self.flow("status")
+
+    def test_the_list_shows_the_body_that_is_chosen(self):
+        self.flow("listed")
+
+    def test_what_has_no_pattern_has_a_picture_of_its_solid(self):
+        self.flow("solids")
 
     def test_a_shop_says_k_and_mass(self):
         self.flow("allowance")
@@ -231,6 +272,9 @@ class Browser(StudioTest):
         for key in ("sheet", "flat", "checks"):
             self.assertEqual(made[key], wanted[key])
         self.assertGreater(made["sheet"]["mass"], 0)
+
+    def test_the_table_says_what_a_deduction_is_measured_to(self):
+        self.flow("deductions")
 
     def test_a_bend_table_and_outside_lengths(self):
         self.flow("bendtable")

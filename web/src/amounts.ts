@@ -21,5 +21,5 @@ export function massText(kg: number | null | undefined, to: DisplayUnit): string
 }
 
 /** Four digits, or all those before the point. */
-const digits = (value: number) =>
+export const digits = (value: number) =>
   value >= 1000 ? value.toFixed(0) : clean(value, Math.max(0, 3 - Math.floor(Math.log10(Math.max(value, 1e-3)))));

@@ -1,5 +1,5 @@
 import type { Api } from './api.ts';
-import { refused, sharedOptions, type BodyStatus } from './bodies.ts';
+import { refused, sameOptions, sharedOptions, type BodyStatus } from './bodies.ts';
 import { hasPattern, stems, summaryCsv } from './body-files.ts';
 import { problemOf } from './compute.ts';
 import { dxfOptions } from './dxf-choices.ts';
@@ -54,14 +54,17 @@ export class Archive {
       dxf = maker ? dxfOptions(state.workshop.dxf, maker, state.units) : {},
       shown = bodyOf(state),
       reports: Report[] = [],
+      pierced: (number | null)[] = [],
       drawings: (Uint8Array | null)[] = [];
     for (const body of bodies) {
       this.store.dispatch({ type: 'archive', archive: { done: reports.length, all: bodies.length } });
       // What was chosen for one body only goes with the one that is shown.
       const own = body.number === shown ? state.input.options : sharedOptions(state.input.options);
-      const { report, drawing } = await this.make(document, body, own, dxf);
+      const { report, drawing } = await this.make(document, body, own, dxf),
+        pierces = drawing ? await this.piercesOf(document, body, own) : null;
       if (this.cancelled || this.store.state.document?.id !== document.id) return null;
       reports.push(report);
+      pierced.push(pierces);
       drawings.push(drawing);
       this.store.dispatch({
         type: 'body',
@@ -71,7 +74,9 @@ export class Archive {
       });
     }
     const names = stems(reports).map((stem) => (stem ? `${stem}.dxf` : '')),
-      summary = summaryCsv(reports.map((report, i) => ({ report, files: drawings[i] ? [names[i]!] : [] })));
+      summary = summaryCsv(
+        reports.map((report, i) => ({ report, pierces: pierced[i]!, files: drawings[i] ? [names[i]!] : [] })),
+      );
     return [
       ...drawings.flatMap((bytes, i) => (bytes ? [{ name: names[i]!, bytes }] : [])),
       { name: 'summary.csv', bytes: new TextEncoder().encode(summary) },
@@ -93,11 +98,21 @@ export class Archive {
     }
   }
 
-  /** What the list says of a body: its report has more to say than a draft, but no picture. */
+  /** As the list knows it already, or by a draft. */
+  private async piercesOf(document: OpenDocument, { number }: BodyInfo, own: Options): Promise<number | null> {
+    const known = this.store.state.bodies[number];
+    if (known?.pierces !== undefined && sameOptions(known.of, own)) return known.pierces;
+    return (await this.api.draft(document.id, { options: { ...own, body: number } }, this.flight.signal)).pierces;
+  }
+
+  /** What the list says of a body: its report has no picture. */
   private known(body: BodyInfo, report: Report, of: Options): BodyStatus {
     const before = this.store.state.bodies[body.number];
     if (report.status === 'refused')
-      return refused(report.reason ?? { code: 'refused', message: 'it was refused' }, of);
+      return {
+        ...refused(report.reason ?? { code: 'refused', message: 'it was refused' }, of),
+        ...(before?.picture ? { picture: before.picture } : {}),
+      };
     return {
       ...(before ?? { of }),
       status: report.status,

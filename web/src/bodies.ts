@@ -1,6 +1,7 @@
+import { solidImage } from './solid-picture.ts';
 import type { ApiProblem, LengthUnit, Options, Report, Shape, Vec2 } from './types.ts';
 
-/** What became of a body, as far as is known: a draft says whether it is a sheet, a result says more. */
+/** What became of a body, as far as is known. */
 export interface BodyStatus {
   status: Report['status'];
   code?: string; // of a refusal
@@ -8,15 +9,17 @@ export interface BodyStatus {
   units?: LengthUnit;
   thickness?: number;
   size?: Vec2; // of the blank
+  pierces?: number;
   picture?: Picture;
   of: Options; // what was asked for
 }
 export type Bodies = Record<number, BodyStatus>;
 
-/** A flat pattern, small: paths in a box of at most `extent`, y down. */
+/** A flat pattern, small: paths in a box of at most `extent`, y down. Without a pattern an image of the solid. */
 export interface Picture {
   width: number;
   height: number;
+  image?: string; // data URL
   sheet: string;
   up: string;
   down: string;
@@ -39,13 +42,16 @@ export function sameOptions(a: Options, b: Options): boolean {
 
 export function statusOfShape(shape: Shape, of: Options): BodyStatus {
   const { report } = shape,
-    { sheet, flat } = report;
+    { sheet, flat } = report,
+    picture = pictureOf(shape);
   return {
     ...refusal(report.reason, report.status),
     of,
     units: report.units,
     ...(sheet ? { thickness: sheet.thickness } : {}),
-    ...(flat ? { size: flat.size, picture: pictureOf(shape) } : {}),
+    ...(flat ? { size: flat.size } : {}),
+    ...(shape.pierces === null ? {} : { pierces: shape.pierces }),
+    ...(picture ? { picture } : {}),
   };
 }
 
@@ -60,8 +66,17 @@ const refusal = (
 const extent = 100;
 const least = 0.8; // of the extent: what is closer is one point, what is smaller is left out
 
-/** The pattern as it lies, for a list. */
-export function pictureOf(shape: Shape): Picture | undefined {
+/** The pattern as it lies, for a list; where there is none, the solid. */
+export const pictureOf = (shape: Shape): Picture | undefined => patternPicture(shape) ?? solidPicture(shape);
+
+function solidPicture(shape: Shape): Picture | undefined {
+  const image = shape.space_faces.length ? solidImage(shape) : null;
+  if (!image) return undefined;
+  const { width, height, url } = image;
+  return { width: width * extent, height: height * extent, image: url, sheet: '', up: '', down: '' };
+}
+
+function patternPicture(shape: Shape): Picture | undefined {
   const { contour_points: p, contour_starts, contour_part, bend_lines, bend_line_part, parts } = shape;
   const rings = [...contour_part.keys()].filter((c) => contour_part[c] === -1);
   let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];

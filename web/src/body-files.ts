@@ -1,7 +1,8 @@
-import { convert } from './units.ts';
-import type { Report } from './types.ts';
+import { digits } from './amounts.ts';
+import { clean, convert, sizeText } from './units.ts';
+import type { LengthUnit, Report } from './types.ts';
 
-// What `planish unfold --all` writes: the names of its files and its summary.csv.
+// The names of the files that `planish unfold --all` writes, and its summary.csv with figures as the page shows them.
 
 const longest = 100; // bytes of a name
 
@@ -51,6 +52,7 @@ const columns = [
   'outer_cutting',
   'inner_cutting',
   'openings',
+  'pierces',
   'bends',
   'mass',
   'volume_ratio',
@@ -60,9 +62,21 @@ const columns = [
   'files',
 ];
 
-export function summaryCsv(rows: { report: Report; files: string[] }[]): string {
-  const cells = rows.map(({ report: r, files }) =>
-    [
+/** Hundredths of a millimetre, and about as much. */
+const lengthDigits: Record<LengthUnit, number> = { mm: 2, inch: 3, m: 5 };
+
+/** What a row of the summary is made of; `pierces`: contours and slits that are cut, which the report leaves out. */
+export interface SummaryRow {
+  report: Report;
+  pierces: number | null;
+  files: string[];
+}
+
+export function summaryCsv(rows: SummaryRow[]): string {
+  const cells = rows.map(({ report: r, pierces, files }) => {
+    const length = (v: number | undefined, more = 0) => known(v, (x) => clean(x, lengthDigits[r.units] + more)),
+      v = r.verification;
+    return [
       r.body_number,
       r.body,
       r.quantity,
@@ -70,32 +84,30 @@ export function summaryCsv(rows: { report: Report; files: string[] }[]): string 
       r.reason?.code,
       r.reason?.message,
       r.units,
-      r.sheet?.thickness,
-      r.flat?.size[0],
-      r.flat?.size[1],
-      r.flat?.area,
-      r.flat?.cutting?.outer,
-      r.flat?.cutting?.inner,
+      length(r.sheet?.thickness, 1),
+      length(r.flat?.size[0]),
+      length(r.flat?.size[1]),
+      known(r.flat?.area, digits),
+      length(r.flat?.cutting?.outer),
+      length(r.flat?.cutting?.inner),
       r.flat?.openings,
+      pierces,
       r.sheet?.bends,
-      r.sheet?.mass,
-      r.verification?.volume_ratio,
-      r.verification?.length_error,
-      r.verification?.refold_deviation,
+      known(r.sheet?.mass, (kg) => (kg < 1 ? clean(Number(kg.toPrecision(4)), 9) : digits(kg))),
+      known(v?.volume_ratio, (ratio) => clean(ratio, 6)),
+      known(v?.length_error, sizeText),
+      known(v?.refold_deviation, sizeText),
       r.checks.filter((c) => c.severity !== 'info').length,
       files.join(';'),
-    ].map(cell),
-  );
+    ].map(cell);
+  });
   return [columns, ...cells].map((row) => row.join(',') + '\n').join('');
 }
 
-function cell(value: string | number | null | undefined): string {
-  const text = typeof value === 'number' ? numberText(value) : (value ?? '');
-  return /[,;"\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
-}
+const known = (value: number | null | undefined, text: (value: number) => string) =>
+  typeof value === 'number' ? text(value) : undefined;
 
-/** 1e-05, as C++ writes it: below 1e-4 with an exponent of two digits. */
-function numberText(value: number): string {
-  if (value === 0 || Math.abs(value) >= 1e-4) return String(value);
-  return value.toExponential().replace(/e([+-])(\d)$/, 'e$10$2');
+function cell(value: string | number | null | undefined): string {
+  const text = String(value ?? '');
+  return /[,;"\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }

@@ -11,36 +11,55 @@ interface Side {
 /**
  * The lengths of the flanges on both sides of each bend as a rule on the outside measures them, in mm: from the mould
  * line of the bend to the far edge of the flange, or to the mould line of the bend in which it ends. Their sum less the
- * deductions is the length of the blank. Bends that taper, and those that bend no flange, have none.
+ * deductions is the length of the blank. From 180° on there is no mould line, and the plane that touches the bend takes
+ * its place. Of bends that have no such lengths, the reason.
  */
-export function flangeLengths(shape: Shape): Map<string, Vec2> {
+export function flangeLengths(shape: Shape): Map<string, Vec2 | string> {
   const { report, parts, facet_part } = shape,
     rows = new Map((report.flat?.bends ?? []).map((b) => [b.id, b])),
-    setback = (part: number) => setbackOf(rows.get(parts[part]?.name ?? ''), report.units),
-    all = sides(shape),
-    lengths = new Map<string, Vec2>();
+    rowOf = (part: number) => rows.get(parts[part]?.name ?? ''),
+    all = sides(shape);
   const bendsAt = new Map<number, { part: number; side: Side }[]>();
   for (const [part, own] of all)
     for (const side of own) bendsAt.set(side.flange, [...(bendsAt.get(side.flange) ?? []), { part, side }]);
-  for (const [part, [first, second]] of all) {
-    const own = setback(part);
-    if (own === null || !first || !second) continue;
-    const of = (side: Side, other: Side): number | null => {
+  const lengthsOf = (part: number, bend: BendRow): Vec2 | string => {
+    const [first, second] = all.get(part) ?? [],
+      own = setbackOf(bend, report.units);
+    if (own === null) return bend.kind === 'cone' ? why.cone : why.noMouldLine;
+    if (!first || !second) return why.noFlange;
+    const of = (side: Side, other: Side): number | string => {
       const away = awayFrom(side, other);
-      if (!away) return null;
+      if (!away) return why.tapers;
       const width = Math.max(...corners(shape, side.flange).map(away));
       const ending = (bendsAt.get(side.flange) ?? []).find(
         (b) => b.part !== part && away(b.side.from) > width - same && away(b.side.to) > width - same,
       );
-      const beyond = ending ? setback(ending.part) : 0;
-      return beyond === null ? null : width + own + beyond;
+      const beyond = ending ? setbackOf(rowOf(ending.part), report.units) : 0;
+      return beyond === null
+        ? `${parts[ending!.part]!.name}, in which a flange ends, has no mould line.`
+        : width + own + beyond;
     };
-    const both = [of(first, second), of(second, first)];
-    if (facet_part[first.flange] !== facet_part[second.flange] && both[0] != null && both[1] != null)
-      lengths.set(parts[part]!.name, both as Vec2);
-  }
+    const [a, b] = [of(first, second), of(second, first)];
+    if (typeof a === 'string') return a;
+    if (typeof b === 'string') return b;
+    return facet_part[first.flange] === facet_part[second.flange] ? why.oneFlange : [a, b];
+  };
+  const lengths = new Map<string, Vec2 | string>();
+  parts.forEach(({ name, kind }, part) => {
+    const bend = kind === 'bend' && rows.get(name);
+    if (bend) lengths.set(name, lengthsOf(part, bend));
+  });
   return lengths;
 }
+
+/** Why a bend has no outside lengths. */
+const why = {
+  cone: 'The radius of this bend changes along it, so that it has no mould line to measure from.',
+  noMouldLine: 'This bend has no deduction, and so no mould line to measure from.',
+  noFlange: 'This bend has no flange on one of its sides, but another bend or the edge of the sheet.',
+  tapers: 'This bend is wider at one end, so that its flanges have no one length.',
+  oneFlange: 'This bend has one and the same flange on both sides.',
+};
 
 const same = 0.01; // mm
 

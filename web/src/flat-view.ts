@@ -162,16 +162,17 @@ export class FlatView {
 
   /** What would be measured from or to: a corner, a middle or a centre before a line. */
   private refUnder(of: Measured, sx: number, sy: number): Ref | null {
+    const bend = this.nearest(of.shape.bend_lines, sx, sy, 6),
+      edge = this.nearest(of.shape.edges, sx, sy);
     const snapped = snapAt(
       of,
       'flat',
       (x, y) => onScreen(this.lie, x, y),
       [sx, sy],
       () => true,
+      edge && { edge: of.shape.edge_number[edge.line]!, upper: true, distance: edge.distance },
     );
     if (snapped) return snapped;
-    const bend = this.nearest(of.shape.bend_lines, sx, sy, 6),
-      edge = this.nearest(of.shape.edges, sx, sy);
     if (bend && bend.distance <= (edge?.distance ?? Infinity))
       return { kind: 'bend', part: of.shape.bend_line_part[bend.line]!, line: bend.line };
     return edge && refOfEdge(of, of.shape.edge_number[edge.line]!, true);

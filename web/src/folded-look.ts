@@ -85,6 +85,7 @@ export class FoldedLook {
       (...at) => this.toScreen(at),
       [e.clientX - r.left, e.clientY - r.top],
       (at, _upper, place) => this.isInFront(at, place),
+      line && 'edge' in line.line ? { edge: line.line.edge, upper: line.upper, distance: line.distance } : null,
     );
     if (snapped) return snapped;
     const edge = line && 'edge' in line.line ? refOfEdge(of, line.line.edge, line.upper) : null,

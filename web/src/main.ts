@@ -21,7 +21,7 @@ import { machineLegend, strokeBar } from './panels/stroke-bar.ts';
 import { switchSection, viewTools } from './panels/section.ts';
 import { sidePanel } from './panels/side-panel.ts';
 import { chooseFile, topBar } from './panels/top-bar.ts';
-import { arrange, divider, suggestedFor } from './split.ts';
+import { arrangeViews, divider } from './split.ts';
 import { Survey } from './survey.ts';
 import { initialState, isInMachine, Store, type Theme } from './state.ts';
 import './styles.css';
@@ -135,18 +135,7 @@ store.subscribe((state, before) => {
 });
 const drawWaiting = drawsPage(store, draw);
 
-let arrangedFor: string | undefined;
-store.subscribe((state, before) => {
-  const { document: d, view } = state,
-    suggested = d && d.id !== arrangedFor ? suggestedFor(state, part('main')) : null;
-  if (suggested) {
-    arrangedFor = d!.id;
-    if (suggested !== view.suggested) return store.dispatch({ type: 'view', view: { suggested } });
-  }
-  if (view === before.view) return;
-  arrange(part('main'), view);
-});
-arrange(part('main'), store.state.view);
+arrangeViews(store, part('main'));
 
 let pickedBefore = store.state.selection;
 

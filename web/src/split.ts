@@ -9,7 +9,7 @@ import {
   type Arrangement,
   type ViewState,
 } from './view-state.ts';
-import type { State } from './state.ts';
+import type { State, Store } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
 
@@ -33,10 +33,14 @@ export function keepView(api: Api, { split, arrangement }: ViewState) {
   );
 }
 
-/** The arrangement that suits the pattern of another file, or piece, in an area. */
-export function suggestedFor({ shape }: State, area: HTMLElement): Arrangement | null {
+/** Whether there is no pattern to be seen, but the solid as it was read; null as long as nobody knows. */
+export const withoutPattern = ({ shape }: Pick<State, 'shape'>): boolean | null =>
+  shape && (shape.points.length ? false : shape.space_faces.length ? true : null);
+
+/** The arrangement that suits the pattern of another file, or piece, in an area; what has none lies beside it. */
+export function suggestedFor({ shape }: Pick<State, 'shape'>, area: HTMLElement): Arrangement | null {
   const p = shape?.points;
-  if (!p?.length) return null;
+  if (!p?.length) return withoutPattern({ shape }) ? 'beside' : null;
   const range = (k: number) => {
     let [low, high] = [Infinity, -Infinity];
     for (let i = k; i < p.length; i += 2) {
@@ -48,18 +52,39 @@ export function suggestedFor({ shape }: State, area: HTMLElement): Arrangement |
   return arrangementFor([range(0), range(1)], area.clientWidth, area.clientHeight);
 }
 
-/** Shows both views as they are arranged. */
-export function arrange(area: HTMLElement, view: ViewState) {
-  const stacked = arrangementOf(view) === 'stacked';
-  area.classList.toggle('stacked', stacked);
-  area.style.setProperty('--first', `${view.split}fr`);
-  area.style.setProperty('--second', `${1 - view.split}fr`);
+/** The share of the folded view: most of the room while there is no pattern, unless the divider was moved. */
+export const shareOf = ({ split }: ViewState, empty: boolean): number =>
+  empty && split === evenly ? mostSplit : split;
+
+/** Arranges both views in an area, from now on. */
+export function arrangeViews(store: Store, area: HTMLElement) {
+  let arrangedFor = '',
+    empty = false;
+  const arrange = ({ view }: State) => {
+    const share = shareOf(view, empty);
+    area.classList.toggle('stacked', arrangementOf(view) === 'stacked');
+    area.style.setProperty('--first', `${share}fr`);
+    area.style.setProperty('--second', `${1 - share}fr`);
+  };
+  store.subscribe((state, before) => {
+    const { document: d, view } = state,
+      without = withoutPattern(state),
+      file = `${d?.id} ${without}`,
+      suggested = d && file !== arrangedFor ? suggestedFor(state, area) : null;
+    const other = without !== null && without !== empty;
+    if (other) empty = without;
+    if (suggested) arrangedFor = file;
+    if (suggested && suggested !== view.suggested) store.dispatch({ type: 'view', view: { suggested } });
+    else if (view !== before.view || other) arrange(state);
+  });
+  arrange(store.state);
 }
 
 /** Between both views: dragged, or moved by arrow keys. */
 export function divider(ui: Ui, area: HTMLElement) {
   const { view } = ui.state,
     stacked = arrangementOf(view) === 'stacked',
+    share = shareOf(view, withoutPattern(ui.state) ?? false),
     set = (split: number) => ui.dispatch({ type: 'view', view: { split } });
   const drag = (e: PointerEvent) => {
     const handle = e.currentTarget as HTMLElement;
@@ -76,7 +101,7 @@ export function divider(ui: Ui, area: HTMLElement) {
   };
   const press = (e: KeyboardEvent) => {
     const by = { ArrowLeft: -step, ArrowUp: -step, ArrowRight: step, ArrowDown: step }[e.key];
-    if (by !== undefined) set(view.split + by);
+    if (by !== undefined) set(share + by);
     else if (e.key === 'Home') set(0);
     else if (e.key === 'End') set(1);
     else if (e.key === 'Enter') set(evenly);
@@ -91,7 +116,7 @@ export function divider(ui: Ui, area: HTMLElement) {
     aria-orientation=${stacked ? 'horizontal' : 'vertical'}
     aria-valuemin=${Math.round(100 * leastSplit)}
     aria-valuemax=${Math.round(100 * mostSplit)}
-    aria-valuenow=${Math.round(100 * view.split)}
+    aria-valuenow=${Math.round(100 * share)}
     title="Drag to share the room; double-click: as it was at first"
     @pointerdown=${drag}
     @keydown=${press}

@@ -4,7 +4,10 @@ import { poll, problemOf } from './compute.ts';
 import { bodyOf, type Store } from './state.ts';
 import type { Options } from './types.ts';
 
-/** A draft of one body: whether it is a sheet, how large, and what it looks like. Throws where nobody can say. */
+/**
+ * What becomes of one body: whether it is a sheet, how large, what it looks like. Of the whole result, which takes as
+ * long as a draft and knows the warnings. Throws where nobody can say.
+ */
 export async function lookAt(
   api: Api,
   id: string,
@@ -13,7 +16,7 @@ export async function lookAt(
   signal?: AbortSignal,
 ): Promise<BodyStatus> {
   try {
-    return statusOfShape(await api.draft(id, { options: { ...of, body } }, signal), of);
+    return statusOfShape(await api.result(id, { options: { ...of, body } }, signal), of);
   } catch (error) {
     if (!saysWhy(error)) throw error;
     return refused(problemOf(error), of);

@@ -17,7 +17,7 @@ import { unconfirmedK } from '../src/default-k.ts';
 import { flangeLengths } from '../src/flange-lengths.ts';
 import { decodeShape, encodeShape } from '../src/shape.ts';
 import { initialState, reduce } from '../src/state.ts';
-import type { BendRow, OpenDocument, PieceReport, Shape } from '../src/types.ts';
+import type { BendRow, OpenDocument, PieceReport, Shape, Vec2 } from '../src/types.ts';
 import { soundWorkshop } from '../src/workshop-state.ts';
 import { twoFlanges } from './two-flanges.ts';
 
@@ -103,13 +103,14 @@ const decoded = (change: (bend: BendRow) => void = () => undefined): Shape => {
 
 test('outside lengths, less the deduction, are the length of the blank', () => {
   const shape = decoded((bend) => (bend.deduction = 4.4)),
-    [first, second] = flangeLengths(shape).get('B1')!;
+    [first, second] = flangeLengths(shape).get('B1') as Vec2;
   // 40 and 30 beside a bend of 8: the setback is half of 8 + 4.4
   near(first, 40 + 6.2, 1e-5);
   near(second, 30 + 6.2, 1e-5);
   near(first + second - 4.4, shape.report.flat!.size[0], 1e-5);
-  assert.equal(flangeLengths(decoded((bend) => (bend.deduction = null))).size, 0);
-  assert.equal(flangeLengths(decoded((bend) => (bend.kind = 'cone'))).size, 0);
+  const why = (change: (bend: BendRow) => unknown) => flangeLengths(decoded(change)).get('B1');
+  assert.match(why((bend) => (bend.deduction = null)) as string, /has no deduction/);
+  assert.match(why((bend) => (bend.kind = 'cone')) as string, /radius of this bend changes/);
 });
 
 test('a flange that ends in another bend goes on to its mould line', () => {
@@ -146,11 +147,16 @@ test('a flange that ends in another bend goes on to its mould line', () => {
       },
     ),
   );
-  const lengths = flangeLengths(shape);
+  const lengths = flangeLengths(shape) as Map<string, Vec2>;
   near(lengths.get('B1')![0] + lengths.get('B1')![1], 23.5 + 50 + 3.5 + 4.5, 1e-4);
   near(lengths.get('B2')![0] + lengths.get('B2')![1], 34.5 + 50 + 3.5 + 4.5, 1e-4);
   // 20 + 50 + 30 outside, less both deductions: the blank
   near(23.5 + 58 + 34.5 - 3 - 5, 108);
+  shape.report.flat!.bends[1]!.deduction = null;
+  assert.equal(flangeLengths(shape).get('B1'), 'B2, in which a flange ends, has no mould line.');
+  shape.facet_parent[4] = -1; // the last flange is not joined to its bend
+  shape.report.flat!.bends[1]!.deduction = 5;
+  assert.match(flangeLengths(shape).get('B2') as string, /no flange on one of its sides/);
 });
 
 test('a K that nobody chose is to be confirmed', () => {

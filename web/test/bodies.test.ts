@@ -44,7 +44,7 @@ test('bodies of one name get files of their own, in any unit', () => {
   ]);
 });
 
-test('the summary has a row a body, numbers as the program writes them', () => {
+test('the summary has a row a body, figures as the page shows them', () => {
   const refused = report('lid; "small"', 2, {
       status: 'refused',
       sheet: null,
@@ -52,12 +52,29 @@ test('the summary has a row a body, numbers as the program writes them', () => {
       verification: null,
       reason: { code: 'not_a_sheet', message: 'it is no sheet, but a block' },
     }),
-    rows = summaryCsv([
-      { report: report('A', 2), files: ['A_t2.dxf'] },
-      { report: refused, files: [] },
-    ]).split('\n');
-  assert.equal(rows[1], '1,A,2,ok,,,mm,2,100,60,6000,320,0,0,1,,1,1.4e-14,5e-05,0,A_t2.dxf');
-  assert.equal(rows[2], '1,"lid; ""small""",2,refused,not_a_sheet,"it is no sheet, but a block",mm,,,,,,,,,,,,,0,');
+    raw = report('B', 0.7999999999999979, {
+      sheet: { thickness: 0.7999999999999979, k_factor: 0.44, flanges: 2, bends: 1, volume: 1, mass: 0.0123456789 },
+      flat: {
+        ...report('', 1).flat!,
+        area: 6283.185307,
+        size: [100.00000000000001, 59.123456],
+        cutting: { outer: 320.4567, inner: 31.41592653589793 },
+        openings: 1,
+      },
+      verification: { volume_ratio: 0.9999999999999979, length_error: 1.4e-14, refold_deviation: 0.00005 },
+    }),
+    inch = report('C', 1 / 3, { units: 'inch', flat: { ...report('', 1).flat!, size: [10 / 3, 1], area: 10 / 3 } });
+  const rows = summaryCsv([
+    { report: report('A', 2), pierces: 1, files: ['A_t2.dxf'] },
+    { report: refused, pierces: null, files: [] },
+    { report: raw, pierces: 4, files: ['B_t0.8.dxf'] },
+    { report: inch, pierces: 1, files: [] },
+  ]).split('\n');
+  assert.match(rows[0]!, /,outer_cutting,inner_cutting,openings,pierces,bends,/);
+  assert.equal(rows[1], '1,A,2,ok,,,mm,2,100,60,6000,320,0,0,1,1,,1,1e-14,5e-5,0,A_t2.dxf');
+  assert.equal(rows[2], '1,"lid; ""small""",2,refused,not_a_sheet,"it is no sheet, but a block",mm,,,,,,,,,,,,,,0,');
+  assert.equal(rows[3], '1,B,2,ok,,,mm,0.8,100,59.12,6283,320.46,31.42,1,4,1,0.01235,1,1e-14,5e-5,0,B_t0.8.dxf');
+  assert.match(rows[4]!, /^1,C,2,ok,,,inch,0.3333,3.333,1,3.333,/);
 });
 
 test('what is said of one body only does not go with another', () => {

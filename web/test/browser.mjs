@@ -3,6 +3,7 @@
 import assert from 'node:assert/strict';
 import { browser, documentsOf, folder, fresh } from './driving.mjs';
 import * as access from './flows/access.mjs';
+import * as bodies from './flows/bodies.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as frames from './flows/frames.mjs';
@@ -40,6 +41,7 @@ const flows = {
   ...measure,
   ...look,
   ...lists,
+  ...bodies,
   ...right,
   ...refusal,
   ...server,

@@ -3,9 +3,11 @@ import { test } from 'node:test';
 import { alone, between, type Answer } from '../src/measure/answer.ts';
 import { edgeForms } from '../src/measure/edges.ts';
 import { isSame, noMeasures, reduceMeasure } from '../src/measure/state.ts';
+import { snapAt } from '../src/measure/snap.ts';
+import { placeOfText, type Taken } from '../src/measure/text-place.ts';
 import { labelText, wholeText } from '../src/measure/text.ts';
 import { inPlace, thingOf, type Thing } from '../src/measure/things.ts';
-import type { Vec3 } from '../src/types.ts';
+import type { Vec2, Vec3 } from '../src/types.ts';
 import { measured } from './two-flanges.ts';
 
 const point = (...at: Vec3): Thing => ({ type: 'point', at }),
@@ -156,4 +158,78 @@ test('two picks are a measure, the same twice is one of it alone; other views be
   assert.equal(reduceMeasure(state, { type: 'measure-clear' }).kept.length, 0);
   const flange = { kind: 'flange', part: 1, upper: true, at: [1, 2] as [number, number] } as const;
   assert.ok(isSame(flange, { ...flange, at: [3, 4] }));
+});
+
+/** The two flanges with a hole of Ø 2 whose middle is (3, 3), made of two arcs. */
+function withHole() {
+  const of = measured(),
+    { shape } = of,
+    n = shape.edge_length.length,
+    rim = Array.from({ length: 49 }, (_, i) => [
+      3 + Math.cos((i * Math.PI) / 24),
+      3 + Math.sin((i * Math.PI) / 24),
+    ]) as Vec2[];
+  const more = rim
+    .slice(1)
+    .map((to, i) => ({ ends: [...rim[i]!, ...to].map(Math.fround), edge: n + Math.floor(i / 24) }));
+  more.at(-1)!.ends.splice(2, 2, ...more[0]!.ends.slice(0, 2));
+  const holed = {
+    ...shape,
+    edges: Float32Array.from([...shape.edges, ...more.flatMap((m) => m.ends)]),
+    edge_facet: Uint32Array.from([...shape.edge_facet, ...more.map(() => 0)]),
+    edge_number: Uint32Array.from([...shape.edge_number, ...more.map((m) => m.edge)]),
+    edge_length: Float32Array.from([...shape.edge_length, Math.PI, Math.PI]),
+    edge_circle: Float32Array.from([...shape.edge_circle, 3, 3, 1, Math.PI, 3, 3, 1, Math.PI]),
+    edge_feature: new Int32Array(n + 2).fill(-1),
+  };
+  return { of: { ...of, shape: holed }, hole: n };
+}
+
+test('on the rim of a small hole it is the hole that is taken, not what is near', () => {
+  const { of, hole } = withHole();
+  assert.ok(edgeForms(of.shape)[hole]!.circle?.whole && edgeForms(of.shape)[hole]!.ends);
+  const at = (x: number, y: number, distance: number | null) =>
+    snapAt(
+      of,
+      'flat',
+      (px, py) => [2 * px, -2 * py], // pixels
+      [2 * x, -2 * y],
+      () => true,
+      distance === null ? null : { edge: hole, upper: true, distance },
+    );
+  const diagonal = 3 - Math.SQRT1_2;
+  assert.deepEqual(at(diagonal, diagonal, null)?.kind, 'corner', 'the corner of the flange is 6.5 pixels off');
+  for (let i = 0; i < 48; ++i) {
+    const [x, y] = [3 + Math.cos((i * Math.PI) / 24), 3 + Math.sin((i * Math.PI) / 24)];
+    for (const off of [0, 1.4]) assert.equal(at(x, y, off)?.kind, 'circle', `${i}, ${off} pixels off`);
+  }
+  assert.equal(at(3, 3, 2)?.kind, 'circle', 'its centre');
+  assert.equal(at(0.1, 0.1, 1.4)?.kind, 'corner', 'what is nearer than the rim');
+  assert.equal(at(1, 1, 2.4)?.kind, 'corner', 'a rim that is only near');
+});
+
+test('texts of measures cover no other text, and stay in the view', () => {
+  const taken: Taken = [],
+    view: Vec2 = [400, 300];
+  const put = (...places: Vec2[]) => {
+    const placed = placeOfText(places, [60, 20], taken, view);
+    taken.push(placed.box);
+    return placed;
+  };
+  assert.deepEqual(put([200, 150], [250, 150]).at, [200, 150], 'where it belongs');
+  assert.deepEqual(put([200, 150], [290, 150]).at, [290, 150], 'the next place that is offered');
+  for (let i = 0; i < 20; ++i) {
+    const { at, offered } = put([200, 150]);
+    assert.ok(!offered && Math.hypot(at[0] - 200, at[1] - 150) < 160, at.join());
+  }
+  for (const [i, a] of taken.entries())
+    for (const b of taken.slice(i + 1))
+      assert.ok(a.x >= b.x + b.w || b.x >= a.x + a.w || a.y >= b.y + b.h || b.y >= a.y + a.h, `${i}`);
+  const { at, box } = put([-5, 20]);
+  assert.ok(box.x >= 0 && box.y >= 0, at.join());
+  assert.deepEqual(
+    placeOfText([[1000, 1000]], [60, 20], [], view).at,
+    [1000, 1000],
+    'what is out of sight stays there',
+  );
 });

@@ -4,6 +4,7 @@ import { decodeShape, encodeShape } from '../src/shape.ts';
 import { namedPieces, namedPlaces, pointOf, solidLines, type NamedPlaces } from '../src/solid-mesh.ts';
 import { namedPlates } from '../src/refused-solid.ts';
 import { directionThatShows } from '../src/solid-sight.ts';
+import { pixelsOf, rasterOf } from '../src/solid-picture.ts';
 import type { PlatesSpec, Shape, Vec3 } from '../src/types.ts';
 
 const problem = (message: string, where?: string) => ({ code: 'refused', message, where });
@@ -114,4 +115,29 @@ test('plates are named by the message, or by the place in the file', () => {
   assert.deepEqual(named('is not plane', 'file.json/plates/0/outline/3'), [base]);
   assert.deepEqual(named('has no room', 'file.json/bends/0/inside_radius'), [base, left]);
   assert.deepEqual(named('has no room', 'file.json/bends/7'), []);
+});
+
+test('a picture of a solid shows the three faces that are turned to the eye, each as bright as it lies', () => {
+  const raster = rasterOf(box([40, 30, 20]), 200)!,
+    count = new Map<number, number>(),
+    bright = new Map<number, number>();
+  raster.faces.forEach((face, i) => {
+    count.set(face, (count.get(face) ?? 0) + 1);
+    bright.set(face, raster.bright[i]!);
+  });
+  assert.deepEqual([...count.keys()].sort(), [0, 2, 3, 6], 'those at +x, −y and +z; the nearest hide the others');
+  // A face appears as large as its area times the share of its normal that is turned to the eye.
+  const eye = [1, -1.25, 0.95].map((v) => v / Math.hypot(1, 1.25, 0.95)),
+    seen = { 2: 600 * eye[0]!, 3: -800 * eye[1]!, 6: 1200 * eye[2]! },
+    share = (face: 2 | 3 | 6) => count.get(face)! / (count.get(2)! + count.get(3)! + count.get(6)!),
+    all = seen[2] + seen[3] + seen[6];
+  for (const face of [2, 3, 6] as const)
+    assert.ok(Math.abs(share(face) - seen[face] / all) < 0.005, `face ${face}: ${share(face)}`);
+  assert.ok(bright.get(6)! > bright.get(3)! && bright.get(3)! > bright.get(2)!, 'light comes from above, left');
+  assert.equal(Math.max(raster.width, raster.height), 200);
+  const { width, height, data } = pixelsOf(raster);
+  assert.deepEqual([width, height], [Math.ceil(raster.width / 2), Math.ceil(raster.height / 2)]);
+  assert.equal(data[3], 0, 'its corner is empty');
+  assert.equal(data[4 * (Math.floor(height / 2) * width + Math.floor(width / 2)) + 3], 255);
+  assert.equal(rasterOf(box([0, 0, 0]), 200), null);
 });

@@ -1,12 +1,10 @@
 import type { Palette } from '../theme.ts';
 import type { Vec2, Vec3 } from '../types.ts';
 import type { Answer } from './answer.ts';
+import { placeOfText, type Taken } from './text-place.ts';
 import type { Ref, Thing } from './things.ts';
 
 export type Project = (at: Vec3) => Vec2;
-
-/** Where texts stand already. */
-export type Taken = { x: number; y: number; w: number; h: number }[];
 
 /** A dimension in a view: its line, what it goes by, and its text. `faint`: it is not kept yet. */
 export function drawAnswer(
@@ -26,20 +24,26 @@ export function drawAnswer(
   for (const [a, b] of answer.beyond) line(c, project(a), project(b));
   c.setLineDash([]);
   c.lineWidth = 1.4;
-  const at = answer.corner ? drawAngle(c, project, answer.corner) : drawDistance(c, project, answer);
+  const { places, of } = answer.corner ? drawAngle(c, project, answer.corner) : drawDistance(c, project, answer);
   c.globalAlpha = 1;
-  write(c, text, at, palette, taken);
+  write(c, text, places, of, palette, taken);
 }
 
-/** Draws, and returns places for the text: the best first. */
-function drawDistance(c: CanvasRenderingContext2D, project: Project, answer: Answer): Vec2[] {
+/** Places for a text, the best first, and what it belongs to. */
+interface Places {
+  places: Vec2[];
+  of: Vec2;
+}
+
+function drawDistance(c: CanvasRenderingContext2D, project: Project, answer: Answer): Places {
   const [a, b] = (answer.ends ?? answer.beyond[0]!).map(project) as [Vec2, Vec2];
   if (answer.ends) arrows(c, a, b);
   const on = (t: number): Vec2 => [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])],
     length = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
   // a short line would be covered: its text, which is wider than high, stands beside its end
   const off = (16 + (32 * Math.abs(b[0] - a[0])) / length) / length;
-  return length < 90 ? [1 + off, -off, 1 + off + 32 / length].map(on) : [0.5, 0.36, 0.64, 0.22, 0.78].map(on);
+  const shares = length < 90 ? [1 + off, -off, 1 + off + 32 / length] : [0.5, 0.36, 0.64, 0.22, 0.78];
+  return { places: shares.map(on), of: on(0.5) };
 }
 
 function arrows(c: CanvasRenderingContext2D, a: Vec2, b: Vec2) {
@@ -64,7 +68,7 @@ function arrows(c: CanvasRenderingContext2D, a: Vec2, b: Vec2) {
 }
 
 /** Both arms, and an arc between them as it is seen. */
-function drawAngle(c: CanvasRenderingContext2D, project: Project, { at, arms }: NonNullable<Answer['corner']>): Vec2[] {
+function drawAngle(c: CanvasRenderingContext2D, project: Project, { at, arms }: NonNullable<Answer['corner']>): Places {
   const corner = project(at),
     ends = arms.map(project) as [Vec2, Vec2],
     lengths = arms.map((arm) => Math.hypot(...arm.map((v, k) => v - at[k]!))),
@@ -82,30 +86,30 @@ function drawAngle(c: CanvasRenderingContext2D, project: Project, { at, arms }: 
   c.beginPath();
   for (let i = 0; i <= 32; ++i) c.lineTo(...on(i / 32));
   c.stroke();
-  return angle > 3.14 ? [corner] : [0.5, 0.25, 0.75].map(on);
+  const places = angle > 3.14 ? [corner] : [0.5, 0.25, 0.75].map(on);
+  return { places, of: places[0]! };
 }
 
-/** At the first place where it covers no other text. */
-function write(c: CanvasRenderingContext2D, text: string, places: Vec2[], palette: Palette, taken: Taken) {
+/** Where it covers no other text; from away a line leads to what it belongs to. */
+function write(c: CanvasRenderingContext2D, text: string, places: Vec2[], of: Vec2, palette: Palette, taken: Taken) {
   c.font = 'bold 12px system-ui, sans-serif';
   c.textAlign = 'center';
   c.textBaseline = 'middle';
   const width = c.measureText(text).width,
-    box = ([x, y]: Vec2) => ({ x: x - width / 2 - 7, y: y - 12, w: width + 14, h: 24 });
-  const free = (at: Vec2) => {
-    const own = box(at);
-    return taken.every((t) => t.x >= own.x + own.w || own.x >= t.x + t.w || t.y >= own.y + own.h || own.y >= t.y + t.h);
-  };
-  const [x, y] = places.find(free) ?? places[0]!;
-  taken.push(box([x, y]));
+    ratio = c.getTransform().a,
+    view: Vec2 = [c.canvas.width / ratio, c.canvas.height / ratio],
+    { at, offered, box } = placeOfText(places, [width, 20], taken, view),
+    [x, y] = at;
+  taken.push(box);
+  c.strokeStyle = palette.measure;
+  c.lineWidth = 1;
+  if (!offered) line(c, of, at);
   c.fillStyle = palette.halo;
   c.beginPath();
   c.roundRect(x - width / 2 - 5, y - 10, width + 10, 20, 4);
   c.globalAlpha = 0.92;
   c.fill();
   c.globalAlpha = 1;
-  c.strokeStyle = palette.measure;
-  c.lineWidth = 1;
   c.stroke();
   c.fillStyle = palette.measure;
   c.fillText(text, x, y + 0.5);

@@ -4,9 +4,10 @@ import type { Palette } from '../theme.ts';
 import { millimetres } from '../units.ts';
 import type { Ui } from '../ui.ts';
 import { alone, between, type Answer } from './answer.ts';
-import { drawAnswer, drawThing, type Project, type Taken } from './draw.ts';
+import { drawAnswer, drawThing, type Project } from './draw.ts';
 import { isSame, type Measure } from './state.ts';
 import { labelText } from './text.ts';
+import type { Taken } from './text-place.ts';
 import { thingOf, type Measured, type MeasuredView, type Ref } from './things.ts';
 
 let last: { state: Pick<State, 'shape' | 'known' | 'result'>; of: Measured } | null = null;

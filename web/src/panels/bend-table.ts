@@ -10,7 +10,19 @@ import { refuse, whyNot } from './fields.ts';
 
 const most = 120;
 const outside =
-  'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line';
+  'The flanges on both sides, measured outside: from the mould line to the far edge, or to the next mould line; ' +
+  'from 180° on from the plane that touches the bend';
+const deduction =
+  'Bend deduction: what the pattern is shorter than both outside lengths together. They are measured to the mould ' +
+  'line, where the outside faces would meet, above 90° too; from 180° on, where these do not meet, to the plane that ' +
+  'touches the bend';
+
+/** What the deduction of a bend that goes beyond 90° is measured to: there are two readings. */
+function deductionTo({ angle, kind, deduction: value }: BendRow): string | typeof nothing {
+  if (value === null) return kind === 'cone' ? 'It changes along the bend, as the radius does' : nothing;
+  if (angle >= 180) return 'Measured to the plane that touches the bend: from 180° on there is no mould line';
+  return angle > 90 + 1e-6 ? 'Measured to the mould line, not to the plane that touches the bend' : nothing;
+}
 
 /** Two lines a bend: what it is, and what follows for the pattern and for whoever measures the part. */
 export function bendTable(ui: Ui): TemplateResult {
@@ -34,9 +46,7 @@ export function bendTable(ui: Ui): TemplateResult {
         <tr class="second">
           <th>Dir.</th>
           <th title="Bend allowance: the length of the bend in the pattern">Allow. ${units}</th>
-          <th title="Bend deduction: what the pattern is shorter than both outside lengths together">
-            Deduct. ${units}
-          </th>
+          <th data-testid="deduction-head" title=${deduction}>Deduct. ${units}</th>
           <th colspan="2" title=${outside}>Outside lengths ${units}</th>
         </tr>
       </thead>
@@ -49,16 +59,16 @@ export function bendTable(ui: Ui): TemplateResult {
       : nothing}`;
 }
 
-let measured: { shape: Shape; lengths: Map<string, Vec2> } | null = null;
+let measured: { shape: Shape; lengths: ReturnType<typeof flangeLengths> } | null = null;
 
 /** Found out once for each shape. */
-function outsideLengths(shape: Shape | null): Map<string, Vec2> {
+function outsideLengths(shape: Shape | null): ReturnType<typeof flangeLengths> {
   if (!shape?.report.flat) return new Map();
   if (measured?.shape !== shape) measured = { shape, lengths: flangeLengths(shape) };
   return measured.lengths;
 }
 
-function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | undefined, selected: boolean, beside: boolean) {
+function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | string | undefined, selected: boolean, beside: boolean) {
   const from = knownPiece(ui.state)?.units,
     text = (v: number | null) => lengthText(v, from, ui.state.units),
     pick = () => ui.dispatch({ type: 'select', selection: { part: selected ? null : r.id } }),
@@ -85,9 +95,9 @@ function bendRows(ui: Ui, r: BendRow, lengths: Vec2 | undefined, selected: boole
     <tr class="second ${marks}">
       <td class=${r.direction}>${r.direction}</td>
       <td>${text(r.allowance)}</td>
-      <td data-testid="deduction-${r.id}">${text(r.deduction)}</td>
-      <td colspan="2" data-testid="outside-${r.id}">
-        ${lengths ? lengths.map((v) => lengthText(v, 'mm', ui.state.units)).join(' + ') : '–'}
+      <td data-testid="deduction-${r.id}" title=${deductionTo(r)}>${text(r.deduction)}</td>
+      <td colspan="2" data-testid="outside-${r.id}" title=${typeof lengths === 'string' ? lengths : nothing}>
+        ${Array.isArray(lengths) ? lengths.map((v) => lengthText(v, 'mm', ui.state.units)).join(' + ') : '–'}
       </td>
     </tr>
   </tbody>`;

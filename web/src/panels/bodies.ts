@@ -1,4 +1,5 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html';
+import { ref } from 'lit-html/directives/ref.js';
 import { guard } from 'lit-html/directives/guard.js';
 import type { BodyStatus, Picture } from '../bodies.ts';
 import { bodyOf } from '../state.ts';
@@ -27,6 +28,7 @@ export function bodyList(ui: Ui): TemplateResult | typeof nothing {
           role="listbox"
           aria-label="Bodies"
           data-testid="bodies"
+          ${ref((list) => list && showChosen(list as HTMLElement, `${document?.id} ${shown} ${sheetsOnly}`))}
           @keydown=${(e: KeyboardEvent) => step(e)}
         >
           ${rows.map((b) => row(ui, b, known[b.number], b.number === shown))}
@@ -42,6 +44,22 @@ export function bodyList(ui: Ui): TemplateResult | typeof nothing {
       />sheets only</label
     >`,
   );
+}
+
+const shownFor = new WeakMap<HTMLElement, string>();
+
+/** Moves the list, and nothing else, to the body that is shown, once for each. */
+function showChosen(list: HTMLElement, chosen: string) {
+  if (shownFor.get(list) === chosen) return;
+  shownFor.set(list, chosen);
+  const show = () => {
+    const row = list.querySelector('[aria-selected=true]')?.getBoundingClientRect(),
+      box = list.getBoundingClientRect();
+    if (!row || (row.top >= box.top && row.bottom <= box.bottom)) return;
+    list.scrollTop += row.top + row.height / 2 - (box.top + box.height / 2);
+  };
+  queueMicrotask(show); // its rows are drawn by then
+  requestAnimationFrame(show); // rows out of sight have heights of their own once they are seen
 }
 
 const plural = (sheets: number) => (sheets === 1 ? 'a sheet' : 'sheets');
@@ -83,10 +101,11 @@ const said = (known: BodyStatus | undefined): string =>
         ? 'sheet, with warnings'
         : 'sheet';
 
-/** The pattern; of a body without one an empty frame. */
+/** The pattern, or the solid; as long as neither is known an empty frame. */
 export const drawing = (p: Picture | undefined) =>
   html`<svg class="pattern" viewBox="-2 -2 ${(p?.width ?? 0) + 4} ${(p?.height ?? 0) + 4}" aria-hidden="true">
-    ${p
+    ${p?.image ? svg`<image href=${p.image} width=${p.width} height=${p.height}></image>` : nothing}
+    ${p && !p.image
       ? svg`<path class="sheet" d=${p.sheet} fill-rule="evenodd"></path><path class="up" d=${p.up}></path><path
           class="down" d=${p.down}></path>`
       : nothing}

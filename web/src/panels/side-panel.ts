@@ -95,7 +95,7 @@ function summary(ui: Ui) {
     <dl class="summary">
       ${rows.map(
         ([name, value, id]) =>
-          html`<div title=${explained[id] ?? nothing}>
+          html`<div title=${id === 'mass' ? massOf(report) : (explained[id] ?? nothing)}>
             <dt>${name}</dt>
             <dd data-testid=${id}>${value}</dd>
           </div>`,
@@ -108,9 +108,16 @@ function summary(ui: Ui) {
 const explained: Record<string, string> = {
   pierces: 'Contours and slits that are cut',
   area: 'Of one side, without openings',
-  mass: 'Needs a density: enter one, or choose a material',
   'part-k': 'Of all bends',
 };
+
+/** What the mass is made of. */
+function massOf(report: PieceReport | null): string {
+  if (typeof report?.sheet?.mass !== 'number') return 'Needs a density: enter one, or choose a material';
+  return report.sheet.volume
+    ? 'Volume of the solid, as it is drawn, times density; area times thickness times density differs a little, by K'
+    : 'Area times thickness times density';
+}
 
 function kText(report: PieceReport | null): string {
   if (!report?.sheet || !report.flat?.bends.length) return '–';

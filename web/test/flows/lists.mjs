@@ -60,7 +60,8 @@ export async function bodies({ page }) {
   await page.waitForSelector('[data-testid=body-60] .said:has-text("sheet")');
   assert.equal(await page.locator('[data-testid=bodies] [role=option]').count(), 60);
   assert.match(await row(4).textContent(), /block 4\s*no flat pattern: not a sheet\s*× 1/);
-  assert.equal(await row(4).locator('path').count(), 0, 'what has no pattern has no picture');
+  assert.equal(await row(4).locator('path').count(), 0, 'what has no pattern is shown as a solid');
+  assert.match(await row(4).locator('image').getAttribute('href'), /^data:image/);
   assert.match(await row(5).locator('path.sheet').getAttribute('d'), /^M[\d. ]+L/);
   assert.match(await row(5).locator('path.up').getAttribute('d'), /^M/);
   assert.equal(await row(1).getAttribute('aria-selected'), 'true');
@@ -123,6 +124,9 @@ export async function allowance({ page }) {
   await page.click('[data-testid=density-aluminium]');
   await rested(page);
   assert.match(await text(page, 'mass'), /^\d+(\.\d+)? g$/);
+  const [mass, volume] = await state(page, '[s.shape.report.sheet.mass, s.shape.report.sheet.volume]');
+  assert.ok(Math.abs(mass / (volume * 2.7e-6) - 1) < 1e-9, 'what the tile says: of the solid');
+  assert.match(await page.getAttribute('.summary > div:has([data-testid=mass])', 'title'), /^Volume of the solid/);
   await page.click('[data-testid=density-aluminium]');
   await rested(page);
   // What is no shop profile is refused with the program's sentence, and not kept.
@@ -181,6 +185,8 @@ export async function bendtable({ page }) {
   assert.equal(await text(page, 'deduction-B1'), String(Math.round(100 * deduction) / 100));
   const [length] = (await blank(page)).split(' ');
   assert.ok(Math.abs(Number(length) - (60 - deduction)) < 0.006);
+  assert.match(await page.getAttribute('[data-testid=deduction-head]', 'title'), /mould line.*above 90° too.*180°/);
+  assert.equal(await page.getAttribute('[data-testid=deduction-B1]', 'title'), null);
   await page.screenshot({ path: `${folder(page)}/bends.png` });
   await accessible(page);
   // A row that K leaves is refused; the table that was there stays.
@@ -190,4 +196,18 @@ export async function bendtable({ page }) {
   await page.waitForSelector('[data-testid=message].error');
   assert.equal(await state(page, 's.workshop.files[0].text.includes("0.3")'), true);
   assert.equal(await text(page, 'part-k'), '0.3');
+}
+
+/** Of bends beyond 90° the table says what the deduction is measured to, and of bends without outside lengths why. */
+export async function deductions({ page }) {
+  const title = (id) => page.getAttribute(`[data-testid=${id}]`, 'title');
+  await open(page, [`${folder(page)}/../curled.step`]);
+  await page.click('[data-testid=tab-bends]');
+  const bends = await state(page, 's.shape.report.flat.bends.map((b) => [b.id, b.angle])'),
+    id = (angle) => bends.find((b) => Math.abs(b[1] - angle) < 1e-3)[0];
+  assert.match(await title(`deduction-${id(120)}`), /^Measured to the mould line/);
+  assert.match(await title(`deduction-${id(200)}`), /^Measured to the plane/);
+  assert.equal(await text(page, `outside-${id(200)}`).then((t) => t.trim()), '–');
+  assert.match(await title(`outside-${id(200)}`), /no flange on one of its sides/);
+  await page.screenshot({ path: `${folder(page)}/deductions.png` });
 }

@@ -98,6 +98,32 @@ export async function measure({ page }) {
   await page.waitForFunction(() => !document.querySelector('[data-testid=measures] li'));
 }
 
+/** The rim of a hole that appears small is taken where the pointer is on it, in spite of the middle of the edge beside it. */
+export async function rims({ page }) {
+  await open(page, [`${folder(page)}/../small.step`]);
+  await page.keyboard.press('d');
+  await page.waitForSelector('[data-testid=measure][aria-pressed=true]');
+  // The hole of Ø 5 is 8 from the end of the base, in the middle.
+  const { at, end, scale } = await state(
+    page,
+    `(() => { const f = s.shape, c = f.edge_circle, n = [...f.edge_length.keys()].find((e) => Math.abs(c[4 * e + 2] - 2.5) < 1e-6);
+    const at = [c[4 * n], c[4 * n + 1]], middles = [...f.edge_length.keys()].filter((e) => Math.abs(f.edge_length[e] - 50) < 1e-3)
+      .map((e) => { const i = f.edge_number.indexOf(e); return [(f.edges[4 * i] + f.edges[4 * i + 2]) / 2, (f.edges[4 * i + 1] + f.edges[4 * i + 3]) / 2]; });
+    const off = (m) => Math.hypot(m[0] - at[0], m[1] - at[1]);
+    return { at, end: middles.sort((a, b) => off(a) - off(b))[0], scale: views.flat.scale }; })()`,
+  );
+  const away = Math.hypot(end[0] - at[0], end[1] - at[1]);
+  assert.ok(Math.abs(away - 8) < 1e-3 && 5.5 * scale < 8.5, `the middle is ${5.5 * scale} pixels from the rim`);
+  const rim = at.map((v, k) => v + (2.5 / 8) * (end[k] - v));
+  assert.equal(await measured(page, 'flat', rim), 'Ø 5 mm');
+  assert.equal(await measured(page, 'flat', at), 'Ø 5 mm', 'by its centre');
+  assert.match(await measured(page, 'flat', at, end), /^8 mm, /, 'the middle, where the pointer is on it');
+  await page.keyboard.press('2'); // from above
+  await page.waitForTimeout(300);
+  assert.equal(await measured(page, 'folded', [5.5, 30, 2]), 'Ø 5 mm');
+  await page.screenshot({ path: `${folder(page)}/rims.png` });
+}
+
 /** In the folded part everything is where the solid has it, at any K, and not where facets are. */
 export async function measurefolded({ page }) {
   await open(page, [`${folder(page)}/../channel.step`]);

@@ -92,3 +92,33 @@ export async function refusal({ page }) {
   await open(page, [`${folder(page)}/../pressed.step`]);
   assert.equal((await marked(page)).count, 0);
 }
+
+/** What is refused has the room, also after a part whose pattern lay below it. */
+export async function roomy({ page }) {
+  const size = () => page.locator('[data-testid=folded-canvas]').boundingBox(),
+    main = await page.locator('main').boundingBox(),
+    stacked = () => page.$eval('main', (m) => m.classList.contains('stacked')),
+    share = () => page.getAttribute('[data-testid=divider]', 'aria-valuenow');
+  await open(page, [`${folder(page)}/../wide.step`]);
+  assert.ok(await stacked());
+  await open(page, [`${folder(page)}/../tube.step`]);
+  assert.ok(!(await stacked()), 'an empty pattern lies beside');
+  const { width, height } = await size();
+  assert.ok(width > 0.8 * main.width && height > 0.8 * main.height, `${width} × ${height}`);
+  assert.equal(await share(), '85');
+  await page.screenshot({ path: `${folder(page)}/refused.png` });
+  // The divider goes on from there, and what was chosen holds.
+  await page.focus('[data-testid=divider]');
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => document.querySelector('[data-testid=divider]').ariaValueNow === '83');
+  assert.ok((await size()).width < width);
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelector('[data-testid=divider]').ariaValueNow === '85');
+  // With a pattern the views share the room again.
+  await page.click('[data-testid=remedy-rip-edge]');
+  await rested(page);
+  assert.equal(await share(), '50');
+  assert.ok((await size()).width < 0.55 * main.width || (await stacked()));
+  await open(page, [`${folder(page)}/../wide.step`]);
+  assert.ok(await stacked());
+}

@@ -1,0 +1,121 @@
+import assert from 'node:assert/strict';
+import { inTheme, violations } from '../axe.mjs';
+import { folder, open, rested, state } from '../driving.mjs';
+
+// The list of bodies: what it says of each before it is opened, which one it shows, and pictures of solids.
+
+const known = (page, count) =>
+  page.waitForFunction((n) => Object.keys(window.planish.store.state.bodies).length === n, count);
+const said = (page, n) => page.textContent(`[data-testid=body-${n}] .said`);
+
+/** A body has its warnings before it is opened, and the archive says the same. */
+export async function status({ page }) {
+  await open(page, [`${folder(page)}/../short.step`]);
+  assert.equal(await state(page, 's.input.options.body'), 2, 'the block comes first');
+  await known(page, 3);
+  await page.waitForSelector('[data-testid=body-3] .said:has-text("sheet")');
+  const all = () => Promise.all([1, 2, 3].map((n) => said(page, n))),
+    before = await all();
+  assert.deepEqual(before, ['no flat pattern: not a sheet', 'sheet', 'sheet, with warnings']);
+  await page.click('[data-testid=body-3]');
+  await rested(page);
+  assert.equal(await state(page, 's.shape.report.checks.some((c) => c.code === "flange_height")'), true);
+  assert.deepEqual(await all(), before);
+  await Promise.all([page.waitForEvent('download'), page.click('[data-testid=download-all]')]);
+  await page.waitForSelector('[data-testid=download-all]');
+  assert.deepEqual(await all(), before);
+  assert.equal(await page.locator('[data-testid=body-1] image').count(), 1, 'the picture stays');
+}
+
+/** Whether a row is wholly seen in its list. */
+const inList = (page, n) =>
+  page.evaluate((number) => {
+    const list = document.querySelector('[data-testid=bodies]').getBoundingClientRect(),
+      row = document.querySelector(`[data-testid=body-${number}]`).getBoundingClientRect();
+    return row.top >= list.top && row.bottom <= list.bottom;
+  }, n);
+
+/** The list moves to the body that is shown, and the panel stays where it is. */
+export async function listed({ page }) {
+  await open(page, [`${folder(page)}/../sixty.step`]);
+  await known(page, 60);
+  await page.waitForSelector('[data-testid=body-60] .said:has-text("sheet")');
+  const choose = async (body) => {
+    await page.evaluate((number) => {
+      const { store } = window.planish,
+        { input } = store.state;
+      store.dispatch({ type: 'edit', input: { ...input, options: { ...input.options, body: number } } });
+    }, body);
+    await rested(page);
+  };
+  await choose(40);
+  assert.ok(await inList(page, 40), 'chosen elsewhere');
+  assert.equal(await page.$eval('[data-testid=panel]', (p) => p.scrollTop), 0);
+  await page.screenshot({ path: `${folder(page)}/listed.png` });
+  await page.click('[data-testid=tab-bends]');
+  await page.click('[data-testid=tab-input]');
+  await page.waitForTimeout(100);
+  assert.ok(await inList(page, 40), 'after another tab');
+  await page.click('[data-testid=undo]');
+  await rested(page);
+  assert.ok(await inList(page, 1), 'by undo');
+  // One may look elsewhere meanwhile, and what is seen stays where it is when it is chosen.
+  await page.$eval('[data-testid=bodies]', (list) => (list.scrollTop = 900));
+  await page.waitForTimeout(100);
+  await page.evaluate(() => window.planish.store.dispatch({ type: 'units', units: 'inch' }));
+  await page.waitForTimeout(100);
+  assert.ok(!(await inList(page, 1)));
+  const at = () => page.$eval('[data-testid=bodies]', (list) => list.scrollTop),
+    before = await at(),
+    seen = await page.evaluate(() => {
+      const middle = document.querySelector('[data-testid=bodies]').getBoundingClientRect();
+      return document.elementFromPoint(middle.x + 20, middle.y + middle.height / 2).closest('[role=option]').dataset
+        .testid;
+    });
+  await page.click(`[data-testid=${seen}]`);
+  await rested(page);
+  assert.equal(await at(), before);
+}
+
+const colours = (page, selector) =>
+  page.$eval(selector, async (image) => {
+    const found = new Image();
+    found.src = image.getAttribute('href');
+    await found.decode();
+    const canvas = new OffscreenCanvas(found.width, found.height),
+      c = canvas.getContext('2d');
+    c.drawImage(found, 0, 0);
+    const { data } = c.getImageData(0, 0, found.width, found.height);
+    let [solid, dark, bright] = [0, 255, 0];
+    for (let i = 0; i < data.length; i += 4) {
+      if (data[i + 3] < 200) continue;
+      ++solid;
+      dark = Math.min(dark, data[i]);
+      bright = Math.max(bright, data[i]);
+    }
+    return { share: (4 * solid) / data.length, dark, bright, size: found.src.length };
+  });
+
+/** What has no pattern is shown as a solid, in the list and among the files opened lately. */
+export async function solids({ page }) {
+  await open(page, [`${folder(page)}/../short.step`]);
+  await known(page, 3);
+  await page.waitForSelector('[data-testid=body-1] image');
+  const block = await colours(page, '[data-testid=body-1] image');
+  assert.ok(block.share > 0.5 && block.share < 0.95, `a box seen from a corner: ${block.share}`);
+  assert.ok(block.bright - block.dark > 60, 'its sides differ');
+  assert.ok(block.size < 6000, String(block.size));
+  assert.equal(await page.locator('[data-testid=body-2] image').count(), 0, 'a sheet is shown as its pattern');
+  for (const theme of ['dark', 'light']) {
+    await inTheme(page, theme);
+    assert.deepEqual(await violations(page), [], theme);
+    await page.screenshot({ path: `${folder(page)}/solids-${theme}.png` });
+  }
+  await open(page, [`${folder(page)}/../stepped.step`]);
+  assert.equal(await state(page, 's.shape.report.status'), 'refused');
+  await page.waitForFunction(() => window.planish.store.state.recents[0]?.picture?.image);
+  await page.evaluate(() => sessionStorage.clear());
+  await page.reload();
+  await page.waitForSelector('[data-testid="recent-stepped.step"] image');
+  await page.screenshot({ path: `${folder(page)}/recent.png` });
+}
