@@ -1,3 +1,4 @@
+#include "found_sheet.hpp"
 #include "lay_flat.hpp"
 #include "shop_checks.hpp"
 #include "sides.hpp"
@@ -29,6 +30,16 @@ std::string note_of_rips(const std::vector<int>& edges) {
       edges.size() == 1 ? "edge" : "edges", fmt::join(edges, ", "));
 }
 
+/// Loops may close with one K-factor and not with another. K-factors of single bends go by their
+/// numbers, which change when rips take bends away.
+Error closed_for(const FlattenOptions& options, const Sheet& sheet, const Error& closed,
+                 const Progress& progress) {
+  FlattenOptions ripped = options;
+  ripped.bend_k.clear();
+  return loop_refusal(sheet, closed, options,
+                      [&](const Sheet& open) { return lies_uncovered(open, ripped, progress); });
+}
+
 std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<Recognized>& found,
                           const Request& request, const Progress& progress) {
   if (!found) {
@@ -45,9 +56,12 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   if (auto wrong = unchosen(mine, body.material())) return wrong;
   const auto options = flatten_options(found->sheet, mine);
   if (!options) return options.error();
-  return lay_flat(
+  auto error = lay_flat(
       report, {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief},
       *options, progress);
+  if (error && error->code == ErrorCode::closed_loop)
+    return closed_for(*options, found->sheet, *error, progress);
+  return error;
 }
 
 }  // namespace
@@ -66,7 +80,7 @@ Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
   UnfoldReport report = begun(body, request);
   const auto work = [&] {
     progress.at("finding the sheet", 0.2);
-    return fill(report, body, recognize(body, {.rip_edges = request.rip_edges}), request, progress);
+    return fill(report, body, found_sheet(body, request.rip_edges, progress), request, progress);
   };
   if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
   return report;
