@@ -30,16 +30,6 @@ std::string note_of_rips(const std::vector<int>& edges) {
       edges.size() == 1 ? "edge" : "edges", fmt::join(edges, ", "));
 }
 
-/// Loops may close with one K-factor and not with another. K-factors of single bends go by their
-/// numbers, which change when rips take bends away.
-Error closed_for(const FlattenOptions& options, const Sheet& sheet, const Error& closed,
-                 const Progress& progress) {
-  FlattenOptions ripped = options;
-  ripped.bend_k.clear();
-  return loop_refusal(sheet, closed, options,
-                      [&](const Sheet& open) { return lies_uncovered(open, ripped, progress); });
-}
-
 std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<Recognized>& found,
                           const Request& request, const Progress& progress) {
   if (!found) {
@@ -56,12 +46,9 @@ std::optional<Error> fill(UnfoldReport& report, const Body& body, const Result<R
   if (auto wrong = unchosen(mine, body.material())) return wrong;
   const auto options = flatten_options(found->sheet, mine);
   if (!options) return options.error();
-  auto error = lay_flat(
+  return lay_flat(
       report, {found->sheet, found->distance, mine, FoldedBody{body, found->sheet}, mine.relief},
       *options, progress);
-  if (error && error->code == ErrorCode::closed_loop)
-    return closed_for(*options, found->sheet, *error, progress);
-  return error;
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ TEST(Ripped, EndOfATroughHangsOnAWallAndNotOnItsRoundEdge) {
   const double walls = 100 * (2 * 30 + 19 * pi), end = 36 * 30 + 18 * 18 * pi / 2;
   const double area = walls + end + 30 * pi / 2;
   // What the round corner holds is counted along its inside edge, 18 π of 19 π mm.
-  expect_opened(trough(30), 2, area, 0, area / (area + 2 * 2 * pi / 2));
+  expect_opened(trough(30), 2, area, 0, area / (area + 2 * pi));
 }
 
 TEST(Ripped, EndThatMeetsARoundWallOnlyIsNotRippedOff) { expect_no_rips(trough(0)); }
