@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace planish {
 namespace {
@@ -138,12 +139,16 @@ Result<void> is_wide_enough(const FlatPattern& pattern) {
                           pattern.thickness, width));
 }
 
+/// The layout that recognition looks at.
+FlattenOptions usual_layout() {
+  // Forms are measured with their holes filled (`forms_volume`).
+  return {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline};
+}
+
 /// Whether a sheet accounts for the solid in which it was found: it lies flat, it is wider than
 /// thick, and it has the solid's volume within what its features allow.
 Result<void> accounts_for_solid(const Sheet& sheet) {
-  // Forms are measured with their holes filled (`forms_volume`).
-  const auto pattern = flatten(
-      sheet, {.allowance = ConstantK{0.5, "recognition"}, .extruded = ExtrudedHoles::outline});
+  const auto pattern = flatten(sheet, usual_layout());
   if (!pattern) return tl::unexpected(pattern.error());
   if (auto wide = is_wide_enough(*pattern); !wide) return wide;
   const double plain = *sheet.volume - sheet.mitres_volume - sheet.forms_volume.value_or(0.0);
@@ -158,27 +163,36 @@ Result<void> accounts_for_solid(const Sheet& sheet) {
   return {};
 }
 
+/// What a closed sheet must pass that is opened by rips.
+SheetCheck check_of_ripped(const RecognizeOptions& options) {
+  return [&options](const Sheet& open) -> Result<void> {
+    if (auto accounted = accounts_for_solid(open); !accounted || !options.passes) return accounted;
+    return options.passes(open);
+  };
+}
+
 /// The sheet of the likeliest reading that accounts for the solid; otherwise the error of the
 /// first one tried.
 Result<Sheet> likeliest_sheet(const SolidModel& model, const RecognizeOptions& options) {
   const std::vector<Outline> outlines = outlines_of(model);
-  tl::unexpected<Error> first = fail(
-      ErrorCode::not_a_sheet,
-      "No two faces lie opposite each other with material between them; this is not a sheet.");
-  bool tried = false;
+  std::optional<Error> first;
+  std::optional<Sheet> closed;
   const double tolerance = options.thickness_tolerance;
   for (const Reading& reading : readings_of(model, outlines, tolerance)) {
     auto sheet = sheet_of(reading, model, outlines, tolerance);
     if (sheet) sheet = ripped(std::move(*sheet), options.rip_edges);
-    if (sheet) {
-      auto accounted = accounts_for_solid(*sheet);
-      if (accounted) return sheet;
-      sheet = tl::unexpected(accounted.error());
-    }
-    if (!tried) first = tl::unexpected(sheet.error());
-    tried = true;
+    const auto accounted = sheet ? accounts_for_solid(*sheet) : tl::unexpected(sheet.error());
+    if (accounted) return sheet;
+    if (first) continue;
+    first = accounted.error();
+    if (sheet && first->code == ErrorCode::closed_loop) closed = std::move(*sheet);
   }
-  return first;
+  if (closed)
+    return tl::unexpected(loop_refusal(*closed, *first, usual_layout(), check_of_ripped(options)));
+  if (first) return tl::unexpected(*first);
+  return fail(ErrorCode::not_a_sheet,
+              "No two faces lie opposite each other with material between them; this is not a "
+              "sheet.");
 }
 
 Result<Recognized> recognize_model(std::shared_ptr<const SolidModel> model,

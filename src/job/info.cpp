@@ -1,3 +1,4 @@
+#include "found_sheet.hpp"
 #include "input.hpp"
 
 #include <planish/base/progress_part.hpp>
@@ -36,7 +37,7 @@ std::vector<FlangeFaceInfo> flange_faces(const Sheet& sheet) {
 
 SheetInfo sheet_info(const Body& body) {
   SheetInfo info;
-  const auto found = recognize(body);
+  const auto found = found_sheet(body);
   if (!found) {
     info.refusal = found.error();
     return info;

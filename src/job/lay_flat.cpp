@@ -175,6 +175,22 @@ std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
   return plan_strokes(report, given.checks.bending, progress);
 }
 
+Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
+                            const Progress& progress) {
+  if (progress.should_stop()) return tl::unexpected(stopped());
+  auto flat = flat_sheet(sheet, options);
+  if (!flat) return tl::unexpected(flat.error());
+  Report report;
+  const EdgeDistance unmeasured;
+  const Request plain;
+  const SheetToLay given{sheet, unmeasured, plain, {}, plain.relief};
+  take_pattern(report, std::move(*flat), given, options);
+  std::vector<Finding> overlaps = find_overlaps(sheet, report.layout, report.flat);
+  if (!overlaps.empty()) relieve(report, given, overlaps);
+  if (auto refusal = overlap_refusal(overlaps)) return tl::unexpected(*refusal);
+  return {};
+}
+
 std::optional<Error> run_reporting(Report& report,
                                    const std::function<std::optional<Error>()>& work) {
   const auto start = std::chrono::steady_clock::now();

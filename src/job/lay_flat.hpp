@@ -38,6 +38,11 @@ SheetSummary summary_of(const Sheet& sheet);
 std::optional<Error> lay_flat(Report& report, const SheetToLay& given,
                               const FlattenOptions& options, const Progress& progress);
 
+/// What rips would open must lie flat without covering itself, with small overlaps mended. Errors:
+/// `overlap`, `cancelled`, those of `flat_sheet`.
+Result<void> lies_uncovered(const Sheet& sheet, const FlattenOptions& options,
+                            const Progress& progress);
+
 /// Does the work, which fills a report, and records its time; an error with exit status 4 becomes
 /// the report's refusal, any other is returned.
 std::optional<Error> run_reporting(Report& report,

@@ -1,3 +1,4 @@
+#include "found_sheet.hpp"
 #include "lay_flat.hpp"
 #include "shop_checks.hpp"
 #include "sides.hpp"
@@ -66,7 +67,7 @@ Result<UnfoldReport> unfold_body(const Body& body, const Request& request,
   UnfoldReport report = begun(body, request);
   const auto work = [&] {
     progress.at("finding the sheet", 0.2);
-    return fill(report, body, recognize(body, {.rip_edges = request.rip_edges}), request, progress);
+    return fill(report, body, found_sheet(body, request.rip_edges, progress), request, progress);
   };
   if (const auto error = run_reporting(report, work)) return tl::unexpected(*error);
   return report;

@@ -1,3 +1,4 @@
+#include "found_sheet.hpp"
 #include "input.hpp"
 #include "made_report.hpp"
 #include "makers.hpp"
@@ -86,10 +87,13 @@ class UnfoldWork : public Work {
   const Result<Recognized>& sheet_of(int body, const std::vector<int>& rips,
                                      const Progress& progress) {
     const auto known = found_.find({body, rips});
-    if (known != found_.end()) return known->second;
+    const auto stopped = [](const Result<Recognized>& found) {
+      return !found && found.error().code == ErrorCode::cancelled;
+    };
+    if (known != found_.end() && !stopped(known->second)) return known->second;
     progress.at("finding the sheet", 0.2);
-    auto found = recognize(file_.bodies[body], {.rip_edges = rips});
-    return found_.emplace(std::pair(body, rips), std::move(found)).first->second;
+    auto found = found_sheet(file_.bodies[body], rips, progress);
+    return found_.insert_or_assign(std::pair(body, rips), std::move(found)).first->second;
   }
 
   std::string name_;

@@ -1,5 +1,6 @@
 #include "bend_development.hpp"
 #include "placement.hpp"
+#include "unplaced.hpp"
 
 #include <planish/base/assert.hpp>
 #include <planish/sheet/layout.hpp>
@@ -79,19 +80,11 @@ std::vector<Loop> images_of(const Sheet& sheet, FaceId id, const Layout& layout,
 }
 
 Error loop_error(const Sheet& sheet, const Joint& joint, double closure) {
-  const auto name = [&](const BorderRef& ref) {
-    const auto of_border = sheet[ref].source_face;
-    const auto source = of_border ? of_border : sheet[ref.face].source_face;
-    return source ? fmt::format("face {}", *source) : fmt::format("face {}", index_of(ref.face));
-  };
-  const std::string a = name(joint.a), b = name(joint.b);
-  const auto edge = sheet[joint.a].edge;
   return {ErrorCode::closed_loop,
           fmt::format("The flanges and bends form a closed loop that does not lie flat (it misses "
-                      "by {:.3g} mm); a rip along the edge between {} and {} would open it.",
-                      closure, a, b),
-          edge ? fmt::format("edge {} between {} and {}", *edge, a, b)
-               : fmt::format("between {} and {}", a, b)};
+                      "by {:.3g} mm).",
+                      closure),
+          between_faces(sheet, joint)};
 }
 
 /// Measures how far every joint is from closing, and refuses one that does not close.
@@ -141,7 +134,17 @@ void Layout::move(const Isometry2& motion) {
       loop = transformed(loop, motion);
 }
 
-Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
+namespace sheet_detail {
+
+std::string between_faces(const Sheet& sheet, const Joint& joint) {
+  const auto number = [&](const BorderRef& ref) {
+    const auto of_border = sheet[ref].source_face;
+    return (of_border ? of_border : sheet[ref.face].source_face).value_or(index_of(ref.face));
+  };
+  return fmt::format("between face {} and face {}", number(joint.a), number(joint.b));
+}
+
+Result<Layout> unplaced(const Sheet& sheet, const FlattenOptions& options) {
   if (auto right = check(sheet); !right) return tl::unexpected(right.error());
   if (auto right = check_options(sheet, options); !right) return tl::unexpected(right.error());
   auto allowances = allowances_of(sheet, options);
@@ -154,15 +157,23 @@ Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
   if (!developments) return tl::unexpected(developments.error());
   layout.development = std::move(*developments);
   layout.neutral_offset = neutral_offsets_of(sheet, layout.allowance);
-  auto placed = placed_over_longest_joints(sheet, Topology(sheet), layout);
+  return layout;
+}
+
+}  // namespace sheet_detail
+
+Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options) {
+  auto layout = unplaced(sheet, options);
+  if (!layout) return layout;
+  auto placed = placed_over(longest_first(sheet), sheet, Topology(sheet), *layout);
   if (!placed) return tl::unexpected(placed.error());
-  layout.tree = std::move(placed->tree);
-  layout.placement = std::move(placed->placement);
-  const auto closure = closure_of(sheet, layout, options.closure_tolerance);
+  layout->tree = std::move(placed->tree);
+  layout->placement = std::move(placed->placement);
+  const auto closure = closure_of(sheet, *layout, options.closure_tolerance);
   if (!closure) return tl::unexpected(closure.error());
-  layout.closure = *closure;
+  layout->closure = *closure;
   for (const FaceId id : sheet.faces.ids())
-    layout.images.push_back(images_of(sheet, id, layout, options));
+    layout->images.push_back(images_of(sheet, id, *layout, options));
   return layout;
 }
 

@@ -120,15 +120,26 @@ double sharp_mismatch(const Sheet& sheet, const Layout& layout, const Joint& joi
 
 }  // namespace
 
-Result<Placed> placed_over_longest_joints(const Sheet& sheet, const Topology& topology,
-                                          const Layout& layout) {
+double joint_length(const Sheet& sheet, const Joint& joint) {
+  return chord_on(sheet, joint.a).norm();
+}
+
+std::vector<JointRank> longest_first(const Sheet& sheet) {
+  std::vector<JointRank> ranks;
+  for (const Joint& joint : sheet.joints)
+    ranks.push_back({{joint_length(sheet, joint), 0.0, 0.0}});
+  return ranks;
+}
+
+Result<Placed> placed_over(const std::vector<JointRank>& ranks, const Sheet& sheet,
+                           const Topology& topology, const Layout& layout) {
   Placed placed;
   std::vector<std::optional<Isometry2>> nodes(topology.node_count());
-  std::priority_queue<std::pair<double, int>> front;  // Prim's algorithm
+  std::priority_queue<std::pair<JointRank, int>> front;  // Prim's algorithm
   const auto enter = [&](int node, const Isometry2& placement) {
     nodes[node] = placement;
     for (const int joint : topology.joints_of(node))
-      front.emplace(chord_on(sheet, sheet.joints[joint].a).norm(), joint);
+      if (ranks[joint]) front.emplace(ranks[joint], joint);
   };
   enter(topology.node_of(layout.root), Isometry2::Identity());
   while (!front.empty()) {
@@ -158,6 +169,13 @@ double mismatch(const Sheet& sheet, const Layout& layout, const Joint& joint) {
   const auto image = [&](FaceId face, const Vec2& uv) { return layout.develop(sheet, face, uv); };
   return std::max((image(joint.a.face, start_of(a)) - image(joint.b.face, end_of(b))).norm(),
                   (image(joint.a.face, end_of(a)) - image(joint.b.face, start_of(b))).norm());
+}
+
+double own_mismatch(const Sheet& sheet, Layout& layout, const Joint& joint) {
+  layout.placement[joint.a.face] = mirror_of(sheet[joint.a.face]);
+  layout.placement[joint.b.face] = child_placement(sheet, layout, joint, Isometry2::Identity()) *
+                                   mirror_of(sheet[joint.b.face]);
+  return mismatch(sheet, layout, joint);
 }
 
 }  // namespace planish::sheet_detail

@@ -1,3 +1,5 @@
+#include "rip_joint.hpp"
+
 #include <planish/base/union_find.hpp>
 #include <planish/sheet/rip.hpp>
 #include <planish/sheet/topology.hpp>
@@ -32,7 +34,7 @@ Result<void> check_edge(const Sheet& sheet, int edge) {
                 fmt::format("No two faces of the skin that is unfolded meet at edge {}; a rip runs "
                             "along an edge at which they do.",
                             edge));
-  if (joint->sharp && !sheet[*joint->sharp].reference_inside)
+  if (!sheet_detail::can_be_ripped(sheet, *joint))
     return fail(ErrorCode::bad_option,
                 fmt::format("At edge {} walls meet by their outside; a rip there would leave both "
                             "of them in the corner.",
@@ -115,6 +117,14 @@ Sheet without_bends(Sheet sheet, const std::set<BendId>& gone) {
 }
 
 }  // namespace
+
+namespace sheet_detail {
+
+bool can_be_ripped(const Sheet& sheet, const Joint& joint) {
+  return sheet[joint.a].edge && (!joint.sharp || sheet[*joint.sharp].reference_inside);
+}
+
+}  // namespace sheet_detail
 
 Result<Sheet> ripped(Sheet sheet, std::span<const int> edges) {
   if (edges.empty()) return sheet;

@@ -3,6 +3,7 @@
 
 #include <planish/geometry/region.hpp>
 #include <planish/sheet/certificate.hpp>
+#include <planish/sheet/rip.hpp>
 
 #include <gtest/gtest.h>
 
@@ -179,18 +180,54 @@ TEST(FlattenRoot, DoesNotChangeThePattern) {
   }
 }
 
-TEST(FlattenLoop, IsRefusedWithTheEdgeToRip) {
+/// A channel whose free ends are joined: a tube.
+Sheet closed_channel() {
   Sheet sheet = u_channel();
-  // Joining the channel's free ends makes a tube.
   const auto last = static_cast<FaceId>(sheet.faces.size() - 1);
   Joint joint;
   joint.a = {FaceId{0}, 0, 3};
   joint.b = {last, 0, 2};
   sheet.joints.push_back(joint);
-  const auto pattern = flatten(sheet);
+  return sheet;
+}
+
+TEST(FlattenLoop, IsRefusedWhereItDoesNotClose) {
+  const auto pattern = flatten(closed_channel());
   ASSERT_FALSE(pattern);
   EXPECT_EQ(pattern.error().code, ErrorCode::closed_loop);
-  EXPECT_NE(pattern.error().message.find("rip"), std::string::npos);
+  EXPECT_EQ(pattern.error().where, "between face 0 and face 1");
+}
+
+TEST(FlattenLoop, IsOpenedByOneRip) {
+  Sheet sheet = closed_channel();
+  const auto lies_flat = [](const Sheet& open) -> Result<void> {
+    const auto flat = flatten(open);
+    return flat ? Result<void>{} : tl::unexpected(flat.error());
+  };
+  const auto closed = flatten(sheet).error();
+  for (const Joint& joint : sheet.joints)
+    sheet[joint.a].edge.reset();
+  // Without an edge in a solid there is nothing to name.
+  EXPECT_EQ(rips_to_open(sheet, {}, lies_flat).error().code, ErrorCode::closed_loop);
+  const Error none = loop_refusal(sheet, closed, {}, lies_flat);
+  EXPECT_TRUE(none.message.ends_with(", and no rips along its edges open it.")) << none.message;
+  EXPECT_EQ(none.where, closed.where);
+  for (int j = 0; j < std::ssize(sheet.joints); ++j)
+    sheet[sheet.joints[j].a].edge = 100 + j;
+  const auto rips = rips_to_open(sheet, {}, lies_flat);
+  ASSERT_TRUE(rips) << rips.error().message;
+  ASSERT_EQ(rips->size(), 1u);
+  const auto open = ripped(sheet, *rips);
+  ASSERT_TRUE(open);
+  EXPECT_NEAR(flatten(*open)->area, flatten(u_channel())->area, 1e-9);
+  const Error named = loop_refusal(sheet, closed, {}, lies_flat);
+  EXPECT_NE(named.message.find("a rip along the edge between face"), std::string::npos);
+  EXPECT_EQ(named.where.find("edge " + std::to_string(rips->front()) + " between face"), 0u);
+  // What refuses the sheet after the rips is the reason.
+  const auto thick = [](const Sheet&) -> Result<void> {
+    return fail(ErrorCode::thickness_not_constant, "too thick");
+  };
+  EXPECT_EQ(loop_refusal(sheet, closed, {}, thick).message, "too thick");
 }
 
 TEST(FlattenFormedFeature, IsDrawnAndNotCut) {

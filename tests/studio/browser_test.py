@@ -19,6 +19,24 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent / "../cli"))
 import step_files  # noqa: E402
 from planish_studio import CLI, EXAMPLES, SOURCE, StudioTest, main  # noqa: E402
 
+SECONDS_OF_FLOWS = 1100
+
+
+def flows(studio, folder, *names):
+    """What the flows of these names say, or all that need no studio of their own."""
+    done = subprocess.run(["node", "test/browser.mjs", f"http://127.0.0.1:{studio.port}/#{studio.token}", *names], cwd=SOURCE / "web",
+                          capture_output=True, text=True, timeout=SECONDS_OF_FLOWS,
+                          env=dict(os.environ, STUDIO_FILES=str(folder), STUDIO_PROCESS=str(studio.process.pid)))
+    return done.stdout + done.stderr
+
+
+class Given(StudioTest):
+    arguments = (EXAMPLES / "bracket.step",)
+
+    def test_a_reload_keeps_the_edits_of_a_file_named_on_the_command_line(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertRegex(flows(self.studio, folder, "given"), r"(?m)^ok given\b")
+
 
 class Browser(StudioTest):
     @classmethod
@@ -36,10 +54,7 @@ class Browser(StudioTest):
         (cls.folder / "stepped.step").write_text(step_files.stepped_angle())
         (cls.folder / "short.step").write_text(step_files.two_angles_one_short())
         (cls.folder / "sixty.step").write_text(step_files.assembly_of_sixty())
-        address = f"http://127.0.0.1:{cls.studio.port}/#{cls.studio.token}"
-        done = subprocess.run(["node", "test/browser.mjs", address], cwd=SOURCE / "web", capture_output=True, text=True, timeout=580,
-                              env=dict(os.environ, STUDIO_FILES=str(cls.folder), STUDIO_PROCESS=str(cls.studio.process.pid)))
-        cls.said = done.stdout + done.stderr
+        cls.said = flows(cls.studio, cls.folder)
 
     def flow(self, name):
         """What the flows say, once this one went well."""
@@ -299,6 +314,21 @@ class Browser(StudioTest):
 
     def test_pages_that_are_open_at_once_share_what_is_kept(self):
         self.flow("pages")
+
+    def test_undo_in_a_field_is_that_of_the_page_once_it_is_entered(self):
+        self.flow("undofield")
+
+    def test_what_is_typed_is_entered_whatever_is_dragged_next(self):
+        self.flow("typed")
+
+    def test_a_drag_can_be_given_up(self):
+        self.flow("giveup")
+
+    def test_the_space_bar_and_the_focus(self):
+        self.flow("spacebar")
+
+    def test_large_files_survive_a_reload_and_long_lists_are_kept(self):
+        self.flow("large")
 
     def test_the_last_eight_files_are_kept(self):
         self.flow("many")

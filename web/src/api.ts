@@ -46,8 +46,10 @@ export class Api {
   keptNames = () => this.json<{ name: string; size: number }[]>('GET', '/api/kept');
   keep = (name: string, content: Blob) => {
     // What is small is kept even if the page is left now; of two contents the later one stays.
-    const write = () =>
-      this.call('PUT', `/api/kept/${encodeURIComponent(name)}`, content, { keepalive: content.size < 60_000 });
+    const path = `/api/kept/${encodeURIComponent(name)}`,
+      put = (keepalive: boolean) => this.call('PUT', path, content, { keepalive });
+    // Browsers let 64 KiB at a time outlive their page, and fail what is above.
+    const write = () => (content.size < 30_000 ? put(true).catch(() => put(false)) : put(false));
     const earlier = this.keeping.get(name),
       written = earlier ? earlier.then(write, write) : write();
     this.keeping.set(name, written);

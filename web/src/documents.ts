@@ -1,7 +1,7 @@
 import { Api, ApiError } from './api.ts';
 import type { Bodies } from './bodies.ts';
 import { patience, poll, problemOf } from './compute.ts';
-import { keepDocument, keptDocument } from './kept.ts';
+import { keepDocument, keepSource, keptDocument } from './kept.ts';
 import type { Recent, Recents } from './recents.ts';
 import { partOptions, type Store } from './state.ts';
 import { lookAt } from './survey.ts';
@@ -22,6 +22,7 @@ export class Documents {
   private adopted: string | null = null;
   private file: Given | null = null;
   private beside: Record<string, ArrayBuffer> = {};
+  private isInTab = true; // the file, from where a reload takes it
   private flight = new AbortController(); // of the file that is being opened
   constructor(api: Api, store: Store, recents: Recents) {
     this.api = api;
@@ -36,7 +37,7 @@ export class Documents {
         points = given.filter((g) => isPoints(g.name));
       if (main) {
         await this.open(main, async (name) => points.find((p) => p.name === name)?.bytes ?? null, signal);
-        if (!isNew) this.recents.opened(main.name, main.bytes, this.beside);
+        if (!isNew) void this.remember(main);
       } else await this.addPoints(points);
       if (others.length)
         this.store.dispatch({
@@ -48,10 +49,23 @@ export class Documents {
 
   async openRecent(recent: Recent) {
     await this.attempt(recent.name, async (signal) => {
-      const { main, beside } = await this.recents.bytesOf(recent);
-      await this.open({ name: recent.name, bytes: main }, async (name) => beside[name] ?? null, signal);
-      this.recents.opened(recent.name, main, this.beside);
+      const main = await this.openKept(recent, signal);
+      void this.remember(main);
     });
+  }
+
+  private async openKept(recent: Recent, signal: AbortSignal): Promise<Given> {
+    const { main, beside } = await this.recents.bytesOf(recent),
+      given = { name: recent.name, bytes: main };
+    await this.open(given, async (name) => beside[name] ?? null, signal);
+    return given;
+  }
+
+  /** Among the files opened lately, from where a reload takes one that is too large for the tab. */
+  private async remember({ name, bytes }: Given) {
+    const { document: opened } = this.store.state,
+      recent = await this.recents.opened(name, bytes, this.beside);
+    if (recent && !this.isInTab && this.store.state.document?.id === opened?.id) keepSource({ recent });
   }
 
   async openExample(name: string) {
@@ -68,10 +82,16 @@ export class Documents {
   /** The file that was open here before a reload, else the file of the command line. */
   async begin(ready: Promise<void>) {
     const kept = keptDocument();
+    const source = kept?.source;
     const work = async (signal: AbortSignal) => {
-      const [known] = await Promise.all([kept ? [] : this.api.documents(), ready]);
-      if (kept) {
-        await this.open(kept, async (name) => kept.beside[name] ?? null, signal);
+      const isGiven = !source || 'given' in source,
+        [known] = await Promise.all([isGiven ? this.api.documents() : [], ready]);
+      if (kept && !isGiven) {
+        if ('bytes' in source) await this.open(source, async (name) => source.beside[name] ?? null, signal);
+        else {
+          await this.openKept(source.recent, signal);
+          keepSource(source);
+        }
         return this.store.dispatch({ type: 'history', history: kept.history });
       }
       const named = known.find((d) => d.given);
@@ -81,8 +101,12 @@ export class Documents {
         ? { name: named.name, bytes: new TextEncoder().encode(named.text).buffer as ArrayBuffer }
         : null;
       await this.take(named, async () => null, signal);
+      // The token is another one at each start, at which the file may have changed.
+      if (kept && source && 'given' in source && source.given === location.hash)
+        this.store.dispatch({ type: 'history', history: kept.history });
+      keepSource({ given: location.hash });
     };
-    await this.attempt(kept?.name ?? '', work, true);
+    await this.attempt(source && 'bytes' in source ? source.name : '', work, true);
   }
 
   /**
@@ -121,7 +145,7 @@ export class Documents {
     );
     this.file = main;
     this.beside = used;
-    keepDocument(main, used);
+    this.isInTab = keepDocument(main, used);
   }
 
   /** Has the server read a file. A file that cannot be read, or is abandoned, leaves no document behind. */
@@ -202,7 +226,7 @@ export class Documents {
       );
     for (const p of points) await this.api.attach(d.id, p.name, p.bytes);
     this.beside = { ...this.beside, ...Object.fromEntries(points.map((p) => [p.name, p.bytes])) };
-    if (this.file) keepDocument(this.file, this.beside);
+    if (this.file) this.isInTab = keepDocument(this.file, this.beside);
     this.store.dispatch({ type: 'edit', input: { ...this.store.state.input } });
   }
 

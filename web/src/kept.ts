@@ -1,28 +1,34 @@
+import type { Recent } from './recents.ts';
 import type { History, State } from './state.ts';
 
-/** What a tab needs to restore its state after a reload: the file and its edits, in the tab's own storage. */
+/** What a tab needs to restore its state after a reload, in the tab's own storage: the edits, and the file. */
 interface Kept {
-  name: string;
-  bytes: ArrayBuffer;
-  beside: Record<string, ArrayBuffer>;
+  source: Source;
   history: History;
 }
+
+/** A file, or where it is to be had: on this machine, if it is large, or from the server that was started with it. */
+type Source = { name: string; bytes: ArrayBuffer; beside: Record<string, ArrayBuffer> } | Elsewhere;
+type Elsewhere = { recent: Recent } | { given: string };
 
 const file = 'planish-file',
   edited = 'planish-input';
 const most = 3 << 20; // storages hold some five million characters
 const mostOfHistory = 1 << 20;
 
-export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside: Record<string, ArrayBuffer>) {
+/** False if it is too large. */
+export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside: Record<string, ArrayBuffer>): boolean {
   sessionStorage.removeItem(file);
   const all = [main.bytes, ...Object.values(beside)];
-  if (all.reduce((sum, b) => sum + b.byteLength, 0) > most) return;
-  write(file, {
+  if (all.reduce((sum, b) => sum + b.byteLength, 0) > most) return false;
+  return write(file, {
     name: main.name,
     bytes: toText(main.bytes),
     beside: Object.fromEntries(Object.entries(beside).map(([name, b]) => [name, toText(b)])),
   });
 }
+
+export const keepSource = (source: Elsewhere) => write(file, source);
 
 /**
  * Keeps the input with what undo and redo go through, the farthest steps last: of large inputs as many as there is room
@@ -31,25 +37,21 @@ export function keepDocument(main: { name: string; bytes: ArrayBuffer }, beside:
 export function keepHistory({ input, past, future }: Pick<State, 'input' | 'past' | 'future'>) {
   for (let steps = past.length + future.length; ; steps >>= 1) {
     const text = JSON.stringify({ input, past: steps ? past.slice(-steps) : [], future: future.slice(0, steps) });
-    if (steps === 0 || text.length <= mostOfHistory) return writeText(edited, text);
+    if (steps === 0 || text.length <= mostOfHistory) return void writeText(edited, text);
   }
 }
 
 export function keptDocument(): Kept | null {
   try {
-    const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as {
-      name: string;
-      bytes: string;
-      beside: Record<string, string>;
-    } | null;
+    const kept = JSON.parse(sessionStorage.getItem(file) ?? 'null') as
+      | { name: string; bytes: string; beside: Record<string, string> }
+      | Elsewhere
+      | null;
     const history = JSON.parse(sessionStorage.getItem(edited) ?? 'null') as History | null;
     if (!kept || !history) return null;
-    return {
-      name: kept.name,
-      bytes: toBytes(kept.bytes),
-      beside: Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)])),
-      history,
-    };
+    if (!('bytes' in kept)) return { source: kept, history };
+    const beside = Object.fromEntries(Object.entries(kept.beside).map(([name, b]) => [name, toBytes(b)]));
+    return { source: { name: kept.name, bytes: toBytes(kept.bytes), beside }, history };
   } catch {
     return null;
   }
@@ -57,11 +59,13 @@ export function keptDocument(): Kept | null {
 
 const write = (key: string, value: unknown) => writeText(key, JSON.stringify(value));
 
-function writeText(key: string, text: string) {
+function writeText(key: string, text: string): boolean {
   try {
     sessionStorage.setItem(key, text);
+    return true;
   } catch {
     sessionStorage.removeItem(key); // too large: the page begins empty
+    return false;
   }
 }
 

@@ -5,6 +5,8 @@ import { Computation, problemOf } from './compute.ts';
 import { Documents } from './documents.ts';
 import { OrderWork } from './order-work.ts';
 import { phases } from './stage.ts';
+import { drawsPage } from './drawing.ts';
+import { giveUp, isGivenUp } from './holding.ts';
 import { keepHistory } from './kept.ts';
 import { removePlate } from './edits/connect.ts';
 import { removeAnchor, removePoint } from './edits/slit.ts';
@@ -28,6 +30,7 @@ import { bringKept } from './kept-here.ts';
 import { Recents } from './recents.ts';
 import type { Options, PlatesSpec, SlitSpec, Spec } from './types.ts';
 import type { Ui } from './ui.ts';
+import { beginsAnew, isUnentered, putBack } from './typing.ts';
 import { Views } from './views.ts';
 
 window.planishTimings = [];
@@ -52,7 +55,7 @@ const ui: Ui = {
   dispatch: store.dispatch,
   edit: (change, live = false) => {
     const { input } = store.state;
-    if (!input.spec) return;
+    if (!input.spec || (live && isGivenUp())) return;
     if (live) computation.dragged(performance.now());
     store.dispatch({
       type: 'edit',
@@ -62,6 +65,7 @@ const ui: Ui = {
   },
   editOptions: (change, live = false) => {
     const { input } = store.state;
+    if (live && isGivenUp()) return;
     store.dispatch({ type: 'edit', input: { ...input, options: withoutHoles(change(input.options)) }, live });
   },
   refusal: (options) => {
@@ -124,26 +128,12 @@ new Survey(api, store);
 const archive = new Archive(api, store, saveFile);
 const orderWork = new OrderWork(api, store, () => documents.reopen());
 
-let waiting = 0; // the frame in which the page is drawn
-let later = 0; // the frame after which it is
 let scrolledFor: string | undefined;
-const drawSoon = () => (waiting ||= requestAnimationFrame(drawWaiting));
-function drawWaiting() {
-  if (!waiting && !later) return;
-  cancelAnimationFrame(waiting);
-  cancelAnimationFrame(later);
-  waiting = later = 0;
-  draw();
-}
 store.subscribe((state, before) => {
   views.changed(state, before);
   measureKeys.changed(state, before);
-  // A drag is drawn with the geometry it leads to, if that comes within a frame: drawing would delay it.
-  if (state.pending === null || state.shape !== before.shape) drawSoon();
-  else later ||= requestAnimationFrame(drawSoon);
 });
-// What is drawn answers with the state it was drawn from: of two changes within a frame the second must see the first.
-for (const event of ['pointerdown', 'keydown']) window.addEventListener(event, drawWaiting, true);
+const drawWaiting = drawsPage(store, draw);
 
 arrangeViews(store, part('main'));
 
@@ -172,7 +162,9 @@ function draw() {
   render(measureList(ui), part('.measured'));
   root.classList.toggle('measuring', store.state.measure.on);
   render(flatTitle(ui), part('.flat .title'));
-  render(startScreen(ui), part('.over'));
+  const over = startScreen(ui);
+  render(over, part('.over'));
+  for (const below of root.querySelectorAll<HTMLElement>('.view, .divider')) below.inert = over !== nothing;
   render(helpDialog(ui), part('.dialogs'));
   showHelp(store.state.help);
   describeViews();
@@ -281,8 +273,8 @@ window.addEventListener('keydown', (e) => {
   const key = e.key.toLowerCase();
   if (e.ctrlKey || e.metaKey) {
     if (key === 'o') chooseFile();
-    else if (typing || !(key === 'z' || key === 'y')) return;
-    else store.dispatch({ type: key === 'y' || e.shiftKey ? 'redo' : 'undo' });
+    else if (!(key === 'z' || key === 'y') || isUnentered(target)) return;
+    else step(key === 'y' || e.shiftKey ? 'redo' : 'undo', target);
     e.preventDefault();
     return;
   }
@@ -297,7 +289,7 @@ window.addEventListener('keydown', (e) => {
     store.dispatch({ type: 'measure-mode', on: !store.state.measure.on });
     drawWaiting(); // what has the focus is described by then
     measureKeys.focus();
-  } else if (key === ' ' && !target.matches('button, summary')) {
+  } else if (key === ' ' && !target.matches('button, summary, input[type=checkbox]')) {
     if (isInMachine(store.state)) playStrokes();
     else animate();
     e.preventDefault();
@@ -307,16 +299,19 @@ window.addEventListener('keydown', (e) => {
   else if (key === 'delete' || key === 'backspace') removeChosen();
 });
 
-/** The original text of the field being edited: Escape restores it. */
-const before = new WeakMap<EventTarget, string>();
-for (const type of ['focusin', 'change'] as const)
-  window.addEventListener(type, ({ target }) => {
-    if (target instanceof HTMLInputElement && target.type === 'text') before.set(target, target.value);
-  });
+function step(type: 'undo' | 'redo', target: HTMLElement) {
+  if (store.state.pending) giveUp();
+  store.dispatch({ type });
+  drawWaiting();
+  beginsAnew(target);
+}
 
 function escape(target: HTMLElement) {
-  const text = before.get(target);
-  if (text !== undefined) (target as HTMLInputElement).value = text;
+  if (store.state.pending) {
+    giveUp();
+    return store.dispatch({ type: 'give-up' });
+  }
+  putBack(target);
   target.blur();
   root.querySelectorAll('details.menu[open]').forEach((m) => {
     m.removeAttribute('open');
@@ -337,6 +332,14 @@ function removeChosen() {
   else return;
   store.dispatch({ type: 'select', selection: {} });
 }
+
+/** Where the focus goes whose place has gone: the name of what is open. */
+store.subscribe((state, before) => {
+  if (state.document?.id === before.document?.id) return;
+  requestAnimationFrame(() => {
+    if (document.activeElement === document.body) part('.name').focus();
+  });
+});
 
 window.addEventListener('pointerdown', (e) => {
   root.querySelectorAll('details.menu[open]').forEach((m) => {

@@ -13,7 +13,11 @@ export interface OrderState {
   problem: ApiProblem | null;
   time: number; // strokes, with the share of the one that is being made
   playing: boolean;
+  past: Answered[]; // of the same input, for undo
+  future: Answered[];
 }
+
+type Answered = Pick<OrderState, 'answer' | 'ofBrake' | 'given'>;
 
 export type OrderAction =
   | { type: 'brake'; brake: BrakeOptions }
@@ -33,6 +37,8 @@ export const noOrder: OrderState = {
   problem: null,
   time: 0,
   playing: false,
+  past: [],
+  future: [],
 };
 
 export function reduceOrder(state: OrderState, action: OrderAction): OrderState {
@@ -43,7 +49,8 @@ export function reduceOrder(state: OrderState, action: OrderAction): OrderState 
       return { ...state, asked: action.asked, computing: true, problem: null, playing: false };
     case 'order': {
       const { answer, of, ofBrake, asked } = action,
-        most = answer.strokes.length;
+        most = answer.strokes.length,
+        same = state.answer !== null && state.of === of;
       return {
         ...state,
         answer,
@@ -54,6 +61,8 @@ export function reduceOrder(state: OrderState, action: OrderAction): OrderState 
         computing: false,
         problem: null,
         time: asked === null ? 0 : Math.min(state.time, most),
+        past: same ? [...state.past, answeredBy(state)].slice(-mostPast) : [],
+        future: [],
       };
     }
     case 'order-problem':
@@ -68,6 +77,33 @@ export function reduceOrder(state: OrderState, action: OrderAction): OrderState 
     }
   }
 }
+
+const mostPast = 100;
+const answeredBy = ({ answer, ofBrake, given }: OrderState): Answered => ({ answer, ofBrake, given });
+
+/** Whether the last thing done to an input, which undo takes back, was another order of its strokes. */
+export const undoesOrder = ({ past, of }: OrderState, input: Input) => past.length > 0 && of === input;
+export const redoesOrder = ({ future, of }: OrderState, input: Input) => future.length > 0 && of === input;
+
+export function undoneOrder(state: OrderState): OrderState {
+  if (state.computing) return state;
+  const answered = state.past.at(-1)!,
+    future = [answeredBy(state), ...state.future];
+  return shownAgain({ ...state, ...answered, past: state.past.slice(0, -1), future });
+}
+
+export function redoneOrder(state: OrderState): OrderState {
+  if (state.computing) return state;
+  const [answered, ...future] = state.future;
+  return shownAgain({ ...state, ...answered!, past: [...state.past, answeredBy(state)], future });
+}
+
+const shownAgain = (state: OrderState): OrderState => ({
+  ...state,
+  problem: null,
+  playing: false,
+  time: Math.min(state.time, state.answer?.strokes.length ?? 0),
+});
 
 /** The strokes in the order that is asked for: those shown, moved where that is being checked. */
 export const orderOf = (answer: OrderAnswer): OrderedStroke[] =>

@@ -1,4 +1,4 @@
-import type { Api } from './api.ts';
+import { ApiError, type Api } from './api.ts';
 import { pictureOf, type Picture } from './bodies.ts';
 import type { State, Store } from './state.ts';
 import type { Kind } from './types.ts';
@@ -32,30 +32,46 @@ export class Recents {
   }
 
   /** A file that was opened as a document, with the files beside it. */
-  opened(name: string, bytes: ArrayBuffer, beside: Record<string, ArrayBuffer>) {
+  opened(name: string, bytes: ArrayBuffer, beside: Record<string, ArrayBuffer>): Promise<Recent | null> {
     const { id, kind } = this.store.state.document!;
-    this.then(async () => {
+    return this.then(async () => {
       const key = await keyOf(name, bytes),
         others = Object.entries(beside),
         known = this.all.find((r) => r.key === key);
-      if (!known || known.beside.join() !== others.map(([n]) => n).join()) {
-        await this.api.keep(fileOf(key), new Blob([bytes]));
-        for (const [i, [, other]] of others.entries()) await this.api.keep(fileOf(key, i + 1), new Blob([other]));
-      }
-      this.latest = { key, document: id };
       const own = { ...known, key, name, kind, beside: others.map(([n]) => n) };
-      await this.write([own, ...this.all.filter((r) => r.key !== key)]);
+      try {
+        if (!known || known.beside.join() !== own.beside.join()) {
+          await this.api.keep(fileOf(key), new Blob([bytes]));
+          for (const [i, [, other]] of others.entries()) await this.api.keep(fileOf(key, i + 1), new Blob([other]));
+        }
+        this.latest = { key, document: id };
+        await this.write([own, ...this.all.filter((r) => r.key !== key)]);
+      } catch {
+        if (!known) await this.drop(own); // a part of it would stay without an entry
+        return null;
+      }
       this.pictured(this.store.state);
+      return own;
     });
   }
 
-  async bytesOf({ key, beside }: Recent): Promise<{ main: ArrayBuffer; beside: Record<string, ArrayBuffer> }> {
-    const entries = beside.map(async (name, i) => [name, await this.api.kept(fileOf(key, i + 1))] as const);
-    return { main: await this.api.kept(fileOf(key)), beside: Object.fromEntries(await Promise.all(entries)) };
+  async bytesOf(recent: Recent): Promise<{ main: ArrayBuffer; beside: Record<string, ArrayBuffer> }> {
+    const { key, name, beside } = recent;
+    try {
+      const entries = beside.map(async (other, i) => [other, await this.api.kept(fileOf(key, i + 1))] as const);
+      return { main: await this.api.kept(fileOf(key)), beside: Object.fromEntries(await Promise.all(entries)) };
+    } catch (error) {
+      if (!(error instanceof ApiError && error.status === 404)) throw error;
+      void this.then(() => this.write(this.all.filter((r) => r.key !== key)));
+      throw new ApiError(
+        { code: 'not_found', message: `${name} is no longer kept on this machine; open it again` },
+        404,
+      );
+    }
   }
 
   forget() {
-    this.then(() => this.write([]));
+    void this.then(() => this.write([]));
   }
 
   private get all() {
@@ -68,7 +84,7 @@ export class Recents {
     if (!result || !latest || document?.id !== latest.document) return;
     const picture = pictureOf(result);
     this.latest = null;
-    if (picture) this.then(() => this.write(this.all.map((r) => (r.key === latest.key ? { ...r, picture } : r))));
+    if (picture) void this.then(() => this.write(this.all.map((r) => (r.key === latest.key ? { ...r, picture } : r))));
   }
 
   private async write(recents: Recent[]) {
@@ -76,13 +92,18 @@ export class Recents {
       gone = this.all.filter((r) => !kept.some((k) => k.key === r.key));
     await this.api.keep(recentList, new Blob([JSON.stringify(kept)]));
     this.store.dispatch({ type: 'recents', recents: kept });
-    for (const { key, beside } of gone)
-      for (let i = 0; i <= beside.length; ++i) await this.api.forget(fileOf(key, i)).catch(() => undefined);
+    for (const one of gone) await this.drop(one);
+  }
+
+  private async drop({ key, beside }: Recent) {
+    for (let i = 0; i <= beside.length; ++i) await this.api.forget(fileOf(key, i)).catch(() => undefined);
   }
 
   /** One thing after the other. A machine on which nothing can be kept has no recent files, and that is all. */
-  private then(work: () => Promise<void>) {
-    this.pending = this.pending.then(work).catch(() => undefined);
+  private then<T>(work: () => Promise<T>): Promise<T | null> {
+    const done = this.pending.then(work).catch(() => null);
+    this.pending = done;
+    return done;
   }
 }
 

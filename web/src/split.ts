@@ -1,6 +1,14 @@
 import { html } from 'lit-html';
 import type { Api } from './api.ts';
-import { arrangementFor, arrangementOf, evenly, mostSplit, type Arrangement, type ViewState } from './view-state.ts';
+import {
+  arrangementFor,
+  arrangementOf,
+  evenly,
+  leastSplit,
+  mostSplit,
+  type Arrangement,
+  type ViewState,
+} from './view-state.ts';
 import type { State, Store } from './state.ts';
 import type { Ui } from './ui.ts';
 import './split.css';
@@ -106,8 +114,8 @@ export function divider(ui: Ui, area: HTMLElement) {
     data-testid="divider"
     aria-label="Share of the folded part"
     aria-orientation=${stacked ? 'horizontal' : 'vertical'}
-    aria-valuemin="15"
-    aria-valuemax="85"
+    aria-valuemin=${Math.round(100 * leastSplit)}
+    aria-valuemax=${Math.round(100 * mostSplit)}
     aria-valuenow=${Math.round(100 * share)}
     title="Drag to share the room; double-click: as it was at first"
     @pointerdown=${drag}

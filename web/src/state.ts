@@ -15,7 +15,16 @@ import type {
 } from './types.ts';
 import { statusOfShape, type Bodies, type BodyStatus } from './bodies.ts';
 import type { Recent } from './recents.ts';
-import { noOrder, reduceOrder, type OrderAction, type OrderState } from './order-state.ts';
+import {
+  noOrder,
+  redoesOrder,
+  redoneOrder,
+  reduceOrder,
+  undoesOrder,
+  undoneOrder,
+  type OrderAction,
+  type OrderState,
+} from './order-state.ts';
 import { forgotten, noMeasures, reduceMeasure, type MeasureAction, type MeasureState } from './measure/state.ts';
 import { initialView, noSection, reduceView, type ViewAction, type ViewState } from './view-state.ts';
 import { asBefore } from './orientation.ts';
@@ -125,6 +134,7 @@ export type Action =
   | { type: 'history'; history: History }
   | { type: 'edit'; input: Input; live?: boolean }
   | { type: 'commit' }
+  | { type: 'give-up' } // of a drag
   | { type: 'undo' }
   | { type: 'redo' }
   | { type: 'shape'; shape: Shape; draft: boolean }
@@ -222,12 +232,18 @@ export function reduce(state: State, action: Action): State {
       return action.live
         ? { ...state, pending: state.pending ?? state.input, input: action.input, note: null }
         : edited(state, action.input);
+    case 'give-up':
+      return state.pending ? { ...state, input: state.pending, pending: null, note: null } : state;
     case 'commit':
       return state.pending ? edited(state, state.input) : state;
     case 'undo':
-      return undone(state);
+      return !state.pending && undoesOrder(state.order, state.input)
+        ? { ...state, order: undoneOrder(state.order) }
+        : undone(state);
     case 'redo':
-      return redone(state);
+      return !state.pending && redoesOrder(state.order, state.input)
+        ? { ...state, order: redoneOrder(state.order) }
+        : redone(state);
     case 'shape':
       return shaped(state, action.shape, action.draft);
     case 'problem':

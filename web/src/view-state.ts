@@ -17,7 +17,7 @@ export type ViewAction =
   | { type: 'view'; view: Partial<Omit<ViewState, 'section'>> };
 
 export const evenly = 0.5;
-export const [leastSplit, mostSplit] = [0.15, 0.85];
+export const [leastSplit, mostSplit] = [0.28, 0.85]; // the buttons of the folded view need that much
 
 export const noSection: ViewState['section'] = { on: false, axis: 'x', along: [1, 0, 0], at: 0.5, flipped: false };
 

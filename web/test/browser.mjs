@@ -7,6 +7,7 @@ import * as bodies from './flows/bodies.mjs';
 import * as connect from './flows/connect.mjs';
 import * as features from './flows/features.mjs';
 import * as frames from './flows/frames.mjs';
+import * as hands from './flows/hands.mjs';
 import * as hover from './flows/hover.mjs';
 import * as look from './flows/look.mjs';
 import * as measure from './flows/measure.mjs';
@@ -35,6 +36,7 @@ const flows = {
   ...page,
   ...features,
   ...frames,
+  ...hands,
   ...hover,
   ...measure,
   ...look,
@@ -61,7 +63,7 @@ async function letGo(open) {
 
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
-  if (wanted.length && !wanted.includes(name)) continue;
+  if (wanted.length ? !wanted.includes(name) : flow.isAlone) continue;
   const begun = performance.now(),
     open = await documentsOf(address),
     given = await fresh({ name });

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { launch } from './launch.mjs';
 import { serveDist } from './serve-dist.mjs';
 
-const address = process.argv[2];
+export const address = process.argv[2];
 const files = process.env.STUDIO_FILES ?? '/tmp/planish-studio-files';
 export const browser = await launch();
 

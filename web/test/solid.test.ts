@@ -27,6 +27,15 @@ test('faces and edges are named as messages name them', () => {
     named('a rip along the edge between face 6 and face 35 would open it', 'edge 73 between face 6 and face 35'),
     { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
   );
+  assert.deepEqual(
+    named(
+      'rips along 4 edges would open it, first along the edge between face 6 and face 35',
+      'edge 73 between face 6 and face 35',
+    ),
+    { faces: [], edges: [{ name: 'edge 73', between: [6, 35] }] },
+  );
+  // Without a rip that leads on, the place is the faces.
+  assert.deepEqual(numbers(named('and no rips along its edges open it', 'between face 6 and face 35')), [6, 35]);
   assert.deepEqual(named('A sheet of 3 mm accounts for 40 % of the surface 12'), { faces: [], edges: [] });
 });
 

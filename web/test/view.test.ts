@@ -93,6 +93,6 @@ test('wide patterns are shown below the part, others beside it, unless that was 
   const suggested = reduceView(initialView, { type: 'view', view: { suggested: 'stacked' } });
   assert.equal(arrangementOf(suggested), 'stacked');
   assert.equal(arrangementOf(reduceView(suggested, { type: 'view', view: { arrangement: 'beside' } })), 'beside');
-  assert.equal(reduceView(initialView, { type: 'view', view: { split: 0.01 } }).split, 0.15, 'no view vanishes');
+  assert.equal(reduceView(initialView, { type: 'view', view: { split: 0.01 } }).split, 0.28, 'no view vanishes');
   assert.equal(reduceView(initialView, { type: 'section', section: { at: 0.2 } }).section.at, 0.2);
 });

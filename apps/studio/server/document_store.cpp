@@ -33,7 +33,7 @@ int number_of(const std::string& id) {
 Answer DocumentStore::take(const std::string& name, const std::string& bytes, Origin origin) {
   if (!is_plain_name(name))
     return failure(422, "invalid_input",
-                   "the file needs a name without folders, of at most 128 bytes", name);
+                   "the file needs a name without folders, of at most 240 bytes", name);
   const auto number = new_number();
   if (!number)
     return failure(429, "too_many_documents",
@@ -110,7 +110,7 @@ Answer DocumentStore::attach(const std::string& id, const std::string& name,
   if (!document) return no_document(id);
   if (!is_plain_name(name))
     return failure(422, "invalid_input",
-                   "an attachment needs a name without folders, of at most 128 bytes", name);
+                   "an attachment needs a name without folders, of at most 240 bytes", name);
   return document->attach(name, bytes);
 }
 

@@ -58,7 +58,7 @@ Answer KeptFiles::read(const std::string& name) const {
 
 Answer KeptFiles::write(const std::string& name, const std::string& bytes) {
   if (!is_plain_name(name))
-    return failure(422, "invalid_input", "what is kept needs a plain name of at most 128 bytes",
+    return failure(422, "invalid_input", "what is kept needs a plain name of at most 240 bytes",
                    name);
   if (bytes.size() > kLargestKept)
     return failure(

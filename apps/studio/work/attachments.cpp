@@ -17,7 +17,7 @@ std::vector<job::NamedFile> named_files(const job::Maker& maker, const std::stri
 }  // namespace
 
 bool is_plain_name(const std::string& name) {
-  constexpr std::size_t kLongest = 128;
+  constexpr std::size_t kLongest = 240;
   const auto unfit = [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '/' || c == '\\'; };
   return !name.empty() && name.size() <= kLongest && name.front() != '.' &&
          std::none_of(name.begin(), name.end(), unfit) && job::printable(name) == name;

@@ -8,7 +8,7 @@
 
 namespace planish::studio {
 
-/// Whether a file may have this name: 1 to 128 bytes of UTF-8, no slash, no control character, no
+/// Whether a file may have this name: 1 to 240 bytes of UTF-8, no slash, no control character, no
 /// leading dot.
 bool is_plain_name(const std::string& name);
 

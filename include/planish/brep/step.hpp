@@ -5,6 +5,7 @@
 #include <planish/geometry/mesh.hpp>
 #include <planish/sheet/certificate.hpp>
 #include <planish/sheet/flat_pattern.hpp>
+#include <planish/sheet/rip.hpp>
 #include <planish/sheet/sheet.hpp>
 
 #include <filesystem>
@@ -59,6 +60,8 @@ struct RecognizeOptions {
                                     ///< as one
   double thickness_tolerance = 0.02;  ///< of the thickness: spread allowed between skins
   std::vector<int> rip_edges = {};    ///< along which the sheet is cut open (sheet/rip.hpp)
+  /// What a closed sheet must pass, besides, for a refusal to name the rips that open it.
+  SheetCheck passes = {};
 };
 
 /// A recognised sheet with the distances that `certify` needs.
@@ -69,7 +72,8 @@ struct Recognized {
 };
 
 /// Finds the sheet in a solid: thickness, two skins, flanges, bends, features. Errors:
-/// `not_a_sheet`, `thickness_not_constant`, `doubly_curved`, `closed_loop`, `unsupported_shape`.
+/// `not_a_sheet`, `thickness_not_constant`, `doubly_curved`, `closed_loop` (it names a rip if rips
+/// open the sheet), `unsupported_shape`.
 Result<Recognized> recognize(const Body& body, const RecognizeOptions& options = {});
 
 /// Flat solid of the sheet's thickness as STEP text (AP214, mm): the pattern extruded over z = −t …

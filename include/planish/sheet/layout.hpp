@@ -67,8 +67,8 @@ struct Layout {
 
 /// Lays the faces out from the root, whose coordinates they take: each bend developed at its
 /// neutral surface, each face placed by border trihedrons (math.md#border-trihedron) over a tree of
-/// the longest joints. Errors: `closed_loop` (a cycle of joints does not close; the message
-/// proposes the rip), `not_a_sheet` (joints do not lead to every face), `no_such_face` (the root),
+/// the longest joints. Errors: `closed_loop` (a cycle of joints does not close; sheet/rip.hpp
+/// finds the rips), `not_a_sheet` (joints do not lead to every face), `no_such_face` (the root),
 /// `bad_option` (a tolerance, a bend of `bend_k`), those of `bend_allowance` and of `check`.
 Result<Layout> lay_out(const Sheet& sheet, const FlattenOptions& options = {});
 

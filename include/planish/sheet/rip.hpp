@@ -1,9 +1,12 @@
 #pragma once
 
 #include <planish/base/result.hpp>
+#include <planish/sheet/flat_pattern.hpp>
 #include <planish/sheet/sheet.hpp>
 
+#include <functional>
 #include <span>
+#include <vector>
 
 namespace planish {
 
@@ -15,5 +18,22 @@ namespace planish {
 /// by their outside, which would leave both of them in the corner, and for rips that cut the sheet
 /// into several parts.
 Result<Sheet> ripped(Sheet sheet, std::span<const int> edges);
+
+/// Whether a sheet is one that can be made, and lies flat; otherwise why not.
+using SheetCheck = std::function<Result<void>(const Sheet&)>;
+
+/// Edges of a sheet that does not lie flat along which rips open it, so that it passes the check:
+/// in the order in which a refusal names them. After the first of them the answer is the others, or
+/// fewer. The sheet stays in one part, over smooth joints before sharp ones and over long ones
+/// before short ones (math.md#rips). Cost: that of a few layouts and checks. Errors: `closed_loop`
+/// if no rips are found; if some are, but what they open does not pass, why not.
+Result<std::vector<int>> rips_to_open(const Sheet& sheet, const FlattenOptions& options,
+                                      const SheetCheck& passes);
+
+/// What to say of a sheet that was refused as `closed_loop`: where the first rip goes, if rips open
+/// it; what refuses it after the rips; or that there are none. Only the first names an edge
+/// (`where`: "edge 21 between face 7 and face 8").
+Error loop_refusal(const Sheet& sheet, const Error& closed, const FlattenOptions& options,
+                   const SheetCheck& passes);
 
 }  // namespace planish

@@ -18,14 +18,16 @@ export interface CurveOptions {
 
 const [width, height, margin] = [312, 190, 22];
 
+/** As drawn last: a field may have changed a curve between the press and the first movement. */
+const drawn = new Map<CurveName, CurveOptions>();
+
 /** A Bézier curve whose control points are dragged. */
 export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
-  const box = bounds(o.resting),
-    scale = Math.min((width - 2 * margin) / box.w, (height - 2 * margin) / box.h);
+  drawn.set(o.name, o);
+  const { at } = picture(o);
   const digits = fileDigits(o.units) - 1,
     { selection, units } = ui.state,
     chosen = selection.point?.curve === o.name ? selection.point.index : null;
-  const at = ([x, y]: Vec2): Vec2 => [width / 2 + (x - box.x) * scale, height / 2 - (y - box.y) * scale];
   const choose = (i: number) => ui.dispatch({ type: 'select', selection: { point: { curve: o.name, index: i } } });
   const press = (i: number) => (e: KeyboardEvent) => {
     if (e.key !== 'Enter' && e.key !== ' ') return;
@@ -36,15 +38,20 @@ export function curveEditor(ui: Ui, o: CurveOptions): TemplateResult {
   const drag = (i: number) => (e: PointerEvent) => {
     const circle = e.target as SVGCircleElement,
       r = circle.ownerSVGElement!.getBoundingClientRect(),
-      zoom = width / r.width;
+      zoom = width / r.width,
+      [x0, y0] = at(o.control[i]!),
+      held: Vec2 = [(e.clientX - r.left) * zoom - x0, (e.clientY - r.top) * zoom - y0]; // beside the point
     circle.setPointerCapture(e.pointerId);
     choose(i);
     const move = (m: PointerEvent) => {
-      const x = (m.clientX - r.left) * zoom,
-        y = (m.clientY - r.top) * zoom;
-      const p: Vec2 = [round(box.x + (x - width / 2) / scale, digits), round(box.y - (y - height / 2) / scale, digits)];
-      o.on(
-        o.control.map((q, j) => (j === i ? p : q)),
+      const now = drawn.get(o.name)!,
+        x = (m.clientX - r.left) * zoom - held[0],
+        y = (m.clientY - r.top) * zoom - held[1],
+        p = picture(now)
+          .from([x, y])
+          .map((v) => round(v, digits)) as Vec2;
+      now.on(
+        now.control.map((q, j) => (j === i ? p : q)),
         true,
       );
     };
@@ -119,6 +126,16 @@ function pointFields(ui: Ui, o: CurveOptions, chosen: number | null) {
       Remove
     </button>
   </div>`;
+}
+
+/** Where a curve lies in its picture. */
+function picture({ resting }: CurveOptions) {
+  const box = bounds(resting),
+    scale = Math.min((width - 2 * margin) / box.w, (height - 2 * margin) / box.h);
+  return {
+    at: ([x, y]: Vec2): Vec2 => [width / 2 + (x - box.x) * scale, height / 2 - (y - box.y) * scale],
+    from: ([x, y]: Vec2): Vec2 => [box.x + (x - width / 2) / scale, box.y - (y - height / 2) / scale],
+  };
 }
 
 function bounds(control: Vec2[]) {

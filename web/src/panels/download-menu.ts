@@ -32,7 +32,12 @@ export function downloadMenu(ui: Ui): TemplateResult {
   </details>`;
 }
 
-export const closeMenu = (e: Event) => (e.target as HTMLElement).closest('details')?.removeAttribute('open');
+/** The focus goes back to where the menu was opened. */
+export function closeMenu(e: Event) {
+  const menu = (e.target as HTMLElement).closest('details');
+  menu?.removeAttribute('open');
+  menu?.querySelector('summary')?.focus();
+}
 
 const layerSystems: Record<string, string> = { inventor: 'Inventor', onshape: 'Onshape', solidedge: 'Solid Edge' };
 const unitNames: Record<LengthUnit, string> = { mm: 'mm', inch: 'inch', m: 'm' };

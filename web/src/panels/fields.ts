@@ -142,7 +142,10 @@ export function slider(o: SliderOptions): TemplateResult {
       step=${o.step}
       .value=${String(o.value)}
       @input=${(e: Event) => o.on(Number((e.target as HTMLInputElement).value), true)}
-      @change=${o.commit}
+      @change=${(e: Event) => {
+        o.commit();
+        (e.target as HTMLInputElement).value = String(o.value); // of a drag that was given up
+      }}
     />
     <input type="text" inputmode="decimal" data-testid="${o.testid}-number" .value=${text} @change=${enter} />
     <em>${o.unit ?? ''}</em></label
@@ -172,6 +175,7 @@ export function lengthSlider(
   });
 }
 
+/** One of several; drawn anew it shows what is chosen in the state, not what was just chosen in it. */
 export function choice<T extends string>(
   label: string,
   testid: string,

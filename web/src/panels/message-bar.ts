@@ -93,6 +93,7 @@ function hint(s: State): string {
   if (s.pick === 'up') return 'Click the side that should face up in the flat pattern. Esc cancels.';
   const edge = pickedEdgeText(s);
   if (edge) return edge;
-  const count = s.result && !s.shapeIsDraft ? s.result.report.checks.length : 0;
-  return count ? `${count} finding${count > 1 ? 's' : ''}; see “Findings”.` : '';
+  if (!s.result || s.shapeIsDraft) return '';
+  const count = s.result.report.checks.length;
+  return count ? `${count} finding${count > 1 ? 's' : ''}; see “Findings”.` : 'No findings.';
 }

@@ -1,9 +1,10 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
+import { redoesOrder, undoesOrder } from '../order-state.ts';
 import type { Ui } from '../ui.ts';
 import { closeMenu, downloadMenu } from './download-menu.ts';
 
 export function topBar(ui: Ui): TemplateResult {
-  const { document: d, past, pending, future, units, theme } = ui.state;
+  const { document: d, input, past, pending, future, order, units, theme } = ui.state;
   return html`<h1 class="brand">Planish<small>studio</small></h1>
     <button data-testid="open" title="Open a file (Ctrl+O)" @click=${chooseFile}>Open</button>
     <input
@@ -20,20 +21,20 @@ export function topBar(ui: Ui): TemplateResult {
       }}
     />
     ${examplesMenu(ui)}
-    <span class="name" data-testid="document-name" title=${d?.name ?? ''}>${d?.name ?? ''}</span>
+    <span class="name" tabindex="-1" data-testid="document-name" title=${d?.name ?? ''}>${d?.name ?? ''}</span>
     <span class="grow"></span>
     <span class="segments"
       ><button
         data-testid="undo"
         title="Undo (Ctrl+Z)"
-        ?disabled=${!past.length && !pending}
+        ?disabled=${!past.length && !pending && !undoesOrder(order, input)}
         @click=${() => ui.dispatch({ type: 'undo' })}
       >
         ↶ Undo</button
       ><button
         data-testid="redo"
         title="Redo (Ctrl+Shift+Z)"
-        ?disabled=${!future.length}
+        ?disabled=${!future.length && !redoesOrder(order, input)}
         @click=${() => ui.dispatch({ type: 'redo' })}
       >
         ↷ Redo

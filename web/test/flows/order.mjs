@@ -95,6 +95,16 @@ export async function reorder({ page }) {
   assert.equal(await page.locator('.strokes li.blocked').count(), 0);
   await page.waitForFunction((name) => document.activeElement?.dataset.stroke === name, first);
   assert.equal(await toolIsRed(page, blocked.tool), false);
+  // Orders are undone like all else, and before the edits that came before them.
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await names(page), [second, first]);
+  assert.equal(await toolIsRed(page, blocked.tool), true);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await names(page), [first, second]);
+  assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
+  assert.equal(await page.isDisabled('[data-testid=undo]'), true);
+  await page.click('[data-testid=redo]');
+  assert.deepEqual(await names(page), [second, first]);
 }
 
 /** What cannot be planned is said, and a tools file that is none. */

@@ -153,6 +153,14 @@ export async function machinestates({ page }) {
   await page.waitForFunction(() => window.planish.store.state.order.time > 1.2, null, { timeout: 20000 });
   await page.click('[data-testid=stroke-play]');
   await look('strokes that are stopped');
+  await example(page, 'bracket.step');
+  await page.click('[data-testid=tab-order]');
+  await page.click('[data-testid=plan]');
+  await checked();
+  assert.ok(await page.locator('.strokes .change').count(), 'the part is turned between its strokes');
+  await page.click('[data-testid=stroke-2]');
+  await away(page);
+  await look('what changes between strokes');
   await page.fill('[data-testid=springback]', '2');
   await page.keyboard.press('Enter');
   await page.waitForSelector('[data-testid=order-old]');
