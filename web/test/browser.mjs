@@ -61,6 +61,15 @@ async function letGo(open) {
   }
 }
 
+/** What the page was busy with when a flow failed. */
+const stateOf = (page) =>
+  page
+    .evaluate(() => {
+      const { document: d, computing, busy, opening, stale, shapeIsDraft, problem, note } = window.planish.store.state;
+      return JSON.stringify({ open: d?.name, computing, busy, opening, stale, shapeIsDraft, problem, note });
+    })
+    .catch(String);
+
 let failed = 0;
 for (const [name, flow] of Object.entries(flows)) {
   if (wanted.length ? !wanted.includes(name) : flow.isAlone) continue;
@@ -76,7 +85,7 @@ for (const [name, flow] of Object.entries(flows)) {
   } catch (error) {
     ++failed;
     await given.page.screenshot({ path: `${folder(given.page)}/failed.png` });
-    console.log(`not ok ${name}: ${error.message}\n   ${given.said.join('\n   ')}`);
+    console.log(`not ok ${name}: ${error.message}\n   ${await stateOf(given.page)}\n   ${given.said.join('\n   ')}`);
   }
   await given.context.close();
 }
