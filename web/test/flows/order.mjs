@@ -71,7 +71,7 @@ export async function reorder({ page }) {
   await page.waitForFunction(() => window.planish.store.state.order.given);
   await checked(page);
   assert.deepEqual(await names(page), [second, first]);
-  assert.match(await page.textContent('[data-testid=order-status]'), /1 of 2 strokes cannot be made/);
+  await page.waitForSelector('[data-testid=order-status]:has-text("1 of 2 strokes cannot be made")');
   assert.equal(await page.getAttribute('[data-testid=stroke-2]', 'class').then((c) => c.includes('blocked')), true);
   await page.click('[data-testid=stroke-2]');
   const blocked = await state(page, 's.order.answer.strokes[1].blocked');
