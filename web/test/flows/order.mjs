@@ -30,12 +30,12 @@ const toolIsRed = (page, tool) =>
 export async function order({ page }) {
   await example(page, 'bracket.step');
   await plan(page);
-  assert.match(await page.textContent('[data-testid=order-status]'), /^\s*The cheapest order: cost/);
+  await page.waitForSelector('[data-testid=order-status]:has-text("The cheapest order: cost")');
   const strokes = await names(page);
   assert.equal(await state(page, 'views.folded.machine.group.visible'), true, 'the sheet is in the machine');
   await page.click('[data-testid=stroke-2]');
   assert.equal(await state(page, 's.selection.part'), strokes[1], 'the bend that is pressed is picked');
-  assert.match(await page.textContent('[data-testid=stroke-shown]'), /^2 of /);
+  await page.waitForSelector('[data-testid=stroke-shown]:has-text("2 of ")');
   // the sheet lies on the die: what is lowest of it over the shoulders is at the die's top
   await page.evaluate(() => window.planish.store.dispatch({ type: 'stroke-time', time: 0.44 }));
   const lowest = await state(
