@@ -50,7 +50,8 @@ export function reduceOrder(state: OrderState, action: OrderAction): OrderState 
     case 'order': {
       const { answer, of, ofBrake, asked } = action,
         most = answer.strokes.length,
-        same = state.answer !== null && state.of === of;
+        same = state.answer !== null && state.of === of,
+        repeated = same && state.ofBrake === ofBrake && isOrder(state.answer!, orderOf(answer));
       return {
         ...state,
         answer,
@@ -61,8 +62,8 @@ export function reduceOrder(state: OrderState, action: OrderAction): OrderState 
         computing: false,
         problem: null,
         time: asked === null ? 0 : Math.min(state.time, most),
-        past: same ? [...state.past, answeredBy(state)].slice(-mostPast) : [],
-        future: [],
+        past: repeated ? state.past : same ? [...state.past, answeredBy(state)].slice(-mostPast) : [],
+        future: repeated ? state.future : [],
       };
     }
     case 'order-problem':
@@ -108,6 +109,9 @@ const shownAgain = (state: OrderState): OrderState => ({
 /** The strokes in the order that is asked for: those shown, moved where that is being checked. */
 export const orderOf = (answer: OrderAnswer): OrderedStroke[] =>
   answer.strokes.map(({ bends, press_line, flattening }) => ({ bends, press_line, flattening }));
+
+const isOrder = (answer: OrderAnswer, order: OrderedStroke[]) =>
+  JSON.stringify(orderOf(answer)) === JSON.stringify(order);
 
 /** An order with the stroke of one place moved to another. */
 export function moved<T>(rows: T[], from: number, to: number): T[] {

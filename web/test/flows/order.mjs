@@ -3,11 +3,15 @@ import { writeFileSync } from 'node:fs';
 import { channel } from '../channel.mjs';
 import { example, folder, open, rested, state } from '../driving.mjs';
 
-const checked = (page) =>
-  page.waitForFunction(() => {
+const drawn = (page) => page.evaluate(() => new Promise((f) => requestAnimationFrame(() => requestAnimationFrame(f))));
+
+async function checked(page) {
+  await page.waitForFunction(() => {
     const { order } = window.planish.store.state;
     return order.answer && !order.computing && !order.asked;
   });
+  await drawn(page);
+}
 
 async function plan(page) {
   await page.click('[data-testid=tab-order]');
@@ -104,6 +108,7 @@ export async function reorder({ page }) {
   assert.equal(await state(page, 's.order.given'), false, 'the cheapest one');
   assert.equal(await page.isDisabled('[data-testid=undo]'), true);
   await page.click('[data-testid=redo]');
+  await drawn(page);
   assert.deepEqual(await names(page), [second, first]);
 }
 
