@@ -49,7 +49,11 @@ export class Api {
     const path = `/api/kept/${encodeURIComponent(name)}`,
       put = (keepalive: boolean) => this.call('PUT', path, content, { keepalive });
     // Browsers let 64 KiB at a time outlive their page, and fail what is above.
-    const write = () => (content.size < 30_000 ? put(true).catch(() => put(false)) : put(false));
+    const again = (error: unknown) => {
+      if (error instanceof ApiError && error.status === 0) return put(false);
+      throw error; // the server has said why not
+    };
+    const write = () => (content.size < 30_000 ? put(true).catch(again) : put(false));
     const earlier = this.keeping.get(name),
       written = earlier ? earlier.then(write, write) : write();
     this.keeping.set(name, written);
